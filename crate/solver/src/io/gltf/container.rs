@@ -1,0 +1,177 @@
+//! The GLB container and the buffers: binary chunk, data URIs and files beside the mesh.
+
+use std::borrow::Cow;
+use std::cell::OnceCell;
+
+use gltf::json::{Index, Root, buffer};
+
+use super::{GLB_MAGIC, GLTF, Resources, element};
+use crate::error::{Error, Result};
+
+const JSON_CHUNK: &[u8] = b"JSON";
+const BINARY_CHUNK: &[u8] = b"BIN\0";
+const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
+
+/// The two chunks of a GLB file, or a plain JSON file.
+pub struct Container<'a> {
+    pub json: &'a [u8],
+    pub binary: Option<&'a [u8]>,
+}
+
+pub fn open(bytes: &[u8]) -> Result<Container<'_>> {
+    if !bytes.starts_with(GLB_MAGIC) {
+        return Ok(Container { json: bytes, binary: None });
+    }
+    let cut_short = |byte: usize| GLTF.at(format!("byte {byte}"), "the GLB file is cut short; copy it again");
+    let version = word(bytes, 4).ok_or_else(|| cut_short(bytes.len()))?;
+    if version != 2 {
+        return Err(Error::Unsupported {
+            format: "GLB",
+            feature: format!("version {version}"),
+            remedy: "export the file as glTF 2.0".to_owned(),
+        });
+    }
+    let mut json = None;
+    let mut binary = None;
+    let mut offset = 12;
+    while let (Some(length), Some(kind)) = (word(bytes, offset), bytes.get(offset + 4..offset + 8)) {
+        let start = offset + 8;
+        let chunk = start.checked_add(length as usize).and_then(|end| bytes.get(start..end));
+        let chunk = chunk.ok_or_else(|| cut_short(bytes.len()))?;
+        match kind {
+            JSON_CHUNK => json = json.or(Some(chunk)),
+            BINARY_CHUNK => binary = binary.or(Some(chunk)),
+            _ => {}
+        }
+        offset = start + length as usize;
+    }
+    Ok(Container { json: json.ok_or_else(|| cut_short(offset))?, binary })
+}
+
+fn word(bytes: &[u8], offset: usize) -> Option<u32> {
+    bytes.get(offset..)?.first_chunk().map(|&bytes| u32::from_le_bytes(bytes))
+}
+
+/// The buffers, each resolved when something first reads it: a file may refer to textures that nobody needs.
+pub struct Buffers<'a> {
+    root: &'a Root,
+    binary: Option<&'a [u8]>,
+    resources: Resources<'a>,
+    resolved: Vec<OnceCell<Cow<'a, [u8]>>>,
+}
+
+impl<'a> Buffers<'a> {
+    pub fn new(root: &'a Root, binary: Option<&'a [u8]>, resources: Resources<'a>) -> Self {
+        Self { root, binary, resources, resolved: root.buffers.iter().map(|_| OnceCell::new()).collect() }
+    }
+
+    /// The bytes of a view, with its stride.
+    pub fn view(&self, index: Index<buffer::View>) -> Result<(&[u8], Option<usize>)> {
+        let view = element(&self.root.buffer_views, index, "buffer view")?;
+        element(&self.root.buffers, view.buffer, "buffer")?;
+        let bytes = self.bytes(view.buffer.value())?;
+        let start = view.byte_offset.map_or(Some(0), |offset| usize::try_from(offset.0).ok());
+        let length = usize::try_from(view.byte_length.0).ok();
+        let range = start.zip(length).and_then(|(start, length)| Some(start..start.checked_add(length)?));
+        let slice = range.and_then(|range| bytes.get(range)).ok_or_else(|| {
+            GLTF.at(
+                format!("buffer view {}", index.value()),
+                format!("it reaches beyond its buffer of {} bytes; the file is cut short", bytes.len()),
+            )
+        })?;
+        // A stride of 0 is what some exporters write for "tightly packed".
+        Ok((slice, view.byte_stride.map(|stride| stride.0).filter(|&stride| stride > 0)))
+    }
+
+    /// Length of all buffers that have been read so far.
+    pub fn resolved_bytes(&self) -> usize {
+        self.resolved.iter().filter_map(OnceCell::get).map(|bytes| bytes.len()).sum()
+    }
+
+    fn bytes(&self, index: usize) -> Result<&[u8]> {
+        let cell = &self.resolved[index];
+        if cell.get().is_none() {
+            let bytes = self.resolve(index)?;
+            return Ok(cell.get_or_init(|| bytes));
+        }
+        Ok(cell.get().map_or(&[], |bytes| bytes))
+    }
+
+    fn resolve(&self, index: usize) -> Result<Cow<'a, [u8]>> {
+        let place = || format!("buffer {index}");
+        let Some(uri) = &self.root.buffers[index].uri else {
+            return match self.binary {
+                Some(binary) if index == 0 => Ok(Cow::Borrowed(binary)),
+                // A buffer without bytes stands for what the meshopt decoder would produce.
+                _ => Err(MESHOPT
+                    .iter()
+                    .find(|&&extension| self.root.extensions_used.iter().any(|used| used == extension))
+                    .map_or_else(
+                        || GLTF.at(place(), "it has neither a URI nor a binary chunk; export the file again"),
+                        |extension| compressed(extension),
+                    )),
+            };
+        };
+        if let Some(data) = uri.strip_prefix("data:") {
+            let (_, encoded) = data
+                .split_once(";base64,")
+                .ok_or_else(|| GLTF.at(place(), "its data URI is not base64; export the file again"))?;
+            return decode_base64(encoded)
+                .map(Cow::Owned)
+                .ok_or_else(|| GLTF.at(place(), "its base64 data is damaged; export the file again"));
+        }
+        let uri = decode_percent(uri);
+        (self.resources)(&uri).map(Cow::Owned).ok_or(Error::MissingResource { uri })
+    }
+}
+
+/// The error for geometry that only a decoder could read.
+pub fn compressed(extension: &str) -> Error {
+    Error::Unsupported {
+        format: "glTF",
+        feature: extension.to_owned(),
+        remedy: "export the file again without mesh compression".to_owned(),
+    }
+}
+
+fn decode_base64(text: &str) -> Option<Vec<u8>> {
+    let text = text.trim_end_matches('=').as_bytes();
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    let mut bits = 0_u32;
+    let mut held = 0;
+    for &letter in text {
+        let value = match letter {
+            b'A'..=b'Z' => letter - b'A',
+            b'a'..=b'z' => letter - b'a' + 26,
+            b'0'..=b'9' => letter - b'0' + 52,
+            b'+' | b'-' => 62,
+            b'/' | b'_' => 63,
+            _ => return None,
+        };
+        bits = bits << 6 | u32::from(value);
+        held += 6;
+        if held >= 8 {
+            held -= 8;
+            bytes.push((bits >> held) as u8);
+        }
+    }
+    Some(bytes)
+}
+
+fn decode_percent(uri: &str) -> String {
+    let bytes = uri.as_bytes();
+    let mut decoded = Vec::with_capacity(bytes.len());
+    let mut index = 0;
+    while index < bytes.len() {
+        let digits = bytes.get(index + 1..index + 3).filter(|_| bytes[index] == b'%');
+        let digits = digits.and_then(|digits| std::str::from_utf8(digits).ok());
+        if let Some(value) = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+            decoded.push(value);
+            index += 3;
+        } else {
+            decoded.push(bytes[index]);
+            index += 1;
+        }
+    }
+    String::from_utf8_lossy(&decoded).into_owned()
+}

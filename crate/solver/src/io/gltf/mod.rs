@@ -1,0 +1,98 @@
+//! glTF 2.0 and GLB. The JSON is parsed by the gltf crate; buffers, accessors and the scene are read here, with every
+//! index and offset checked, since the crate's own readers panic on damaged files.
+
+mod accessor;
+mod container;
+mod deform;
+mod primitive;
+mod scene;
+
+use glam::DMat4;
+use gltf::json::{self, Root};
+
+use super::{Reporter, Resources};
+use crate::error::{Error, Result};
+use crate::soup::{Part, Soup};
+use accessor::Accessors;
+use container::Buffers;
+use scene::Scene;
+
+/// The first bytes of a GLB file.
+pub const GLB_MAGIC: &[u8] = b"glTF";
+
+const GLTF: Reporter = Reporter("glTF");
+
+/// Some kilobytes of JSON can name one mesh thousands of times; beyond this many vertices (1.6 GB as f64) we give up.
+const MAX_VERTICES: usize = 1 << 26;
+
+pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let container = container::open(bytes)?;
+    let root: Root = json::deserialize::from_slice(container.json).map_err(|error| {
+        GLTF.at(format!("JSON line {} column {}", error.line(), error.column()), format!("{error}; export it again"))
+    })?;
+    let buffers = Buffers::new(&root, container.binary, resources);
+    let accessors = Accessors { root: &root, buffers: &buffers };
+    let scene = Scene::new(&root)?;
+    let mut soup = Soup::default();
+    for &index in &scene.mesh_nodes {
+        add_node(&mut soup, &root, accessors, &scene, index)?;
+    }
+    Ok(soup)
+}
+
+/// Adds the mesh of a node as a part.
+fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, index: usize) -> Result<()> {
+    let node = &root.nodes[index];
+    let Some(mesh_index) = node.mesh else { return Ok(()) };
+    let mesh = element(&root.meshes, mesh_index, "mesh")?;
+    let weights = node.weights.as_deref().or(mesh.weights.as_deref()).unwrap_or_default();
+    // A skin places the vertices in the scene by itself: the node's own transform is ignored (glTF 2.0, 3.7.3.3).
+    let joints = node.skin.map(|skin| deform::joint_matrices(root, accessors, scene, skin)).transpose()?;
+    let world_from_node = if joints.is_some() { DMat4::IDENTITY } else { scene.world_from_node[index] };
+
+    let start = soup.triangles.len();
+    let mut first_vertices: Vec<(u32, usize)> = Vec::new();
+    for primitive in &mesh.primitives {
+        let Some(position) = primitive::triangles_over(primitive)? else { continue };
+        // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
+        let shared = first_vertices.iter().find(|&&(accessor, _)| accessor == position && primitive.targets.is_none());
+        let (first, count) = if let Some(&(_, first)) = shared {
+            (first, accessors.count(position)?)
+        } else {
+            let first = soup.positions.len();
+            let mut positions = accessors.vectors(position)?;
+            if first + positions.len() > MAX_VERTICES {
+                return Err(Error::OutOfMemory { stage: "reading the glTF file" });
+            }
+            deform::morph(accessors, primitive, weights, &mut positions)?;
+            if let Some(joints) = &joints {
+                deform::skin(accessors, primitive, joints, &mut positions)?;
+            }
+            soup.positions.extend(positions.iter().map(|&point| world_from_node.transform_point3(point)));
+            first_vertices.push((position, first));
+            (first, soup.positions.len() - first)
+        };
+        primitive::append_triangles(accessors, primitive, first, count, &mut soup.triangles)?;
+    }
+    if soup.triangles.len() > MAX_VERTICES {
+        return Err(Error::OutOfMemory { stage: "reading the glTF file" });
+    }
+    // A mirroring transform turns every triangle inside out (glTF 2.0, 3.7.4).
+    if world_from_node.determinant() < 0.0 {
+        soup.triangles[start..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
+    }
+    if soup.triangles.len() > start {
+        let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
+        let name = name.cloned().unwrap_or_else(|| format!("node {index}"));
+        soup.parts.push(Part { name, triangles: start..soup.triangles.len() });
+    }
+    Ok(())
+}
+
+/// The element of a top-level array that an index names.
+fn element<'a, T>(elements: &'a [T], index: json::Index<T>, kind: &str) -> Result<&'a T> {
+    let index = index.value();
+    elements.get(index).ok_or_else(|| {
+        GLTF.at(format!("{kind} {index}"), format!("there are only {} of them; export the file again", elements.len()))
+    })
+}

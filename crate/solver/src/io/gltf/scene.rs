@@ -1,0 +1,78 @@
+//! The node hierarchy: which nodes are shown and where they stand.
+
+use glam::{DMat4, DQuat, DVec3, DVec4};
+use gltf::json::{self, Root};
+
+use super::{GLTF, element};
+use crate::error::Result;
+
+pub struct Scene {
+    /// For every node of the file, in the scene or not: joints of a skin may stand outside.
+    pub world_from_node: Vec<DMat4>,
+    /// Nodes of the scene that carry a mesh, parents before children, in file order.
+    pub mesh_nodes: Vec<usize>,
+}
+
+impl Scene {
+    pub fn new(root: &Root) -> Result<Self> {
+        let mut is_child = vec![false; root.nodes.len()];
+        for child in root.nodes.iter().flat_map(|node| node.children.iter().flatten()) {
+            element(&root.nodes, *child, "node")?;
+            is_child[child.value()] = true;
+        }
+        let roots: Vec<usize> = (0..root.nodes.len()).filter(|&node| !is_child[node]).collect();
+        let mut world_from_node = vec![DMat4::IDENTITY; root.nodes.len()];
+        walk(root, &roots, |parent, node| {
+            let world_from_parent = parent.map_or(DMat4::IDENTITY, |parent: usize| world_from_node[parent]);
+            world_from_node[node] = world_from_parent * parent_from_node(&root.nodes[node]);
+        })?;
+
+        let shown = match root.scene {
+            Some(index) => Some(element(&root.scenes, index, "scene")?),
+            None => root.scenes.first(),
+        };
+        let shown: Vec<usize> = match shown {
+            Some(scene) => {
+                scene.nodes.iter().map(|&node| element(&root.nodes, node, "node").map(|_| node.value())).collect::<Result<_>>()?
+            }
+            None => roots,
+        };
+        let mut mesh_nodes = Vec::new();
+        walk(root, &shown, |_, node| {
+            if root.nodes[node].mesh.is_some() {
+                mesh_nodes.push(node);
+            }
+        })?;
+        Ok(Self { world_from_node, mesh_nodes })
+    }
+}
+
+/// Visits the nodes below `roots` with their parents, parents first. An explicit stack: files can be deep.
+fn walk(root: &Root, roots: &[usize], mut visit: impl FnMut(Option<usize>, usize)) -> Result<()> {
+    let mut visited = vec![false; root.nodes.len()];
+    let mut stack: Vec<(Option<usize>, usize)> = roots.iter().rev().map(|&node| (None, node)).collect();
+    while let Some((parent, node)) = stack.pop() {
+        if std::mem::replace(&mut visited[node], true) {
+            return Err(GLTF.at(
+                format!("node {node}"),
+                "it has two parents or is its own ancestor; the nodes must form trees, export the file again",
+            ));
+        }
+        visit(parent, node);
+        // `Scene::new` has checked the children.
+        stack.extend(root.nodes[node].children.iter().flatten().rev().map(|child| (Some(node), child.value())));
+    }
+    Ok(())
+}
+
+fn parent_from_node(node: &json::Node) -> DMat4 {
+    if let Some(matrix) = node.matrix {
+        return DMat4::from_cols_array(&matrix.map(f64::from));
+    }
+    let scale = DVec3::from(node.scale.unwrap_or([1.0; 3]).map(f64::from));
+    let rotation = DVec4::from(node.rotation.unwrap_or_default().0.map(f64::from));
+    // Written with f32, a quaternion is of unit length to six digits only.
+    let rotation = DQuat::from_vec4(rotation.normalize_or(DVec4::W));
+    let translation = DVec3::from(node.translation.unwrap_or_default().map(f64::from));
+    DMat4::from_scale_rotation_translation(scale, rotation, translation)
+}

@@ -1,0 +1,117 @@
+//! STL, ASCII and binary. Every triangle brings its own three vertices; welding is the surface builder's work.
+
+use glam::DVec3;
+
+use super::Reporter;
+use crate::error::Result;
+use crate::soup::{Part, Soup};
+
+const STL: Reporter = Reporter("STL");
+/// 80 bytes of free text and the number of triangles.
+const HEADER: usize = 84;
+/// Normal, three corners (12 × f32) and two bytes of attributes.
+const RECORD: usize = 50;
+
+fn binary_count(bytes: &[u8]) -> Option<usize> {
+    let count = bytes.get(80..HEADER)?;
+    Some(u32::from_le_bytes([count[0], count[1], count[2], count[3]]) as usize)
+}
+
+/// Whether the length is exactly what the count in a binary header asks for. Such a file may well begin with "solid".
+pub fn is_binary(bytes: &[u8]) -> bool {
+    binary_count(bytes).is_some_and(|count| count > 0 && count.checked_mul(RECORD) == Some(bytes.len() - HEADER))
+}
+
+/// Whether the file begins as ASCII STL does.
+pub fn is_ascii(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(1024)];
+    let has = |word: &[u8]| start.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word));
+    start.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+        && (has(b"facet") || has(b"endsolid"))
+}
+
+pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+    if !is_binary(bytes) && is_ascii(bytes) { read_ascii(name, bytes) } else { read_binary(name, bytes) }
+}
+
+fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
+    let truncated = |problem: String| STL.at(format!("byte {}", bytes.len()), problem);
+    let count = binary_count(bytes)
+        .ok_or_else(|| truncated("the file is shorter than an STL header; save it again".to_owned()))?;
+    let records = bytes[HEADER..].chunks_exact(RECORD);
+    if records.len() < count {
+        return Err(truncated(format!("{} of {count} triangles are missing; save it again", count - records.len())));
+    }
+    let mut positions = Vec::with_capacity(3 * count);
+    for record in records.take(count) {
+        for corner in record[12..48].chunks_exact(12) {
+            let coordinate =
+                |i: usize| f64::from(f32::from_le_bytes([corner[i], corner[i + 1], corner[i + 2], corner[i + 3]]));
+            positions.push(DVec3::new(coordinate(0), coordinate(4), coordinate(8)));
+        }
+    }
+    let triangles = separate_triangles(&positions);
+    Ok(Soup::single(name, positions, triangles))
+}
+
+fn separate_triangles(positions: &[DVec3]) -> Vec<[u32; 3]> {
+    (0..positions.len() as u32 / 3).map(|triangle| [3 * triangle, 3 * triangle + 1, 3 * triangle + 2]).collect()
+}
+
+fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut soup = Soup::default();
+    let mut name = file;
+    let mut corners: Vec<DVec3> = Vec::new();
+    let mut complete = true;
+    for (index, line) in text.lines().enumerate() {
+        let number = index + 1;
+        let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
+        match keyword.to_ascii_lowercase().as_str() {
+            "solid" => {
+                close_part(&mut soup, name);
+                name = if arguments.trim().is_empty() { file } else { arguments.trim() };
+            }
+            "facet" => {
+                corners.clear();
+                complete = false;
+            }
+            "vertex" => corners.push(vertex(arguments, number)?),
+            "endfacet" => {
+                if corners.len() != 3 {
+                    return Err(STL.line(number, format!("a facet has {} corners instead of 3", corners.len())));
+                }
+                soup.positions.append(&mut corners);
+                complete = true;
+            }
+            _ => {}
+        }
+    }
+    if !complete {
+        return Err(STL.at("end of file", "the last facet is cut short; save the file again"));
+    }
+    close_part(&mut soup, name);
+    soup.triangles = separate_triangles(&soup.positions);
+    Ok(soup)
+}
+
+/// Ends the solid; one without facets leaves no part.
+fn close_part(soup: &mut Soup, name: &str) {
+    let start = soup.parts.last().map_or(0, |part| part.triangles.end);
+    let end = soup.positions.len() / 3;
+    if end > start {
+        soup.parts.push(Part { name: name.to_owned(), triangles: start..end });
+    }
+}
+
+fn vertex(arguments: &str, line: usize) -> Result<DVec3> {
+    let mut words = arguments.split_whitespace();
+    let mut coordinates = [0.0; 3];
+    for coordinate in &mut coordinates {
+        *coordinate = words
+            .next()
+            .and_then(|word| word.parse().ok())
+            .ok_or_else(|| STL.line(line, "a vertex needs three numbers; correct the line"))?;
+    }
+    Ok(coordinates.into())
+}

@@ -1,0 +1,150 @@
+//! Polygons to triangles: a fan where the polygon is strictly convex, ear clipping (Meisters 1975) elsewhere.
+
+use glam::{DVec2, DVec3};
+
+use crate::error::{Error, Result};
+
+/// Ear clipping costs (corners × reflex corners); beyond this a hostile polygon could stall the page, so it is fanned.
+const MAX_EAR_CLIPPED_CORNERS: usize = 4096;
+
+/// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
+#[derive(Default)]
+pub struct Polygons {
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+}
+
+impl Polygons {
+    /// Adds a corner to the polygon that the next [`Self::close`] ends.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`] for an index that no mesh can hold; `vertices` is the number known so far.
+    pub fn corner(&mut self, vertex: u64, vertices: usize) -> Result<()> {
+        let triangle = self.ends.len();
+        let corner = u32::try_from(vertex).map_err(|_| Error::IndexOutOfRange { triangle, vertex, vertices })?;
+        self.corners.push(corner);
+        Ok(())
+    }
+
+    /// Ends the polygon. Fewer than three corners make a point or a line, which triangulate to nothing.
+    pub fn close(&mut self) {
+        self.ends.push(self.corners.len());
+    }
+
+    /// Appends the triangles of polygon `index` to `triangles`.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`] where a corner names no vertex; the polygon is counted as the triangle.
+    pub fn triangulate(&self, index: usize, positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) -> Result<()> {
+        let start = if index == 0 { 0 } else { self.ends[index - 1] };
+        let corners = &self.corners[start..self.ends[index]];
+        if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= positions.len()) {
+            return Err(Error::IndexOutOfRange {
+                triangle: index,
+                vertex: vertex.into(),
+                vertices: positions.len(),
+            });
+        }
+        match corners {
+            [] | [_] | [_, _] => {}
+            &[a, b, c] => triangles.push([a, b, c]),
+            corners => polygon(corners, positions, triangles),
+        }
+        Ok(())
+    }
+
+    /// All polygons in order.
+    ///
+    /// # Errors
+    /// As [`Self::triangulate`].
+    pub fn triangulate_all(&self, positions: &[DVec3]) -> Result<Vec<[u32; 3]>> {
+        let mut triangles = Vec::with_capacity(self.ends.len());
+        for index in 0..self.ends.len() {
+            self.triangulate(index, positions, &mut triangles)?;
+        }
+        Ok(triangles)
+    }
+}
+
+fn polygon(corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
+    let plane = project(corners, positions);
+    let count = corners.len();
+    let convex = (0..count).all(|i| area(plane[i], plane[(i + 1) % count], plane[(i + 2) % count]) > 0.0);
+    if convex || count > MAX_EAR_CLIPPED_CORNERS {
+        triangles.extend((1..count - 1).map(|i| [corners[0], corners[i], corners[i + 1]]));
+    } else {
+        clip_ears(corners, &plane, triangles);
+    }
+}
+
+/// The polygon along the strongest axis of its Newell normal, counter-clockwise.
+fn project(corners: &[u32], positions: &[DVec3]) -> Vec<DVec2> {
+    let points: Vec<DVec3> = corners.iter().map(|&corner| positions[corner as usize]).collect();
+    // Relative to a corner, so that a small polygon far from the origin keeps its digits.
+    let origin = points[0];
+    let mut normal = DVec3::ZERO;
+    for (i, &point) in points.iter().enumerate() {
+        normal += (point - origin).cross(points[(i + 1) % points.len()] - origin);
+    }
+    let size = normal.abs();
+    let axis = if size.x >= size.y && size.x >= size.z {
+        0
+    } else if size.y >= size.z {
+        1
+    } else {
+        2
+    };
+    let (mut u, mut v) = ((axis + 1) % 3, (axis + 2) % 3);
+    if normal[axis] < 0.0 {
+        std::mem::swap(&mut u, &mut v);
+    }
+    points.iter().map(|&point| DVec2::new(point[u] - origin[u], point[v] - origin[v])).collect()
+}
+
+/// Twice the signed area, positive counter-clockwise.
+fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+fn clip_ears(corners: &[u32], plane: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
+    let count = corners.len();
+    let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
+    let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
+    let turn = |previous: &[usize], next: &[usize], i: usize| area(plane[previous[i]], plane[i], plane[next[i]]);
+    // Only a corner that is not convex can lie in an ear, and clipping never makes a convex corner reflex.
+    let mut reflex: Vec<usize> = (0..count).filter(|&i| turn(&previous, &next, i) <= 0.0).collect();
+    let mut remaining = count;
+    let mut current = 0;
+    let mut tried = 0;
+    while remaining > 3 {
+        let (before, after) = (previous[current], next[current]);
+        let is_ear = turn(&previous, &next, current) > 0.0 && {
+            let (a, b, c) = (plane[before], plane[current], plane[after]);
+            !reflex.iter().any(|&i| {
+                let point = plane[i];
+                // A corner that coincides with one of the ear's is where a hole's bridge returns, not an obstacle.
+                point != a
+                    && point != b
+                    && point != c
+                    && area(a, b, point) >= 0.0
+                    && area(b, c, point) >= 0.0
+                    && area(c, a, point) >= 0.0
+            })
+        };
+        // A polygon that crosses itself or has no area may have no ear: clip anyway, so that the loop ends.
+        if !is_ear && tried < remaining {
+            tried += 1;
+            current = after;
+            continue;
+        }
+        triangles.push([corners[before], corners[current], corners[after]]);
+        next[before] = after;
+        previous[after] = before;
+        remaining -= 1;
+        tried = 0;
+        reflex.retain(|&i| i != current && ((i != before && i != after) || turn(&previous, &next, i) <= 0.0));
+        // Skipping a corner between ears avoids a fan of slivers.
+        current = next[after];
+    }
+    triangles.push([corners[previous[current]], corners[current], corners[next[current]]]);
+}

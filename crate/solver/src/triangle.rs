@@ -1,0 +1,63 @@
+//! Plane geometry of single triangles. Edge `i` is opposite corner `i`, counter-clockwise.
+
+use glam::DVec3;
+
+/// Cotangents of corner angles are cut at ± this. It bounds angles from below by 10⁻⁵ rad, about 0.0006°: thinner
+/// triangles are noise of the file, and weights of 10¹⁶ would drown those of their neighbours in rounding.
+const COTAN_LIMIT: f64 = 1e5;
+
+/// Unit vector along `vector`, zero for zero; safe where the squared length would under- or overflow.
+pub(crate) fn unit(vector: DVec3) -> DVec3 {
+    let scale = vector.abs().max_element();
+    if scale > 0.0 { (vector / scale).normalize() } else { DVec3::ZERO }
+}
+
+/// Length, safe where its square would under- or overflow.
+pub(crate) fn length(vector: DVec3) -> f64 {
+    let scale = vector.abs().max_element();
+    if scale > 0.0 { scale * (vector / scale).length() } else { 0.0 }
+}
+
+/// The edges opposite each corner.
+pub(crate) fn edges([p, q, r]: [DVec3; 3]) -> [DVec3; 3] {
+    [r - q, p - r, q - p]
+}
+
+/// Twice the area, along the unit normal.
+pub(crate) fn area_vector([p, q, r]: [DVec3; 3]) -> DVec3 {
+    (q - p).cross(r - p)
+}
+
+/// Angle at the first corner, radians.
+pub(crate) fn angle([p, q, r]: [DVec3; 3]) -> f64 {
+    let (a, b) = (unit(q - p), unit(r - p));
+    length(a.cross(b)).atan2(a.dot(b))
+}
+
+/// Cotangents of the three corner angles, within ± `COTAN_LIMIT`. They stay those of a triangle, so that its
+/// stiffness matrix stays positive semidefinite.
+pub(crate) fn cotans(corners: [DVec3; 3]) -> [f64; 3] {
+    let [a, b, c] = edges(corners);
+    let double_area = length(area_vector(corners));
+    let mut cotans = [-b.dot(c), -c.dot(a), -a.dot(b)].map(|dot| dot / double_area);
+    if cotans.iter().all(|cotan| cotan.abs() <= COTAN_LIMIT) {
+        return cotans;
+    }
+    let widest = (0..3).min_by(|&i, &j| cotans[i].total_cmp(&cotans[j])).unwrap_or(0);
+    let [i, j] = [(widest + 1) % 3, (widest + 2) % 3];
+    for corner in [i, j] {
+        cotans[corner] = cotans[corner].min(COTAN_LIMIT);
+    }
+    // Angles sum to π, so cot α cot β + cot β cot γ + cot γ cot α = 1.
+    cotans[widest] = (1.0 - cotans[i] * cotans[j]) / (cotans[i] + cotans[j]);
+    cotans
+}
+
+/// Gradient of the linear function with these corner values; zero where it has no finite one.
+pub(crate) fn gradient(corners: [DVec3; 3], values: [f64; 3]) -> DVec3 {
+    let area = area_vector(corners);
+    let [_, b, c] = edges(corners);
+    let along = b * (values[1] - values[0]) + c * (values[2] - values[0]);
+    let gradient = unit(area).cross(along) / length(area);
+    if gradient.is_finite() { gradient } else { DVec3::ZERO }
+}

@@ -1,0 +1,56 @@
+use wgpu::util::DeviceExt;
+
+use crate::context::Context;
+use crate::error::Error;
+
+/// A buffer of a mesh with its final size.
+///
+/// # Errors
+/// When the device does not allow a buffer that large.
+pub(crate) fn mesh_buffer(
+    context: &Context,
+    what: &'static str,
+    bytes: &[u8],
+    usage: wgpu::BufferUsages,
+) -> Result<wgpu::Buffer, Error> {
+    let limit = context.device.limits().max_buffer_size;
+    if bytes.len() as u64 > limit {
+        return Err(Error::MeshTooLarge { what, bytes: bytes.len() as u64, limit });
+    }
+    let contents = wgpu::util::BufferInitDescriptor { label: Some(what), contents: bytes, usage };
+    Ok(context.device.create_buffer_init(&contents))
+}
+
+/// A vertex buffer that is rewritten often: reallocated only when it must grow.
+pub(crate) struct Growing {
+    label: &'static str,
+    buffer: Option<wgpu::Buffer>,
+}
+
+impl Growing {
+    pub(crate) fn new(label: &'static str) -> Self {
+        Self { label, buffer: None }
+    }
+
+    pub(crate) fn write(&mut self, context: &Context, bytes: &[u8]) {
+        if bytes.is_empty() {
+            return;
+        }
+        let size = bytes.len() as u64;
+        let buffer = self.buffer.take().filter(|buffer| buffer.size() >= size).unwrap_or_else(|| {
+            context.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(self.label),
+                size: size.next_power_of_two(),
+                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        });
+        context.queue.write_buffer(&buffer, 0, bytes);
+        self.buffer = Some(buffer);
+    }
+
+    /// None as long as nothing was written.
+    pub(crate) fn get(&self) -> Option<&wgpu::Buffer> {
+        self.buffer.as_ref()
+    }
+}

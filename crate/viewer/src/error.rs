@@ -1,0 +1,65 @@
+use thiserror::Error;
+
+/// Why the viewer cannot do what it was asked; each message is a sentence fit for the page.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// Neither WebGPU nor WebGL2 gave a usable adapter.
+    #[error("This browser offers neither WebGPU nor WebGL2 ({reason}). Turn on hardware acceleration or try another browser.")]
+    NoAdapter {
+        /// What the last attempt answered.
+        reason: String,
+    },
+    /// The adapter was found, but gave no device.
+    #[error("The graphics device could not be opened ({reason}). Close other 3D pages and reload this one.")]
+    NoDevice {
+        /// What the adapter answered.
+        reason: String,
+    },
+    /// The canvas cannot be drawn to.
+    #[error("The canvas cannot be used for drawing ({reason}). Reload the page.")]
+    NoCanvas {
+        /// What the canvas answered.
+        reason: String,
+    },
+    /// One buffer of a mesh is larger than the device allows.
+    #[error(
+        "The mesh is too large for this graphics device: its {what} need {} MB in one buffer, {} MB are allowed. \
+         Simplify the mesh or switch the backend.",
+        .bytes.div_ceil(1_000_000),
+        .limit / 1_000_000
+    )]
+    MeshTooLarge {
+        /// Which array.
+        what: &'static str,
+        /// Bytes needed.
+        bytes: u64,
+        /// Bytes allowed in one buffer.
+        limit: u64,
+    },
+    /// Arrays that belong together differ in length.
+    #[error("The {what} hold {found} numbers where {expected} were expected.")]
+    WrongLength {
+        /// Which array.
+        what: &'static str,
+        /// Numbers expected.
+        expected: usize,
+        /// Numbers given.
+        found: usize,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("Triangle {triangle} refers to vertex {vertex}, but there are only {vertex_count} vertices.")]
+    VertexOutOfRange {
+        /// The offending triangle.
+        triangle: usize,
+        /// The vertex it names.
+        vertex: u32,
+        /// Vertices present.
+        vertex_count: usize,
+    },
+    /// A coordinate is infinite or not a number.
+    #[error("Vertex {vertex} has a coordinate that is not a finite number.")]
+    NotFinite {
+        /// The offending vertex.
+        vertex: usize,
+    },
+}

@@ -1,0 +1,174 @@
+use glam::{DVec3, Vec3, Vec3A};
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
+use obvhs::ray::RayHit;
+
+/// Leaves of a few triangles halve the nodes; the surface-area heuristic decides how many up to this.
+const TRIANGLES_PER_LEAF: u32 = 8;
+/// Cost of visiting a node against testing a triangle, the value obvhs's own presets use.
+const TRAVERSAL_COST: f32 = 3.0;
+
+/// A half-line in world space.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: Vec3,
+    /// Unit length.
+    pub direction: Vec3,
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Index of the triangle.
+    pub triangle: u32,
+    /// Barycentric weights of the triangle's three corners; they sum to one.
+    pub weights: Vec3,
+    /// Distance along the ray; world units.
+    pub depth: f32,
+}
+
+/// Triangles in a bounding volume hierarchy, for finding what lies under the pointer.
+pub struct Picker {
+    hierarchy: Bvh2,
+    positions: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Picker {
+    /// Builds the hierarchy; the indices must be in range and the positions finite.
+    #[must_use]
+    pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Self {
+        let boxes: Vec<Aabb> = triangles
+            .iter()
+            .map(|corners| {
+                let [a, b, c] = corners.map(|vertex| Vec3A::from(positions[vertex as usize]));
+                Aabb::new(a.min(b).min(c), a.max(b).max(c))
+            })
+            .collect();
+        // obvhs's ready-made builders read the clock, which panics on wasm32; these are the steps of its fastest one.
+        let order = (0..boxes.len() as u32).collect();
+        let mut hierarchy = PlocBuilder::with_capacity(boxes.len()).build(
+            PlocSearchDistance::Minimum,
+            &boxes,
+            order,
+            SortPrecision::U64,
+            0,
+        );
+        collapse(&mut hierarchy, TRIANGLES_PER_LEAF, TRAVERSAL_COST);
+        Self { hierarchy, positions, triangles }
+    }
+
+    /// The nearest triangle in front of the ray's origin, seen from either side.
+    #[must_use]
+    pub fn cast(&self, ray: Ray) -> Option<Hit> {
+        if self.triangles.is_empty() {
+            return None;
+        }
+        let mut found = RayHit::none();
+        let walk = obvhs::ray::Ray::new_inf(ray.origin.into(), ray.direction.into());
+        self.hierarchy.ray_traverse(walk, &mut found, |_, slot| {
+            self.meet(ray, self.hierarchy.primitive_indices[slot]).map_or(f32::INFINITY, |hit| hit.depth)
+        });
+        let slot = self.hierarchy.primitive_indices.get(found.primitive_id as usize)?;
+        self.meet(ray, *slot)
+    }
+
+    /// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), in double precision so that
+    /// the weights keep their digits when the camera is far away.
+    fn meet(&self, ray: Ray, triangle: u32) -> Option<Hit> {
+        let [a, b, c] = self.triangles[triangle as usize].map(|vertex| self.positions[vertex as usize].as_dvec3());
+        let direction = ray.direction.as_dvec3();
+        let (ab, ac) = (b - a, c - a);
+        let across: DVec3 = direction.cross(ac);
+        let determinant = ab.dot(across);
+        // Exactly zero only for a degenerate triangle or a ray in its plane: nothing to stand on.
+        if determinant == 0.0 {
+            return None;
+        }
+        let from_a = ray.origin.as_dvec3() - a;
+        let v = from_a.dot(across) / determinant;
+        let along = from_a.cross(ab);
+        let w = direction.dot(along) / determinant;
+        let depth = ac.dot(along) / determinant;
+        if v < 0.0 || w < 0.0 || v + w > 1.0 || depth <= 0.0 {
+            return None;
+        }
+        Some(Hit { triangle, weights: DVec3::new(1.0 - v - w, v, w).as_vec3(), depth: depth as f32 })
+    }
+
+    /// The three corners of a triangle, as vertex indices.
+    #[must_use]
+    pub fn corners(&self, triangle: u32) -> [u32; 3] {
+        self.triangles[triangle as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A small deterministic generator: tests must not vary from run to run.
+    struct Lcg(u64);
+    impl Lcg {
+        fn unit(&mut self) -> f32 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 40) as f32 / (1u64 << 24) as f32
+        }
+        fn point(&mut self) -> Vec3 {
+            2.0 * Vec3::new(self.unit(), self.unit(), self.unit()) - 1.0
+        }
+    }
+
+    fn soup(count: u32, seed: u64) -> Picker {
+        let mut random = Lcg(seed);
+        let mut positions = Vec::new();
+        for _ in 0..count {
+            let center = random.point();
+            positions.extend((0..3).map(|_| center + 0.15 * random.point()));
+        }
+        Picker::new(positions, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
+    }
+
+    #[test]
+    fn agrees_with_brute_force() {
+        for count in [1, 2, 5, 700] {
+            let picker = soup(count, 7);
+            let mut random = Lcg(11);
+            let mut hits = 0;
+            for _ in 0..1000 {
+                let origin = 3.0 * random.point();
+                let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+                let nearest = (0..count)
+                    .filter_map(|triangle| picker.meet(ray, triangle))
+                    .min_by(|left, right| left.depth.total_cmp(&right.depth));
+                assert_eq!(picker.cast(ray), nearest);
+                hits += usize::from(nearest.is_some());
+            }
+            assert!(count < 700 || hits > 300, "the rays must meet something: {hits}");
+        }
+    }
+
+    #[test]
+    fn weights_rebuild_the_point_from_either_side() {
+        let corners = vec![Vec3::ZERO, Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 4.0, 0.0)];
+        let picker = Picker::new(corners.clone(), vec![[0, 1, 2]]);
+        for side in [1.0, -1.0] {
+            let ray = Ray { origin: Vec3::new(1.0, 2.0, 3.0 * side), direction: Vec3::NEG_Z * side };
+            let hit = picker.cast(ray).expect("a hit");
+            assert_eq!(hit.depth, 3.0);
+            let point = corners[0] * hit.weights.x + corners[1] * hit.weights.y + corners[2] * hit.weights.z;
+            assert_eq!(point, Vec3::new(1.0, 2.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn nothing_behind_and_nothing_in_an_empty_scene() {
+        let picker = Picker::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]);
+        assert_eq!(picker.cast(Ray { origin: Vec3::new(0.2, 0.2, 1.0), direction: Vec3::Z }), None);
+        let empty = Picker::new(vec![], vec![]);
+        assert_eq!(empty.cast(Ray { origin: Vec3::Z, direction: Vec3::NEG_Z }), None);
+    }
+}

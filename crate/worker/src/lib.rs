@@ -1,0 +1,204 @@
+//! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
+//!
+//! The objects follow the way of the data: a [`MeshFile`] is read, a [`WalkedSurface`] is built from some of its parts,
+//! a [`Solver`] factors it and answers.
+
+#![cfg(target_arch = "wasm32")]
+
+mod drawn;
+mod results;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use heatwalk::heat::{Boundary, HeatSolver, Parameters, Stage};
+use heatwalk::soup::Soup;
+use heatwalk::{Distance, Surface, glam::DVec3, io, path, shapes};
+use js_sys::{Array, Function, Uint8Array};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::results::{DrawMesh, Report, SurfacePath};
+
+/// Makes a panic readable in the browser's console.
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// Names that [`MeshFile::shape`] takes.
+#[wasm_bindgen]
+pub fn shape_names() -> Vec<String> {
+    shapes::names().iter().map(|&name| name.to_owned()).collect()
+}
+
+/// What a file holds.
+#[wasm_bindgen]
+pub struct MeshFile {
+    soup: Soup,
+}
+
+#[wasm_bindgen]
+impl MeshFile {
+    /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
+    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self, JsError> {
+        let first = bytes.first().ok_or_else(|| JsError::new("no file was given"))?.to_vec();
+        let resource = |uri: &str| {
+            let wanted = uri.rsplit('/').next();
+            names.iter().position(|name| Some(name.as_str()) == wanted).map(|index| bytes[index].to_vec())
+        };
+        Ok(Self { soup: io::read(&names[0], &first, &resource).map_err(sentence)? })
+    }
+
+    /// Makes a shape.
+    pub fn shape(name: &str) -> Result<Self, JsError> {
+        Ok(Self { soup: shapes::by_name(name).map_err(sentence)? })
+    }
+
+    /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
+    pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
+        let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
+        Self { soup: Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec()) }
+    }
+
+    /// Names of the parts.
+    pub fn part_names(&self) -> Vec<String> {
+        self.soup.parts.iter().map(|part| part.name.clone()).collect()
+    }
+
+    /// Triangles of each part.
+    pub fn part_triangles(&self) -> Vec<u32> {
+        self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
+    }
+
+    /// The surface formed by the parts `walked`.
+    pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsError> {
+        let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
+        let soup = self.soup.select(&chosen).map_err(sentence)?;
+        let surface = Surface::build(&soup).map_err(sentence)?;
+        Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
+    }
+
+    /// The triangles of the parts that are not in `walked`, to be drawn.
+    pub fn scenery(&self, walked: &[u32]) -> Result<DrawMesh, JsError> {
+        let others: Vec<usize> = (0..self.soup.parts.len()).filter(|&part| !walked.contains(&(part as u32))).collect();
+        if others.is_empty() {
+            return Ok(DrawMesh::default());
+        }
+        let soup = self.soup.select(&others).map_err(sentence)?;
+        match Surface::build(&soup) {
+            Ok(surface) => Ok(Drawn::new(&surface).mesh()),
+            // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
+            Err(heatwalk::Error::Empty { .. }) => Ok(DrawMesh::default()),
+            Err(error) => Err(sentence(error)),
+        }
+    }
+}
+
+/// A welded surface, ready to be factored.
+#[wasm_bindgen]
+pub struct WalkedSurface {
+    surface: Arc<Surface>,
+    drawn: Arc<Drawn>,
+}
+
+#[wasm_bindgen]
+impl WalkedSurface {
+    /// The surface's triangles, to be drawn.
+    pub fn drawing(&self) -> DrawMesh {
+        self.drawn.mesh()
+    }
+
+    /// For each drawn vertex, its vertex in the input.
+    pub fn input_vertices(&self) -> Vec<u32> {
+        self.drawn.input_vertices()
+    }
+
+    /// Mean edge length.
+    pub fn mean_edge(&self) -> f64 {
+        self.surface.mean_edge
+    }
+
+    /// What was done to make it.
+    pub fn report(&self) -> Report {
+        Report::of(&self.surface.report)
+    }
+
+    /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
+    pub fn factor(&self, time_factor: f64, boundary: &str, progress: &Function) -> Result<Solver, JsError> {
+        let parameters = parameters(time_factor, boundary)?;
+        let solver = HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress)).map_err(sentence)?;
+        Ok(Solver { solver, drawn: Arc::clone(&self.drawn), distance: None })
+    }
+}
+
+/// The factors of a surface, and the distance field solved last.
+#[wasm_bindgen]
+pub struct Solver {
+    solver: HeatSolver,
+    drawn: Arc<Drawn>,
+    distance: Option<Distance>,
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Factors again what the change needs.
+    pub fn configure(&mut self, time_factor: f64, boundary: &str, progress: &Function) -> Result<(), JsError> {
+        self.solver.set_parameters(parameters(time_factor, boundary)?, &mut reporter(progress)).map_err(sentence)
+    }
+
+    /// Entries of one Cholesky factor.
+    pub fn factor_nonzeros(&self) -> f64 {
+        self.solver.factor_nonzeros() as f64
+    }
+
+    /// Distance to the nearest of `sources`, one value a drawn vertex, infinite where none can be reached.
+    pub fn solve(&mut self, sources: &Array) -> Result<Vec<f32>, JsError> {
+        let sources = sources.iter().map(|source| self.drawn.point(self.solver.surface(), &source));
+        let sources = sources.collect::<Result<Vec<_>, _>>()?;
+        let distance = self.solver.distance(&sources).map_err(sentence)?;
+        let values = self.drawn.spread(&distance.values);
+        self.distance = Some(distance);
+        Ok(values)
+    }
+
+    /// Largest finite distance of the last field.
+    pub fn max_distance(&self) -> f64 {
+        self.distance.as_ref().map_or(0.0, Distance::max)
+    }
+
+    /// Vertices that no source of the last field reaches.
+    pub fn unreachable_vertices(&self) -> u32 {
+        self.distance.as_ref().map_or(0, |distance| distance.unreachable() as u32)
+    }
+
+    /// The way from a point down the last field to its nearest source.
+    pub fn path(&self, from: &JsValue) -> Result<SurfacePath, JsError> {
+        let distance = self.distance.as_ref().ok_or_else(|| sentence(heatwalk::Error::NoSource))?;
+        let surface = self.solver.surface();
+        let from = self.drawn.point(surface, from)?;
+        Ok(SurfacePath::of(&path::descend(surface, distance, from).map_err(sentence)?))
+    }
+}
+
+fn parameters(time_factor: f64, boundary: &str) -> Result<Parameters, JsError> {
+    let boundary = match boundary {
+        "neumann" => Boundary::Neumann,
+        "dirichlet" => Boundary::Dirichlet,
+        "average" => Boundary::Average,
+        other => return Err(JsError::new(&format!("there is no boundary condition '{other}'"))),
+    };
+    Ok(Parameters { time_factor, boundary })
+}
+
+/// Passes the stages on to the page. What the page does with them is no reason to stop.
+fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
+    move |stage, fraction| {
+        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
+        ControlFlow::Continue(())
+    }
+}
+
+fn sentence(error: heatwalk::Error) -> JsError {
+    JsError::new(&error.to_string())
+}

@@ -1,0 +1,30 @@
+//! Build steps that need Rust: `cargo xtask wasm [solver|viewer]`, `cargo xtask test-wasm`, `cargo xtask clippy-wasm`.
+
+mod modules;
+mod toolchain;
+
+use anyhow::{Result, bail};
+
+use crate::modules::{SOLVER, VIEWER};
+use crate::toolchain::Toolchain;
+
+const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | test-wasm | clippy-wasm";
+
+fn main() -> Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["wasm"] => {
+            let toolchain = Toolchain::find()?;
+            modules::build(&SOLVER, &toolchain)?;
+            modules::build(&VIEWER, &toolchain)
+        }
+        ["wasm", "solver"] => modules::build(&SOLVER, &Toolchain::find()?),
+        ["wasm", "viewer"] => modules::build(&VIEWER, &Toolchain::find()?),
+        ["test-wasm"] => modules::test_solver(&Toolchain::find()?),
+        ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
+        // Cargo calls this with the test's .wasm file as the first argument: see `modules::test_solver`.
+        ["test-runner", ..] => wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os().skip(1)),
+        _ => bail!(USAGE),
+    }
+}

@@ -1,0 +1,99 @@
+//! The two wasm modules and what is run on them.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::SystemTime;
+
+use anyhow::{Context, Result, ensure};
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::toolchain::{TARGET, Toolchain};
+
+/// A wasm module of the page.
+pub struct Module {
+    name: &'static str,
+    package: &'static str,
+    file: &'static str,
+    /// Compiler flags. They differ, so each module has a target folder of its own.
+    flags: &'static str,
+}
+
+/// The solver: float64 arithmetic that gains from SIMD.
+pub const SOLVER: Module = Module {
+    name: "solver",
+    package: "heatwalk-worker",
+    file: "heatwalk_worker",
+    flags: "-Ctarget-feature=+simd128",
+};
+
+/// The viewer: its arithmetic is the GPU's.
+pub const VIEWER: Module =
+    Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "" };
+
+impl Module {
+    fn target_folder(&self) -> PathBuf {
+        workspace().join("target").join(format!("wasm-{}", self.name))
+    }
+
+    fn cargo(&self, toolchain: &Toolchain, command: &str) -> Command {
+        let mut cargo = toolchain.cargo(command);
+        cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", self.target_folder());
+        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags);
+        cargo
+    }
+}
+
+/// Compiles a module and writes its bindings to `web/wasm/NAME`.
+pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
+    eprintln!("Compiling the {} for wasm32.", module.name);
+    run(module.cargo(toolchain, "build").args(["--release", "--package", module.package]))?;
+    let compiled = module.target_folder().join(TARGET).join("release").join(format!("{}.wasm", module.file));
+    let folder = workspace().join("web/wasm").join(module.name);
+    let bound = folder.join(format!("{}_bg.wasm", module.file));
+    if modified(&bound).is_some_and(|bound| modified(&compiled).is_some_and(|compiled| compiled < bound)) {
+        return Ok(());
+    }
+    Bindgen::new()
+        .input_path(&compiled)
+        .web(true)?
+        .typescript(true)
+        .generate(&folder)
+        .with_context(|| format!("The bindings of {} could not be made", compiled.display()))
+}
+
+/// Runs the solver's tests on wasm32, under Node.
+pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
+    eprintln!("Running the solver's tests on wasm32.");
+    let runner = std::env::current_exe()?;
+    let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
+    run(SOLVER
+        .cargo(toolchain, "test")
+        .args(["--release", "--package", "heatwalk", "--tests"])
+        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
+}
+
+/// Lints the code of both modules as it is compiled for wasm32.
+pub fn clippy(toolchain: &Toolchain) -> Result<()> {
+    for module in [&SOLVER, &VIEWER] {
+        eprintln!("Linting the {} for wasm32.", module.name);
+        run(module
+            .cargo(toolchain, "clippy")
+            .args(["--release", "--package", module.package])
+            .env("CARGO_ENCODED_RUSTFLAGS", [module.flags, "-Dwarnings"].join("\u{1f}").trim_start_matches('\u{1f}')))?;
+    }
+    Ok(())
+}
+
+fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crate/xtask lies two folders down")
+}
+
+fn modified(path: &Path) -> Option<SystemTime> {
+    path.metadata().and_then(|metadata| metadata.modified()).ok()
+}
+
+fn run(command: &mut Command) -> Result<()> {
+    let status = command.status().with_context(|| format!("{command:?} could not be started"))?;
+    ensure!(status.success(), "The step above failed: {status}");
+    Ok(())
+}

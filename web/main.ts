@@ -1,0 +1,103 @@
+import './style.css';
+import { Address } from './address';
+import { Frames } from './frames';
+import { dropTarget, fileDialogue } from './input/drop';
+import { Hands } from './input/hands';
+import { Keys } from './input/keys';
+import { Opener } from './opener';
+import { heading } from './overlay/heading';
+import { loadingBar } from './overlay/loading';
+import { Messages } from './overlay/messages';
+import { Readout } from './overlay/readout';
+import { toolbar, type Tool } from './overlay/toolbar';
+import { h } from './panel/dom';
+import { lookSection } from './panel/look-section';
+import { numbersSection } from './panel/numbers-section';
+import { buildPanel } from './panel/panel';
+import { sceneSection } from './panel/scene-section';
+import { shareSection } from './panel/share-section';
+import { solverSection } from './panel/solver-section';
+import { sourcesSection } from './panel/sources-section';
+import { FIRST_PRESET } from './presets';
+import { Scene } from './scene';
+import { expose } from './scripting';
+import { Session } from './session';
+import { Signal } from './signal';
+import { WorkerLost } from './solver';
+import { followTheme } from './theme';
+import { View } from './view';
+
+const page = document.body;
+const stage = h('main', { class: 'stage', tabindex: 0, 'aria-label': 'Model. Arrows turn it, Enter sets a source at the centre.' });
+page.append(stage);
+
+const scene = new Scene(FIRST_PRESET.start);
+const view = new View(stage, new URLSearchParams(location.search).get('gpu') === 'webgl');
+const session = new Session(scene, view);
+const dialogue = fileDialogue((files) => void opener.files(files));
+const messages = new Messages(dialogue.choose);
+const opener = new Opener(session, messages);
+const address = new Address(scene, opener);
+const readout = new Readout(session);
+const tool = new Signal<Tool>('source');
+
+const hint = h('p', { class: 'hint', hidden: true }, 'Click the surface');
+const acted = () => hint.remove();
+const frames = new Frames(session);
+const cameraMoved = () => {
+  acted();
+  frames.cameraMoved();
+};
+
+new Hands({ session, readout, tool, acted, cameraMoved });
+const keys = new Keys({
+  session,
+  readout,
+  tool,
+  acted,
+  cameraMoved,
+  chooseFile: dialogue.choose,
+  closeMessage: () => messages.closeNewest(),
+});
+
+page.append(
+  heading(session),
+  h('div', { class: 'foot' }, hint, toolbar(session, tool)),
+  messages.element,
+  loadingBar(session),
+  readout.element,
+  keys.reticle,
+  dropTarget((files) => void opener.files(files)),
+  dialogue.element,
+);
+if (!address.kiosk) {
+  const sections = [
+    { id: 'scene', title: 'Scene', element: sceneSection(session, opener, dialogue.choose), open: true },
+    { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'solver', title: 'Solver', element: solverSection(scene), open: false },
+    { id: 'look', title: 'Look', element: lookSection(session), open: true },
+    { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
+    { id: 'share', title: 'Share', element: shareSection(() => address.link()), open: false },
+  ];
+  page.append(buildPanel(sections));
+}
+
+followTheme(view);
+view.trouble.watch((trouble) => {
+  if (trouble === null) return;
+  const again = { name: 'Try again', run: () => void view.start() };
+  messages.fail(`Nothing can be drawn here, but the numbers still work. ${trouble}`, navigator.userAgent, again);
+});
+session.failure.watch((failure) => {
+  if (!failure) return;
+  const again = { name: 'Open the mesh again', run: () => void opener.again() };
+  messages.fail(failure.message, failure.stack ?? '', failure instanceof WorkerLost ? again : undefined);
+});
+
+frames.start();
+async function begin(): Promise<void> {
+  await Promise.all([view.start(), opener.link(location.hash)]);
+  hint.hidden = false;
+  await new Promise(requestAnimationFrame);
+}
+expose(session, begin());

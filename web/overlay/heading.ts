@@ -1,0 +1,20 @@
+import { h } from '../panel/dom';
+import { findPreset } from '../presets';
+import type { Session } from '../session';
+import { count } from '../words';
+
+/** Top left: the name, the scene's title and, quietly, the mesh's size. */
+export function heading(session: Session): HTMLElement {
+  const title = h('span', { class: 'title' });
+  const size = h('span', { class: 'quiet' });
+  session.shown.watch((shown) => {
+    const { mesh } = session.scene.state;
+    title.textContent = mesh.kind === 'preset' ? (findPreset(mesh.id)?.title ?? '') : mesh.name;
+    size.textContent = shown ? `${count(shown.opened.report.faces)} triangles` : '';
+  });
+  session.scene.subscribe((state, previous) => {
+    if (state.mesh === previous.mesh) return;
+    title.textContent = state.mesh.kind === 'preset' ? (findPreset(state.mesh.id)?.title ?? '') : state.mesh.name;
+  });
+  return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size);
+}

@@ -1,0 +1,83 @@
+/** Messages at the bottom left. Errors stay until closed and can be copied. */
+import type { Voice } from '../opener';
+import { h } from '../panel/dom';
+
+const SHOWN_MS = 8000;
+
+interface Action {
+  name: string;
+  run: () => void;
+}
+
+export class Messages implements Voice {
+  readonly element = h('div', { class: 'messages' });
+  readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
+  readonly #urgent = h('div', { role: 'alert' });
+  readonly #chooseFile: () => void;
+  #told: HTMLElement | null = null;
+  #failed: HTMLElement | null = null;
+  #asked: HTMLElement | null = null;
+
+  constructor(chooseFile: () => void) {
+    this.#chooseFile = chooseFile;
+    this.element.append(this.#urgent, this.#polite);
+  }
+
+  /** What was done; replaces what was told before, and ends an error that is thereby past. */
+  tell(text: string): void {
+    this.#told?.remove();
+    this.#failed?.remove();
+    this.#told = this.#say(this.#polite, 'told', text, []);
+    this.#fade(this.#told);
+  }
+
+  notice(text: string): void {
+    this.#fade(this.#say(this.#polite, 'notice', text, []));
+  }
+
+  fail(text: string, details: string, remedy?: Action): void {
+    this.#failed?.remove();
+    const copy: Action = { name: 'Copy details', run: () => void navigator.clipboard.writeText(`${text}\n${details}`) };
+    this.#failed = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+  }
+
+  askForFile(name: string): void {
+    this.#asked?.remove();
+    const action = { name: 'Open the file…', run: this.#chooseFile };
+    this.#asked = this.#say(this.#polite, 'notice', `This link shows your file ${name}. Drop it here to see it.`, [action]);
+  }
+
+  forgetFile(): void {
+    this.#asked?.remove();
+    this.#asked = null;
+  }
+
+  /** Escape closes the newest message. */
+  closeNewest(): boolean {
+    const all = this.element.querySelectorAll('.message');
+    const newest = all[all.length - 1];
+    newest?.remove();
+    return newest !== undefined;
+  }
+
+  #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
+    const message = h('div', { class: `message ${kind}` }, h('p', {}, text));
+    if (actions.length > 0) {
+      const buttons = actions.map(({ name, run }) => h('button', { class: 'link', onclick: run }, name));
+      message.append(h('div', { class: 'actions' }, ...buttons));
+    }
+    message.append(
+      h('button', { class: 'close', 'aria-label': 'Close the message', title: 'Close (Esc)', onclick: () => message.remove() }, '×'),
+    );
+    place.append(message);
+    return message;
+  }
+
+  /** Waits while the message is under the pointer or has the focus. */
+  #fade(message: HTMLElement): void {
+    setTimeout(() => {
+      if (message.matches(':hover, :focus-within')) this.#fade(message);
+      else message.remove();
+    }, SHOWN_MS);
+  }
+}

@@ -1,0 +1,86 @@
+/** A very small DOM helper: attributes by name, `on…` for listeners, properties of the element as they are. */
+type Child = Node | string | null;
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') element.addEventListener(name.replace(/^on/, ''), value);
+    else if (typeof value === 'boolean') element.toggleAttribute(name, value);
+    else element.setAttribute(name, String(value));
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** A 20 × 20 line drawing of one path. */
+export function icon(path: string): SVGSVGElement {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('viewBox', '0 0 20 20');
+  svg.setAttribute('aria-hidden', 'true');
+  svg.classList.add('icon');
+  const line = document.createElementNS(SVG, 'path');
+  line.setAttribute('d', path);
+  svg.append(line);
+  return svg;
+}
+
+export interface SliderOptions {
+  label: string;
+  min: number;
+  max: number;
+  step: number;
+  /** In words, beside the slider. */
+  describe: (value: number) => string;
+  change: (value: number) => void;
+}
+
+export interface Control {
+  element: HTMLElement;
+  show: (value: number) => void;
+}
+
+export function slider({ label, min, max, step, describe, change }: SliderOptions): Control {
+  const output = h('output', { class: 'value' });
+  const input = h('input', {
+    type: 'range',
+    min,
+    max,
+    step,
+    'aria-label': label,
+    oninput: () => {
+      show(input.valueAsNumber);
+      change(input.valueAsNumber);
+    },
+  });
+  const show = (value: number) => {
+    if (input.valueAsNumber !== value) input.valueAsNumber = value;
+    output.textContent = describe(value);
+    input.setAttribute('aria-valuetext', describe(value));
+  };
+  return { element: h('label', { class: 'field' }, h('span', {}, label), output, input), show };
+}
+
+export function select<T extends string>(
+  label: string,
+  choices: readonly (readonly [T, string])[],
+  change: (value: T) => void,
+): { element: HTMLElement; show: (value: T) => void } {
+  const input = h(
+    'select',
+    { onchange: () => change(choices[input.selectedIndex][0]) },
+    ...choices.map(([value, text]) => h('option', { value }, text)),
+  );
+  return {
+    element: h('label', { class: 'field' }, h('span', {}, label), input),
+    show: (value) => {
+      input.value = value;
+    },
+  };
+}

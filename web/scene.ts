@@ -1,0 +1,125 @@
+/** The one truth of the page. The panel, the link, undo and the renderer all derive from it. */
+import { DEFAULT_LOOK, type Look } from './looks';
+import type { Parameters, SurfacePoint } from './protocol';
+
+export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
+
+/** What undo goes back over. */
+export interface Places {
+  sources: readonly SurfacePoint[];
+  /** Where the walker sets out; null: nobody walks. */
+  walker: SurfacePoint | null;
+}
+
+export interface SceneState extends Places {
+  mesh: MeshReference;
+  /** Indices of the parts that are walked on; empty: all. */
+  parts: readonly number[];
+  parameters: Parameters;
+  /** As `Viewer.camera` gives it; null until a hand has moved it. */
+  camera: readonly number[] | null;
+  look: Look;
+  /** Index into `sources`, −1 for none. Belongs to the moment, so the link leaves it out. */
+  selected: number;
+}
+
+export const DEFAULT_PARAMETERS: Parameters = { timeFactor: 1, boundary: 'neumann' };
+
+export function emptyScene(mesh: MeshReference): SceneState {
+  return {
+    mesh,
+    parts: [],
+    sources: [],
+    walker: null,
+    parameters: DEFAULT_PARAMETERS,
+    camera: null,
+    look: DEFAULT_LOOK,
+    selected: -1,
+  };
+}
+
+export type SceneListener = (state: SceneState, previous: SceneState) => void;
+
+export class Scene {
+  #state: SceneState;
+  #past: Places[] = [];
+  #future: Places[] = [];
+  #gesture: object | null = null;
+  readonly #listeners = new Set<SceneListener>();
+
+  constructor(state: SceneState) {
+    this.#state = state;
+  }
+
+  get state(): SceneState {
+    return this.#state;
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  /** Returns the function that ends the subscription. */
+  subscribe(listener: SceneListener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** A change that undo does not concern. */
+  set(change: Partial<Omit<SceneState, keyof Places>>): void {
+    this.#replace({ ...this.#state, ...change });
+  }
+
+  /** Moves sources or walker. All changes that carry the same `gesture` are one step of undo, as a drag is. */
+  place(change: Partial<Places> & { selected?: number }, gesture: object | null = null): void {
+    if (gesture === null || gesture !== this.#gesture) {
+      this.#past.push(placesOf(this.#state));
+    }
+    this.#gesture = gesture;
+    this.#future = [];
+    this.#replace(withValidSelection({ ...this.#state, ...change }));
+  }
+
+  undo(): boolean {
+    return this.#travel(this.#past, this.#future);
+  }
+
+  redo(): boolean {
+    return this.#travel(this.#future, this.#past);
+  }
+
+  /** Another mesh, or other parts of it: places on the old one mean nothing here, so the history ends. */
+  load(state: SceneState): void {
+    this.#past = [];
+    this.#future = [];
+    this.#gesture = null;
+    this.#replace(state);
+  }
+
+  #travel(from: Places[], to: Places[]): boolean {
+    const places = from.pop();
+    if (!places) return false;
+    to.push(placesOf(this.#state));
+    this.#gesture = null;
+    this.#replace(withValidSelection({ ...this.#state, ...places }));
+    return true;
+  }
+
+  #replace(state: SceneState): void {
+    const previous = this.#state;
+    this.#state = state;
+    for (const listener of this.#listeners) listener(state, previous);
+  }
+}
+
+function placesOf({ sources, walker }: SceneState): Places {
+  return { sources, walker };
+}
+
+function withValidSelection(state: SceneState): SceneState {
+  return state.selected < state.sources.length ? state : { ...state, selected: -1 };
+}

@@ -1,0 +1,198 @@
+/** The canvas and the renderer on it. What is shown is kept, so that a lost renderer can be made again with the scene intact. */
+import { parseColour, rampBytes, type Look } from './looks';
+import type { Place, Vector } from './places';
+import type { OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
+import { Signal } from './signal';
+import init, { Viewer } from './wasm/viewer/heatwalk_viewer.js';
+
+export interface PointHit {
+  point: SurfacePoint;
+  position: Vector;
+}
+
+/** The order in which the parts of a picture must be given: the surface clears what depends on it. */
+const ORDER = ['background', 'surface', 'scenery', 'ramp', 'stripes', 'distance', 'pins', 'path', 'walker'] as const;
+type Layer = (typeof ORDER)[number];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['distance', 'pins', 'path', 'walker'];
+
+export class View {
+  readonly stage: HTMLElement;
+  readonly #forceWebgl: boolean;
+  #canvas: HTMLCanvasElement;
+  #viewer: Viewer | null = null;
+  readonly #layers = new Map<Layer, (viewer: Viewer) => void>();
+  #camera: Float64Array | null = null;
+  #ratio = 1;
+  #ready: Promise<unknown> | null = null;
+  /** "WebGPU", "WebGL2", or null while there is none. */
+  readonly backend = new Signal<string | null>(null);
+  /** Why nothing can be drawn. */
+  readonly trouble = new Signal<string | null>(null);
+
+  constructor(stage: HTMLElement, forceWebgl: boolean) {
+    this.stage = stage;
+    this.#forceWebgl = forceWebgl;
+    this.#canvas = this.#freshCanvas();
+    const observer = new ResizeObserver(([entry]) => this.#resize(entry));
+    try {
+      observer.observe(stage, { box: 'device-pixel-content-box' });
+    } catch {
+      observer.observe(stage);
+    }
+  }
+
+  /** Makes a renderer on a fresh canvas: a canvas whose context was lost gives no other. */
+  async start(): Promise<void> {
+    this.#viewer = null;
+    this.backend.value = null;
+    try {
+      this.#ready ??= init();
+      await this.#ready;
+      const fresh = this.#freshCanvas();
+      this.#canvas.replaceWith(fresh);
+      this.#canvas = fresh;
+      const viewer = await Viewer.create(fresh, this.#forceWebgl);
+      viewer.resize(fresh.width, fresh.height);
+      for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
+      if (this.#camera) viewer.set_camera(this.#camera);
+      this.#viewer = viewer;
+      this.trouble.value = null;
+      this.backend.value = viewer.backend();
+    } catch (error) {
+      this.trouble.value = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  setBackground(top: string, bottom: string): void {
+    this.#show('background', (viewer) => viewer.set_background(unitColour(top), unitColour(bottom)));
+  }
+
+  setMesh({ surface, scenery }: OpenedMesh): void {
+    for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
+    this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
+    this.#show('scenery', (viewer) => viewer.set_scenery(scenery.positions, scenery.normals, scenery.triangles));
+  }
+
+  setDistance(values: Float32Array, max: number): void {
+    this.#show('distance', (viewer) => viewer.set_distance(values, max));
+  }
+
+  setLook(look: Look, diameter: number): void {
+    const [red, green, blue] = unitColour(look.stripe);
+    this.#show('ramp', (viewer) => viewer.set_ramp(rampBytes(look.ramp)));
+    this.#show('stripes', (viewer) => viewer.set_stripes(look.period * diameter, look.width, red, green, blue));
+  }
+
+  setPins(places: readonly Place[], selected: number): void {
+    const positions = Float32Array.from(places.flatMap(({ position }) => position));
+    const normals = Float32Array.from(places.flatMap(({ normal }) => normal));
+    this.#show('pins', (viewer) => viewer.set_pins(positions, normals, selected));
+  }
+
+  setPath(path: SurfacePath | null): void {
+    const points = path?.points ?? new Float32Array();
+    const normals = path?.normals ?? new Float32Array();
+    this.#show('path', (viewer) => viewer.set_path(points, normals));
+    if (!path) this.#show('walker', (viewer) => viewer.hide_walker());
+  }
+
+  setWalker(arc: number): void {
+    this.#show('walker', (viewer) => viewer.set_walker(arc));
+  }
+
+  /** Device pixels for one CSS pixel. */
+  get ratio(): number {
+    return this.#ratio;
+  }
+
+  orbit(dx: number, dy: number): void {
+    this.#viewer?.orbit(dx, dy);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.#viewer?.pan(dx, dy);
+  }
+
+  zoom(factor: number): void {
+    this.#viewer?.zoom(factor);
+  }
+
+  frame(): void {
+    this.#viewer?.frame();
+  }
+
+  focus(position: Vector): void {
+    this.#viewer?.focus(...position);
+  }
+
+  /** Yaw, pitch, distance, offset; null before the first picture. */
+  get camera(): readonly number[] | null {
+    return this.#viewer ? [...this.#viewer.camera()] : this.#camera && [...this.#camera];
+  }
+
+  set camera(camera: readonly number[]) {
+    this.#camera = Float64Array.from(camera);
+    this.#viewer?.set_camera(this.#camera);
+  }
+
+  /** `x`, `y` in CSS pixels of the window. */
+  pick(x: number, y: number): PointHit | null {
+    const { left, top } = this.stage.getBoundingClientRect();
+    const hit = this.#viewer?.pick((x - left) * this.#ratio, (y - top) * this.#ratio);
+    if (!hit) return null;
+    const [a, b, c] = hit.weights;
+    const [px, py, pz] = hit.point;
+    const found: PointHit = { point: { face: hit.triangle, weights: [a, b, c] }, position: [px, py, pz] };
+    hit.free();
+    return found;
+  }
+
+  /** CSS pixels of the window; null behind the camera. */
+  project(position: Vector): [number, number] | null {
+    const pixel = this.#viewer?.project(...position);
+    if (!pixel) return null;
+    const { left, top } = this.stage.getBoundingClientRect();
+    return [left + pixel[0] / this.#ratio, top + pixel[1] / this.#ratio];
+  }
+
+  /** True if a frame was drawn. */
+  render(seconds: number): boolean {
+    const viewer = this.#viewer;
+    if (!viewer?.needs_frame()) return false;
+    if (viewer.render(seconds)) {
+      this.#camera = viewer.camera();
+    } else {
+      void this.start();
+    }
+    return true;
+  }
+
+  #show(layer: Layer, apply: (viewer: Viewer) => void): void {
+    this.#layers.set(layer, apply);
+    if (this.#viewer) apply(this.#viewer);
+  }
+
+  #freshCanvas(): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    canvas.width = this.#canvas?.width || 300;
+    canvas.height = this.#canvas?.height || 150;
+    if (!this.#canvas) this.stage.prepend(canvas);
+    return canvas;
+  }
+
+  #resize(entry: ResizeObserverEntry): void {
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const { width, height } = entry.contentRect;
+    const w = Math.max(1, exact ? exact.inlineSize : Math.round(width * devicePixelRatio));
+    const h = Math.max(1, exact ? exact.blockSize : Math.round(height * devicePixelRatio));
+    this.#ratio = w / Math.max(1, width);
+    if (this.#canvas.width === w && this.#canvas.height === h) return;
+    this.#canvas.width = w;
+    this.#canvas.height = h;
+    this.#viewer?.resize(w, h);
+  }
+}
+
+function unitColour(css: string): Float32Array {
+  return Float32Array.from(parseColour(css), (value) => value / 255);
+}

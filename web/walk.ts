@@ -1,0 +1,47 @@
+/** The walker's clock: how far along the path it is. */
+
+const CROSSING_SECONDS = 7;
+const REST_SECONDS = 1;
+
+export class Walk {
+  #length = 0;
+  #arc = 0;
+  #rested = 0;
+  paused = false;
+
+  /** Where the walker stands, as arc length from the start. */
+  get arc(): number {
+    return this.#arc;
+  }
+
+  get length(): number {
+    return this.#length;
+  }
+
+  get arrived(): boolean {
+    return this.#length > 0 && this.#arc >= this.#length;
+  }
+
+  /** Another way: from its start when `fromStart`, else as far along as on the last one, so that edits do not jolt it. */
+  follow(length: number, fromStart: boolean): void {
+    const share = fromStart || this.#length === 0 ? 0 : this.#arc / this.#length;
+    this.#length = length;
+    this.#arc = share * length;
+    if (fromStart) this.#rested = 0;
+  }
+
+  /** `diameter` of the model sets the speed: one crossing takes seven seconds. True if the walker moved. */
+  advance(seconds: number, diameter: number): boolean {
+    if (this.paused || this.#length === 0) return false;
+    if (!this.arrived) {
+      this.#arc = Math.min(this.#length, this.#arc + (seconds * diameter) / CROSSING_SECONDS);
+      this.#rested = 0;
+      return true;
+    }
+    this.#rested += seconds;
+    if (this.#rested < REST_SECONDS) return false;
+    this.#arc = 0;
+    this.#rested = 0;
+    return true;
+  }
+}
