@@ -2,7 +2,7 @@
 import type { Session } from './session';
 
 /** After a pause (a hidden tab) nothing leaps. */
-const LONGEST_STEP = 0.1;
+const LONGEST_STEP = 0.25;
 
 export class Frames {
   readonly #session: Session;

@@ -71,10 +71,22 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('t', within(...TIME_FACTOR_RANGE), (factor) => (state.parameters.timeFactor = factor));
   read('b', parseBoundary, (boundary) => (state.parameters.boundary = boundary));
   read('cam', parseCamera, (camera) => (state.camera = camera));
-  read('look', (name) => findLook(name) ?? null, ({ name }) => (state.look = baseLook(name, start.look)));
+  read(
+    'look',
+    (name) => findLook(name) ?? null,
+    ({ name }) => (state.look = baseLook(name, start.look)),
+  );
   const change = (part: Partial<Look>) => (state.look = { ...state.look, ...part });
-  read('ramp', (name) => (isRamp(name) ? name : null), (ramp) => change({ ramp }));
-  read('stripe', (text) => (/^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null), (stripe) => change({ stripe }));
+  read(
+    'ramp',
+    (name) => (isRamp(name) ? name : null),
+    (ramp) => change({ ramp }),
+  );
+  read(
+    'stripe',
+    (text) => (/^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
+    (stripe) => change({ stripe }),
+  );
   read('width', within(0, 1), (width) => change({ width }));
   read('period', within(0.001, 1), (period) => change({ period }));
   return { state, notices };

@@ -28,7 +28,11 @@ import { followTheme } from './theme';
 import { View } from './view';
 
 const page = document.body;
-const stage = h('main', { class: 'stage', tabindex: 0, 'aria-label': 'Model. Arrows turn it, Enter sets a source at the centre.' });
+const stage = h('main', {
+  class: 'stage',
+  tabindex: 0,
+  'aria-label': 'Model. Arrows turn it, Enter sets a source at the centre.',
+});
 page.append(stage);
 
 const scene = new Scene(FIRST_PRESET.start);
@@ -49,7 +53,7 @@ const cameraMoved = () => {
   frames.cameraMoved();
 };
 
-new Hands({ session, readout, tool, acted, cameraMoved });
+new Hands({ session, readout, tool, acted, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,

@@ -1,7 +1,7 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
 import { decodeLink } from './link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET } from './presets';
-import type { MeshInput } from './protocol';
+import type { MeshInput, NamedBytes } from './protocol';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
 import type { OpenRequest, Session, Shown } from './session';
 import { Cancelled } from './solver';
@@ -76,7 +76,8 @@ export class Opener {
   async link(fragment: string): Promise<void> {
     const decoded = decodeLink(fragment, startOf);
     if (!decoded) {
-      if (/[#&]m=/.test(fragment)) this.#voice.notice('This link names a mesh that is not here; the first one is shown.');
+      if (/[#&]m=/.test(fragment))
+        this.#voice.notice('This link names a mesh that is not here; the first one is shown.');
       await this.preset(FIRST_PRESET.id);
       return;
     }
@@ -135,6 +136,9 @@ export class Opener {
 }
 
 async function readFiles(files: readonly File[]): Promise<MeshInput> {
-  const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
-  return { kind: 'files', files: await Promise.all(files.map(read)) };
+  return { kind: 'files', files: await Promise.all(files.map(readFile)) };
+}
+
+async function readFile(file: File): Promise<NamedBytes> {
+  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
 }

@@ -69,10 +69,15 @@ export class Places {
   /** The vertex that lies farthest in a direction. */
   extreme([x, y, z]: Vector): SurfacePoint {
     const { surface, inputVertices } = this.#mesh;
-    return { vertex: inputVertices[indexOfMax(inputVertices.length, (drawn) => {
-      const p = surface.positions;
-      return x * p[3 * drawn] + y * p[3 * drawn + 1] + z * p[3 * drawn + 2];
-    })] };
+    return {
+      vertex:
+        inputVertices[
+          indexOfMax(inputVertices.length, (drawn) => {
+            const p = surface.positions;
+            return x * p[3 * drawn] + y * p[3 * drawn + 1] + z * p[3 * drawn + 2];
+          })
+        ],
+    };
   }
 
   /** The vertex with the largest finite value. */

@@ -23,13 +23,15 @@ interface Outline {
   look: string;
   change?: Partial<Look>;
   boundary?: Boundary;
+  /** Walked parts; all when left out. */
+  parts?: readonly number[];
 }
 
 /** From where a mesh is seen that says nothing about it: yaw and pitch in radians. */
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, look, change, boundary } = outline;
+  const { title, credit, load, sources, walker, view, look, change, boundary, parts } = outline;
   return {
     id,
     title,
@@ -38,6 +40,7 @@ function preset(id: string, outline: Outline): Preset {
     view: view ?? LANDING_VIEW,
     start: {
       ...emptyScene({ kind: 'preset', id }),
+      parts: parts ?? [],
       sources,
       walker,
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
@@ -46,39 +49,67 @@ function preset(id: string, outline: Outline): Preset {
   };
 }
 
-const at = (vertex: number): SurfacePoint => ({ vertex });
-
 export const PRESETS: readonly Preset[] = [
   preset('bunny', {
     title: 'Bunny',
     credit: 'Stanford Computer Graphics Laboratory; reduced, public domain',
     load: async () => plainMesh('bunny', (await import('bunny')).default),
-    sources: [at(0)],
-    walker: at(1200),
+    sources: [at(746)],
+    walker: at(896),
+    view: [-0.5, 0.25],
     look: 'zebra',
   }),
   preset('teapot', {
     title: 'Teapot',
     credit: 'Martin Newell, public domain',
     load: async () => plainMesh('teapot', (await import('teapot')).default),
-    sources: [at(0)],
-    walker: at(600),
+    // Body, lid and spout do not touch: each has a source of its own.
+    sources: [at(420), at(598), at(568)],
+    walker: at(124),
+    view: [0.4, 0.4],
     look: 'gold',
   }),
   preset('dragon', {
     title: 'Dragon',
     credit: 'Stanford Computer Graphics Laboratory',
     load: loadDragon,
-    sources: [at(0)],
-    walker: at(9000),
+    sources: [at(19706)],
+    walker: at(11215),
+    view: [-0.25, 0.2],
     look: 'lava',
   }),
+  preset('animal', { title: 'Animal', sources: [at(9275)], walker: at(8963), view: [0.5, 0.2], look: 'candy' }),
+  preset('maze', {
+    title: 'Maze',
+    sources: [at(139)],
+    walker: at(0),
+    view: [0.45, 0.9],
+    look: 'scientific',
+    parts: [0],
+  }),
+  preset('high_genus', { title: 'Sponge', sources: [at(13634)], walker: at(2061), look: 'lagoon' }),
+  preset('ring', { title: 'Ring', sources: [at(4411)], walker: at(4513), view: [0.6, 0.6], look: 'dusk' }),
+  preset('hemisphere', {
+    title: 'Hemisphere',
+    sources: [at(2499)],
+    walker: at(4577),
+    look: 'water',
+    parts: [0],
+    boundary: 'average',
+  }),
+  preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], look: 'contour' }),
+  preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], look: 'neon' }),
+  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), look: 'turbo' }),
 ];
 
 export const FIRST_PRESET = PRESETS[0];
 
 export function findPreset(id: string): Preset | undefined {
   return PRESETS.find((candidate) => candidate.id === id);
+}
+
+function at(vertex: number): SurfacePoint {
+  return { vertex };
 }
 
 function plainMesh(name: string, { positions, cells }: PlainMesh): MeshInput {

@@ -1,4 +1,4 @@
-/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
+/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/page.md. */
 import type { SurfacePoint } from './protocol';
 import type { SceneState } from './scene';
 import type { Session } from './session';
@@ -9,6 +9,8 @@ export interface Heatwalk {
   /** "WebGPU", "WebGL2", or null when nothing can be drawn. */
   readonly backend: string | null;
   readonly scene: SceneState;
+  /** Where the camera is now: yaw, pitch (rad), distance and offset from the centre in bounding radii. */
+  readonly camera: readonly number[] | null;
   readonly mesh: {
     name: string;
     triangles: number;
@@ -47,6 +49,9 @@ export function expose(session: Session, ready: Promise<void>): void {
     },
     get scene() {
       return structuredClone(session.scene.state);
+    },
+    get camera() {
+      return session.view.camera;
     },
     get mesh() {
       if (!session.shown.value) return null;

@@ -4,6 +4,7 @@ import type { Place, Vector } from './places';
 import type { OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
 import { Signal } from './signal';
 import init, { Viewer } from './wasm/viewer/heatwalk_viewer.js';
+import wasmAddress from './wasm/viewer/heatwalk_viewer_bg.wasm?url';
 
 export interface PointHit {
   point: SurfacePoint;
@@ -22,6 +23,7 @@ export class View {
   #viewer: Viewer | null = null;
   readonly #layers = new Map<Layer, (viewer: Viewer) => void>();
   #camera: Float64Array | null = null;
+  #frameFirst = false;
   #ratio = 1;
   #ready: Promise<unknown> | null = null;
   /** "WebGPU", "WebGL2", or null while there is none. */
@@ -46,7 +48,7 @@ export class View {
     this.#viewer = null;
     this.backend.value = null;
     try {
-      this.#ready ??= init();
+      this.#ready ??= init({ module_or_path: wasmAddress });
       await this.#ready;
       const fresh = this.#freshCanvas();
       this.#canvas.replaceWith(fresh);
@@ -55,6 +57,8 @@ export class View {
       viewer.resize(fresh.width, fresh.height);
       for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
       if (this.#camera) viewer.set_camera(this.#camera);
+      if (this.#frameFirst) viewer.frame();
+      this.#frameFirst = false;
       this.#viewer = viewer;
       this.trouble.value = null;
       this.backend.value = viewer.backend();
@@ -117,7 +121,9 @@ export class View {
     this.#viewer?.zoom(factor);
   }
 
+  /** A renderer that is still starting frames as soon as it can. */
   frame(): void {
+    this.#frameFirst = this.#viewer === null;
     this.#viewer?.frame();
   }
 
@@ -131,6 +137,7 @@ export class View {
   }
 
   set camera(camera: readonly number[]) {
+    this.#frameFirst = false;
     this.#camera = Float64Array.from(camera);
     this.#viewer?.set_camera(this.#camera);
   }

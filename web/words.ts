@@ -21,7 +21,11 @@ export function percent(share: number): string {
 }
 
 export function milliseconds(value: number): string {
-  return value < 10 ? `${value.toFixed(1)} ms` : value < 10_000 ? `${Math.round(value)} ms` : `${(value / 1000).toFixed(1)} s`;
+  return value < 10
+    ? `${value.toFixed(1)} ms`
+    : value < 10_000
+      ? `${Math.round(value)} ms`
+      : `${(value / 1000).toFixed(1)} s`;
 }
 
 export function bytes(value: number): string {
@@ -32,7 +36,9 @@ export function bytes(value: number): string {
 export function openingSentence({ name, report }: OpenedMesh): string {
   const done = repairs(report);
   const shape = `${counted(report.components, 'component')}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
-  return done.length > 0 ? `${name}: ${done.join(', ')}; ${shape}.` : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+  return done.length > 0
+    ? `${name}: ${done.join(', ')}; ${shape}.`
+    : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
 }
 
 function repairs(report: BuildReport): string[] {
@@ -45,7 +51,12 @@ function repairs(report: BuildReport): string[] {
   say('dropped', report.degenerateFaces, 'empty triangle');
   say('dropped', report.duplicateFaces, 'doubled triangle');
   say('turned', report.turnedFaces, 'triangle');
-  say('cut along', report.nonManifoldEdges, 'edge shared by more than two triangles', 'edges shared by more than two triangles');
+  say(
+    'cut along',
+    report.nonManifoldEdges,
+    'edge shared by more than two triangles',
+    'edges shared by more than two triangles',
+  );
   return done;
 }
 
@@ -67,7 +78,8 @@ function unreachedParts({ parts, walked, surface }: OpenedMesh, { distance }: Di
   let first = 0;
   for (const part of walked) {
     const end = first + 3 * parts[part].triangles;
-    if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity)) names.push(parts[part].name);
+    if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity))
+      names.push(parts[part].name);
     first = end;
   }
   return names;

@@ -49,22 +49,26 @@ export class Hands {
   constructor(options: HandsOptions) {
     this.#o = options;
     this.#stage = options.session.view.stage;
+  }
+
+  listen(): void {
     const stage = this.#stage;
+    const { session, readout, acted, cameraMoved } = this.#o;
     stage.addEventListener('pointerdown', (event) => this.#down(event));
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
     stage.addEventListener('pointercancel', (event) => this.#cancel(event));
     stage.addEventListener('pointerleave', () => {
       this.#hover = null;
-      options.readout.hide();
+      readout.hide();
     });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
-    listenToWheel(stage, options.session.view, () => {
-      options.acted();
-      options.cameraMoved();
+    listenToWheel(stage, session.view, () => {
+      acted();
+      cameraMoved();
     });
     // A field that arrives under a resting pointer changes what the read-out says.
-    options.session.shown.watch(() => this.#showHover());
+    session.shown.watch(() => this.#showHover());
   }
 
   #down(event: PointerEvent): void {
@@ -179,8 +183,7 @@ export class Hands {
     const { session, acted } = this.#o;
     const { x, y, target } = press;
     const last = this.#lastClick;
-    const double =
-      last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
+    const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
     acted();
     if (double) {
       // The first click of the two was not meant to move anything.

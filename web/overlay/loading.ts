@@ -5,8 +5,12 @@ import { counted, percent } from '../words';
 /** A thin bar over the window with the stage in words and numbers, and Cancel. */
 export function loadingBar(session: Session): HTMLElement {
   const bar = h('progress', { max: 1, 'aria-label': 'Opening' });
-  const stage = h('span', { class: 'stage', role: 'status' });
-  const cancel = h('button', { class: 'small', title: 'Stop opening (Esc)', onclick: () => session.cancelOpening() }, 'Cancel');
+  const stage = h('span', { class: 'loading-stage', role: 'status' });
+  const cancel = h(
+    'button',
+    { class: 'small', title: 'Stop opening (Esc)', onclick: () => session.cancelOpening() },
+    'Cancel',
+  );
   const element = h('div', { class: 'loading', hidden: true }, bar, h('div', { class: 'loading-text' }, stage, cancel));
   session.loading.watch((loading) => {
     element.hidden = loading === null;

@@ -37,14 +37,16 @@ export class Messages implements Voice {
 
   fail(text: string, details: string, remedy?: Action): void {
     this.#failed?.remove();
-    const copy: Action = { name: 'Copy details', run: () => void navigator.clipboard.writeText(`${text}\n${details}`) };
+    const copy: Action = { name: 'Copy details', run: () => void this.#copy(`${text}\n${details}`) };
     this.#failed = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
   }
 
   askForFile(name: string): void {
     this.#asked?.remove();
     const action = { name: 'Open the file…', run: this.#chooseFile };
-    this.#asked = this.#say(this.#polite, 'notice', `This link shows your file ${name}. Drop it here to see it.`, [action]);
+    this.#asked = this.#say(this.#polite, 'notice', `This link shows your file ${name}. Drop it here to see it.`, [
+      action,
+    ]);
   }
 
   forgetFile(): void {
@@ -60,6 +62,15 @@ export class Messages implements Voice {
     return newest !== undefined;
   }
 
+  /** Without leave to use the clipboard the details are shown, to be copied by hand. */
+  async #copy(details: string): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(details);
+    } catch {
+      if (!this.#failed?.querySelector('pre')) this.#failed?.append(h('pre', {}, details));
+    }
+  }
+
   #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
     const message = h('div', { class: `message ${kind}` }, h('p', {}, text));
     if (actions.length > 0) {
@@ -67,7 +78,11 @@ export class Messages implements Voice {
       message.append(h('div', { class: 'actions' }, ...buttons));
     }
     message.append(
-      h('button', { class: 'close', 'aria-label': 'Close the message', title: 'Close (Esc)', onclick: () => message.remove() }, '×'),
+      h(
+        'button',
+        { class: 'close', 'aria-label': 'Close the message', title: 'Close (Esc)', onclick: () => message.remove() },
+        '×',
+      ),
     );
     place.append(message);
     return message;

@@ -61,8 +61,21 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
   const frame = plain('Frame', 'See the whole model (F)', FRAME, () => view.frame());
-  const rule = () => h('hr', { 'aria-orientation': 'vertical' });
-  return h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' }, ...tools, rule(), undo, redo, rule(), pause, frame);
+  return h(
+    'div',
+    { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' },
+    ...tools,
+    rule(),
+    undo,
+    redo,
+    rule(),
+    pause,
+    frame,
+  );
+}
+
+function rule(): HTMLElement {
+  return h('hr', { 'aria-orientation': 'vertical' });
 }
 
 function plain(name: string, tip: string, path: string, run: () => void): HTMLButtonElement {

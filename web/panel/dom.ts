@@ -47,7 +47,8 @@ export interface Control {
 }
 
 export function slider({ label, min, max, step, describe, change }: SliderOptions): Control {
-  const output = h('output', { class: 'value' });
+  // The slider says its value itself.
+  const output = h('span', { class: 'value', 'aria-hidden': 'true' });
   const input = h('input', {
     type: 'range',
     min,
@@ -64,7 +65,7 @@ export function slider({ label, min, max, step, describe, change }: SliderOption
     output.textContent = describe(value);
     input.setAttribute('aria-valuetext', describe(value));
   };
-  return { element: h('label', { class: 'field' }, h('span', {}, label), output, input), show };
+  return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, label), output, input), show };
 }
 
 export function select<T extends string>(

@@ -81,27 +81,17 @@ impl Laplacian {
         self.column_start[point] as usize..self.column_start[point + 1] as usize
     }
 
-    /// `stiffness_scale · L + mass_scale · M` with the held rows and columns replaced by those of
-    /// `held_diagonal · I`. Zeros are stored, so that every such matrix has the same pattern.
-    pub(crate) fn combine(
-        &self,
-        stiffness_scale: f64,
-        mass_scale: f64,
-        held: impl Fn(usize) -> bool,
-        held_diagonal: f64,
-    ) -> Vec<f64> {
+    /// `L + mass_scale · M` with the held rows and columns replaced by those of the identity, whose 1 is of the order
+    /// of the other diagonal entries. Zeros are stored, so that every such matrix has the same pattern.
+    pub(crate) fn combine(&self, mass_scale: f64, held: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.rows.len());
         for point in 0..self.size() {
             let mut column = self.column(point);
             let diagonal = column.next().map_or(0.0, |entry| self.stiffness[entry]);
             let is_held = held(point);
-            values.push(if is_held {
-                held_diagonal
-            } else {
-                stiffness_scale * diagonal + mass_scale * self.mass[point]
-            });
+            values.push(if is_held { 1.0 } else { diagonal + mass_scale * self.mass[point] });
             values.extend(column.map(|entry| {
-                if is_held || held(self.rows[entry] as usize) { 0.0 } else { stiffness_scale * self.stiffness[entry] }
+                if is_held || held(self.rows[entry] as usize) { 0.0 } else { self.stiffness[entry] }
             }));
         }
         values

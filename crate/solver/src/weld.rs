@@ -53,10 +53,9 @@ pub(crate) fn weld(soup: &Soup) -> Result<Welded> {
     let duplicate = duplicates(positions.len(), &faces);
     let duplicate_faces = duplicate.iter().filter(|&&duplicate| duplicate).count();
     if duplicate_faces > 0 {
-        let mut keep = duplicate.iter().map(|duplicate| !duplicate);
-        faces.retain(|_| keep.next() == Some(true));
-        keep = duplicate.iter().map(|duplicate| !duplicate);
-        triangle_of_face.retain(|_| keep.next() == Some(true));
+        let (mut of_faces, mut of_triangles) = (duplicate.iter(), duplicate.iter());
+        faces.retain(|_| of_faces.next() == Some(&false));
+        triangle_of_face.retain(|_| of_triangles.next() == Some(&false));
     }
     if faces.is_empty() {
         let reason = if soup.triangles.is_empty() {

@@ -1,7 +1,7 @@
 use glam::{Vec3, Vec4};
 
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Shared, linear_from_srgb, shader, uniform, uniform_layout};
+use crate::shared::{PipelineRecipe, Shared, shader, uniform, uniform_layout};
 
 /// The gradient behind the surface.
 pub(crate) struct Background {
@@ -32,7 +32,7 @@ impl Background {
 
     /// Colours of the upper and lower edge; sRGB, 0..1.
     pub(crate) fn set_colors(&self, context: &Context, top: Vec3, bottom: Vec3) {
-        let colors: [Vec4; 2] = [top, bottom].map(|color| linear_from_srgb(color).extend(1.0));
+        let colors: [Vec4; 2] = [top, bottom].map(|color| color.extend(1.0));
         context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&colors));
     }
 

@@ -1,7 +1,7 @@
 // A soft vertical gradient behind everything.
 
 struct Background {
-    // Linear colours; w unused.
+    // sRGB colours; w unused.
     top: vec4f,
     bottom: vec4f,
 }
@@ -27,9 +27,8 @@ fn noise(pixel: vec2f) -> f32 {
 
 @fragment
 fn fs_background(corner: Corner) -> @location(0) vec4f {
-    // Mixed in the square root, close to how the eye spaces greys.
-    let mixed = mix(sqrt(background.bottom.rgb), sqrt(background.top.rgb), smoothstep(0.0, 1.0, corner.height));
+    // Mixed as sRGB, which is close to how the eye spaces greys.
+    let mixed = mix(background.bottom.rgb, background.top.rgb, smoothstep(0.0, 1.0, corner.height));
     // A gradient over a whole window shows bands of single byte values unless dithered.
-    let dithered = mixed + noise(corner.clip.xy) / 255.0;
-    return vec4f(dithered * dithered, 1.0);
+    return vec4f(mixed + noise(corner.clip.xy) / 255.0, 1.0);
 }

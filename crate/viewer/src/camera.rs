@@ -98,15 +98,9 @@ impl Camera {
     /// A camera that frames the unit sphere from slightly above and to the side.
     #[must_use]
     pub fn new() -> Self {
-        let view = View { yaw: 0.5, pitch: 0.3, distance: FRAME_MARGIN / (0.5 * FIELD_OF_VIEW).sin(), target: DVec3::ZERO };
-        Self {
-            view,
-            flight: None,
-            surface: Bounds::UNIT,
-            scene: Bounds::UNIT,
-            size: DVec2::ONE,
-            pixel_ratio: 1.0,
-        }
+        let view =
+            View { yaw: 0.5, pitch: 0.3, distance: FRAME_MARGIN / (0.5 * FIELD_OF_VIEW).sin(), target: DVec3::ZERO };
+        Self { view, flight: None, surface: Bounds::UNIT, scene: Bounds::UNIT, size: DVec2::ONE, pixel_ratio: 1.0 }
     }
 
     /// What the view is relative to, and what must lie between the near and the far plane.

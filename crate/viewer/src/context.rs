@@ -32,7 +32,7 @@ impl Backend {
 pub struct Context {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
-    /// The format pipelines draw in: sRGB-encoding, so that shaders work with linear light on every backend.
+    /// The canvas's format: plain bytes, which the shaders fill with sRGB.
     pub(crate) format: wgpu::TextureFormat,
     surface: wgpu::Surface<'static>,
     configuration: wgpu::SurfaceConfiguration,
@@ -75,11 +75,15 @@ pub(crate) enum NextFrame {
 }
 
 impl Context {
-    /// Opens a device for a canvas: WebGPU where it really gives a device, else WebGL2.
+    /// Opens a device for a canvas of so many physical pixels: WebGPU where it really gives a device, else WebGL2.
     ///
     /// # Errors
     /// When neither backend works; the sentence says which step failed.
-    pub async fn new(target: wgpu::SurfaceTarget<'static>, force_webgl: bool) -> Result<Self, Error> {
+    pub async fn new(
+        target: wgpu::SurfaceTarget<'static>,
+        (width, height): (u32, u32),
+        force_webgl: bool,
+    ) -> Result<Self, Error> {
         let webgpu = if force_webgl { None } else { open_webgpu().await };
         let (backend, surface, adapter, device, queue) = match webgpu {
             Some((instance, adapter, device, queue)) => {
@@ -89,9 +93,8 @@ impl Context {
             None => {
                 let instance = instance(wgpu::Backends::GL);
                 // Without a WebGL2 context for the canvas there is no adapter to ask for.
-                let surface = instance
-                    .create_surface(target)
-                    .map_err(|error| Error::NoAdapter { reason: error.to_string() })?;
+                let surface =
+                    instance.create_surface(target).map_err(|error| Error::NoAdapter { reason: error.to_string() })?;
                 let adapter = request_adapter(&instance, Some(&surface)).await?;
                 let (device, queue) = request_device(&adapter).await?;
                 (Backend::WebGl2, surface, adapter, device, queue)
@@ -112,16 +115,17 @@ impl Context {
             }
         }));
 
+        let limit = device.limits().max_texture_dimension_2d;
+        let (width, height) = (width.clamp(1, limit), height.clamp(1, limit));
         let mut configuration = surface
-            .get_default_config(&adapter, 1, 1)
+            .get_default_config(&adapter, width, height)
             .ok_or_else(|| Error::NoCanvas { reason: "its device cannot present to it".to_owned() })?;
-        // WebGL presents sRGB itself; WebGPU's canvas stores plain bytes and is drawn to through an sRGB view.
-        let format = configuration.format.add_srgb_suffix();
-        if format != configuration.format {
-            configuration.view_formats.push(format);
-        }
+        // Shaders encode sRGB themselves: WebGL canvases have no sRGB views, and some WebGPU drivers lose the encoding
+        // when they resolve a multisampled picture into one. This way both backends show the same bytes.
+        let format = configuration.format.remove_srgb_suffix();
+        configuration.format = format;
         surface.configure(&device, &configuration);
-        let targets = Targets::new(&device, format, 1, 1);
+        let targets = Targets::new(&device, format, width, height);
         Ok(Self { device, queue, format, surface, configuration, targets, backend, lost })
     }
 
@@ -176,11 +180,8 @@ impl Context {
 
     /// Records one pass into the frame and presents it.
     pub(crate) fn draw(&self, frame: wgpu::SurfaceTexture, record: impl FnOnce(&mut wgpu::RenderPass<'_>)) {
-        let view = frame.texture.create_view(&wgpu::TextureViewDescriptor {
-            label: Some("canvas"),
-            format: Some(self.format),
-            ..Default::default()
-        });
+        let view =
+            frame.texture.create_view(&wgpu::TextureViewDescriptor { label: Some("canvas"), ..Default::default() });
         let mut encoder =
             self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame encoder") });
         {
@@ -197,10 +198,7 @@ impl Context {
                 })],
                 depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                     view: &self.targets.depth,
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(1.0),
-                        store: wgpu::StoreOp::Discard,
-                    }),
+                    depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
                     stencil_ops: None,
                 }),
                 ..Default::default()

@@ -4,19 +4,21 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum Error {
     /// Neither WebGPU nor WebGL2 gave a usable adapter.
-    #[error("This browser offers neither WebGPU nor WebGL2 ({reason}). Turn on hardware acceleration or try another browser.")]
+    #[error(
+        "This browser offers neither WebGPU nor WebGL2. Turn on hardware acceleration or try another browser. ({reason})"
+    )]
     NoAdapter {
         /// What the last attempt answered.
         reason: String,
     },
     /// The adapter was found, but gave no device.
-    #[error("The graphics device could not be opened ({reason}). Close other 3D pages and reload this one.")]
+    #[error("The graphics device could not be opened. Close other 3D pages and reload this one. ({reason})")]
     NoDevice {
         /// What the adapter answered.
         reason: String,
     },
     /// The canvas cannot be drawn to.
-    #[error("The canvas cannot be used for drawing ({reason}). Reload the page.")]
+    #[error("The canvas cannot be used for drawing. Reload the page. ({reason})")]
     NoCanvas {
         /// What the canvas answered.
         reason: String,

@@ -1,1 +1,60 @@
-//! stub
+//! Draws a surface with its distance stripes, pins, a path and a walker, with wgpu.
+//!
+//! The viewer takes plain arrays and knows no solver. A long-lived [`Renderer`] holds the pipelines; buffers live with
+//! the mesh they belong to. Each primitive is one `.rs` and one `.wgsl` of the same name; every shader starts with
+//! `shared.wgsl`. Colours are linear light in the shading and sRGB outside. On wasm32 the class `Viewer` is the face
+//! towards JavaScript.
+
+mod background;
+mod bounds;
+mod buffer;
+mod camera;
+mod context;
+mod curve;
+mod error;
+mod pick;
+mod pin;
+mod pose;
+mod renderer;
+mod shared;
+mod solid;
+mod surface;
+mod walker;
+#[cfg(target_arch = "wasm32")]
+mod web;
+
+pub use bounds::Bounds;
+pub use camera::{Camera, Eye, View};
+pub use context::{Backend, Context};
+pub use error::Error;
+pub use pick::{Hit, Picker, Ray};
+pub use pose::{Pose, Track};
+pub use renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
+pub use surface::RAMP_SIZE;
+
+#[cfg(test)]
+mod shader_tests {
+    use wgpu::naga::front::wgsl;
+    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    use crate::shared::SHARED_WGSL;
+
+    #[test]
+    fn every_shader_is_valid() {
+        for (name, source) in [
+            ("background", include_str!("background.wgsl")),
+            ("surface", include_str!("surface.wgsl")),
+            ("curve", include_str!("curve.wgsl")),
+            ("pin", include_str!("pin.wgsl")),
+            ("walker", include_str!("walker.wgsl")),
+        ] {
+            let source = format!("{SHARED_WGSL}\n{source}");
+            let module = wgsl::parse_str(&source)
+                .unwrap_or_else(|error| panic!("{name}.wgsl: {}", error.emit_to_string(&source)));
+            // WebGL2 has none of the optional capabilities.
+            Validator::new(ValidationFlags::all(), Capabilities::empty())
+                .validate(&module)
+                .unwrap_or_else(|error| panic!("{name}.wgsl: {}", error.emit_to_string(&source)));
+        }
+    }
+}

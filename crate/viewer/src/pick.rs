@@ -99,6 +99,12 @@ impl Picker {
         Some(Hit { triangle, weights: DVec3::new(1.0 - v - w, v, w).as_vec3(), depth: depth as f32 })
     }
 
+    /// The vertices, `#V × 3`; world space.
+    #[must_use]
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
     /// The three corners of a triangle, as vertex indices.
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [u32; 3] {

@@ -109,7 +109,8 @@ mod tests {
 
     #[test]
     fn poses_are_orthonormal_on_a_sphere() {
-        let points: Vec<Vec3> = (0..=40).map(|step| Vec3::new((step as f32 * 0.05).cos(), (step as f32 * 0.05).sin(), 0.0)).collect();
+        let points: Vec<Vec3> =
+            (0..=40).map(|step| Vec3::new((step as f32 * 0.05).cos(), (step as f32 * 0.05).sin(), 0.0)).collect();
         let track = Track::new(points.clone(), points).expect("an arc");
         for step in 0..100 {
             let pose = track.pose(step as f32 * 0.02, 0.03);

@@ -1,4 +1,5 @@
-// Shared by all shaders: the frame's uniform, the lights and a few helpers. All colours are linear light.
+// Shared by all shaders: the frame's uniform, the lights and a few helpers. Colours are linear
+// light until `encode`.
 
 struct Frame {
     clip_from_world: mat4x4f,
@@ -17,7 +18,7 @@ struct Frame {
 @group(0) @binding(0) var<uniform> frame: Frame;
 
 const SKY = vec3f(0.66, 0.69, 0.74);
-const GROUND = vec3f(0.17, 0.165, 0.17);
+const GROUND = vec3f(0.13, 0.125, 0.135);
 const KEY = vec3f(1.02, 0.98, 0.92);
 // Where the key light stands, along the camera's axes: it turns with the camera, so that every view reads well.
 const KEY_RIGHT = -0.46;
@@ -45,6 +46,13 @@ fn shoulder(light: vec3f) -> vec3f {
     return min(light, vec3f(knee)) + (1.0 - knee) * (1.0 - exp(-excess));
 }
 
+// Linear light to sRGB (IEC 61966-2-1), as an opaque pixel.
+fn encode(light: vec3f) -> vec4f {
+    let clamped = clamp(light, vec3f(0.0), vec3f(1.0));
+    let curved = 1.055 * pow(clamped, vec3f(1.0 / 2.4)) - 0.055;
+    return vec4f(select(curved, 12.92 * clamped, clamped <= vec3f(0.0031308)), 1.0);
+}
+
 // Lambert under sky and key light, a tight and a broad highlight, and a Fresnel rim that mirrors the studio.
 // `normal` faces the eye; `gloss` 0 is matt, 1 is glazed.
 fn shade(albedo: vec3f, position: vec3f, normal: vec3f, gloss: f32) -> vec3f {
@@ -54,7 +62,7 @@ fn shade(albedo: vec3f, position: vec3f, normal: vec3f, gloss: f32) -> vec3f {
     let sky_share = 0.5 + 0.5 * normal.y;
     // Wrapped a little past the terminator, which softens the edge of the shadow side.
     let lit = clamp((dot(normal, key) + 0.12) / 1.12, 0.0, 1.0);
-    let diffuse = 0.62 * mix(GROUND, SKY, sky_share) + 0.66 * KEY * lit + 0.07 * facing;
+    let diffuse = 0.50 * mix(GROUND, SKY, sky_share) + 0.74 * KEY * lit + 0.06 * facing;
     let halfway = max(dot(normal, normalize(key + to_eye)), 0.0);
     let highlight = 0.42 * pow(halfway, 90.0) + 0.07 * pow(halfway, 14.0);
     let fresnel = 0.035 + 0.5 * pow(1.0 - facing, 4.0);

@@ -11,9 +11,10 @@ mod results;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use glam::DVec3;
 use heatwalk::heat::{Boundary, HeatSolver, Parameters, Stage};
 use heatwalk::soup::Soup;
-use heatwalk::{Distance, Surface, glam::DVec3, io, path, shapes};
+use heatwalk::{Distance, Surface, io, path, shapes};
 use js_sys::{Array, Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 
@@ -127,7 +128,8 @@ impl WalkedSurface {
     /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
     pub fn factor(&self, time_factor: f64, boundary: &str, progress: &Function) -> Result<Solver, JsError> {
         let parameters = parameters(time_factor, boundary)?;
-        let solver = HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress)).map_err(sentence)?;
+        let solver =
+            HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress)).map_err(sentence)?;
         Ok(Solver { solver, drawn: Arc::clone(&self.drawn), distance: None })
     }
 }

@@ -24,7 +24,9 @@ fn main() -> Result<()> {
         ["test-wasm"] => modules::test_solver(&Toolchain::find()?),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
         // Cargo calls this with the test's .wasm file as the first argument: see `modules::test_solver`.
-        ["test-runner", ..] => wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os().skip(1)),
+        ["test-runner", ..] => {
+            wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os().skip(1))
+        }
         _ => bail!(USAGE),
     }
 }

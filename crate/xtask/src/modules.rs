@@ -19,16 +19,11 @@ pub struct Module {
 }
 
 /// The solver: float64 arithmetic that gains from SIMD.
-pub const SOLVER: Module = Module {
-    name: "solver",
-    package: "heatwalk-worker",
-    file: "heatwalk_worker",
-    flags: "-Ctarget-feature=+simd128",
-};
+pub const SOLVER: Module =
+    Module { name: "solver", package: "heatwalk-worker", file: "heatwalk_worker", flags: "-Ctarget-feature=+simd128" };
 
 /// The viewer: its arithmetic is the GPU's.
-pub const VIEWER: Module =
-    Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "" };
+pub const VIEWER: Module = Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "" };
 
 impl Module {
     fn target_folder(&self) -> PathBuf {

@@ -90,20 +90,15 @@ fn corner(word: &str, line: usize, vertices: usize) -> Result<u64> {
     let index = word.split('/').next().and_then(|index| index.parse::<i64>().ok());
     match index {
         Some(index) if index > 0 => Ok(index.unsigned_abs() - 1),
-        Some(index) if index < 0 => (vertices as u64).checked_sub(index.unsigned_abs()).ok_or_else(|| {
-            OBJ.line(line, format!("vertex {index} counts back beyond the {vertices} vertices so far"))
-        }),
+        Some(index) if index < 0 => (vertices as u64)
+            .checked_sub(index.unsigned_abs())
+            .ok_or_else(|| OBJ.line(line, format!("vertex {index} counts back beyond the {vertices} vertices so far"))),
         _ => Err(OBJ.line(line, format!("{word:?} is not a vertex index; they count from 1"))),
     }
 }
 
 /// Brings the polygons of each part together and drops parts without triangles.
-fn assemble(
-    positions: Vec<DVec3>,
-    polygons: &Polygons,
-    part_of_polygon: &[usize],
-    names: Vec<String>,
-) -> Result<Soup> {
+fn assemble(positions: Vec<DVec3>, polygons: &Polygons, part_of_polygon: &[usize], names: Vec<String>) -> Result<Soup> {
     let mut members = vec![Vec::new(); names.len()];
     for (polygon, &part) in part_of_polygon.iter().enumerate() {
         members[part].push(polygon);

@@ -90,10 +90,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         };
         for corner in 0..corners {
             let Some(Ok(vertex)) = words.next() else {
-                return Err(OFF.line(
-                    number,
-                    format!("corner {corner} of face {face} is not a vertex index; correct the line"),
-                ));
+                return Err(
+                    OFF.line(number, format!("corner {corner} of face {face} is not a vertex index; correct the line"))
+                );
             };
             polygons.corner(vertex, positions.len())?;
         }

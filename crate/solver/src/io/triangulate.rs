@@ -39,11 +39,7 @@ impl Polygons {
         let start = if index == 0 { 0 } else { self.ends[index - 1] };
         let corners = &self.corners[start..self.ends[index]];
         if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= positions.len()) {
-            return Err(Error::IndexOutOfRange {
-                triangle: index,
-                vertex: vertex.into(),
-                vertices: positions.len(),
-            });
+            return Err(Error::IndexOutOfRange { triangle: index, vertex: vertex.into(), vertices: positions.len() });
         }
         match corners {
             [] | [_] | [_, _] => {}

@@ -55,24 +55,31 @@ fn smooth_min(a: f64, b: f64, blend: f64) -> f64 {
 }
 
 /// A limb: round cones along a chain of balls.
-fn chain(balls: &[(DVec3, f64)]) -> impl Iterator<Item = RoundCone> {
-    balls.windows(2).map(|pair| RoundCone::new(pair[0], pair[1]))
+fn chain(balls: &[(DVec3, f64)]) -> Vec<RoundCone> {
+    balls.windows(2).map(|pair| RoundCone::new(pair[0], pair[1])).collect()
+}
+
+/// Distance to a limb. Cones that share a ball swell there by a quarter of `blend`, so it should be narrow.
+fn limb(cones: &[RoundCone], point: DVec3, blend: f64) -> f64 {
+    cones.iter().map(|cone| cone.distance(point)).fold(f64::INFINITY, |a, b| smooth_min(a, b, blend))
 }
 
 /// Frame of a tetrahedron with balls at its corners: genus 3. `spacing` is the length of an edge; the body is 4 wide.
 pub fn high_genus(spacing: f64) -> Soup {
     const BLEND: f64 = 0.25;
+    const BLEND_IN_BAR: f64 = 0.1;
     let corners = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)]
         .map(|(x, y, z)| 1.25 * DVec3::new(x, y, z));
     let mut bars = Vec::new();
     for a in 0..4 {
         for b in a + 1..4 {
             let middle = (corners[a] + corners[b]) / 2.0 * 1.12;
-            bars.extend(chain(&[(corners[a], 0.42), (middle, 0.24), (corners[b], 0.42)]));
+            bars.push(chain(&[(corners[a], 0.40), (middle, 0.24), (corners[b], 0.40)]));
         }
     }
     let field = |point: DVec3| {
-        bars.iter().map(|bar| bar.distance(point)).fold(f64::INFINITY, |a, b| smooth_min(a, b, BLEND))
+        let bars = bars.iter().map(|bar| limb(bar, point, BLEND_IN_BAR));
+        bars.fold(f64::INFINITY, |a, b| smooth_min(a, b, BLEND))
     };
     let (positions, triangles) = implicit::mesh(&field, DVec3::splat(-2.0), DVec3::splat(2.0), spacing);
     Soup::single("high_genus", positions, triangles)
@@ -123,7 +130,7 @@ impl Animal {
     fn new() -> Self {
         let chain_of = |balls: &[(f64, f64, f64, f64)]| {
             let balls: Vec<_> = balls.iter().map(|&(x, y, z, radius)| (DVec3::new(x, y, z), radius)).collect();
-            chain(&balls).collect::<Vec<_>>()
+            chain(&balls)
         };
         let mut legs = chain_of(&[
             (0.40, 0.92, 0.15, 0.15),
@@ -150,11 +157,7 @@ impl Animal {
                 (-0.95, 0.58, 0.0, 0.060),
                 (-0.97, 0.46, 0.0, 0.026),
             ]),
-            ear: chain_of(&[
-                (0.90, 1.63, 0.12, 0.035),
-                (0.87, 1.64, 0.21, 0.055),
-                (0.85, 1.61, 0.31, 0.028),
-            ]),
+            ear: chain_of(&[(0.90, 1.63, 0.12, 0.035), (0.87, 1.64, 0.21, 0.055), (0.85, 1.61, 0.31, 0.028)]),
             horn: chain_of(&[
                 (0.93, 1.68, 0.07, 0.048),
                 (0.92, 1.78, 0.15, 0.043),
@@ -166,9 +169,6 @@ impl Animal {
 
     fn distance(&self, point: DVec3) -> f64 {
         let mirrored = DVec3::new(point.x, point.y, point.z.abs());
-        let least = |cones: &[RoundCone], point: DVec3, blend: f64| {
-            cones.iter().map(|cone| cone.distance(point)).fold(f64::INFINITY, |a, b| smooth_min(a, b, blend))
-        };
         let part = |centre: (f64, f64, f64), radii: (f64, f64, f64), point: DVec3| {
             ellipsoid(point, centre.into(), radii.into())
         };
@@ -176,15 +176,15 @@ impl Animal {
         body = smooth_min(body, part((0.40, 1.03, 0.0), (0.30, 0.33, 0.27), point), 0.15);
         body = smooth_min(body, part((-0.44, 1.05, 0.0), (0.31, 0.31, 0.28), point), 0.15);
         body = smooth_min(body, part((-0.28, 0.68, 0.0), (0.14, 0.10, 0.11), point), 0.08);
-        body = smooth_min(body, least(&self.neck, point, 0.1), 0.2);
+        body = smooth_min(body, limb(&self.neck, point, 0.03), 0.2);
         // Hoofs are cut flat at the ground; the cut is rounded so that vertices can be projected on it.
-        let legs = -smooth_min(-least(&self.legs, mirrored, 0.05), mirrored.y, 0.03);
+        let legs = -smooth_min(-limb(&self.legs, mirrored, 0.03), mirrored.y, 0.03);
         body = smooth_min(body, legs, 0.1);
-        body = smooth_min(body, least(&self.tail, point, 0.03), 0.06);
-        let mut head = least(&self.head, point, 0.05);
+        body = smooth_min(body, limb(&self.tail, point, 0.01), 0.06);
+        let mut head = limb(&self.head, point, 0.03);
         head = smooth_min(head, part((1.26, 1.33, 0.0), (0.10, 0.095, 0.125), point), 0.05);
-        head = smooth_min(head, least(&self.ear, mirrored, 0.03), 0.05);
-        head = smooth_min(head, least(&self.horn, mirrored, 0.02), 0.03);
+        head = smooth_min(head, limb(&self.ear, mirrored, 0.015), 0.05);
+        head = smooth_min(head, limb(&self.horn, mirrored, 0.01), 0.03);
         smooth_min(body, head, 0.08)
     }
 }

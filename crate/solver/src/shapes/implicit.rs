@@ -1,6 +1,9 @@
 //! Meshes of implicit surfaces: Surface Nets (Gibson 1998) on a grid, then vertices relaxed along the surface and
 //! projected on it in f64.
 
+use std::collections::HashMap;
+use std::f64::consts::PI;
+
 use fast_surface_nets::ndshape::{RuntimeShape, Shape};
 use fast_surface_nets::{SurfaceNetsBuffer, surface_nets};
 use glam::{DVec3, UVec3};
@@ -9,11 +12,16 @@ use glam::{DVec3, UVec3};
 const BLOCK: u32 = 8;
 /// Fields here grow no faster than distance; ellipsoids and blends may err by this factor.
 const LIPSCHITZ_MARGIN: f64 = 2.0;
-const RELAXATIONS: usize = 20;
+/// Edge flips give the vertices of Surface Nets, which have four to twelve neighbours, more nearly six.
+const ROUNDS: usize = 3;
+const RELAXATIONS_A_ROUND: usize = 4;
 /// Fraction of the way to the neighbours' centroid at each relaxation.
 const RELAXATION_STEP: f64 = 0.5;
-const NEWTON_STEPS: usize = 2;
-/// Step of the central differences, in cells: small against any feature, large against rounding.
+/// In radians: edges of squares, which could go either way, stay.
+const FLIP_MARGIN: f64 = 1e-3;
+/// Relaxation begins near the surface, so one step a time is enough; the last positions are polished.
+const POLISHING_STEPS: usize = 3;
+/// Step of the differences, in cells: small against any feature, large against rounding.
 const GRADIENT_STEP: f64 = 1e-4;
 
 /// Vertices and outward triangles of the surface `field = 0`. `field` is negative inside and about the distance near the
@@ -21,21 +29,27 @@ const GRADIENT_STEP: f64 = 1e-4;
 ///
 /// # Panics
 /// If the surface reaches the bounds.
-pub fn mesh(
-    field: &impl Fn(DVec3) -> f64,
-    lower: DVec3,
-    upper: DVec3,
-    spacing: f64,
-) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub fn mesh(field: &impl Fn(DVec3) -> f64, lower: DVec3, upper: DVec3, spacing: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let cells = ((upper - lower) / spacing).ceil().as_uvec3() + 1;
     let shape = RuntimeShape::<u32, 3>::new(cells.to_array());
-    let samples = sample(field, &shape, lower, spacing);
+    let mut samples = sample(field, &shape, lower, spacing);
+    make_manifold(&mut samples, &shape);
     let mut net = SurfaceNetsBuffer::default();
     surface_nets(&samples, &shape, [0; 3], (cells - 1).to_array(), &mut net);
     let mut positions: Vec<DVec3> =
         net.positions.iter().map(|&position| lower + spacing * glam::Vec3::from(position).as_dvec3()).collect();
-    let triangles: Vec<[u32; 3]> = net.indices.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-    relax(field, spacing, &mut positions, &triangles);
+    let mut triangles: Vec<[u32; 3]> = net.indices.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+    for _ in 0..ROUNDS {
+        for _ in 0..RELAXATIONS_A_ROUND {
+            relax(field, spacing, &mut positions, &triangles);
+        }
+        flip_edges(&positions, &mut triangles);
+    }
+    for position in &mut positions {
+        for _ in 0..POLISHING_STEPS {
+            *position = newton_step(field, *position, spacing);
+        }
+    }
     (positions, triangles)
 }
 
@@ -63,49 +77,129 @@ fn sample(field: &impl Fn(DVec3) -> f64, shape: &RuntimeShape<u32, 3>, lower: DV
     samples
 }
 
+/// Fills corners of cells through which two sheets of the surface pass, since Surface Nets has one vertex a cell and
+/// would join the sheets there. Filling only adds material, so this ends.
+fn make_manifold(samples: &mut [f32], shape: &RuntimeShape<u32, 3>) {
+    let size = UVec3::from_array(shape.as_array());
+    let joins_sheets: Vec<bool> = (0..=u8::MAX).map(joins_sheets).collect();
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for cell in indices(UVec3::ZERO, size - 1) {
+            let corners: [usize; 8] = std::array::from_fn(|corner| {
+                let offset = UVec3::new(corner as u32 & 1, corner as u32 >> 1 & 1, corner as u32 >> 2);
+                shape.linearize((cell + offset).to_array()) as usize
+            });
+            let inside =
+                (0..8).filter(|&corner| samples[corners[corner]] < 0.0).fold(0_u8, |mask, corner| mask | 1 << corner);
+            if !joins_sheets[usize::from(inside)] {
+                continue;
+            }
+            let outside = corners.into_iter().filter(|&corner| samples[corner] >= 0.0);
+            if let Some(nearest) = outside.min_by(|&a, &b| samples[a].total_cmp(&samples[b])) {
+                samples[nearest] = -f32::MIN_POSITIVE;
+                changed = true;
+            }
+        }
+    }
+}
+
+/// Whether the corners inside, one bit each, or those outside fall into pieces that no edge of the cell connects.
+fn joins_sheets(inside: u8) -> bool {
+    let connected = |corners: u8| {
+        let mut reached = corners & corners.wrapping_neg();
+        loop {
+            let x = (reached & 0x55) << 1 | (reached & 0xaa) >> 1;
+            let y = (reached & 0x33) << 2 | (reached & 0xcc) >> 2;
+            let z = reached << 4 | reached >> 4;
+            let next = reached | ((x | y | z) & corners);
+            if next == reached {
+                return reached == corners;
+            }
+            reached = next;
+        }
+    };
+    !connected(inside) || !connected(!inside)
+}
+
 fn indices(start: UVec3, end: UVec3) -> impl Iterator<Item = UVec3> {
     (start.z..end.z)
         .flat_map(move |z| (start.y..end.y).flat_map(move |y| (start.x..end.x).map(move |x| UVec3::new(x, y, z))))
 }
 
 /// Moves each vertex towards the centroid of its neighbours within the tangent plane, then on the surface.
-fn relax(field: &impl Fn(DVec3) -> f64, spacing: f64, positions: &mut Vec<DVec3>, triangles: &[[u32; 3]]) {
-    for _ in 0..RELAXATIONS {
-        let mut sums = vec![DVec3::ZERO; positions.len()];
-        let mut counts = vec![0.0; positions.len()];
-        for triangle in triangles {
-            for corner in 0..3 {
-                // On a closed surface every edge is met once in each direction.
-                let (from, to) = (triangle[corner] as usize, triangle[(corner + 1) % 3] as usize);
-                sums[from] += positions[to];
-                counts[from] += 1.0;
+fn relax(field: &impl Fn(DVec3) -> f64, spacing: f64, positions: &mut [DVec3], triangles: &[[u32; 3]]) {
+    let mut sums = vec![DVec3::ZERO; positions.len()];
+    let mut counts = vec![0.0; positions.len()];
+    for triangle in triangles {
+        for corner in 0..3 {
+            // On a closed surface every edge is met once in each direction.
+            let (from, to) = (triangle[corner] as usize, triangle[(corner + 1) % 3] as usize);
+            sums[from] += positions[to];
+            counts[from] += 1.0;
+        }
+    }
+    for (vertex, position) in positions.iter_mut().enumerate() {
+        let normal = gradient(field, field(*position), *position, spacing).normalize_or_zero();
+        let step = sums[vertex] / counts[vertex] - *position;
+        let moved = *position + RELAXATION_STEP * (step - normal * step.dot(normal));
+        *position = newton_step(field, moved, spacing);
+    }
+}
+
+/// Flips each edge whose opposite angles sum to more than π, once, where that neither doubles an edge nor turns a
+/// triangle over.
+fn flip_edges(positions: &[DVec3], triangles: &mut [[u32; 3]]) {
+    let mut sides = HashMap::with_capacity(3 * triangles.len());
+    for (index, triangle) in triangles.iter().enumerate() {
+        for corner in 0..3 {
+            sides.insert((triangle[corner], triangle[(corner + 1) % 3]), index);
+        }
+    }
+    let normal = |[a, b, c]: [u32; 3]| {
+        let [a, b, c] = [a, b, c].map(|vertex| positions[vertex as usize]);
+        (b - a).cross(c - a)
+    };
+    for left in 0..triangles.len() {
+        for corner in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|i| triangles[left][(corner + i) % 3]);
+            let Some(&right) = sides.get(&(b, a)) else { continue };
+            let Some(d) = triangles[right].into_iter().find(|&vertex| vertex != a && vertex != b) else { continue };
+            let angle = |apex: u32| {
+                let apex = positions[apex as usize];
+                (positions[a as usize] - apex).angle_between(positions[b as usize] - apex)
+            };
+            if angle(c) + angle(d) <= PI + FLIP_MARGIN || sides.contains_key(&(c, d)) || sides.contains_key(&(d, c)) {
+                continue;
             }
+            let (first, second) = ([a, d, c], [d, b, c]);
+            let before = normal(triangles[left]) + normal(triangles[right]);
+            if normal(first).dot(before) <= 0.0 || normal(second).dot(before) <= 0.0 {
+                continue;
+            }
+            sides.remove(&(a, b));
+            sides.remove(&(b, a));
+            (triangles[left], triangles[right]) = (first, second);
+            for (triangle, index) in [(first, left), (second, right)] {
+                for corner in 0..3 {
+                    sides.insert((triangle[corner], triangle[(corner + 1) % 3]), index);
+                }
+            }
+            break;
         }
-        let moved = (0..positions.len()).map(|vertex| {
-            let position = positions[vertex];
-            let normal = gradient(field, position, spacing).normalize_or_zero();
-            let step = sums[vertex] / counts[vertex] - position;
-            project(field, position + RELAXATION_STEP * (step - normal * step.dot(normal)), spacing)
-        });
-        *positions = moved.collect();
     }
 }
 
-/// Newton's method along the gradient.
-fn project(field: &impl Fn(DVec3) -> f64, mut point: DVec3, spacing: f64) -> DVec3 {
-    for _ in 0..NEWTON_STEPS {
-        let gradient = gradient(field, point, spacing);
-        let step = gradient * (field(point) / gradient.length_squared());
-        // In the crease of a blend the gradient may vanish: no step then, and never one beyond the cell.
-        if step.is_finite() {
-            point -= step.clamp_length_max(spacing);
-        }
-    }
-    point
+/// One step of Newton's method along the gradient.
+fn newton_step(field: &impl Fn(DVec3) -> f64, point: DVec3, spacing: f64) -> DVec3 {
+    let value = field(point);
+    let gradient = gradient(field, value, point, spacing);
+    let step = gradient * (value / gradient.length_squared());
+    // In the crease of a blend the gradient may vanish: no step then, and never one beyond the cell.
+    if step.is_finite() { point - step.clamp_length_max(spacing) } else { point }
 }
 
-fn gradient(field: &impl Fn(DVec3) -> f64, point: DVec3, spacing: f64) -> DVec3 {
+fn gradient(field: &impl Fn(DVec3) -> f64, value: f64, point: DVec3, spacing: f64) -> DVec3 {
     let h = GRADIENT_STEP * spacing;
-    DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| field(point + h * axis) - field(point - h * axis)))
-        / (2.0 * h)
+    DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| field(point + h * axis) - value)) / h
 }

@@ -41,7 +41,7 @@ impl Plan {
         let size = 2 * cells + 1;
         let mut plan = Self { size, open: vec![false; size * size] };
         let mut state = SEED;
-        let mut stack = vec![(1, 1)];
+        let mut stack = vec![(1_usize, 1_usize)];
         plan.open[size + 1] = true;
         while let Some(&(column, row)) = stack.last() {
             let closed: Vec<(usize, usize)> =
@@ -135,12 +135,8 @@ fn add_walls(soup: &mut Soup, plan: &Plan) {
             };
             // Corners counter-clockwise seen from above, and the tile beyond the side that starts there.
             let corners = [(column, row), (column, row + 1), (column + 1, row + 1), (column + 1, row)];
-            let beyond = [
-                (column.wrapping_sub(1), row),
-                (column, row + 1),
-                (column + 1, row),
-                (column, row.wrapping_sub(1)),
-            ];
+            let beyond =
+                [(column.wrapping_sub(1), row), (column, row + 1), (column + 1, row), (column, row.wrapping_sub(1))];
             let [a, b, c, d] = corners.map(|(column, row)| vertex(column, row, true));
             soup.triangles.extend([[a, b, c], [a, c, d]]);
             for side in 0..4 {

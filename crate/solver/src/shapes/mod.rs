@@ -31,9 +31,9 @@ pub fn names() -> &'static [&'static str] {
 /// [`Error::BadParameter`] for a name that is not in [`names`].
 pub fn by_name(name: &str) -> Result<Soup> {
     Ok(match name {
-        "animal" => animal(0.02),
+        "animal" => animal(0.021),
         "maze" => maze(10, 6),
-        "high_genus" => high_genus(0.045),
+        "high_genus" => high_genus(0.065),
         "ring" => ring(0.034),
         "hemisphere" => hemisphere(48),
         "terrain" => terrain(128),

@@ -114,8 +114,7 @@ impl Accessors<'_> {
         let replaced = usize::try_from(sparse.count.0).map_err(|_| error(index, "its sparse count is too large"))?;
         let (bytes, _) = self.buffers.view(sparse.indices.buffer_view)?;
         let index_layout = Layout { component: component.0, normalized: false, accessor: index };
-        let targets =
-            index_layout.read::<1>(bytes, offset(Some(sparse.indices.byte_offset)), None, replaced)?;
+        let targets = index_layout.read::<1>(bytes, offset(Some(sparse.indices.byte_offset)), None, replaced)?;
         let (bytes, _) = self.buffers.view(sparse.values.buffer_view)?;
         let values = layout.read::<N>(bytes, offset(Some(sparse.values.byte_offset)), None, replaced)?;
         if rows.is_empty() && count <= self.buffers.resolved_bytes() {
@@ -169,8 +168,9 @@ impl Layout {
             let last = count.saturating_sub(1).checked_mul(stride);
             count == 0 || last.and_then(|last| last.checked_add(element)).is_some_and(|end| end <= bytes.len())
         });
-        let bytes = bytes
-            .ok_or_else(|| error(self.accessor, "it reaches beyond its buffer view; the file is cut short or damaged"))?;
+        let bytes = bytes.ok_or_else(|| {
+            error(self.accessor, "it reaches beyond its buffer view; the file is cut short or damaged")
+        })?;
         let row = |index: usize| std::array::from_fn(|i| self.component(&bytes[index * stride + i * size..]));
         Ok((0..count).map(row).collect())
     }

@@ -32,9 +32,11 @@ impl Scene {
             None => root.scenes.first(),
         };
         let shown: Vec<usize> = match shown {
-            Some(scene) => {
-                scene.nodes.iter().map(|&node| element(&root.nodes, node, "node").map(|_| node.value())).collect::<Result<_>>()?
-            }
+            Some(scene) => scene
+                .nodes
+                .iter()
+                .map(|&node| element(&root.nodes, node, "node").map(|_| node.value()))
+                .collect::<Result<_>>()?,
             None => roots,
         };
         let mut mesh_nodes = Vec::new();

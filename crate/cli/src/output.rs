@@ -1,0 +1,107 @@
+//! Output files. Their format and place are checked before the work begins.
+
+use std::fmt::Write as _;
+use std::fs::{self, File, OpenOptions};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use heatwalk::Soup;
+use heatwalk::io::write;
+
+#[derive(Clone, Copy)]
+pub enum DistanceFormat {
+    Csv,
+    Ply,
+    Glb,
+}
+
+#[derive(Clone, Copy)]
+pub enum PathFormat {
+    Obj,
+    Csv,
+}
+
+/// A file that can be written, and how.
+pub struct Output<F> {
+    path: PathBuf,
+    pub format: F,
+}
+
+impl Output<DistanceFormat> {
+    pub fn distance(path: &Path) -> Result<Self> {
+        let format = match extension(path).as_str() {
+            "csv" => DistanceFormat::Csv,
+            "ply" => DistanceFormat::Ply,
+            "glb" => DistanceFormat::Glb,
+            _ => bail!("{}: distances are written as .csv, .ply or .glb", path.display()),
+        };
+        Self::new(path, format)
+    }
+
+    /// `distance`: one value an input vertex.
+    pub fn write(&self, soup: &Soup, distance: &[f64]) -> Result<()> {
+        self.save(&match self.format {
+            DistanceFormat::Csv => distance_csv(distance),
+            DistanceFormat::Ply => write::distance_ply(soup, distance),
+            DistanceFormat::Glb => write::distance_glb(soup, distance),
+        })
+    }
+}
+
+impl Output<PathFormat> {
+    pub fn path(path: &Path) -> Result<Self> {
+        let format = match extension(path).as_str() {
+            "obj" => PathFormat::Obj,
+            "csv" => PathFormat::Csv,
+            _ => bail!("{}: paths are written as .obj or .csv", path.display()),
+        };
+        Self::new(path, format)
+    }
+
+    pub fn write(&self, path: &heatwalk::Path) -> Result<()> {
+        let points: Vec<_> = path.points.iter().map(|point| point.position).collect();
+        self.save(&match self.format {
+            PathFormat::Obj => write::polyline_obj(&points),
+            PathFormat::Csv => {
+                let mut text = String::from("x,y,z\n");
+                for point in &points {
+                    // Writing to a String cannot fail.
+                    let _ = writeln!(text, "{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);
+                }
+                text.into_bytes()
+            }
+        })
+    }
+}
+
+impl<F> Output<F> {
+    fn new(path: &Path, format: F) -> Result<Self> {
+        let writable = || -> std::io::Result<()> {
+            if path.exists() {
+                // Not truncated: what is there stays if the work fails.
+                return OpenOptions::new().write(true).open(path).map(drop);
+            }
+            File::create_new(path)?;
+            fs::remove_file(path)
+        };
+        writable().with_context(|| format!("cannot write {}", path.display()))?;
+        Ok(Self { path: path.to_owned(), format })
+    }
+
+    fn save(&self, bytes: &[u8]) -> Result<()> {
+        fs::write(&self.path, bytes).with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
+}
+
+fn distance_csv(distance: &[f64]) -> Vec<u8> {
+    let mut text = String::from("vertex,distance\n");
+    for (vertex, distance) in distance.iter().enumerate() {
+        // 17 significant digits give every f64 back; Rust writes infinity as "inf".
+        let _ = writeln!(text, "{vertex},{distance:.16e}");
+    }
+    text.into_bytes()
+}

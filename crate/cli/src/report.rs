@@ -1,0 +1,81 @@
+//! What the commands print: one JSON object, or aligned lines.
+
+use std::fmt::Write as _;
+use std::time::Instant;
+
+use heatwalk::{BuildReport, Soup};
+use serde_json::{Map, Value, json};
+
+pub fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+/// Named values in the order they are printed.
+#[derive(Default)]
+pub struct Report {
+    values: Vec<(&'static str, Value)>,
+}
+
+impl Report {
+    pub fn push(&mut self, name: &'static str, value: impl Into<Value>) {
+        self.values.push((name, value.into()));
+    }
+
+    /// The counts that every command gives.
+    pub fn push_surface(&mut self, report: &BuildReport) {
+        self.push("vertices", report.input_vertices);
+        self.push("faces", report.faces);
+        self.push("welded_vertices", report.vertices);
+        self.push("components", report.components);
+        self.push("boundary_loops", report.boundary_loops);
+    }
+
+    /// What building found and did.
+    pub fn push_build(&mut self, report: &BuildReport) {
+        self.push("joined_vertices", report.welded_vertices);
+        self.push("unreferenced_vertices", report.unreferenced_vertices);
+        self.push("degenerate_faces", report.degenerate_faces);
+        self.push("duplicate_faces", report.duplicate_faces);
+        self.push("turned_faces", report.turned_faces);
+        self.push("non_manifold_edges", report.non_manifold_edges);
+        self.push("euler_characteristic", report.euler_characteristic);
+    }
+
+    pub fn push_parts(&mut self, soup: &Soup) {
+        let part = |(index, part): (usize, &heatwalk::soup::Part)| json!({ "part": index, "name": part.name, "faces": part.triangles.len() });
+        self.push("parts", soup.parts.iter().enumerate().map(part).collect::<Vec<_>>());
+    }
+
+    pub fn render(self, json: bool) -> String {
+        if json { self.json() } else { self.lines() }
+    }
+
+    fn json(self) -> String {
+        let object: Map<String, Value> =
+            self.values.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+        format!("{}\n", Value::Object(object))
+    }
+
+    fn lines(self) -> String {
+        let mut text = String::new();
+        for (name, value) in self.values {
+            let name = name.replace('_', " ");
+            // Writing to a String cannot fail.
+            let _ = match value {
+                Value::Object(timings) => timings.iter().try_for_each(|(stage, value)| {
+                    let label = format!("{stage} (ms)");
+                    writeln!(text, "{label:<22} {:.3}", value.as_f64().unwrap_or_default())
+                }),
+                Value::Array(items) if name == "parts" => items.iter().try_for_each(|part| {
+                    let label = format!("part {}", part["part"]);
+                    let name = part["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
+                    writeln!(text, "{label:<22} {name}, {} faces", part["faces"])
+                }),
+                // A path of a thousand points is for files and programs.
+                Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
+                value => writeln!(text, "{name:<22} {value}"),
+            };
+        }
+        text
+    }
+}

@@ -1,0 +1,284 @@
+//! Paths down the distance to the nearest source: face by face, along edges where gradients oppose, through vertices.
+//!
+//! The distance must fall at every step. Where no direction falls (a cut locus, a badly shaped triangle) the path
+//! takes edges to the nearest lower point, so that it always arrives.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use crate::dijkstra;
+use crate::error::{Error, Result};
+use crate::halfedge::{Face, Halfedge};
+use crate::heat::Distance;
+use crate::sources::SurfacePoint;
+use crate::surface::Surface;
+use crate::triangle;
+
+/// A crossing nearer to a vertex or an edge than this share of the edge is on it. Rounding of one crossing is 10⁻¹⁶,
+/// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
+const SNAP: f64 = 1e-10;
+
+/// A point of a [`Path`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathPoint {
+    /// Position, in the file's unit.
+    pub position: DVec3,
+    /// Where on the surface: at a point, on an edge, or inside a face.
+    pub location: SurfacePoint,
+    /// The face that the path goes through, or along, after this point; at the last point the one before.
+    pub face: Face,
+}
+
+/// A piecewise straight curve on the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    /// From the start to the source, both included; a start on a source gives one point.
+    pub points: Vec<PathPoint>,
+    /// Unit surface normal at each of `points`.
+    pub normals: Vec<DVec3>,
+}
+
+impl Path {
+    /// Length, in the file's unit.
+    pub fn length(&self) -> f64 {
+        let pieces = self.points.windows(2).map(|ends| triangle::length(ends[1].position - ends[0].position));
+        // The empty sum of floats is −0.
+        pieces.fold(0.0, |sum, piece| sum + piece)
+    }
+}
+
+/// Follows the distance from `from` down to a source.
+///
+/// # Errors
+/// [`Error::Unreachable`] where the distance is infinite; [`Error::BadVertex`] and [`Error::BadPoint`] as
+/// [`SurfacePoint::validated`].
+pub fn descend(surface: &Surface, distance: &Distance, from: SurfacePoint) -> Result<Path> {
+    let start = snapped(surface, from.validated(surface)?);
+    if start.interpolate(surface, &distance.values).is_infinite() {
+        return Err(Error::Unreachable);
+    }
+    let mut descent = Descent::new(surface, distance, start);
+    // Each crossing is lower than the last. A path that still has not arrived after visiting every face this often is
+    // among rounding errors, and edges take it the rest of the way.
+    let mut crossings_left = 4 * surface.face_count();
+    while !descent.arrive() {
+        let next = if crossings_left > 0 { descent.steepest().or_else(|| descent.lowest_corner()) } else { None };
+        match next {
+            Some((location, face)) => descent.go(location, face),
+            None => descent.escape(crossings_left > 0),
+        }
+        crossings_left = crossings_left.saturating_sub(1);
+    }
+    let normals = descent.points.iter().map(|point| normal(surface, point)).collect();
+    Ok(Path { points: descent.points, normals })
+}
+
+struct Descent<'a> {
+    surface: &'a Surface,
+    values: &'a [f64],
+    /// Sources on each face from which they are seen along a straight line.
+    sources_of_face: HashMap<Face, Vec<SurfacePoint>>,
+    location: SurfacePoint,
+    points: Vec<PathPoint>,
+}
+
+impl<'a> Descent<'a> {
+    fn new(surface: &'a Surface, distance: &'a Distance, location: SurfacePoint) -> Self {
+        let mut sources_of_face: HashMap<Face, Vec<SurfacePoint>> = HashMap::new();
+        for &source in &distance.sources {
+            let source = snapped(surface, source);
+            for face in faces_at(surface, source) {
+                sources_of_face.entry(face).or_default().push(source);
+            }
+        }
+        let face = faces_at(surface, location).first().copied().unwrap_or(Face(0));
+        let points = vec![PathPoint { position: location.position(surface), location, face }];
+        Self { surface, values: &distance.values, sources_of_face, location, points }
+    }
+
+    fn value(&self) -> f64 {
+        self.location.interpolate(self.surface, self.values)
+    }
+
+    /// Appends a straight piece through `face`.
+    fn go(&mut self, location: SurfacePoint, face: Face) {
+        if let Some(last) = self.points.last_mut() {
+            last.face = face;
+        }
+        let position = location.position(self.surface);
+        self.points.push(PathPoint { position, location, face });
+        self.location = location;
+    }
+
+    /// Ends the path straight at the nearest source where one is in sight.
+    fn arrive(&mut self) -> bool {
+        let here = self.location.position(self.surface);
+        let mut nearest: Option<(f64, SurfacePoint, Face)> = None;
+        for face in faces_at(self.surface, self.location) {
+            for &source in self.sources_of_face.get(&face).into_iter().flatten() {
+                let distance = triangle::length(source.position(self.surface) - here);
+                if nearest.is_none_or(|(best, ..)| distance < best) {
+                    nearest = Some((distance, source, face));
+                }
+            }
+        }
+        let Some((distance, source, face)) = nearest else { return false };
+        if distance > 0.0 {
+            self.go(source, face);
+        }
+        true
+    }
+
+    /// The next crossing along the steepest direction, where it is lower than here.
+    fn steepest(&self) -> Option<(SurfacePoint, Face)> {
+        let mut best: Option<(f64, SurfacePoint, Face)> = None;
+        let mut offer = |slope: f64, location, face| {
+            if slope > 0.0 && best.is_none_or(|(steepest, ..)| slope > steepest) {
+                best = Some((slope, location, face));
+            }
+        };
+        let (here, value) = (self.location.position(self.surface), self.value());
+        for face in faces_at(self.surface, self.location) {
+            if let Some((slope, location)) = self.cross(face) {
+                offer(slope, location, face);
+            }
+            if !matches!(self.location, SurfacePoint::Face { .. }) {
+                for point in self.surface.faces[face] {
+                    // Along an edge: to its ends from inside, to the neighbours from a vertex.
+                    if self.is_on_edge_to(point) {
+                        let length = triangle::length(self.surface.position(point) - here);
+                        offer((value - self.values[point as usize]) / length, SurfacePoint::Vertex(point), face);
+                    }
+                }
+            }
+        }
+        let (_, location, face) = best?;
+        (location.interpolate(self.surface, self.values) < value).then_some((location, face))
+    }
+
+    fn is_on_edge_to(&self, point: u32) -> bool {
+        match self.location {
+            SurfacePoint::Vertex(here) => here != point,
+            SurfacePoint::Edge { halfedge, .. } => self.surface.ends(halfedge).contains(&point),
+            SurfacePoint::Face { .. } => false,
+        }
+    }
+
+    /// Where the line of steepest descent leaves a face, and its slope; `None` where it does not enter the face.
+    fn cross(&self, face: Face) -> Option<(f64, SurfacePoint)> {
+        let corners = self.surface.corners(face);
+        let weights = weights_in(self.surface, self.location, face);
+        let [a, b, c] = self.surface.faces[face].map(|point| self.values[point as usize]);
+        let edges = triangle::edges(corners);
+        // n × this is the gradient times twice the area, and its products with the edges are the rates at which the
+        // barycentric weights change, to a common scale.
+        let turned = edges[1] * (b - a) + edges[2] * (c - a);
+        let rates = edges.map(|edge| -turned.dot(edge));
+        let enters = |k: usize| weights[k] > 0.0 || rates[k] >= 0.0;
+        if !(0..3).all(enters) {
+            return None;
+        }
+        let (exit, step) = (0..3)
+            .filter(|&k| rates[k] < 0.0)
+            .map(|k| (k, weights[k] / -rates[k]))
+            .min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let mut after: [f64; 3] = std::array::from_fn(|k| (weights[k] + step * rates[k]).max(0.0));
+        after[exit] = 0.0;
+        let sum: f64 = after.iter().sum();
+        let slope = triangle::length(turned) / triangle::length(triangle::area_vector(corners));
+        if !(sum > 0.0 && sum.is_finite() && slope.is_finite()) {
+            return None;
+        }
+        let weights = after.map(|weight| weight / sum);
+        Some((slope, snapped(self.surface, SurfacePoint::Face { face, weights })))
+    }
+
+    /// The lowest point of the faces around, where it is lower than here.
+    fn lowest_corner(&self) -> Option<(SurfacePoint, Face)> {
+        let faces = faces_at(self.surface, self.location);
+        let corners = faces.iter().flat_map(|&face| self.surface.faces[face].map(|point| (point, face)));
+        let (point, face) = corners.min_by(|a, b| self.values[a.0 as usize].total_cmp(&self.values[b.0 as usize]))?;
+        (self.values[point as usize] < self.value()).then_some((SurfacePoint::Vertex(point), face))
+    }
+
+    /// Follows edges to the nearest point that is lower than here, or that sees a source: any piece with a finite
+    /// distance has one. With `to_lower` false, only the latter will do.
+    fn escape(&mut self, to_lower: bool) {
+        let value = self.value();
+        let start = self.location.nearest_point(self.surface);
+        let goal = |point: u32| {
+            to_lower && self.values[point as usize] < value
+                || self.surface.corners_of_point(point).any(|(face, _)| self.sources_of_face.contains_key(&face))
+        };
+        let way = dijkstra::way_to(self.surface, start, goal)
+            .expect("a finite distance means a source on the same connected piece");
+        for point in way {
+            let shared = faces_at(self.surface, self.location)
+                .into_iter()
+                .find(|&face| self.surface.faces[face].contains(&point))
+                .expect("consecutive points of a way along edges share a face");
+            if self.location != SurfacePoint::Vertex(point) {
+                self.go(SurfacePoint::Vertex(point), shared);
+            }
+        }
+    }
+}
+
+/// The same point as a vertex or on an edge where it is within `SNAP` of one.
+fn snapped(surface: &Surface, location: SurfacePoint) -> SurfacePoint {
+    match location {
+        SurfacePoint::Vertex(_) => location,
+        SurfacePoint::Edge { halfedge, fraction } => {
+            let [a, b] = surface.ends(halfedge);
+            match fraction {
+                _ if fraction <= SNAP => SurfacePoint::Vertex(a),
+                _ if fraction >= 1.0 - SNAP => SurfacePoint::Vertex(b),
+                _ => location,
+            }
+        }
+        SurfacePoint::Face { face, weights } => match weights.iter().position(|&weight| weight <= SNAP) {
+            None => location,
+            Some(k) => {
+                let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+                let fraction = weights[j] / (weights[i] + weights[j]);
+                snapped(surface, SurfacePoint::Edge { halfedge: Halfedge(face.0 * 3 + i as u32), fraction })
+            }
+        },
+    }
+}
+
+/// The faces that a point lies on.
+fn faces_at(surface: &Surface, location: SurfacePoint) -> Vec<Face> {
+    match location {
+        SurfacePoint::Vertex(point) => surface.corners_of_point(point).map(|(face, _)| face).collect(),
+        SurfacePoint::Edge { halfedge, .. } => {
+            let [a, b] = surface.ends(halfedge);
+            surface.faces_of_edge(a, b).collect()
+        }
+        SurfacePoint::Face { face, .. } => vec![face],
+    }
+}
+
+/// Barycentric weights of a point in one of the faces that it lies on.
+fn weights_in(surface: &Surface, location: SurfacePoint, face: Face) -> [f64; 3] {
+    let mut weights = [0.0; 3];
+    for (point, weight) in location.support(surface) {
+        if let Some(k) = surface.faces[face].iter().position(|&corner| corner == point) {
+            weights[k] = weight;
+        }
+    }
+    weights
+}
+
+fn normal(surface: &Surface, point: &PathPoint) -> DVec3 {
+    let normal = match point.location {
+        SurfacePoint::Vertex(vertex) => surface.point_normal(vertex),
+        SurfacePoint::Edge { .. } | SurfacePoint::Face { .. } => {
+            let faces = faces_at(surface, point.location);
+            triangle::unit(faces.into_iter().map(|face| surface.face_normal(face)).sum())
+        }
+    };
+    // Faces back to back cancel.
+    if normal == DVec3::ZERO { surface.face_normal(point.face) } else { normal }
+}

@@ -1,0 +1,143 @@
+//! Points on the surface, and how sources enter the heat and leave the distance.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::halfedge::{Face, Halfedge};
+use crate::surface::Surface;
+
+/// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
+/// less than anything seen.
+const WEIGHT_TOLERANCE: f64 = 1e-5;
+
+/// A point of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SurfacePoint {
+    /// A welded point.
+    Vertex(u32),
+    /// A point of an edge.
+    Edge {
+        /// A half-edge of a triangle or of the boundary.
+        halfedge: Halfedge,
+        /// Share of the way along it, 0 to 1.
+        fraction: f64,
+    },
+    /// A point of a face.
+    Face {
+        /// The triangle.
+        face: Face,
+        /// Barycentric weights of its corners, non-negative, of sum 1.
+        weights: [f64; 3],
+    },
+}
+
+impl SurfacePoint {
+    /// The same point with weights cut to their range and made to sum to 1.
+    ///
+    /// # Errors
+    /// [`Error::BadVertex`] for a point that does not exist; [`Error::BadPoint`] for a face or half-edge that does
+    /// not exist, and for weights that are further than rounding from their range.
+    pub fn validated(self, surface: &Surface) -> Result<Self> {
+        let outside = |weight: f64| !(-WEIGHT_TOLERANCE..=1.0 + WEIGHT_TOLERANCE).contains(&weight);
+        match self {
+            Self::Vertex(point) if (point as usize) < surface.point_count() => Ok(self),
+            Self::Vertex(point) => Err(Error::BadVertex {
+                vertex: point as usize,
+                problem: format!("does not exist; the welded surface has {}", surface.point_count()),
+            }),
+            Self::Edge { halfedge, fraction } => {
+                let bad = |problem: &str| {
+                    let face = halfedge.0 as usize / 3;
+                    Err(Error::BadPoint { face, weights: format!("{fraction}"), problem: problem.to_owned() })
+                };
+                if halfedge.0 as usize >= surface.mesh.halfedge_count() {
+                    return bad("there is no such half-edge");
+                }
+                if outside(fraction) {
+                    return bad("the fraction along the edge must lie between 0 and 1");
+                }
+                Ok(Self::Edge { halfedge, fraction: fraction.clamp(0.0, 1.0) })
+            }
+            Self::Face { face, weights } => {
+                let bad = |problem: String| {
+                    Err(Error::BadPoint { face: face.0 as usize, weights: format!("{weights:?}"), problem })
+                };
+                if face.0 as usize >= surface.face_count() {
+                    return bad(format!("there are only {} faces", surface.face_count()));
+                }
+                if weights.iter().any(|&weight| outside(weight)) || outside(weights.iter().sum()) {
+                    return bad("weights must not be negative and must sum to 1".to_owned());
+                }
+                let cut = weights.map(|weight| weight.max(0.0));
+                let sum: f64 = cut.iter().sum();
+                if (sum - 1.0).abs() > WEIGHT_TOLERANCE {
+                    return bad("weights must sum to 1".to_owned());
+                }
+                Ok(Self::Face { face, weights: cut.map(|weight| weight / sum) })
+            }
+        }
+    }
+
+    /// The welded points that span it, with their barycentric weights; points of weight 0 are left out.
+    pub fn support(self, surface: &Surface) -> impl Iterator<Item = (u32, f64)> + use<> {
+        let (points, weights) = match self {
+            Self::Vertex(point) => ([point; 3], [1.0, 0.0, 0.0]),
+            Self::Edge { halfedge, fraction } => {
+                let [a, b] = surface.ends(halfedge);
+                ([a, b, b], [1.0 - fraction, fraction, 0.0])
+            }
+            Self::Face { face, weights } => (surface.faces[face], weights),
+        };
+        points.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
+    }
+
+    /// Its position, in the file's unit.
+    pub fn position(self, surface: &Surface) -> DVec3 {
+        self.support(surface).map(|(point, weight)| surface.position(point) * weight).sum()
+    }
+
+    /// The linear interpolation of values given per point (`#P`).
+    pub fn interpolate(self, surface: &Surface, values: &[f64]) -> f64 {
+        self.support(surface).map(|(point, weight)| values[point as usize] * weight).sum()
+    }
+
+    /// The corner of largest weight.
+    pub fn nearest_point(self, surface: &Surface) -> u32 {
+        self.support(surface).max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(point, _)| point)
+    }
+
+    /// The connected piece that it lies on.
+    pub fn component(self, surface: &Surface) -> u32 {
+        surface.component_of_point[self.nearest_point(surface) as usize]
+    }
+}
+
+/// Unit heat at each source, spread barycentrically, as `(point, amount)`; one point may appear more than once.
+pub(crate) fn spread(surface: &Surface, sources: &[SurfacePoint]) -> Vec<(u32, f64)> {
+    sources.iter().flat_map(|source| source.support(surface)).collect()
+}
+
+/// Shifts distances, known up to a constant on each connected piece, and sets pieces without a source to infinity.
+///
+/// At one source the shift makes values at the corners around it equal, on the barycentric mean, to their straight
+/// distances from it; at a vertex that is exactly 0. With several sources on a piece it is the mean of theirs, since
+/// superposed heat gives one constant only. What then is below 0 becomes 0.
+pub(crate) fn shift(surface: &Surface, sources: &[SurfacePoint], values: &mut [f64]) {
+    let mut excess = vec![(0.0, 0.0); surface.report.components];
+    for source in sources {
+        let position = source.position(surface);
+        let own: f64 = source
+            .support(surface)
+            .map(|(point, weight)| {
+                weight * (values[point as usize] - (surface.position(point) - position).length())
+            })
+            .sum();
+        let (sum, count) = &mut excess[source.component(surface) as usize];
+        *sum += own;
+        *count += 1.0;
+    }
+    for (value, &component) in values.iter_mut().zip(&surface.component_of_point) {
+        let (sum, count) = excess[component as usize];
+        *value = if count > 0.0 { (*value - sum / count).max(0.0) } else { f64::INFINITY };
+    }
+}

@@ -1,0 +1,123 @@
+//! Small shapes and measures for the solver's tests.
+#![allow(dead_code, reason = "each test binary uses some of it")]
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+use heatwalk::{Boundary, Distance, HeatSolver, Parameters, Soup, Surface, SurfacePoint};
+
+pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
+    Soup::single("test", positions, triangles)
+}
+
+/// Points in the plane z = 0.
+pub fn flat(points: &[(f64, f64)]) -> Vec<DVec3> {
+    points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect()
+}
+
+/// Band of `segments` quads around a circle of radius 2, with this many half twists: 0 a cylinder, 1 a Möbius strip.
+pub fn band(segments: u32, half_twists: u32) -> Soup {
+    let rows = 4;
+    let mut positions = Vec::new();
+    for segment in 0..segments {
+        let angle = TAU * f64::from(segment) / f64::from(segments);
+        let (sin, cos) = (angle * 0.5 * f64::from(half_twists)).sin_cos();
+        for row in 0..=rows {
+            let across = f64::from(row) / f64::from(rows) - 0.5;
+            let radius = 2.0 + across * sin;
+            positions.push(DVec3::new(radius * angle.cos(), radius * angle.sin(), across * cos));
+        }
+    }
+    let vertex = |segment: u32, row: u32| {
+        let is_mirrored = segment == segments && half_twists % 2 == 1;
+        (segment % segments) * (rows + 1) + if is_mirrored { rows - row } else { row }
+    };
+    let mut triangles = Vec::new();
+    for segment in 0..segments {
+        for row in 0..rows {
+            let [a, b] = [vertex(segment, row), vertex(segment + 1, row)];
+            let [d, c] = [vertex(segment, row + 1), vertex(segment + 1, row + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    soup(positions, triangles)
+}
+
+/// `pages` rectangles of `n × n` quads joined along one edge on the z axis.
+pub fn book(pages: u32, n: u32) -> Soup {
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for page in 0..pages {
+        let angle = TAU * f64::from(page) / f64::from(pages);
+        let out = DVec3::new(angle.cos(), angle.sin(), 0.0);
+        let first = positions.len() as u32;
+        for i in 0..=n {
+            for j in 0..=n {
+                positions.push(out * f64::from(i) / f64::from(n) + DVec3::Z * f64::from(j) / f64::from(n));
+            }
+        }
+        for i in 0..n {
+            for j in 0..n {
+                let a = first + i * (n + 1) + j;
+                let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+    soup(positions, triangles)
+}
+
+/// A square of side 1 in z = 0 of `n × n` quads, each cut into four at its middle, so that no direction is preferred.
+pub fn square(n: u32) -> Soup {
+    let mut positions = Vec::new();
+    let at = |i: f64, j: f64| DVec3::new(i, j, 0.0) / f64::from(n);
+    for i in 0..=n {
+        positions.extend((0..=n).map(|j| at(f64::from(i), f64::from(j))));
+    }
+    let mut triangles = Vec::new();
+    for i in 0..n {
+        for j in 0..n {
+            let middle = positions.len() as u32;
+            positions.push(at(f64::from(i) + 0.5, f64::from(j) + 0.5));
+            let a = i * (n + 1) + j;
+            let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
+            triangles.extend([[a, b, middle], [b, c, middle], [c, d, middle], [d, a, middle]]);
+        }
+    }
+    soup(positions, triangles)
+}
+
+pub fn surface(soup: &Soup) -> Surface {
+    Surface::build(soup).expect("a usable test shape")
+}
+
+pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {
+    HeatSolver::new(surface(soup), Parameters { time_factor, boundary }, &mut |_, _| ControlFlow::Continue(()))
+        .expect("factors")
+}
+
+pub fn distance_from(soup: &Soup, point: u32) -> (HeatSolver, Distance) {
+    let solver = solver(soup, 1.0, Boundary::Neumann);
+    let distance = solver.distance(&[SurfacePoint::Vertex(point)]).expect("a valid source");
+    (solver, distance)
+}
+
+/// Mean over points of |value − exact| / exact where exact > 0, as the peers measure it.
+pub fn mean_error(values: &[f64], exact: &[f64]) -> f64 {
+    let errors = values.iter().zip(exact).filter(|&(_, &exact)| exact > 0.0);
+    let errors: Vec<f64> = errors.map(|(value, exact)| (value - exact).abs() / exact).collect();
+    errors.iter().sum::<f64>() / errors.len() as f64
+}
+
+/// The point nearest to a position.
+pub fn nearest(surface: &Surface, position: DVec3) -> u32 {
+    let distance = |&point: &u32| surface.position(point).distance_squared(position);
+    (0..surface.point_count() as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("points")
+}
+
+/// The same sequence of numbers in 0..n on every machine (Knuth's 64-bit linear congruential generator).
+pub fn random(seed: &mut u64, n: usize) -> usize {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    ((*seed >> 33) as usize) % n
+}

@@ -1,0 +1,285 @@
+//! What must hold of any surface: symmetry of the operators, motion, scale, numbering, positivity.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::{band, distance_from, random, solver, soup, square, surface};
+use glam::{DQuat, DVec3};
+use heatwalk::laplacian::Laplacian;
+use heatwalk::{Boundary, Error, Face, HeatSolver, Parameters, Soup, Stage, SurfacePoint, draw_mesh, shapes};
+
+/// Largest difference of two distances, as a share of the largest distance.
+fn difference(a: &[f64], b: &[f64]) -> f64 {
+    let largest = a.iter().copied().fold(0.0, f64::max);
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
+}
+
+fn values(soup: &Soup) -> Vec<f64> {
+    distance_from(soup, 0).1.values
+}
+
+/// A closed shape, one with boundary, one that cannot be oriented.
+fn samples() -> [Soup; 3] {
+    [shapes::icosphere(3), square(10), band(40, 1)]
+}
+
+#[test]
+fn laplacian_rows_sum_to_zero() {
+    for soup in samples() {
+        let surface = surface(&soup);
+        let laplacian = Laplacian::new(&surface);
+        let mut sums = vec![0.0; laplacian.size()];
+        let mut energy = 0.0;
+        let mut seed = 1;
+        let probe: Vec<f64> = (0..laplacian.size()).map(|_| random(&mut seed, 1000) as f64 / 1000.0).collect();
+        for column in 0..laplacian.size() {
+            for entry in laplacian.column(column) {
+                let (row, weight) = (laplacian.rows[entry] as usize, laplacian.stiffness[entry]);
+                assert!(row >= column, "only the lower triangle is stored, so the matrix is symmetric");
+                sums[row] += weight;
+                energy += probe[row] * weight * probe[column];
+                if row != column {
+                    sums[column] += weight;
+                    energy += probe[row] * weight * probe[column];
+                }
+            }
+        }
+        // Weights are of order 1, a dozen a row: rounding.
+        assert!(sums.iter().all(|sum| sum.abs() < 1e-12));
+        assert!(energy > 0.0, "positive semidefinite");
+        let area: f64 = surface.mesh.faces().map(|face| surface.face_area(face)).sum();
+        assert!((laplacian.mass.iter().sum::<f64>() / area - 1.0).abs() < 1e-12, "the masses share out the area");
+    }
+}
+
+#[test]
+fn motion_and_scale_do_not_matter() {
+    for soup in samples() {
+        let before = values(&soup);
+        let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.4, -1.1, 2.0);
+        for scale in [1e-8, 3.0, 1e8] {
+            let mut moved = soup.clone();
+            for position in &mut moved.positions {
+                *position = scale * (turn * *position + DVec3::new(5.0, -3.0, 11.0));
+            }
+            let after: Vec<f64> = values(&moved).iter().map(|value| value / scale).collect();
+            // Coordinates of size 15 against edges of 0.1 are rounded to 1e-14; solving loses four more digits.
+            assert!(difference(&before, &after) < 1e-9, "{scale}: {}", difference(&before, &after));
+        }
+    }
+}
+
+#[test]
+fn numbering_does_not_matter() {
+    for original in samples() {
+        let n = original.positions.len();
+        let mut seed = 7;
+        let mut new_of_old: Vec<usize> = (0..n).collect();
+        for i in (1..n).rev() {
+            new_of_old.swap(i, random(&mut seed, i + 1));
+        }
+        let mut positions = vec![DVec3::ZERO; n];
+        for old in 0..n {
+            positions[new_of_old[old]] = original.positions[old];
+        }
+        let renumber = |triangle: &[u32; 3]| triangle.map(|vertex| new_of_old[vertex as usize] as u32);
+        let mut triangles: Vec<[u32; 3]> = original.triangles.iter().map(renumber).collect();
+        triangles.reverse();
+        let (_, after) = distance_from(&soup(positions, triangles), new_of_old[0] as u32);
+        let after: Vec<f64> = (0..n).map(|old| after.values[new_of_old[old]]).collect();
+        // Another elimination order, so other rounding: the condition number, some 1e4, times 1e-16.
+        let difference = difference(&values(&original), &after);
+        assert!(difference < 1e-10, "{difference}");
+    }
+}
+
+#[test]
+fn distances_are_never_negative() {
+    let soup = square(16);
+    let mut seed = 3;
+    for boundary in [Boundary::Neumann, Boundary::Dirichlet, Boundary::Average] {
+        for time_factor in [0.01, 1.0, 100.0] {
+            let solver = solver(&soup, time_factor, boundary);
+            for count in 1..4 {
+                let sources: Vec<SurfacePoint> = (0..count)
+                    .map(|_| SurfacePoint::Vertex(random(&mut seed, solver.surface().point_count()) as u32))
+                    .collect();
+                let distance = solver.distance(&sources).expect("sources");
+                assert!(distance.values.iter().all(|value| *value >= 0.0 && value.is_finite()), "{sources:?}");
+                if let [SurfacePoint::Vertex(source)] = sources[..] {
+                    assert_eq!(distance.values[source as usize], 0.0);
+                }
+                let gradients = distance.gradients(solver.surface());
+                assert!(gradients.iter().all(|gradient| gradient.is_finite()));
+            }
+        }
+    }
+}
+
+#[test]
+fn slivers_do_not_spoil_numbers() {
+    // A cap and a needle, far thinner than rounding likes, inside a square.
+    for thickness in [1e-6, 1e-12, 1e-200] {
+        let mut soup = square(8);
+        let [a, b, _] = soup.triangles[100];
+        let [p, q] = [a, b].map(|vertex| soup.positions[vertex as usize]);
+        let apex = soup.positions.len() as u32;
+        soup.positions.push((p + q) / 2.0 + DVec3::Z * thickness);
+        soup.positions.push(p + DVec3::Z * thickness);
+        soup.triangles.extend([[a, b, apex], [a, b, apex + 1]]);
+        let (_, distance) = distance_from(&soup, 0);
+        assert!(distance.values.iter().all(|value| value.is_finite()));
+        // The rest of the square keeps its distances to some per cent: two faces more are stuck on one edge.
+        let plain = values(&square(8));
+        assert!(difference(&plain, &distance.values[..plain.len()]) < 0.1, "{thickness}");
+    }
+}
+
+#[test]
+fn face_source_lies_between_vertices() {
+    let solver = solver(&shapes::icosphere(4), 1.0, Boundary::Neumann);
+    let surface = solver.surface().clone();
+    let source = SurfacePoint::Face { face: Face(100), weights: [0.3, 0.3, 0.4] };
+    let distance = solver.distance(&[source]).expect("a source");
+    let position = source.position(&surface).normalize();
+    for (value, point) in distance.values.iter().zip(&surface.positions) {
+        let exact = point.dot(position).clamp(-1.0, 1.0).acos();
+        // The method's own offset in the first rings is half an edge.
+        assert!((value - exact).abs() < surface.mean_edge, "{value} for {exact}");
+    }
+    for bad in [[0.5, 0.5, 0.5], [-0.2, 0.6, 0.6], [f64::NAN, 0.5, 0.5]] {
+        let source = SurfacePoint::Face { face: Face(0), weights: bad };
+        assert!(matches!(solver.distance(&[source]), Err(Error::BadPoint { face: 0, .. })));
+    }
+    assert!(matches!(solver.distance(&[SurfacePoint::Vertex(u32::MAX)]), Err(Error::BadVertex { .. })));
+    assert_eq!(solver.distance(&[]), Err(Error::NoSource));
+}
+
+#[test]
+fn boundary_source_enters_under_dirichlet() {
+    let soup = square(16);
+    for boundary in [Boundary::Dirichlet, Boundary::Average] {
+        let solver = solver(&soup, 1.0, boundary);
+        for sources in [vec![8], vec![0, 8], vec![8, 400]] {
+            let points: Vec<SurfacePoint> = sources.iter().map(|&point| SurfacePoint::Vertex(point)).collect();
+            let distance = solver.distance(&points).expect("sources");
+            let positions = &solver.surface().positions;
+            for (value, position) in distance.values.iter().zip(positions) {
+                let to = |&source: &u32| position.distance(positions[source as usize]);
+                let exact = sources.iter().map(to).fold(f64::INFINITY, f64::min);
+                // Three edges: the offset of superposed sources, and heat that falls to 0 along the boundary, where
+                // its gradient points across the way from the source.
+                assert!((value - exact).abs() < 3.0 / 16.0, "{boundary:?} {sources:?}: {value} for {exact}");
+            }
+        }
+    }
+}
+
+#[test]
+fn boundary_source_solves_the_freed_matrix() {
+    let solver = solver(&square(16), 1.0, Boundary::Dirichlet);
+    let surface = solver.surface();
+    let source = 8;
+    let heat = solver.distance(&[SurfacePoint::Vertex(source as u32)]).expect("a source").heat;
+    let laplacian = Laplacian::new(surface);
+    let mut supply: Vec<f64> =
+        heat.iter().zip(&laplacian.mass).map(|(heat, mass)| heat * mass / solver.time()).collect();
+    for column in 0..laplacian.size() {
+        for entry in laplacian.column(column) {
+            let (row, weight) = (laplacian.rows[entry] as usize, laplacian.stiffness[entry]);
+            supply[row] += weight * heat[column];
+            if row != column {
+                supply[column] += weight * heat[row];
+            }
+        }
+    }
+    for (point, supply) in supply.iter().enumerate() {
+        if point == source {
+            // 1e290 as supplied; rounding of one solve.
+            assert!((supply / 1e290 - 1.0).abs() < 1e-12, "{supply}");
+        } else if surface.is_boundary_point[point] {
+            assert_eq!(heat[point], 0.0);
+        } else {
+            assert!(supply.abs() < 1e-12 * 1e290, "{supply}");
+        }
+    }
+}
+
+#[test]
+fn all_boundary_falls_back_to_neumann() {
+    let soup = shapes::strip(1.0, 20.0, 1);
+    let answer = |boundary| solver(&soup, 1.0, boundary).distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    assert_eq!(answer(Boundary::Neumann), answer(Boundary::Dirichlet));
+    assert_eq!(answer(Boundary::Neumann), answer(Boundary::Average));
+}
+
+#[test]
+fn parameters_change_as_if_made_anew() {
+    let soup = square(12);
+    let source = [SurfacePoint::Vertex(40)];
+    let mut solver = solver(&soup, 1.0, Boundary::Neumann);
+    let mut quiet = |_, _| ControlFlow::Continue(());
+    for (time_factor, boundary) in [(1.0, Boundary::Average), (30.0, Boundary::Average), (0.1, Boundary::Dirichlet)] {
+        solver.set_parameters(Parameters { time_factor, boundary }, &mut quiet).expect("factors");
+        let anew = common::solver(&soup, time_factor, boundary);
+        assert_eq!(solver.distance(&source), anew.distance(&source));
+        assert_eq!(solver.factor_nonzeros(), anew.factor_nonzeros());
+    }
+    let before = solver.distance(&source);
+    let other = Parameters { time_factor: 5.0, boundary: Boundary::Neumann };
+    assert_eq!(solver.set_parameters(other, &mut |_, _| ControlFlow::Break(())), Err(Error::Cancelled));
+    assert_eq!(solver.distance(&source), before, "a cancelled change leaves the solver as it was");
+    for time_factor in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let bad = Parameters { time_factor, boundary: Boundary::Neumann };
+        assert!(matches!(solver.set_parameters(bad, &mut quiet), Err(Error::BadParameter { .. })));
+    }
+}
+
+#[test]
+fn progress_names_stages_and_cancels() {
+    let mut stages = Vec::new();
+    let mut record = |stage: Stage, done: f64| {
+        stages.push((stage, done));
+        ControlFlow::Continue(())
+    };
+    let soup = square(6);
+    HeatSolver::new(surface(&soup), Parameters::default(), &mut record).expect("factors");
+    assert!(stages.is_sorted_by(|a, b| a.1 < b.1) && stages.len() == 5, "{stages:?}");
+    for (stop, _) in stages {
+        let mut progress = |stage, _| if stage == stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+        let result = HeatSolver::new(surface(&soup), Parameters::default(), &mut progress);
+        assert!(matches!(result, Err(Error::Cancelled)), "{stop}");
+    }
+}
+
+#[test]
+fn drawing_keeps_faces_and_splits_creases() {
+    // A cube of 12 triangles: with a crease at 30° each corner is drawn once a side, without once.
+    let cube = {
+        let corner = |k: u32| DVec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2));
+        let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        surface(&soup((0..8).map(corner).collect(), triangles))
+    };
+    for (crease, expected) in [(0.5, 24), (3.2, 8)] {
+        let drawing = draw_mesh(&cube, crease);
+        assert_eq!(drawing.point_of_drawn.len(), expected);
+        assert_eq!(drawing.positions.len(), 3 * expected);
+        for face in cube.mesh.faces() {
+            for k in 0..3 {
+                let drawn = drawing.triangles[face.0 as usize * 3 + k] as usize;
+                assert_eq!(drawing.point_of_drawn[drawn], cube.faces[face][k]);
+                assert_eq!(cube.point_of_input[drawing.input_of_drawn[drawn] as usize], Some(cube.faces[face][k]));
+                let normal = DVec3::from_array([0, 1, 2].map(|i| f64::from(drawing.normals[3 * drawn + i])));
+                let outward = (cube.position(cube.faces[face][k]) - 0.5).normalize();
+                // Angle weights make the smooth normal of a cube's corner its diagonal, to 32-bit rounding.
+                let wanted = if expected == 8 { outward } else { cube.face_normal(face) };
+                assert!(normal.distance(wanted) < 1e-6);
+            }
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Paths: they arrive, stay on the surface, are as long as they must be and hardly longer.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use common::{band, book, distance_from, nearest, random, solver, square};
+use glam::DVec3;
+use heatwalk::{Boundary, Error, Face, HeatSolver, Path, Soup, SurfacePoint, descend, shapes};
+
+/// Points of a path follow each other through the faces that they name, and end at a source.
+fn check(solver: &HeatSolver, path: &Path, from: SurfacePoint, sources: &[SurfacePoint]) {
+    let surface = solver.surface();
+    assert_eq!(path.points.len(), path.normals.len());
+    assert!(path.points[0].position.distance(from.position(surface)) < 1e-9 * surface.mean_edge);
+    let end = path.points[path.points.len() - 1].position;
+    assert!(sources.iter().any(|source| source.position(surface).distance(end) < 1e-9 * surface.mean_edge));
+    for pair in path.points.windows(2) {
+        for point in pair {
+            let corners = surface.faces[pair[0].face];
+            let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
+            assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
+        }
+    }
+    // Rounding of one normalisation.
+    assert!(path.normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-12));
+}
+
+/// Paths between random points, with the straight-line or great-circle distance as a bar.
+fn try_pairs(soup: &Soup, boundary: Boundary, pairs: usize, exact: impl Fn(DVec3, DVec3) -> f64, longest: f64) {
+    let solver = solver(soup, 1.0, boundary);
+    let surface = solver.surface();
+    let mut seed = 11;
+    for _ in 0..pairs {
+        let [source, from] = [(); 2].map(|()| match random(&mut seed, 2) {
+            0 => SurfacePoint::Vertex(random(&mut seed, surface.point_count()) as u32),
+            _ => {
+                let a = random(&mut seed, 1000) as f64 / 1000.0;
+                let b = (1.0 - a) * random(&mut seed, 1000) as f64 / 1000.0;
+                let face = Face(random(&mut seed, surface.face_count()) as u32);
+                SurfacePoint::Face { face, weights: [a, b, 1.0 - a - b] }
+            }
+        });
+        let distance = solver.distance(&[source]).expect("a source");
+        let path = descend(surface, &distance, from).expect("reachable");
+        check(&solver, &path, from, &[source]);
+        let exact = exact(from.position(surface), source.position(surface));
+        assert!(path.length() >= 0.999_999 * exact, "{} under {exact}", path.length());
+        assert!(path.length() <= longest * exact + surface.mean_edge, "{} for {exact}", path.length());
+    }
+}
+
+#[test]
+fn plane() {
+    // Lines of equal distance bend by the Neumann condition near the boundary and in the first rings: some per cent.
+    try_pairs(&square(20), Boundary::Neumann, 60, DVec3::distance, 1.05);
+    try_pairs(&square(20), Boundary::Average, 20, DVec3::distance, 1.05);
+}
+
+#[test]
+fn sphere() {
+    // The polyhedron lies inside the sphere: the arc over its chord bounds what it may be shorter by.
+    let inside = 1.0 - 0.002;
+    let arc = |a: DVec3, b: DVec3| inside * a.normalize().dot(b.normalize()).clamp(-1.0, 1.0).acos();
+    try_pairs(&shapes::icosphere(4), Boundary::Neumann, 60, arc, 1.05);
+}
+
+#[test]
+fn always_arrives() {
+    // Cuts, spines, badly shaped faces: only arrival counts.
+    let mut squashed = square(12);
+    for position in &mut squashed.positions {
+        position.x *= 1e-4;
+    }
+    for soup in [band(24, 1), book(3, 6), squashed, shapes::torus(2.0, 0.7, 24, 12)] {
+        try_pairs(&soup, Boundary::Neumann, 40, DVec3::distance, 1e9);
+    }
+}
+
+#[test]
+fn several_sources() {
+    let solver = solver(&square(16), 1.0, Boundary::Neumann);
+    let surface = solver.surface();
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| SurfacePoint::Vertex(nearest(surface, corner)));
+    let distance = solver.distance(&corners).expect("sources");
+    for point in 0..surface.point_count() as u32 {
+        let from = SurfacePoint::Vertex(point);
+        let path = descend(surface, &distance, from).expect("reachable");
+        check(&solver, &path, from, &corners);
+    }
+}
+
+#[test]
+fn constant_distance_still_arrives() {
+    // No gradient at all: the path must take edges.
+    let (solver, mut distance) = distance_from(&square(8), 0);
+    distance.values.fill(1.0);
+    let from = SurfacePoint::Face { face: Face(200), weights: [0.2, 0.3, 0.5] };
+    let path = descend(solver.surface(), &distance, from).expect("reachable");
+    check(&solver, &path, from, &distance.sources);
+}
+
+#[test]
+fn start_at_the_source_is_a_point() {
+    let (solver, distance) = distance_from(&square(4), 3);
+    let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(3)).expect("reachable");
+    assert_eq!((path.points.len(), path.length()), (1, 0.0));
+}
+
+#[test]
+fn unreachable_is_said() {
+    let mut two = square(2);
+    let first = two.positions.len() as u32;
+    let other = square(2);
+    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
+    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let (solver, distance) = distance_from(&two, 0);
+    let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(first));
+    assert_eq!(path, Err(Error::Unreachable));
+}

@@ -1,0 +1,211 @@
+//! From soups of every kind to a manifold, oriented, welded surface.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use common::{band, book, distance_from, flat, soup, square, surface};
+use glam::DVec3;
+use heatwalk::{Error, Halfedge, HalfedgeMesh, Soup, Surface, Vertex, shapes};
+
+/// The documented invariants of a half-edge mesh.
+fn check(surface: &Surface) {
+    let mesh: &HalfedgeMesh = &surface.mesh;
+    let mut seen = vec![false; mesh.halfedge_count()];
+    for halfedge in mesh.halfedges() {
+        let twin = mesh.twin(halfedge);
+        assert!(twin != halfedge && mesh.twin(twin) == halfedge);
+        assert_eq!(mesh.vertex(mesh.next(halfedge)), mesh.vertex(twin), "next and twin leave the tip");
+        assert_eq!(mesh.face(mesh.next(halfedge)), mesh.face(halfedge));
+        assert!(!std::mem::replace(&mut seen[mesh.next(halfedge).0 as usize], true), "next is a permutation");
+        assert!(!(mesh.is_boundary(mesh.face(halfedge)) && mesh.is_boundary(mesh.face(twin))));
+    }
+    for face in mesh.faces() {
+        let around: Vec<Halfedge> = mesh.halfedges_of_face(face).collect();
+        let points = around.iter().map(|&halfedge| surface.point_of_vertex[mesh.vertex(halfedge)]);
+        assert!(points.eq(surface.faces[face]), "faces list their corners in the mesh's order");
+    }
+    let mut outgoing = 0;
+    for vertex in mesh.vertices() {
+        for halfedge in mesh.outgoing(vertex) {
+            assert_eq!(mesh.vertex(halfedge), vertex);
+            outgoing += 1;
+        }
+    }
+    assert_eq!(outgoing, mesh.halfedge_count(), "one fan a vertex holds all its half-edges");
+    assert!(mesh.boundary_loops().all(|cap| mesh.is_boundary(cap)));
+}
+
+fn checked(soup: &Soup) -> Surface {
+    let surface = surface(soup);
+    check(&surface);
+    surface
+}
+
+#[test]
+fn known_shapes() {
+    for (soup, euler, loops, components) in [
+        (shapes::icosphere(2), 2, 0, 1),
+        (shapes::uv_sphere(12, 8), 2, 0, 1),
+        (shapes::torus(2.0, 0.5, 20, 10), 0, 0, 1),
+        (square(4), 1, 1, 1),
+        (band(20, 0), 0, 2, 1),
+        (band(20, 2), 0, 2, 1),
+    ] {
+        let surface = checked(&soup);
+        assert_eq!(surface.report.euler_characteristic, euler);
+        assert_eq!(surface.mesh.euler_characteristic(), euler, "manifold shapes are not cut");
+        assert_eq!(surface.report.boundary_loops, loops);
+        assert_eq!(surface.mesh.boundary_loops().len(), loops);
+        assert_eq!((surface.report.components, surface.mesh.components()), (components, components));
+        assert_eq!((surface.report.turned_faces, surface.report.non_manifold_edges), (0, 0));
+    }
+}
+
+#[test]
+fn seam_is_welded() {
+    // −0 and +0 are one place.
+    let cut = soup(
+        flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 1.0), (1.0, -0.0), (1.0, 1.0), (9.0, 9.0)]),
+        vec![[0, 1, 2], [4, 5, 3]],
+    );
+    let surface = checked(&cut);
+    let report = &surface.report;
+    assert_eq!((report.input_vertices, report.vertices, report.welded_vertices), (7, 4, 2));
+    assert_eq!((report.unreferenced_vertices, report.components, report.boundary_loops), (1, 1, 1));
+    assert_eq!(surface.point_of_input, [Some(0), Some(1), Some(2), Some(2), Some(1), Some(3), None]);
+    assert_eq!(surface.inputs_of_point(1), [1, 4]);
+    assert_eq!(surface.inputs_of_face.as_slice(), [[0, 1, 2], [4, 5, 3]]);
+    let (_, distance) = distance_from(&cut, 0);
+    assert!(distance.values.iter().all(|value| value.is_finite()), "heat crosses the seam");
+}
+
+#[test]
+fn useless_triangles_go() {
+    let mut messy = square(3);
+    let kept = messy.triangles.len();
+    let first = messy.triangles[0];
+    let place = messy.positions[0];
+    let outside = messy.positions.len() as u32;
+    messy.positions.extend([place, DVec3::new(3.0, 0.0, 0.0)]);
+    messy.triangles.extend([
+        [first[1], first[2], first[0]],     // duplicate, turned round
+        [first[0], first[2], first[1]],     // duplicate, other side
+        [first[0], first[0], first[1]],     // repeated corner
+        [0, outside, first[1]],             // repeated corner once welded
+        [0, 4, outside + 1],                // collinear on the x axis
+    ]);
+    let surface = checked(&messy);
+    assert_eq!((surface.report.duplicate_faces, surface.report.degenerate_faces), (2, 3));
+    assert_eq!((surface.report.faces, surface.face_of_triangle.len()), (kept, kept + 5));
+    assert!(surface.face_of_triangle[kept..].iter().all(Option::is_none));
+    for (triangle, face) in surface.face_of_triangle.iter().enumerate().take(kept) {
+        assert_eq!(face.map(|face| surface.triangle_of_face[face]), Some(triangle as u32));
+    }
+    assert_eq!(surface.report.unreferenced_vertices, 1, "the collinear corner; the copy of a corner is welded");
+}
+
+#[test]
+fn flipped_faces_are_turned() {
+    let mut flipped = shapes::icosphere(2);
+    for triangle in [3, 50, 51, 200] {
+        flipped.triangles[triangle].swap(0, 1);
+    }
+    let surface = checked(&flipped);
+    assert_eq!(surface.report.turned_faces, 4);
+    assert_eq!(surface.mesh.boundary_loops().len(), 0);
+    // The majority pointed outward.
+    assert!(surface.mesh.faces().all(|face| surface.face_normal(face).dot(surface.corners(face)[0]) > 0.0));
+}
+
+#[test]
+fn moebius_strip_is_cut_but_whole() {
+    let soup = band(40, 1);
+    let surface = checked(&soup);
+    assert_eq!((surface.report.euler_characteristic, surface.report.boundary_loops), (0, 1));
+    assert_eq!((surface.report.components, surface.report.non_manifold_edges), (1, 0));
+    assert!(surface.mesh.vertex_count() > surface.point_count(), "copies along the cut");
+    assert_eq!(surface.is_boundary_point.iter().filter(|&&boundary| boundary).count(), 80, "cuts are no boundary");
+    // Nothing marks the cut in the distance: going round either way is the same, by the strip's half-turn symmetry.
+    // A barrier would make one way longer by many edges.
+    let (_, distance) = distance_from(&soup, 2);
+    for segment in 1..40 {
+        let (there, back) = (distance.values[segment * 5 + 2], distance.values[(40 - segment) * 5 + 2]);
+        // The diagonals of the quads are not symmetric; they shift values by less than a tenth of an edge of 0.3.
+        assert!((there - back).abs() < 0.03, "{segment}: {there} {back}");
+    }
+}
+
+#[test]
+fn non_manifold_edge_carries_heat() {
+    let soup = book(3, 8);
+    let surface = checked(&soup);
+    assert_eq!((surface.report.non_manifold_edges, surface.report.components), (8, 1));
+    assert_eq!(surface.mesh.components(), 3, "cut into pages");
+    assert_eq!(surface.report.boundary_loops, 3);
+    // From the middle of one page's outer edge straight over the spine to the others'.
+    let source = common::nearest(&surface, DVec3::new(1.0, 0.0, 0.5));
+    let (solver, distance) = distance_from(&soup, source);
+    for page in 1..3 {
+        let angle = std::f64::consts::TAU * f64::from(page) / 3.0;
+        let end = common::nearest(solver.surface(), DVec3::new(angle.cos(), angle.sin(), 0.5));
+        // Edges of 1/8 on a way of 2: the method's offset is about half an edge.
+        assert!((distance.values[end as usize] - 2.0).abs() < 0.1, "{}", distance.values[end as usize]);
+    }
+}
+
+#[test]
+fn touching_fans_share_a_point() {
+    let bow_tie = soup(
+        flat(&[(0.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]),
+        vec![[0, 1, 2], [0, 4, 3]],
+    );
+    let surface = checked(&bow_tie);
+    assert_eq!((surface.mesh.vertex_count(), surface.point_count()), (6, 5));
+    assert_eq!(surface.point_of_vertex[Vertex(5)], 0);
+    assert_eq!((surface.report.components, surface.mesh.components(), surface.report.boundary_loops), (1, 2, 2));
+    let (_, distance) = distance_from(&bow_tie, 1);
+    assert!(distance.values.iter().all(|value| value.is_finite()));
+}
+
+#[test]
+fn separate_parts_are_infinitely_far() {
+    let mut two = square(4);
+    let first = two.positions.len();
+    let other = shapes::icosphere(1);
+    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::X * 10.0));
+    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first as u32)));
+    let (solver, distance) = distance_from(&two, 0);
+    assert_eq!(solver.surface().report.components, 2);
+    assert!(distance.values[..first].iter().all(|value| value.is_finite()));
+    assert!(distance.values[first..].iter().all(|value| *value == f64::INFINITY));
+    assert_eq!(distance.unreachable(), other.positions.len());
+    assert!(distance.max() < 2.0);
+    assert!(distance.gradients(solver.surface()).iter().all(|gradient| gradient.is_finite()));
+    let both = [heatwalk::SurfacePoint::Vertex(0), heatwalk::SurfacePoint::Vertex(first as u32)];
+    let distance = solver.distance(&both).expect("sources");
+    assert_eq!((distance.values[0], distance.values[first]), (0.0, 0.0), "one source a part is exact in each");
+}
+
+#[test]
+fn bad_input_is_named() {
+    let corners = || flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+    let error = |positions, triangles| Surface::build(&soup(positions, triangles)).err();
+    let out_of_range = Error::IndexOutOfRange { triangle: 1, vertex: 3, vertices: 3 };
+    assert_eq!(error(corners(), vec![[0, 1, 2], [0, 1, 3]]), Some(out_of_range));
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut positions = corners();
+        positions[2].y = bad;
+        assert_eq!(error(positions, vec![[0, 1, 2]]), Some(Error::NotFinite { vertex: 2 }));
+    }
+    assert!(matches!(error(corners(), vec![]), Some(Error::Empty { .. })));
+    assert!(matches!(error(corners(), vec![[0, 1, 1]]), Some(Error::Empty { .. })));
+}
+
+#[test]
+fn smallest_surface_works() {
+    let (_, distance) = distance_from(&soup(flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]), vec![[0, 1, 2]]), 0);
+    assert_eq!(distance.values[0], 0.0);
+    assert!(distance.values[1] > 0.5 && distance.values[1] < 1.5);
+}

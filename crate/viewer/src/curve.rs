@@ -1,0 +1,69 @@
+use glam::Vec3;
+
+use crate::buffer::Growing;
+use crate::context::Context;
+use crate::shared::{PipelineRecipe, Shared, shader};
+
+const POINT_SIZE: u64 = size_of::<Vec3>() as u64;
+
+/// The same points, shifted by one from slot to slot: a segment sees the point before, its ends and the point after.
+const fn shifted(attributes: &'static [wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'static> {
+    wgpu::VertexBufferLayout { array_stride: POINT_SIZE, step_mode: wgpu::VertexStepMode::Instance, attributes }
+}
+
+/// Draws a path on the surface.
+pub(crate) struct Curve {
+    pipeline: wgpu::RenderPipeline,
+    buffer: Growing,
+    /// First point, all points, last point.
+    points: Vec<Vec3>,
+}
+
+impl Curve {
+    pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
+        let pipeline = PipelineRecipe {
+            label: "curve",
+            layouts: &[Some(&shared.layout)],
+            module: &shader(context, "curve.wgsl", include_str!("curve.wgsl")),
+            vertex: "vs_curve",
+            fragment: "fs_curve",
+            buffers: &[
+                Some(shifted(&wgpu::vertex_attr_array![0 => Float32x3])),
+                Some(shifted(&wgpu::vertex_attr_array![1 => Float32x3])),
+                Some(shifted(&wgpu::vertex_attr_array![2 => Float32x3])),
+                Some(shifted(&wgpu::vertex_attr_array![3 => Float32x3])),
+            ],
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            depth: true,
+        }
+        .build(context);
+        Self { pipeline, buffer: Growing::new("curve points"), points: Vec::new() }
+    }
+
+    /// Replaces the polyline; world space, empty for none.
+    pub(crate) fn set_points(&mut self, context: &Context, points: &[Vec3]) {
+        self.points.clear();
+        if let [first, .., last] = points {
+            self.points.push(*first);
+            // A repeated point makes a segment without a direction.
+            for &point in points {
+                if self.points.len() == 1 || self.points.last() != Some(&point) {
+                    self.points.push(point);
+                }
+            }
+            self.points.push(*last);
+        }
+        self.buffer.write(context, bytemuck::cast_slice(&self.points));
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let segments = self.points.len().saturating_sub(3) as u64;
+        let Some(buffer) = self.buffer.get().filter(|_| segments > 0) else { return };
+        pass.set_pipeline(&self.pipeline);
+        for slot in 0..4 {
+            let start = u64::from(slot) * POINT_SIZE;
+            pass.set_vertex_buffer(slot, buffer.slice(start..start + segments * POINT_SIZE));
+        }
+        pass.draw(0..4, 0..segments as u32);
+    }
+}

@@ -1,0 +1,74 @@
+use glam::Vec3;
+
+use crate::buffer::Growing;
+use crate::context::Context;
+use crate::error::Error;
+use crate::shared::{PipelineRecipe, Shared, shader};
+use crate::solid::{Solid, SolidBuffers};
+
+/// Foot, direction, selected.
+type Instance = [f32; 7];
+
+const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Instance>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32x3, 5 => Float32],
+};
+
+/// Shares of the pin's height.
+const BALL_RADIUS: f32 = 0.2;
+const NEEDLE_RADIUS: f32 = 0.035;
+const NEEDLE: [f32; 2] = [0.0, 0.0];
+const BALL: [f32; 2] = [1.0, 0.0];
+
+/// Draws the sources.
+pub(crate) struct Pins {
+    pipeline: wgpu::RenderPipeline,
+    solid: SolidBuffers,
+    buffer: Growing,
+    instances: Vec<Instance>,
+}
+
+impl Pins {
+    pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
+        let mut solid = Solid::default();
+        // The tip starts below the surface, so that it never hovers over a coarse triangle.
+        solid.turned(Vec3::NEG_Y * 0.08, Vec3::Y, &[(0.0, 0.3 * NEEDLE_RADIUS), (0.9, NEEDLE_RADIUS)], NEEDLE);
+        solid.ball(Vec3::Y * (1.0 - BALL_RADIUS), Vec3::Y, BALL_RADIUS, BALL_RADIUS, BALL);
+        let pipeline = PipelineRecipe {
+            label: "pin",
+            layouts: &[Some(&shared.layout)],
+            module: &shader(context, "pin.wgsl", include_str!("pin.wgsl")),
+            vertex: "vs_pin",
+            fragment: "fs_pin",
+            buffers: &[Some(SolidBuffers::LAYOUT), Some(INSTANCE)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            depth: true,
+        }
+        .build(context);
+        Ok(Self {
+            pipeline,
+            solid: solid.upload(context)?,
+            buffer: Growing::new("pin instances"),
+            instances: Vec::new(),
+        })
+    }
+
+    /// Replaces the pins; one direction a foot point.
+    pub(crate) fn set(&mut self, context: &Context, feet: &[Vec3], directions: &[Vec3], selected: Option<usize>) {
+        self.instances.clear();
+        self.instances.extend(feet.iter().zip(directions).enumerate().map(|(index, (foot, direction))| {
+            let up = direction.try_normalize().unwrap_or(Vec3::Y);
+            let emphasis = if selected == Some(index) { 1.0 } else { 0.0 };
+            [foot.x, foot.y, foot.z, up.x, up.y, up.z, emphasis]
+        }));
+        self.buffer.write(context, bytemuck::cast_slice(&self.instances));
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(buffer) = self.buffer.get().filter(|_| !self.instances.is_empty()) else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_vertex_buffer(1, buffer.slice(..));
+        self.solid.draw(pass, self.instances.len() as u32);
+    }
+}

@@ -1,0 +1,47 @@
+// A pin in the surface: a steel needle and a ball, one instance a source.
+
+// Height of a pin in CSS pixels at most: near the surface it must not hide what it marks.
+const MAX_PIXELS = 76.0;
+// Height in bounding radii otherwise.
+const SIZE = 0.15;
+
+const GREEN = vec3f(0.22, 0.80, 0.02);
+const GREEN_SELECTED = vec3f(0.50, 1.0, 0.10);
+const STEEL = vec3f(0.11, 0.12, 0.14);
+
+struct Fragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    // 0 needle, 1 ball.
+    @location(2) ball: f32,
+    @location(3) selected: f32,
+}
+
+// Solid space: the pin stands on +y and is one unit high. Tag x: 0 needle, 1 ball.
+@vertex
+fn vs_pin(
+    @location(0) solid: vec3f,
+    @location(1) solid_normal: vec3f,
+    @location(2) tags: vec2f,
+    @location(3) foot: vec3f,
+    @location(4) up: vec3f,
+    @location(5) selected: f32,
+) -> Fragment {
+    // Duff et al., "Building an orthonormal basis, revisited" (2017).
+    let turn = select(-1.0, 1.0, up.z >= 0.0);
+    let a = -1.0 / (turn + up.z);
+    let b = up.x * up.y * a;
+    let right = vec3f(1.0 + turn * up.x * up.x * a, turn * b, -turn * up.x);
+    let ahead = vec3f(b, turn + up.y * up.y * a, -up.y);
+    let size = min(SIZE * frame.eye.w, MAX_PIXELS * css_pixel(foot)) * mix(1.0, 1.22, selected);
+    let position = foot + size * (solid.x * right + solid.y * up + solid.z * ahead);
+    let normal = solid_normal.x * right + solid_normal.y * up + solid_normal.z * ahead;
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, tags.x, selected);
+}
+
+@fragment
+fn fs_pin(fragment: Fragment) -> @location(0) vec4f {
+    let albedo = mix(STEEL, mix(GREEN, GREEN_SELECTED, fragment.selected), fragment.ball);
+    return encode(shade(albedo, fragment.position, normalize(fragment.normal), 1.0));
+}

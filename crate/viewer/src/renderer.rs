@@ -1,0 +1,375 @@
+use glam::{DVec3, Vec2, Vec3};
+
+use crate::background::Background;
+use crate::bounds::Bounds;
+use crate::camera::{Camera, View};
+use crate::context::{Backend, Context, NextFrame};
+use crate::curve::Curve;
+use crate::error::Error;
+use crate::pick::Picker;
+use crate::pin::Pins;
+use crate::pose::Track;
+use crate::shared::{FrameUniform, Shared};
+use crate::surface::{DistanceBuffer, Look, MeshBuffers, RAMP_SIZE, SurfaceRenderer};
+use crate::walker::Walker;
+
+/// A triangle mesh as the page hands it over; world space.
+pub struct MeshArrays {
+    /// `#D × 3`.
+    pub positions: Vec<Vec3>,
+    /// `#D × 3`, unit length.
+    pub normals: Vec<Vec3>,
+    /// `#F × 3`, indices into the positions.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl MeshArrays {
+    fn check(&self) -> Result<(), Error> {
+        let vertex_count = self.positions.len();
+        if self.normals.len() != vertex_count {
+            return Err(Error::WrongLength {
+                what: "normals",
+                expected: 3 * vertex_count,
+                found: 3 * self.normals.len(),
+            });
+        }
+        if let Some(vertex) = self.positions.iter().position(|position| !position.is_finite()) {
+            return Err(Error::NotFinite { vertex });
+        }
+        for (triangle, corners) in self.triangles.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
+                return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A mesh on the device and in the picker.
+struct Mesh {
+    buffers: MeshBuffers,
+    bounds: Bounds,
+    normals: Vec<Vec3>,
+    picker: Picker,
+}
+
+impl Mesh {
+    /// None for a mesh without triangles.
+    fn new(context: &Context, arrays: MeshArrays) -> Result<Option<Self>, Error> {
+        arrays.check()?;
+        let Some(bounds) = Bounds::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty()) else {
+            return Ok(None);
+        };
+        let MeshArrays { positions, normals, triangles } = arrays;
+        let buffers = MeshBuffers::new(context, &positions, &normals, &triangles)?;
+        Ok(Some(Self { buffers, bounds, normals, picker: Picker::new(positions, triangles) }))
+    }
+
+    fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {
+        self.picker.positions().iter()
+    }
+}
+
+/// A place on the surface under a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceHit {
+    /// Index of the triangle.
+    pub triangle: u32,
+    /// Barycentric weights of its corners.
+    pub weights: Vec3,
+    /// World position.
+    pub point: Vec3,
+    /// Interpolated vertex normal, unit length.
+    pub normal: Vec3,
+}
+
+/// Draws a scene: a surface with its distance, scenery, pins, a path and its walker.
+pub struct Renderer {
+    context: Context,
+    shared: Shared,
+    background: Background,
+    surfaces: SurfaceRenderer,
+    curve: Curve,
+    pins: Pins,
+    walker: Walker,
+    camera: Camera,
+    look: Look,
+    surface: Option<(Mesh, DistanceBuffer)>,
+    scenery: Option<Mesh>,
+    track: Option<Track>,
+    dirty: bool,
+}
+
+impl Renderer {
+    /// Builds all pipelines.
+    ///
+    /// # Errors
+    /// When the device refuses even the small buffers of pins and walker.
+    pub fn new(context: Context) -> Result<Self, Error> {
+        let shared = Shared::new(&context);
+        let renderer = Self {
+            background: Background::new(&context, &shared),
+            surfaces: SurfaceRenderer::new(&context, &shared),
+            curve: Curve::new(&context, &shared),
+            pins: Pins::new(&context, &shared)?,
+            walker: Walker::new(&context, &shared)?,
+            camera: Camera::new(),
+            look: Look { period: 1.0, width: 0.0, stripe: Vec3::ZERO, max: 1.0 },
+            surface: None,
+            scenery: None,
+            track: None,
+            dirty: true,
+            shared,
+            context,
+        };
+        renderer.surfaces.set_look(&renderer.context, &renderer.look);
+        Ok(renderer)
+    }
+
+    /// The graphics interface in use.
+    #[must_use]
+    pub fn backend(&self) -> Backend {
+        self.context.backend()
+    }
+
+    /// Canvas size in physical pixels, and how many of them make a CSS pixel.
+    pub fn resize(&mut self, width: u32, height: u32, pixel_ratio: f32) {
+        self.dirty |= self.context.resize(width, height) || pixel_ratio != self.camera.pixel_ratio();
+        self.camera.set_size(width, height, pixel_ratio);
+    }
+
+    /// Replaces the surface; clears distance, pins, path and walker. The view stays the same relative to the bounds.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together or the device; the old surface then stays.
+    pub fn set_surface(&mut self, arrays: MeshArrays) -> Result<(), Error> {
+        let vertex_count = arrays.positions.len();
+        self.surface = match Mesh::new(&self.context, arrays)? {
+            Some(mesh) => Some((mesh, DistanceBuffer::new(&self.context, vertex_count)?)),
+            None => None,
+        };
+        self.pins.set(&self.context, &[], &[], None);
+        self.set_path(&[], &[])?;
+        self.update_bounds();
+        Ok(())
+    }
+
+    /// Replaces the scenery; without triangles there is none.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together or the device; the old scenery then stays.
+    pub fn set_scenery(&mut self, arrays: MeshArrays) -> Result<(), Error> {
+        self.scenery = Mesh::new(&self.context, arrays)?;
+        self.update_bounds();
+        Ok(())
+    }
+
+    fn update_bounds(&mut self) {
+        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
+        let scene = match (&self.surface, &self.scenery) {
+            (Some((mesh, _)), Some(scenery)) => Bounds::of_points(mesh.positions().chain(scenery.positions())),
+            (None, Some(scenery)) => Some(scenery.bounds),
+            _ => None,
+        };
+        let scene = scene.unwrap_or(surface);
+        self.camera.set_bounds(surface, scene);
+        self.dirty = true;
+    }
+
+    fn radius(&self) -> f32 {
+        self.surface.as_ref().map_or(Bounds::UNIT.radius, |(mesh, _)| mesh.bounds.radius)
+    }
+
+    /// Replaces the distance: `fill` writes one value a vertex, infinite where unreachable. `count` values come; none
+    /// removes the field.
+    ///
+    /// # Errors
+    /// When the count is not the surface's number of vertices.
+    pub fn set_distance(&mut self, count: usize, max: f32, fill: impl FnOnce(&mut [f32])) -> Result<(), Error> {
+        self.dirty = true;
+        let expected = self.surface.as_ref().map_or(0, |(_, distance)| distance.vertex_count());
+        let Some((_, distance)) = &mut self.surface else {
+            return if count == 0 {
+                Ok(())
+            } else {
+                Err(Error::WrongLength { what: "distances", expected, found: count })
+            };
+        };
+        if count == 0 {
+            distance.clear();
+            return Ok(());
+        }
+        if count != expected {
+            return Err(Error::WrongLength { what: "distances", expected, found: count });
+        }
+        distance.write(&self.context, fill);
+        self.look.max = max;
+        self.surfaces.set_look(&self.context, &self.look);
+        Ok(())
+    }
+
+    /// Stripes of a period (world units), covering a share of it (0 = none) with a colour (sRGB, 0..1).
+    pub fn set_stripes(&mut self, period: f32, width: f32, color: Vec3) {
+        self.look = Look { period, width, stripe: color, ..self.look };
+        self.surfaces.set_look(&self.context, &self.look);
+        self.dirty = true;
+    }
+
+    /// Colours over distance / max: 256 RGBA texels, sRGB bytes.
+    ///
+    /// # Errors
+    /// When there are more or fewer.
+    pub fn set_ramp(&mut self, texels: &[u8]) -> Result<(), Error> {
+        let expected = 4 * RAMP_SIZE;
+        let texels =
+            texels.try_into().map_err(|_| Error::WrongLength { what: "ramp texels", expected, found: texels.len() })?;
+        self.surfaces.set_ramp(&self.context, texels);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Colours of the background's upper and lower edge; sRGB, 0..1.
+    pub fn set_background(&mut self, top: Vec3, bottom: Vec3) {
+        self.background.set_colors(&self.context, top, bottom);
+        self.dirty = true;
+    }
+
+    /// Replaces the pins; one normal a position.
+    ///
+    /// # Errors
+    /// When their numbers differ.
+    pub fn set_pins(&mut self, positions: &[Vec3], normals: &[Vec3], selected: Option<usize>) -> Result<(), Error> {
+        same_length("pin normals", positions, normals)?;
+        self.pins.set(&self.context, positions, normals, selected);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Replaces the path, from start to source; one normal a point, empty for none. The walker leaves.
+    ///
+    /// # Errors
+    /// When their numbers differ.
+    pub fn set_path(&mut self, points: &[Vec3], normals: &[Vec3]) -> Result<(), Error> {
+        same_length("path normals", points, normals)?;
+        self.curve.set_points(&self.context, points);
+        self.track = Track::new(points.to_vec(), normals.to_vec());
+        self.walker.hide();
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Stands the walker on the path at an arc length from its start; nothing happens without a path.
+    pub fn set_walker(&mut self, arc: f32) {
+        let radius = self.radius();
+        let Some(track) = &self.track else { return };
+        self.walker.stand(&self.context, track, arc, radius);
+        self.dirty = true;
+    }
+
+    /// Takes the walker away.
+    pub fn hide_walker(&mut self) {
+        self.walker.hide();
+        self.dirty = true;
+    }
+
+    /// The camera's current view.
+    #[must_use]
+    pub fn view(&self) -> View {
+        self.camera.view()
+    }
+
+    /// Changes the camera.
+    pub fn move_camera(&mut self, change: impl FnOnce(&mut Camera)) {
+        change(&mut self.camera);
+        self.dirty = true;
+    }
+
+    /// The nearest place of the surface under a physical pixel; None where there is none or scenery hides it.
+    #[must_use]
+    pub fn pick(&self, pixel: Vec2) -> Option<SurfaceHit> {
+        let ray = self.camera.ray(pixel);
+        let (mesh, _) = self.surface.as_ref()?;
+        let hit = mesh.picker.cast(ray)?;
+        let hidden = self.scenery.as_ref().and_then(|scenery| scenery.picker.cast(ray));
+        if hidden.is_some_and(|scenery| scenery.depth < hit.depth) {
+            return None;
+        }
+        let [a, b, c] = mesh.picker.corners(hit.triangle).map(|vertex| mesh.normals[vertex as usize]);
+        let normal = hit.weights.x * a + hit.weights.y * b + hit.weights.z * c;
+        Some(SurfaceHit {
+            triangle: hit.triangle,
+            weights: hit.weights,
+            point: ray.origin + hit.depth * ray.direction,
+            normal: normal.try_normalize().unwrap_or(a),
+        })
+    }
+
+    /// Physical pixel and depth of a world point; None behind the camera.
+    #[must_use]
+    pub fn project(&self, point: Vec3) -> Option<Vec3> {
+        self.camera.project(point)
+    }
+
+    /// True when the last frame is out of date, the camera is on its way, or the device was lost (which only `render`
+    /// can tell).
+    #[must_use]
+    pub fn needs_frame(&self) -> bool {
+        self.dirty || self.camera.is_moving() || self.context.is_lost()
+    }
+
+    /// Draws one frame; `seconds` since the last one. Returns false when the canvas or the device was lost.
+    pub fn render(&mut self, seconds: f64) -> bool {
+        self.camera.advance(seconds);
+        let frame = match self.context.next_frame() {
+            NextFrame::Ready(frame) => frame,
+            // The picture stays out of date, so that the page asks again.
+            NextFrame::Later => return true,
+            NextFrame::Lost => return false,
+        };
+        self.shared.write(
+            &self.context,
+            &FrameUniform {
+                eye: self.camera.eye(),
+                radius: self.radius(),
+                size: self.context.size(),
+                pixel_ratio: self.camera.pixel_ratio(),
+                shadow: self.walker.shadow(self.radius()),
+            },
+        );
+        self.context.draw(frame, |pass| {
+            pass.set_bind_group(0, &self.shared.group, &[]);
+            self.background.draw(pass);
+            if let Some((mesh, distance)) = &self.surface {
+                self.surfaces.draw(pass, &mesh.buffers, distance);
+            }
+            if let Some(mesh) = &self.scenery {
+                self.surfaces.draw_scenery(pass, &mesh.buffers);
+            }
+            self.walker.draw(pass);
+            self.pins.draw(pass);
+            self.curve.draw(pass);
+        });
+        self.dirty = false;
+        true
+    }
+}
+
+fn same_length(what: &'static str, positions: &[Vec3], normals: &[Vec3]) -> Result<(), Error> {
+    if positions.len() == normals.len() {
+        return Ok(());
+    }
+    Err(Error::WrongLength { what, expected: 3 * positions.len(), found: 3 * normals.len() })
+}
+
+/// The view from the six numbers that the share link carries: yaw, pitch, distance, target.
+#[must_use]
+pub fn view_from_numbers(numbers: [f64; 6]) -> View {
+    let [yaw, pitch, distance, x, y, z] = numbers;
+    View { yaw, pitch, distance, target: DVec3::new(x, y, z) }
+}
+
+/// The six numbers of [`view_from_numbers`].
+#[must_use]
+pub fn numbers_from_view(view: View) -> [f64; 6] {
+    [view.yaw, view.pitch, view.distance, view.target.x, view.target.y, view.target.z]
+}

@@ -1,0 +1,56 @@
+import { defineConfig } from '@playwright/test';
+
+const PORT = 4173;
+
+const ALWAYS = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+/** All of them together: any fewer give a blank canvas without an error. */
+const WEBGPU = [
+  ...WEBGL,
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--ignore-gpu-blocklist',
+];
+
+const browser = (args: readonly string[]) => ({
+  launchOptions: {
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    args: [...ALWAYS, ...args],
+    ignoreDefaultArgs: ['--disable-gpu'],
+  },
+});
+
+export default defineConfig({
+  testDir: 'tests',
+  forbidOnly: true,
+  // Pictures are drawn by the processor here: two browsers at once only slow each other down.
+  workers: 1,
+  timeout: 90_000,
+  expect: { timeout: 20_000 },
+  reporter: [['list']],
+  use: {
+    baseURL: `http://localhost:${PORT}/`,
+    viewport: { width: 1100, height: 720 },
+    screenshot: 'only-on-failure',
+  },
+  projects: [
+    { name: 'unit', testDir: 'tests/unit' },
+    { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
+    { name: 'webgpu', testDir: 'tests/browser', use: browser(WEBGPU) },
+  ],
+  webServer: {
+    // Node itself, not npx: stopping npx would leave its child on the port.
+    command: `node node_modules/vite/bin/vite.js preview --port ${PORT} --strictPort`,
+    url: `http://localhost:${PORT}/`,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,187 @@
+import { expect, type HeatwalkPage, test } from '../page';
+
+async function clickModel(heatwalk: HeatwalkPage, dx = 0, dy = 0, modifier?: string): Promise<void> {
+  const pixel = await heatwalk.pixelOnModel(dx, dy);
+  if (modifier) await heatwalk.page.keyboard.down(modifier);
+  await heatwalk.page.mouse.click(...pixel);
+  if (modifier) await heatwalk.page.keyboard.up(modifier);
+}
+
+/** Two clicks on one spot within 300 ms would be a double click. */
+async function sourceCount(heatwalk: HeatwalkPage, count: number): Promise<void> {
+  await expect.poll(async () => (await heatwalk.scene()).sources.length).toBe(count);
+}
+
+test('a click sets the source, ctrl-click and shift-click add', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const solves = await heatwalk.solves();
+  const [x, y] = await heatwalk.pixelOnModel();
+  await page.mouse.click(x, y);
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+  const [source] = (await heatwalk.scene()).sources;
+  const [px, py] = await heatwalk.pixelOf(source);
+  expect(Math.hypot(px - x, py - y)).toBeLessThan(1.5);
+  const { diameter } = await heatwalk.mesh();
+  // Inside a triangle the field is interpolated between corners that are up to an edge away.
+  expect(await heatwalk.distanceAt(source)).toBeLessThan(0.03 * diameter);
+  await expect(page.getByText('Click the surface')).toBeHidden();
+
+  await clickModel(heatwalk, 0.06, 0.1, 'Control');
+  await sourceCount(heatwalk, 2);
+  await clickModel(heatwalk, -0.04, 0.15, 'Shift');
+  await sourceCount(heatwalk, 3);
+  await expect(page.getByRole('button', { name: /^Delete source/ })).toHaveCount(3);
+  await clickModel(heatwalk, 0.02, 0.12);
+  await sourceCount(heatwalk, 1);
+});
+
+test('a pin is dragged and the stripes follow', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await clickModel(heatwalk);
+  await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+  const solves = await heatwalk.solves();
+  const { camera, sources: from } = await heatwalk.scene();
+  const [x, y] = await heatwalk.pixelOf(from[0]);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  let seen = solves;
+  for (let i = 1; i <= 6; i++) {
+    await page.mouse.move(x + 8 * i, y + 6 * i);
+    // Each step is followed while the button is still down.
+    await expect.poll(() => heatwalk.solves()).toBeGreaterThan(seen);
+    seen = await heatwalk.solves();
+  }
+  await page.mouse.up();
+  expect(seen - solves).toBeGreaterThanOrEqual(6);
+  const after = await heatwalk.scene();
+  const [ax, ay] = await heatwalk.pixelOf(after.sources[0]);
+  expect(Math.hypot(ax - x - 48, ay - y - 36)).toBeLessThan(2);
+  expect(after.camera).toEqual(camera);
+  await page.keyboard.press('Control+z');
+  expect((await heatwalk.scene()).sources).toEqual(from);
+});
+
+test('a drag elsewhere turns the model and sets nothing', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const before = await heatwalk.scene();
+  const yaw = () => page.evaluate(() => window.heatwalk.camera?.[0] ?? Number.NaN);
+  const yawBefore = await yaw();
+  const [x, y] = await heatwalk.pixelOnModel(0, 0.05);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(yaw).not.toBeCloseTo(yawBefore, 2);
+  expect((await heatwalk.scene()).sources).toEqual(before.sources);
+  await expect.poll(async () => (await heatwalk.scene()).camera).not.toBeNull();
+});
+
+test('the wheel zooms, a right drag pans, F frames again', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const camera = () => page.evaluate(() => window.heatwalk.camera ?? []);
+  const [, , far] = await camera();
+  const [x, y] = await heatwalk.pixelOnModel();
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -400);
+  await expect.poll(async () => (await camera())[2]).toBeLessThan(0.8 * far);
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(x + 60, y + 30, { steps: 3 });
+  await page.mouse.up({ button: 'right' });
+  await expect.poll(async () => Math.hypot(...(await camera()).slice(3))).toBeGreaterThan(0.01);
+  await page.keyboard.press('f');
+  await expect.poll(async () => Math.hypot(...(await camera()).slice(3))).toBeLessThan(0.005);
+  await expect.poll(async () => (await camera())[2] / far).toBeCloseTo(1, 1);
+});
+
+test('alt-click sends the walker', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const [source] = (await heatwalk.scene()).sources;
+  const [x, y] = await heatwalk.pixelOnModel();
+  await clickModel(heatwalk, 0, 0, 'Alt');
+  await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
+  const { walker, sources } = await heatwalk.scene();
+  expect(sources).toEqual([source]);
+  if (!walker) throw new Error('nobody walks');
+  const [px, py] = await heatwalk.pixelOf(walker);
+  expect(Math.hypot(px - x, py - y)).toBeLessThan(1.5);
+  // The way home is as long as the distance says, up to the field's error near the source.
+  const length = () => page.evaluate(() => window.heatwalk.walker?.length ?? 0);
+  const distance = await heatwalk.distanceAt(walker);
+  await expect.poll(async () => Math.abs((await length()) / distance - 1)).toBeLessThan(0.1);
+});
+
+test('undo and redo go back and forth', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const { sources: first } = await heatwalk.scene();
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await clickModel(heatwalk, 0.03, 0.1);
+  await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+  const { sources: second } = await heatwalk.scene();
+  await page.keyboard.press('Control+z');
+  expect((await heatwalk.scene()).sources).toEqual(first);
+  await expect.poll(() => heatwalk.distanceAt(first[0])).toBe(0);
+  await page.keyboard.press('Control+Shift+z');
+  expect((await heatwalk.scene()).sources).toEqual(second);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect((await heatwalk.scene()).sources).toEqual(first);
+});
+
+test('a double click goes nearer and leaves the source where it was', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const { sources } = await heatwalk.scene();
+  await page.mouse.dblclick(...(await heatwalk.pixelOnModel(0.04, 0.1)));
+  await expect
+    .poll(() => page.evaluate(() => Math.hypot(...(window.heatwalk.camera ?? []).slice(3))))
+    .toBeGreaterThan(0.01);
+  expect((await heatwalk.scene()).sources).toEqual(sources);
+});
+
+test('the read-out tells distance and vertex under the pointer', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const [x, y] = await heatwalk.pixelOnModel();
+  await page.mouse.move(x, y);
+  const readout = page.locator('.readout');
+  await expect(readout).toHaveText(/^[\d.]+ units · \d+ % of the diameter · vertex \d+$/);
+  const place = await page.evaluate(([px, py]) => window.heatwalk.placeAt(px, py), [x, y] as const);
+  if (!place) throw new Error('nothing under the pointer');
+  const said = Number.parseFloat((await readout.textContent()) ?? '');
+  const distance = await heatwalk.distanceAt(place);
+  expect(Math.abs(said - distance)).toBeLessThanOrEqual(0.006 * distance);
+  await page.mouse.move(20, 300);
+  await expect(readout).toBeHidden();
+});
+
+test('without a mouse: reticle, arrows, Delete', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.locator('.stage').focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.reticle')).toBeVisible();
+  await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+  const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+  const [x, y] = await heatwalk.pixelOf((await heatwalk.scene()).sources[0]);
+  expect(Math.hypot(x - width / 2, y - height / 2)).toBeLessThan(1.5);
+
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowLeft');
+  await heatwalk.rest();
+  await page.keyboard.press('Shift+Enter');
+  await sourceCount(heatwalk, 2);
+  await page.keyboard.press('w');
+  await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
+
+  await page.locator('.source-name').first().click();
+  expect((await heatwalk.scene()).selected).toBe(0);
+  await page.keyboard.press('Delete');
+  await sourceCount(heatwalk, 1);
+});
+
+test('the time factor is a slider and the boundary a choice', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const solves = await heatwalk.solves();
+  await page.locator('#section-solver summary').click();
+  await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
+  await expect.poll(async () => (await heatwalk.scene()).parameters.timeFactor).toBe(10);
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+  await page.getByLabel('Boundary').selectOption('dirichlet');
+  await expect(page).toHaveURL(/t=10&b=dirichlet/);
+  await expect(page.getByRole('alert')).toBeEmpty();
+});

@@ -1,0 +1,105 @@
+import { expect, test } from '../page';
+
+const fingers = (spread: number) => [
+  { x: 200 - spread, y: 420, id: 0 },
+  { x: 200 + spread, y: 420, id: 1 },
+];
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  test('nothing lies outside the window, with the sheet at either stop', async ({ heatwalk, page }) => {
+    await heatwalk.open();
+    const outside = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll('button, header, .toolbar, .panel, .message, .hint')]
+          .filter((element) => element.checkVisibility() && !element.closest('.panel-body'))
+          .filter((element) => {
+            const { left, top, right, bottom } = element.getBoundingClientRect();
+            return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight;
+          })
+          .map((element) => element.outerHTML.slice(0, 80)),
+      );
+    expect(await outside()).toEqual([]);
+    await page.getByRole('button', { name: 'Unfold the panel' }).tap();
+    await expect(page.getByRole('button', { name: 'Open a file…' })).toBeVisible();
+    expect(await outside()).toEqual([]);
+    const wide = await page.evaluate(() => {
+      const body = document.querySelector('.panel-body');
+      return [document.documentElement.scrollWidth - innerWidth, body ? body.scrollWidth - body.clientWidth : 0];
+    });
+    expect(wide).toEqual([0, 0]);
+    // The tool bar is not covered by the sheet.
+    const frame = await page.getByRole('button', { name: 'Frame' }).boundingBox();
+    const sheet = await page.locator('.panel').boundingBox();
+    expect((frame?.y ?? 0) + (frame?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
+  });
+
+  test('a tap sets the source, in Add mode it adds, a long press sends the walker', async ({ heatwalk, page }) => {
+    await heatwalk.open();
+    await page.touchscreen.tap(...(await heatwalk.pixelOnModel()));
+    await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+    await page.getByRole('button', { name: 'Add' }).tap();
+    await page.touchscreen.tap(...(await heatwalk.pixelOnModel(0.1, 0.04)));
+    await expect.poll(async () => (await heatwalk.scene()).sources.length).toBe(2);
+
+    const [x, y] = await heatwalk.pixelOnModel(-0.1, 0.05);
+    const client = await page.context().newCDPSession(page);
+    await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
+    await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
+    await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    expect((await heatwalk.scene()).sources).toHaveLength(2);
+  });
+
+  test('two fingers apart bring the model nearer', async ({ heatwalk, page }) => {
+    await heatwalk.open();
+    const distance = () => page.evaluate(() => window.heatwalk.camera?.[2] ?? Number.NaN);
+    const before = await distance();
+    const client = await page.context().newCDPSession(page);
+    await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(40) });
+    for (const spread of [50, 65, 80]) {
+      await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: fingers(spread) });
+    }
+    await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await expect.poll(distance).toBeLessThan(0.7 * before);
+  });
+});
+
+test('kiosk=1 hides the panel', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny&kiosk=1');
+  await expect(page.getByRole('toolbar')).toBeVisible();
+  await expect(page.locator('.panel')).toHaveCount(0);
+});
+
+test('the panel folds and remembers its sections', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.locator('#section-numbers summary').click();
+  await expect(page.getByText('Euler characteristic')).toBeVisible();
+  await expect.poll(() => page.evaluate(() => localStorage.getItem('heatwalk.panel'))).toContain('"numbers":true');
+  await heatwalk.open();
+  await expect(page.locator('#section-numbers')).toHaveAttribute('open');
+  await page.getByRole('button', { name: 'Fold the panel' }).click();
+  await expect(page.getByRole('button', { name: 'Open a file…' })).toBeHidden();
+});
+
+test('every control has a name', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select')]
+      .filter((control) => {
+        const label =
+          control instanceof HTMLInputElement || control instanceof HTMLSelectElement ? control.labels?.[0] : null;
+        return !(control.getAttribute('aria-label') ?? label?.textContent ?? control.textContent)?.trim();
+      })
+      .map((control) => control.outerHTML),
+  );
+  expect(nameless).toEqual([]);
+});
+
+test('with reduced motion the walker stands at its start', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await heatwalk.open();
+  await page.mouse.move(...(await heatwalk.pixelOnModel()));
+  await heatwalk.rest();
+  expect(await page.evaluate(() => window.heatwalk.walker)).toMatchObject({ arc: 0, arrived: false });
+});

@@ -1,0 +1,220 @@
+import { glb, gltf, obj, off, sphere } from '../fixtures';
+import { brightness, crossings, difference, expect, test } from '../page';
+
+const BALL = sphere(24);
+
+test('the first visit shows stripes, a way home and one hint', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const { sources, mesh } = await heatwalk.scene();
+  expect(mesh).toEqual({ kind: 'preset', id: 'bunny' });
+  expect(await heatwalk.distanceAt(sources[0])).toBe(0);
+  expect(await page.evaluate(() => window.heatwalk.walker?.length)).toBeGreaterThan(0);
+  await expect(page.getByText('Click the surface')).toBeVisible();
+
+  const picture = await heatwalk.picture();
+  const [x, y] = await heatwalk.pixelOnModel();
+  const striped = crossings(picture, x, y - 150, y + 150);
+  expect(striped).toBeGreaterThanOrEqual(6);
+  // The background is smooth: what was counted are stripes, not noise.
+  expect(crossings(picture, 20, y - 150, y + 150)).toBe(0);
+
+  await page.getByRole('slider', { name: 'Stripe width' }).fill('0');
+  await heatwalk.rest();
+  expect(crossings(await heatwalk.picture(), x, y - 150, y + 150)).toBeLessThan(striped / 2);
+});
+
+test('the walker sets out and arrives', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const arc = () => page.evaluate(() => window.heatwalk.walker?.arc ?? 0);
+  const before = await arc();
+  await expect.poll(arc).toBeGreaterThan(before);
+  await expect.poll(() => page.evaluate(() => window.heatwalk.walker?.arrived), { timeout: 60_000 }).toBe(true);
+});
+
+test('P pauses the walker', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.keyboard.press('p');
+  await expect(page.getByRole('button', { name: 'Let the walker go' })).toBeVisible();
+  const arcs = await page.evaluate(async () => {
+    const seen: (number | undefined)[] = [];
+    for (let i = 0; i < 6; i++) {
+      seen.push(window.heatwalk.walker?.arc);
+      await new Promise(requestAnimationFrame);
+    }
+    return seen;
+  });
+  expect(new Set(arcs).size).toBe(1);
+});
+
+for (const [name, content] of [
+  ['ball.obj', obj({ ball: BALL })],
+  ['ball.off', off(BALL)],
+  ['ball.glb', glb(BALL)],
+] as const) {
+  test(`a dropped ${name} opens and is solved`, async ({ heatwalk, page }) => {
+    await heatwalk.open();
+    await heatwalk.dropAndOpen([[name, content]]);
+    const mesh = await heatwalk.mesh();
+    expect(mesh).toMatchObject({
+      triangles: BALL.triangles.length,
+      vertices: BALL.positions.length,
+      components: 1,
+      boundaryLoops: 0,
+    });
+    // Half the way round a unit sphere, up to the mesh's coarseness and the width of the heat kernel.
+    const { maxDistance } = (await page.evaluate(() => window.heatwalk.field)) ?? { maxDistance: 0 };
+    expect(maxDistance).toBeGreaterThan(0.95 * Math.PI);
+    expect(maxDistance).toBeLessThan(1.05 * Math.PI);
+    await expect(page.getByText(`${name}:`)).toBeVisible();
+    const picture = await heatwalk.picture();
+    const [x, y] = await heatwalk.pixelOnModel();
+    expect(crossings(picture, x, y - 150, y + 150)).toBeGreaterThanOrEqual(4);
+  });
+}
+
+test('a glTF opens together with its .bin, in whatever order they are dropped', async ({ heatwalk }) => {
+  await heatwalk.open();
+  const { json, bin } = gltf(BALL, 'ball.bin');
+  await heatwalk.drop([
+    ['ball.bin', bin],
+    ['ball.gltf', json],
+  ]);
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe('ball.gltf');
+  expect(await heatwalk.mesh()).toMatchObject({ triangles: BALL.triangles.length, components: 1 });
+});
+
+test('a bad file leaves the scene as it is and says why', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const before = await heatwalk.scene();
+  for (const [name, content] of [
+    ['broken.obj', 'v 0 0 zero\nf 1 2 3\n'],
+    ['empty.off', ''],
+    ['notes.txt', 'not a mesh'],
+  ]) {
+    await heatwalk.drop([[name, content]]);
+    const alert = page.getByRole('alert');
+    await expect(alert).toContainText(name);
+    await expect(alert.getByRole('button', { name: 'Copy details' })).toBeVisible();
+    expect(await heatwalk.scene()).toEqual(before);
+  }
+  const solves = await heatwalk.solves();
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+});
+
+test('a long load shows its stage; Cancel keeps the old scene, and the page stays of use', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  const before = await heatwalk.mesh();
+  await heatwalk.drop([['large.off', off(sphere(330))]]);
+  await expect(page.getByRole('status').filter({ hasText: 'large.off:' })).toHaveText(/large\.off: \w+.*\d+ %/);
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
+  expect(await heatwalk.mesh()).toEqual(before);
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+  await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('a part that no source reaches is named, and drawn unlike the rest', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const small = sphere(12, [0.9, -0.6, 1.2]);
+  const file = obj({
+    earth: sphere(24),
+    moon: { ...small, positions: small.positions.map(([x, y, z]) => [x, y, z + 1]) },
+  });
+  await heatwalk.dropAndOpen([['planets.obj', file]]);
+  expect(await heatwalk.mesh()).toMatchObject({ components: 2, parts: ['earth', 'moon'] });
+  const sources = page.locator('#section-sources');
+  await expect(sources).toContainText(/(earth|moon) \(\d+ vertices of \d+\) cannot be reached/);
+
+  // Solved on one part alone, nothing is out of reach.
+  await page.getByRole('checkbox', { name: 'moon' }).uncheck();
+  await expect.poll(async () => (await heatwalk.mesh()).walked).toEqual([0]);
+  await expect(sources.getByText('cannot be reached')).toBeHidden();
+  expect(await page.evaluate(() => window.heatwalk.field?.unreachableVertices)).toBe(0);
+});
+
+test('a link brings back the same scene and nearly the same picture', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.keyboard.press('p');
+  await page.mouse.click(...(await heatwalk.pixelOnModel(0.03, 0.05)));
+  const stage = await heatwalk.pixelOnModel(-0.03, 0.1);
+  await page.keyboard.down('Control');
+  await page.mouse.click(...stage);
+  await page.keyboard.up('Control');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('+');
+  await page.getByRole('button', { name: 'lagoon' }).click();
+  await expect(page).toHaveURL(/s=[^&]+,[^&]+.*cam=.*look=lagoon/);
+  await heatwalk.rest();
+  const link = new URL(page.url()).hash;
+  const before = await heatwalk.scene();
+  const solves = await heatwalk.solves();
+  expect(solves).toBeGreaterThan(1);
+  const picture = await heatwalk.picture();
+
+  await heatwalk.open(link);
+  const after = await heatwalk.scene();
+  expect(after.look).toEqual(before.look);
+  expect(after.sources).toHaveLength(2);
+  for (const [i, source] of before.sources.entries()) {
+    expect(after.sources[i]).toMatchObject('face' in source ? { face: source.face } : source);
+  }
+  after.camera?.forEach((value, i) => expect(value).toBeCloseTo(before.camera?.[i] ?? Number.NaN, 3));
+  // The walker is elsewhere on its way, and the link rounds to four digits.
+  expect(difference(picture, await heatwalk.picture())).toBeLessThan(0.03);
+});
+
+test('a link to a file asks for it by name and knows it by its hash', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
+  await expect(page).toHaveURL(/m=file&name=ball\.off&hash=[\da-f]{64}/);
+  await page.getByRole('button', { name: 'neon' }).click();
+  await expect(page).toHaveURL(/look=neon/);
+  const link = new URL(page.url()).hash;
+  const before = await heatwalk.scene();
+
+  await heatwalk.open(link);
+  await expect(page.getByText('This link shows your file ball.off')).toBeVisible();
+  expect(new URL(page.url()).hash).toBe(link);
+  await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
+  await expect(page.getByText('This link shows your file')).toBeHidden();
+  expect(await heatwalk.scene()).toEqual(before);
+
+  await heatwalk.open(link);
+  await heatwalk.dropAndOpen([['ball.off', off(sphere(10))]]);
+  await expect(page.getByText('not the file the link was made with')).toBeVisible();
+});
+
+test('every preset opens, is solved and has somebody on the way home', async ({ heatwalk, page }) => {
+  test.setTimeout(300_000);
+  await heatwalk.open();
+  const cards = page.getByRole('group', { name: 'Presets' }).getByRole('button');
+  for (const card of await cards.all()) {
+    await card.click();
+    await expect(card).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });
+    await expect(page.getByRole('alert')).toBeEmpty();
+    const { mesh } = await heatwalk.scene();
+    const name = mesh.kind === 'preset' ? mesh.id : mesh.name;
+    const { field, walker } = await page.evaluate(() => ({
+      field: window.heatwalk.field,
+      walker: window.heatwalk.walker,
+    }));
+    expect(field?.maxDistance, name).toBeGreaterThan(0);
+    expect(field?.unreachableVertices, name).toBe(0);
+    expect(walker?.length, name).toBeGreaterThan(0);
+  }
+});
+
+test('light and dark follow the system', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ colorScheme: 'light' });
+  await heatwalk.open();
+  const light = brightness(await heatwalk.picture(), 20, 300);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await heatwalk.rest();
+  await expect.poll(async () => brightness(await heatwalk.picture(), 20, 300)).toBeLessThan(light - 0.3);
+});

@@ -1,0 +1,139 @@
+/** What the browser tests share: the page on the project's backend, files dropped on it, pictures read from it. */
+import { expect, type Page, test as base } from '@playwright/test';
+import { PNG } from 'pngjs';
+import type { SurfacePoint } from '../web/protocol';
+
+export { expect };
+
+export type DroppedFile = [name: string, content: string | Buffer];
+
+export class HeatwalkPage {
+  constructor(
+    readonly page: Page,
+    readonly backend: 'WebGL2' | 'WebGPU',
+  ) {}
+
+  /** Opens the page and waits for the first scene; fails unless the project's backend draws it. */
+  async open(fragment = ''): Promise<void> {
+    const search = this.backend === 'WebGL2' ? '?gpu=webgl' : '';
+    await this.page.goto('about:blank');
+    await this.page.goto(`./${search}${fragment}`);
+    await this.page.evaluate(() => window.heatwalk.ready);
+    expect(await this.page.evaluate(() => window.heatwalk.backend)).toBe(this.backend);
+    await this.rest();
+  }
+
+  /** Until the camera stands still. */
+  async rest(): Promise<void> {
+    await this.page.evaluate(async () => {
+      let before = '';
+      for (let same = 0; same < 4;) {
+        const place = JSON.stringify(window.heatwalk.camera);
+        same = place === before ? same + 1 : 0;
+        before = place;
+        await new Promise(requestAnimationFrame);
+      }
+    });
+  }
+
+  async drop(files: readonly DroppedFile[]): Promise<void> {
+    const packed = files.map(([name, content]) => [name, Buffer.from(content).toString('base64')] as const);
+    await this.page.evaluate((entries) => {
+      const dataTransfer = new DataTransfer();
+      for (const [name, content] of entries) {
+        const bytes = Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+        dataTransfer.items.add(new File([bytes], name));
+      }
+      for (const type of ['dragenter', 'dragover', 'drop']) {
+        document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }));
+      }
+    }, packed);
+  }
+
+  async dropAndOpen(files: readonly DroppedFile[]): Promise<void> {
+    await this.drop(files);
+    await expect.poll(() => this.page.evaluate(() => window.heatwalk.mesh?.name)).toBe(files[0][0]);
+    await this.rest();
+  }
+
+  scene() {
+    return this.page.evaluate(() => window.heatwalk.scene);
+  }
+
+  mesh() {
+    return this.page.evaluate(() => {
+      const { mesh } = window.heatwalk;
+      if (!mesh) throw new Error('no mesh');
+      return mesh;
+    });
+  }
+
+  solves(): Promise<number> {
+    return this.page.evaluate(() => window.heatwalk.solves);
+  }
+
+  distanceAt(point: SurfacePoint): Promise<number> {
+    return this.page.evaluate((place) => window.heatwalk.distanceAt(place), point);
+  }
+
+  async pixelOf(point: SurfacePoint): Promise<[number, number]> {
+    const pixel = await this.page.evaluate((place) => window.heatwalk.pixelOf(place), point);
+    if (!pixel) throw new Error('the place is not in view');
+    return pixel;
+  }
+
+  /** A pixel on the model, as shares of the window away from the model's middle on the screen. */
+  async pixelOnModel(dx = 0, dy = 0): Promise<[number, number]> {
+    const { width, height } = this.page.viewportSize() ?? { width: 0, height: 0 };
+    const pixel: [number, number] = [width * (0.5 + dx), height * (0.5 + dy)];
+    const place = await this.page.evaluate(([x, y]) => window.heatwalk.placeAt(x, y), pixel);
+    if (!place) throw new Error(`the model is not at ${pixel.join(', ')}`);
+    return pixel;
+  }
+
+  /** The window as drawn, without what floats over the canvas. */
+  async picture(): Promise<PNG> {
+    const style = '.stage ~ * { visibility: hidden !important }';
+    return PNG.sync.read(await this.page.screenshot({ style }));
+  }
+}
+
+export const test = base.extend<{ heatwalk: HeatwalkPage }>({
+  heatwalk: async ({ page }, use, info) => {
+    const errors: string[] = [];
+    page.on('pageerror', (error) => errors.push(error.message));
+    await use(new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2'));
+    expect(errors, 'errors that nobody caught').toEqual([]);
+  },
+});
+
+export function brightness({ data, width }: PNG, x: number, y: number): number {
+  const i = 4 * (Math.round(y) * width + Math.round(x));
+  return (0.2126 * data[i] + 0.7152 * data[i + 1] + 0.0722 * data[i + 2]) / 255;
+}
+
+/** How often the brightness along a vertical line crosses from dark to light or back, by a clear step. */
+export function crossings(picture: PNG, x: number, from: number, to: number): number {
+  const values: number[] = [];
+  for (let y = Math.round(from); y < to; y++) values.push(brightness(picture, x, y));
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const [dark, light] = [low + 0.35 * (high - low), low + 0.65 * (high - low)];
+  let state = '';
+  let count = 0;
+  for (const value of values) {
+    const next = value < dark ? 'dark' : value > light ? 'light' : state;
+    if (state !== '' && next !== state) count += 1;
+    state = next;
+  }
+  return high - low > 0.25 ? count : 0;
+}
+
+/** Share of the pixels of two pictures that differ by more than 8 of 255 in some channel. */
+export function difference(a: PNG, b: PNG): number {
+  expect([b.width, b.height]).toEqual([a.width, a.height]);
+  let differing = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    if ([0, 1, 2].some((channel) => Math.abs(a.data[i + channel] - b.data[i + channel]) > 8)) differing += 1;
+  }
+  return (4 * differing) / a.data.length;
+}

@@ -1,0 +1,39 @@
+import { expect, test } from '@playwright/test';
+import { LOOKS, parseColour, RAMP_NAMES, rampBytes } from '../../web/looks';
+import { PRESETS } from '../../web/presets';
+
+test('every ramp is 256 opaque colours that change from end to end', () => {
+  for (const name of RAMP_NAMES) {
+    const bytes = rampBytes(name);
+    expect(bytes).toHaveLength(1024);
+    expect(bytes.filter((_, i) => i % 4 === 3).every((alpha) => alpha === 255)).toBe(true);
+    expect([...bytes.subarray(0, 3)]).not.toEqual([...bytes.subarray(1020, 1023)]);
+  }
+});
+
+/** Relative luminance as WCAG defines it. */
+function luminance(colour: readonly number[]): number {
+  const [r, g, b] = colour.map((value) => (value <= 10.3 ? value / 3294 : ((value / 255 + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+test('stripes stand out from their ramp on most of the model', () => {
+  for (const { name, ramp, stripe } of LOOKS) {
+    const bytes = rampBytes(ramp);
+    const paint = luminance(parseColour(stripe));
+    let clear = 0;
+    for (let i = 0; i < 256; i++) {
+      const ground = luminance([...bytes.subarray(4 * i, 4 * i + 3)]);
+      const contrast = (Math.max(paint, ground) + 0.05) / (Math.min(paint, ground) + 0.05);
+      if (contrast >= 1.5) clear += 1;
+    }
+    expect(clear / 256, name).toBeGreaterThan(0.75);
+  }
+});
+
+test('presets and looks have names of their own', () => {
+  for (const names of [PRESETS.map(({ id }) => id), LOOKS.map(({ name }) => name)]) {
+    expect(new Set(names).size).toBe(names.length);
+  }
+  expect(PRESETS.length).toBeGreaterThanOrEqual(8);
+});

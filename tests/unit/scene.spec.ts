@@ -1,0 +1,73 @@
+import { expect, test } from '@playwright/test';
+import { emptyScene, Scene } from '../../web/scene';
+
+const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
+
+test('undo and redo go over sources and walker', () => {
+  const scene = fresh();
+  scene.place({ sources: [{ vertex: 2 }] });
+  scene.place({ walker: { vertex: 9 } });
+  expect(scene.undo()).toBe(true);
+  expect(scene.state).toMatchObject({ sources: [{ vertex: 2 }], walker: null });
+  expect(scene.undo()).toBe(true);
+  expect(scene.state.sources).toEqual([{ vertex: 1 }]);
+  expect(scene.undo()).toBe(false);
+  expect(scene.redo()).toBe(true);
+  expect(scene.redo()).toBe(true);
+  expect(scene.state).toMatchObject({ sources: [{ vertex: 2 }], walker: { vertex: 9 } });
+  expect(scene.redo()).toBe(false);
+});
+
+test('a drag is one step', () => {
+  const scene = fresh();
+  const drag = {};
+  for (const vertex of [2, 3, 4]) scene.place({ sources: [{ vertex }] }, drag);
+  scene.place({ sources: [{ vertex: 5 }] }, {});
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 4 }]);
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 1 }]);
+});
+
+test('a new step forgets what was undone', () => {
+  const scene = fresh();
+  scene.place({ sources: [{ vertex: 2 }] });
+  scene.undo();
+  scene.place({ sources: [{ vertex: 3 }] });
+  expect(scene.canRedo).toBe(false);
+});
+
+test('undo leaves camera, look and parameters alone', () => {
+  const scene = fresh();
+  scene.place({ sources: [{ vertex: 2 }] });
+  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { timeFactor: 4, boundary: 'average' } });
+  scene.undo();
+  expect(scene.state.camera).toEqual([1, 0, 3, 0, 0, 0]);
+  expect(scene.state.parameters.timeFactor).toBe(4);
+});
+
+test('another mesh ends the history', () => {
+  const scene = fresh();
+  scene.place({ sources: [{ vertex: 2 }] });
+  scene.load(emptyScene({ kind: 'preset', id: 'teapot' }));
+  expect(scene.canUndo).toBe(false);
+  expect(scene.undo()).toBe(false);
+});
+
+test('a selection never points past the sources', () => {
+  const scene = fresh();
+  scene.place({ sources: [{ vertex: 1 }, { vertex: 2 }] });
+  scene.set({ selected: 1 });
+  scene.undo();
+  expect(scene.state.selected).toBe(-1);
+});
+
+test('listeners hear both states until they leave', () => {
+  const scene = fresh();
+  const heard: number[] = [];
+  const leave = scene.subscribe((state, previous) => heard.push(previous.sources.length, state.sources.length));
+  scene.place({ sources: [] });
+  leave();
+  scene.undo();
+  expect(heard).toEqual([1, 0]);
+});

@@ -1,0 +1,36 @@
+import { expect, test } from '@playwright/test';
+import { Walk } from '../../web/walk';
+
+const DIAMETER = 7;
+
+test('walks at constant speed, rests a second on arrival and sets out again', () => {
+  const walk = new Walk();
+  walk.follow(3, true);
+  expect(walk.advance(1, DIAMETER)).toBe(true);
+  expect(walk.arc).toBeCloseTo(1);
+  walk.advance(5, DIAMETER);
+  expect(walk.arrived).toBe(true);
+  expect(walk.arc).toBe(3);
+  expect(walk.advance(0.6, DIAMETER)).toBe(false);
+  expect(walk.advance(0.6, DIAMETER)).toBe(true);
+  expect(walk.arc).toBe(0);
+});
+
+test('stands while paused and when there is no way', () => {
+  const walk = new Walk();
+  expect(walk.advance(1, DIAMETER)).toBe(false);
+  walk.follow(3, true);
+  walk.paused = true;
+  expect(walk.advance(1, DIAMETER)).toBe(false);
+  expect(walk.arc).toBe(0);
+});
+
+test('keeps its share of the way when the way changes under it', () => {
+  const walk = new Walk();
+  walk.follow(4, true);
+  walk.advance(1, DIAMETER);
+  walk.follow(8, false);
+  expect(walk.arc).toBeCloseTo(2);
+  walk.follow(8, true);
+  expect(walk.arc).toBe(0);
+});
