@@ -81,7 +81,7 @@ export interface OpenedMesh {
   timings: Timings;
   /** Mean edge length. */
   meanEdge: number;
-  /** Entries in one Cholesky factor. */
+  /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
   /** Bytes of wasm memory in use. */
   memoryBytes: number;

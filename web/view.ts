@@ -25,6 +25,8 @@ export class View {
   #camera: Float64Array | null = null;
   #frameFirst = false;
   #ratio = 1;
+  /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
+  #size: [width: number, height: number] = [1, 1];
   #ready: Promise<unknown> | null = null;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
@@ -54,7 +56,7 @@ export class View {
       this.#canvas.replaceWith(fresh);
       this.#canvas = fresh;
       const viewer = await Viewer.create(fresh, this.#forceWebgl);
-      viewer.resize(fresh.width, fresh.height);
+      viewer.resize(...this.#size);
       for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
       if (this.#camera) viewer.set_camera(this.#camera);
       if (this.#frameFirst) viewer.frame();
@@ -181,8 +183,7 @@ export class View {
 
   #freshCanvas(): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
-    canvas.width = this.#canvas?.width || 300;
-    canvas.height = this.#canvas?.height || 150;
+    [canvas.width, canvas.height] = this.#size;
     if (!this.#canvas) this.stage.prepend(canvas);
     return canvas;
   }
@@ -193,9 +194,7 @@ export class View {
     const w = Math.max(1, exact ? exact.inlineSize : Math.round(width * devicePixelRatio));
     const h = Math.max(1, exact ? exact.blockSize : Math.round(height * devicePixelRatio));
     this.#ratio = w / Math.max(1, width);
-    if (this.#canvas.width === w && this.#canvas.height === h) return;
-    this.#canvas.width = w;
-    this.#canvas.height = h;
+    this.#size = [w, h];
     this.#viewer?.resize(w, h);
   }
 }

@@ -14,7 +14,10 @@ export function loadingBar(session: Session): HTMLElement {
   const element = h('div', { class: 'loading', hidden: true }, bar, h('div', { class: 'loading-text' }, stage, cancel));
   session.loading.watch((loading) => {
     element.hidden = loading === null;
-    if (!loading) return;
+    if (!loading) {
+      stage.textContent = '';
+      return;
+    }
     const { title, fraction, vertices } = loading;
     bar.value = fraction;
     const size = vertices > 0 ? `, ${counted(vertices, 'vertex', 'vertices')}` : '';

@@ -9,10 +9,10 @@ use faer::Side;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 // Named here only so that its wasm-simd128-enable feature reaches faer's dense kernels.
 use gemm as _;
@@ -79,12 +79,10 @@ impl Symbolic {
         );
         match result {
             Ok(_) => Ok(Factor { symbolic: Arc::clone(self), values: factor }),
-            Err(LltError::NonPositivePivot { index }) => {
-                Err(Error::NotPositiveDefinite {
-                    matrix: name,
-                    vertex: self.permutation.old_of_new.get(index).map_or(index, |&old| old as usize),
-                })
-            }
+            Err(LltError::NonPositivePivot { index }) => Err(Error::NotPositiveDefinite {
+                matrix: name,
+                vertex: self.permutation.old_of_new.get(index).map_or(index, |&old| old as usize),
+            }),
         }
     }
 }

@@ -103,7 +103,9 @@ pub enum Error {
         range: &'static str,
     },
     /// A matrix could not be factored.
-    #[error("the {matrix} matrix is not positive definite at vertex {vertex}: the triangles around it are degenerate; repair the mesh there")]
+    #[error(
+        "the {matrix} matrix is not positive definite at vertex {vertex}: the triangles around it are degenerate; repair the mesh there"
+    )]
     NotPositiveDefinite {
         /// Which matrix: heat or Poisson.
         matrix: &'static str,

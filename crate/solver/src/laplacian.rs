@@ -29,8 +29,7 @@ impl Laplacian {
     /// Assembles the operators.
     pub fn new(surface: &Surface) -> Self {
         let points = surface.point_count();
-        let cotans: Vec<[f64; 3]> =
-            surface.mesh.faces().map(|face| triangle::cotans(surface.corners(face))).collect();
+        let cotans: Vec<[f64; 3]> = surface.mesh.faces().map(|face| triangle::cotans(surface.corners(face))).collect();
         let areas: Vec<f64> = surface.mesh.faces().map(|face| surface.face_area(face)).collect();
         let mut laplacian = Self {
             column_start: Vec::with_capacity(points + 1),
@@ -90,9 +89,13 @@ impl Laplacian {
             let diagonal = column.next().map_or(0.0, |entry| self.stiffness[entry]);
             let is_held = held(point);
             values.push(if is_held { 1.0 } else { diagonal + mass_scale * self.mass[point] });
-            values.extend(column.map(|entry| {
-                if is_held || held(self.rows[entry] as usize) { 0.0 } else { self.stiffness[entry] }
-            }));
+            values.extend(
+                column.map(
+                    |entry| {
+                        if is_held || held(self.rows[entry] as usize) { 0.0 } else { self.stiffness[entry] }
+                    },
+                ),
+            );
         }
         values
     }

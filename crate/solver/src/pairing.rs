@@ -8,8 +8,8 @@ pub(crate) struct Pairing {
     pub(crate) mate: Vec<u32>,
     /// `3 #F`, whether the edge has one face only.
     pub(crate) single: Vec<bool>,
-    /// Number of edges.
-    pub(crate) edges: usize,
+    /// `#E`, one half-edge of each edge.
+    pub(crate) edges: Vec<u32>,
     /// Edges of three faces or more.
     pub(crate) non_manifold_edges: usize,
 }
@@ -20,7 +20,7 @@ impl Pairing {
         let mut pairing = Self {
             mate: vec![NONE; faces.len() * 3],
             single: vec![false; faces.len() * 3],
-            edges: 0,
+            edges: Vec::with_capacity(faces.len() * 3 / 2),
             non_manifold_edges: 0,
         };
         // Half-edges between the point and higher ones, as (other point, half-edge) in one sortable word.
@@ -40,7 +40,7 @@ impl Pairing {
             }
             around.sort_unstable();
             for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
-                pairing.edges += 1;
+                pairing.edges.push(edge[0] as u32);
                 match *edge {
                     [only] => pairing.single[only as u32 as usize] = true,
                     [a, b] => {

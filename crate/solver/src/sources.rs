@@ -128,9 +128,7 @@ pub(crate) fn shift(surface: &Surface, sources: &[SurfacePoint], values: &mut [f
         let position = source.position(surface);
         let own: f64 = source
             .support(surface)
-            .map(|(point, weight)| {
-                weight * (values[point as usize] - (surface.position(point) - position).length())
-            })
+            .map(|(point, weight)| weight * (values[point as usize] - (surface.position(point) - position).length()))
             .sum();
         let (sum, count) = &mut excess[source.component(surface) as usize];
         *sum += own;

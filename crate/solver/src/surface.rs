@@ -124,7 +124,7 @@ impl Surface {
             non_manifold_edges: pairing.non_manifold_edges,
             components,
             boundary_loops,
-            euler_characteristic: points as i64 - pairing.edges as i64 + faces.len() as i64,
+            euler_characteristic: points as i64 - pairing.edges.len() as i64 + faces.len() as i64,
         };
         let mut face_of_triangle = vec![None; soup.triangles.len()];
         for (face, &triangle) in welded.triangle_of_face.iter().enumerate() {
@@ -132,7 +132,7 @@ impl Surface {
         }
         let inputs_of_point = Csr::group(points, welded.point_of_input.iter().copied());
         Ok(Self {
-            mean_edge: mean_edge(&mesh, &point_of_vertex, &positions),
+            mean_edge: mean_edge(&pairing.edges, &faces, &positions),
             mesh,
             point_of_vertex,
             positions,
@@ -244,13 +244,11 @@ fn components(faces: &[[u32; 3]], corners_of_point: &Csr, points: usize) -> (Vec
     (component, count as usize)
 }
 
-fn mean_edge(mesh: &HalfedgeMesh, point_of_vertex: &VertexData<u32>, positions: &[DVec3]) -> f64 {
-    let position = |vertex| positions[point_of_vertex[vertex] as usize];
-    let mut sum = 0.0;
-    let mut count = 0.0;
-    for halfedge in mesh.halfedges().filter(|&halfedge| halfedge < mesh.twin(halfedge)) {
-        sum += triangle::length(position(mesh.tip(halfedge)) - position(mesh.vertex(halfedge)));
-        count += 1.0;
-    }
-    sum / count
+/// Mean length of edges, each given by one half-edge. A cut edge counts once, wherever the cut may run.
+fn mean_edge(edges: &[u32], faces: &[[u32; 3]], positions: &[DVec3]) -> f64 {
+    let length = |halfedge: u32| {
+        let (face, k) = (faces[halfedge as usize / 3], halfedge as usize % 3);
+        triangle::length(positions[face[(k + 1) % 3] as usize] - positions[face[k] as usize])
+    };
+    edges.iter().map(|&halfedge| length(halfedge)).sum::<f64>() / edges.len() as f64
 }

@@ -90,11 +90,11 @@ fn useless_triangles_go() {
     let outside = messy.positions.len() as u32;
     messy.positions.extend([place, DVec3::new(3.0, 0.0, 0.0)]);
     messy.triangles.extend([
-        [first[1], first[2], first[0]],     // duplicate, turned round
-        [first[0], first[2], first[1]],     // duplicate, other side
-        [first[0], first[0], first[1]],     // repeated corner
-        [0, outside, first[1]],             // repeated corner once welded
-        [0, 4, outside + 1],                // collinear on the x axis
+        [first[1], first[2], first[0]], // duplicate, turned round
+        [first[0], first[2], first[1]], // duplicate, other side
+        [first[0], first[0], first[1]], // repeated corner
+        [0, outside, first[1]],         // repeated corner once welded
+        [0, 4, outside + 1],            // collinear on the x axis
     ]);
     let surface = checked(&messy);
     assert_eq!((surface.report.duplicate_faces, surface.report.degenerate_faces), (2, 3));
@@ -157,10 +157,8 @@ fn non_manifold_edge_carries_heat() {
 
 #[test]
 fn touching_fans_share_a_point() {
-    let bow_tie = soup(
-        flat(&[(0.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]),
-        vec![[0, 1, 2], [0, 4, 3]],
-    );
+    let bow_tie =
+        soup(flat(&[(0.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]), vec![[0, 1, 2], [0, 4, 3]]);
     let surface = checked(&bow_tie);
     assert_eq!((surface.mesh.vertex_count(), surface.point_count()), (6, 5));
     assert_eq!(surface.point_of_vertex[Vertex(5)], 0);

@@ -149,7 +149,7 @@ impl Solver {
         self.solver.set_parameters(parameters(time_factor, boundary)?, &mut reporter(progress)).map_err(sentence)
     }
 
-    /// Entries of one Cholesky factor.
+    /// Stored entries of all Cholesky factors together.
     pub fn factor_nonzeros(&self) -> f64 {
         self.solver.factor_nonzeros() as f64
     }

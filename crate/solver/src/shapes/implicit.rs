@@ -111,7 +111,7 @@ fn joins_sheets(inside: u8) -> bool {
         loop {
             let x = (reached & 0x55) << 1 | (reached & 0xaa) >> 1;
             let y = (reached & 0x33) << 2 | (reached & 0xcc) >> 2;
-            let z = reached << 4 | reached >> 4;
+            let z = reached.rotate_left(4);
             let next = reached | ((x | y | z) & corners);
             if next == reached {
                 return reached == corners;
