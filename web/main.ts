@@ -87,11 +87,7 @@ if (!address.kiosk) {
 }
 
 followTheme(view);
-view.trouble.watch((trouble) => {
-  if (trouble === null) return;
-  const again = { name: 'Try again', run: () => void view.start() };
-  messages.fail(`Nothing can be drawn here, but the numbers still work. ${trouble}`, navigator.userAgent, again);
-});
+view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 session.failure.watch((failure) => {
   if (!failure) return;
   const again = { name: 'Open the mesh again', run: () => void opener.again() };

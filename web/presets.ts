@@ -78,7 +78,7 @@ export const PRESETS: readonly Preset[] = [
     view: [-0.25, 0.2],
     look: 'lava',
   }),
-  preset('animal', { title: 'Animal', sources: [at(9275)], walker: at(8963), view: [0.5, 0.2], look: 'candy' }),
+  preset('animal', { title: 'Animal', sources: [at(9275)], walker: at(8963), view: [2.65, 0.2], look: 'candy' }),
   preset('maze', {
     title: 'Maze',
     sources: [at(139)],
@@ -87,8 +87,8 @@ export const PRESETS: readonly Preset[] = [
     look: 'scientific',
     parts: [0],
   }),
-  preset('high_genus', { title: 'Sponge', sources: [at(13634)], walker: at(2061), look: 'lagoon' }),
-  preset('ring', { title: 'Ring', sources: [at(4411)], walker: at(4513), view: [0.6, 0.6], look: 'dusk' }),
+  preset('high_genus', { title: 'Handles', sources: [at(13634)], walker: at(2061), look: 'lagoon' }),
+  preset('ring', { title: 'Ring', sources: [at(4411)], walker: at(4513), view: [2.3, 0.6], look: 'dusk' }),
   preset('hemisphere', {
     title: 'Hemisphere',
     sources: [at(2499)],

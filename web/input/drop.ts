@@ -4,7 +4,11 @@ import { h } from '../panel/dom';
 
 /** The quiet frame over the whole canvas while files are dragged over the window. */
 export function dropTarget(open: (files: File[]) => void): HTMLElement {
-  const frame = h('div', { class: 'drop', hidden: true }, h('div', {}, h('p', {}, 'Drop a mesh'), h('small', {}, FORMATS)));
+  const frame = h(
+    'div',
+    { class: 'drop', hidden: true },
+    h('div', {}, h('p', {}, 'Drop a mesh'), h('small', {}, FORMATS)),
+  );
   // dragenter and dragleave come in pairs for every element that is crossed.
   let depth = 0;
   const show = (change: number) => {

@@ -17,6 +17,7 @@ export class Messages implements Voice {
   #told: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
+  #blind: HTMLElement | null = null;
 
   constructor(chooseFile: () => void) {
     this.#chooseFile = chooseFile;
@@ -37,8 +38,18 @@ export class Messages implements Voice {
 
   fail(text: string, details: string, remedy?: Action): void {
     this.#failed?.remove();
-    const copy: Action = { name: 'Copy details', run: () => void this.#copy(`${text}\n${details}`) };
-    this.#failed = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+    this.#failed = this.#error(text, details, remedy);
+  }
+
+  /** Why nothing can be drawn; stays whatever else is told. Null: drawing works again. */
+  blind(reason: string | null, tryAgain: () => void): void {
+    this.#blind?.remove();
+    this.#blind = reason
+      ? this.#error(`Nothing can be drawn here, but the numbers still work. ${reason}`, navigator.userAgent, {
+          name: 'Try again',
+          run: tryAgain,
+        })
+      : null;
   }
 
   askForFile(name: string): void {
@@ -62,13 +73,10 @@ export class Messages implements Voice {
     return newest !== undefined;
   }
 
-  /** Without leave to use the clipboard the details are shown, to be copied by hand. */
-  async #copy(details: string): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(details);
-    } catch {
-      if (!this.#failed?.querySelector('pre')) this.#failed?.append(h('pre', {}, details));
-    }
+  #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
+    const copy: Action = { name: 'Copy details', run: () => void copyDetails(message, `${text}\n${details}`) };
+    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+    return message;
   }
 
   #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
@@ -94,5 +102,14 @@ export class Messages implements Voice {
       if (message.matches(':hover, :focus-within')) this.#fade(message);
       else message.remove();
     }, SHOWN_MS);
+  }
+}
+
+/** Without leave to use the clipboard the details are shown, to be copied by hand. */
+async function copyDetails(message: HTMLElement, details: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(details);
+  } catch {
+    if (!message.querySelector('pre')) message.append(h('pre', {}, details));
   }
 }

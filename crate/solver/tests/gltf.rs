@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod damage;
+mod reading;
 
 use glam::DVec3;
 use heatwalk::error::{Error, Result};
@@ -11,22 +11,7 @@ use heatwalk::io;
 use heatwalk::soup::Soup;
 use serde_json::{Value, json};
 
-fn read(name: &str, bytes: impl AsRef<[u8]>) -> Result<Soup> {
-    io::read(name, bytes.as_ref(), &|_| None)
-}
-
-fn part_names(soup: &Soup) -> Vec<&str> {
-    soup.parts.iter().map(|part| part.name.as_str()).collect()
-}
-
-/// Area of each triangle's projection on the plane z = 0, signed.
-fn areas(soup: &Soup) -> Vec<f64> {
-    let area = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|corner| soup.positions[corner as usize]);
-        (b - a).cross(c - a).z / 2.0
-    };
-    soup.triangles.iter().map(area).collect()
-}
+use crate::reading::{areas, part_names, read};
 
 /// Builds a glTF document around a growing buffer.
 struct Builder {
@@ -295,7 +280,7 @@ fn gltf_indices_are_checked() {
 fn damaged_files_do_not_panic() {
     let builder = square(json!([{ "mesh": 0, "scale": [1, 2, 3] }]));
     for (name, bytes) in [("a.glb", builder.glb()), ("a.gltf", builder.gltf("data:;base64,AAAA").into_bytes())] {
-        damage::cut_short_at_every_byte(name, &bytes);
-        damage::flip_bytes(name, &bytes);
+        reading::cut_short_at_every_byte(name, &bytes);
+        reading::flip_bytes(name, &bytes);
     }
 }

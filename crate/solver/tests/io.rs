@@ -3,31 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod damage;
+mod reading;
 
 use glam::DVec3;
-use heatwalk::error::{Error, Result};
-use heatwalk::io::{self, write};
+use heatwalk::error::Error;
+use heatwalk::io::write;
 use heatwalk::shapes;
-use heatwalk::soup::Soup;
 use serde_json::{Value, json};
 
-fn read(name: &str, bytes: impl AsRef<[u8]>) -> Result<Soup> {
-    io::read(name, bytes.as_ref(), &|_| None)
-}
-
-fn part_names(soup: &Soup) -> Vec<&str> {
-    soup.parts.iter().map(|part| part.name.as_str()).collect()
-}
-
-/// Area of each triangle's projection on the plane z = 0, signed.
-fn areas(soup: &Soup) -> Vec<f64> {
-    let area = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|corner| soup.positions[corner as usize]);
-        (b - a).cross(c - a).z / 2.0
-    };
-    soup.triangles.iter().map(area).collect()
-}
+use crate::reading::{areas, part_names, read};
 
 // ---- OFF
 
@@ -287,7 +271,7 @@ fn damaged_files_do_not_panic() {
         ("b.stl", binary_stl(b"solid", 2)),
     ];
     for (name, bytes) in files {
-        damage::cut_short_at_every_byte(name, &bytes);
-        damage::flip_bytes(name, &bytes);
+        reading::cut_short_at_every_byte(name, &bytes);
+        reading::flip_bytes(name, &bytes);
     }
 }

@@ -8,6 +8,8 @@ mod stl;
 mod triangulate;
 pub mod write;
 
+use glam::DVec3;
+
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 
@@ -90,5 +92,18 @@ impl Reporter {
 
     fn line(&self, number: usize, problem: impl Into<String>) -> Error {
         self.at(format!("line {number}"), problem)
+    }
+
+    /// The position on a vertex line, what follows it ignored.
+    fn vertex(&self, arguments: &str, line: usize) -> Result<DVec3> {
+        let mut words = arguments.split_whitespace();
+        let mut coordinates = [0.0; 3];
+        for coordinate in &mut coordinates {
+            *coordinate = words
+                .next()
+                .and_then(|word| word.parse().ok())
+                .ok_or_else(|| self.line(line, "a vertex needs three numbers; correct the line"))?;
+        }
+        Ok(coordinates.into())
     }
 }

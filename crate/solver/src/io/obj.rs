@@ -54,7 +54,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         let statement = line.split('#').next().unwrap_or_default().trim();
         let (keyword, arguments) = statement.split_once(char::is_whitespace).unwrap_or((statement, ""));
         match keyword {
-            "v" => positions.push(vertex(arguments, number)?),
+            "v" => positions.push(OBJ.vertex(arguments, number)?),
             "f" => {
                 for word in arguments.split_whitespace() {
                     polygons.corner(corner(word, number, positions.len())?, positions.len())?;
@@ -71,18 +71,6 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         }
     }
     assemble(positions, &polygons, &part_of_polygon, groups.names)
-}
-
-fn vertex(arguments: &str, line: usize) -> Result<DVec3> {
-    let mut words = arguments.split_whitespace();
-    let mut coordinates = [0.0; 3];
-    for coordinate in &mut coordinates {
-        *coordinate = words
-            .next()
-            .and_then(|word| word.parse().ok())
-            .ok_or_else(|| OBJ.line(line, "a vertex needs three numbers; correct the line"))?;
-    }
-    Ok(coordinates.into())
 }
 
 /// A 0-based vertex from `v`, `v/vt`, `v//vn` or `v/vt/vn`; negative counts back from the last vertex so far.

@@ -56,17 +56,17 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     }
     let (number, counts) =
         if rest.trim().is_empty() { lines.next().ok_or_else(|| ends("there are no counts"))? } else { (number, rest) };
-    let mut counts = counts.split_whitespace().map(str::parse::<usize>);
+    let mut counts = counts.split_whitespace().map(str::parse::<u64>);
     let (Some(Ok(vertices)), Some(Ok(faces))) = (counts.next(), counts.next()) else {
         return Err(OFF.line(number, "expected the numbers of vertices and faces"));
     };
 
     let least = if header.homogeneous { 4 } else { 3 };
     // A line takes at least two bytes a number, so a count beyond that is a lie and must not be reserved.
-    let mut positions = Vec::with_capacity(vertices.min(bytes.len() / 6));
-    while positions.len() < vertices {
+    let mut positions = Vec::with_capacity((bytes.len() / 6).min(vertices as usize));
+    while (positions.len() as u64) < vertices {
         let Some((number, line)) = lines.next() else {
-            return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - positions.len())));
+            return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - positions.len() as u64)));
         };
         let mut coordinates = [0.0, 0.0, 0.0, 1.0];
         let mut words = line.split_whitespace();

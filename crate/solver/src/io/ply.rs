@@ -51,7 +51,7 @@ struct Property {
 
 struct Element {
     name: String,
-    count: usize,
+    count: u64,
     properties: Vec<Property>,
 }
 
@@ -115,7 +115,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         let role = Role::of(element)?;
         if let Role::Vertex(_) = role {
             // Three coordinates take at least three bytes, so a count beyond that is a lie and must not be reserved.
-            positions.reserve(element.count.min(bytes.len() / 3));
+            positions.reserve((bytes.len() / 3).min(element.count as usize));
         }
         // Elements without properties take no bytes; a count of them could keep the loop below busy for ever.
         let count = if element.properties.is_empty() { 0 } else { element.count };

@@ -76,7 +76,7 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
                 corners.clear();
                 complete = false;
             }
-            "vertex" => corners.push(vertex(arguments, number)?),
+            "vertex" => corners.push(STL.vertex(arguments, number)?),
             "endfacet" => {
                 if corners.len() != 3 {
                     return Err(STL.line(number, format!("a facet has {} corners instead of 3", corners.len())));
@@ -102,16 +102,4 @@ fn close_part(soup: &mut Soup, name: &str) {
     if end > start {
         soup.parts.push(Part { name: name.to_owned(), triangles: start..end });
     }
-}
-
-fn vertex(arguments: &str, line: usize) -> Result<DVec3> {
-    let mut words = arguments.split_whitespace();
-    let mut coordinates = [0.0; 3];
-    for coordinate in &mut coordinates {
-        *coordinate = words
-            .next()
-            .and_then(|word| word.parse().ok())
-            .ok_or_else(|| STL.line(line, "a vertex needs three numbers; correct the line"))?;
-    }
-    Ok(coordinates.into())
 }

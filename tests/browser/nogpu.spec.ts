@@ -1,0 +1,25 @@
+import { expect, test } from '../page';
+
+test.use({
+  launchOptions: {
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-quic', '--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'],
+  },
+});
+
+test('without any GPU the page says so and the numbers still work', async ({ page }) => {
+  await page.goto('./');
+  await page.evaluate(() => window.heatwalk.ready);
+  expect(await page.evaluate(() => window.heatwalk.backend)).toBeNull();
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('Nothing can be drawn here');
+  await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
+  const maxDistance = () => page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
+  const bunny = await maxDistance();
+  expect(bunny).toBeGreaterThan(0);
+  await page.getByRole('button', { name: 'Torus' }).click();
+  await expect.poll(maxDistance).not.toBe(bunny);
+  await page.locator('#section-numbers summary').click();
+  await expect(page.locator('#section-numbers')).toContainText('17,280');
+  await expect(alert).toContainText('Nothing can be drawn here');
+});
