@@ -43,7 +43,10 @@ for (const mesh of meshes) {
     runs.plain.push(peers.plain);
     runs.robust.push(peers.robust);
   }
-  results.push({ mesh: basename(mesh), ...Object.fromEntries(Object.entries(runs).map(([who, all]) => [who, middle(all)])) });
+  results.push({
+    mesh: basename(mesh),
+    ...Object.fromEntries(Object.entries(runs).map(([who, all]) => [who, middle(all)])),
+  });
 }
 await browser.close();
 await server.close();
@@ -61,8 +64,18 @@ function virtualEnvironment() {
   const environment = join(folder, 'python');
   const program = join(environment, 'bin', 'python');
   if (!existsSync(program)) {
-    run('Making a Python environment for the peers', 'python3', ['-m', 'venv', environment], 'Install Python 3 with venv.');
-    run(`Installing ${PEER}`, program, ['-m', 'pip', 'install', '--quiet', PEER], 'Is the Python package index reachable?');
+    run(
+      'Making a Python environment for the peers',
+      'python3',
+      ['-m', 'venv', environment],
+      'Install Python 3 with venv.',
+    );
+    run(
+      `Installing ${PEER}`,
+      program,
+      ['-m', 'pip', 'install', '--quiet', PEER],
+      'Is the Python package index reachable?',
+    );
   }
   return program;
 }
@@ -93,29 +106,36 @@ async function page(mesh) {
   try {
     await tab.goto(new URL('/tools/bench.html', server.resolvedUrls.local[0]).href);
     const bytes = readFileSync(mesh).toString('base64');
-    return await tab.evaluate(([name, base64, count]) => window.measure(name, base64, count), [
-      basename(mesh),
-      bytes,
-      SOURCES,
-    ]);
+    return await tab.evaluate(
+      ([name, base64, count]) => window.measure(name, base64, count),
+      [basename(mesh), bytes, SOURCES],
+    );
   } finally {
     await tab.close();
   }
 }
 
-function middle(runs) {
-  const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
-  return { precompute: median(runs.map((run) => run.precompute)), solve: median(runs.map((run) => run.solve)) };
+function median(numbers) {
+  return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
+}
+
+function middle(rounds) {
+  return { precompute: median(rounds.map((it) => it.precompute)), solve: median(rounds.map((it) => it.solve)) };
+}
+
+/** Times, and in brackets their ratios to those of the peer. */
+function cell({ precompute, solve }, peers) {
+  const ratios = `${(precompute / peers.precompute).toFixed(2)} / ${(solve / peers.solve).toFixed(2)}`;
+  return `${precompute.toFixed(0)} / ${solve.toFixed(1)} (${ratios})`;
 }
 
 function print() {
-  const cell = ({ precompute, solve }, { precompute: p, solve: s }) =>
-    `${precompute.toFixed(0)} / ${solve.toFixed(1)} (${(precompute / p).toFixed(2)} / ${(solve / s).toFixed(2)})`;
   console.log('\nPrecompute / solve in ms, and as ratios to potpourri3d heat in the same run\n');
   console.log('| mesh | potpourri3d heat | potpourri3d robust | native program | page worker |');
   console.log('|---|---|---|---|---|');
-  for (const { mesh, plain, robust, native, page } of results) {
-    const row = [`${plain.precompute.toFixed(0)} / ${plain.solve.toFixed(1)}`, ...[robust, native, page].map((it) => cell(it, plain))];
-    console.log(`| ${mesh} | ${row.join(' | ')} |`);
+  for (const row of results) {
+    const own = `${row.plain.precompute.toFixed(0)} / ${row.plain.solve.toFixed(1)}`;
+    const others = [row.robust, row.native, row.page].map((times) => cell(times, row.plain));
+    console.log(`| ${row.mesh} | ${[own, ...others].join(' | ')} |`);
   }
 }

@@ -12,4 +12,9 @@ cargo('Linting Rust for wasm32', ['xtask', 'clippy-wasm'], named);
 cargo('Building the wasm modules', ['xtask', 'wasm'], named);
 npmProgram('Checking types', 'typescript/bin/tsc', ['--build'], named);
 npmProgram('Linting TypeScript', 'oxlint/bin/oxlint', ['--deny-warnings', 'web', 'tests', 'tools'], named);
-npmProgram('Checking the format of the rest', 'prettier/bin/prettier.cjs', ['--check', '.'], 'Run: npx prettier --write .');
+npmProgram(
+  'Checking the format of the rest',
+  'prettier/bin/prettier.cjs',
+  ['--check', '.'],
+  'Run: npx prettier --write .',
+);

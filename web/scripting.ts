@@ -1,4 +1,4 @@
-/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/page.md. */
+/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
 import type { SurfacePoint } from './protocol';
 import type { SceneState } from './scene';
 import type { Session } from './session';

@@ -14,13 +14,14 @@ import type {
   Timings,
 } from './protocol';
 import initialise, * as wasm from './wasm/solver/heatwalk_worker.js';
+import wasmAddress from './wasm/solver/heatwalk_worker_bg.wasm?url';
 
 /** Shares of reading, building and factoring in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
 const FACTOR_FROM = 0.3;
 
 /** Calls that arrive while the module is still being compiled wait for it. */
-const ready = initialise();
+const ready = initialise({ module_or_path: wasmAddress });
 
 interface Current {
   solver: wasm.Solver;
@@ -78,7 +79,7 @@ const api: SolverApi = {
   },
 
   configure({ timeFactor, boundary }: Parameters): Promise<Timings> {
-    const mesh = opened();
+    const mesh = openMesh();
     const clock = stopwatch();
     mesh.solver.configure(timeFactor, boundary, () => undefined);
     mesh.timings = { ...mesh.timings, precomputeMs: clock() };
@@ -86,7 +87,7 @@ const api: SolverApi = {
   },
 
   solve(sources: SurfacePoint[]): Promise<DistanceField> {
-    const { solver } = opened();
+    const { solver } = openMesh();
     const clock = stopwatch();
     const distance = solver.solve(sources);
     const field: DistanceField = {
@@ -99,7 +100,7 @@ const api: SolverApi = {
   },
 
   path(from: SurfacePoint): Promise<SurfacePath> {
-    const path = opened().solver.path(from);
+    const path = openMesh().solver.path(from);
     const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
     path.free();
     return Promise.resolve(transfer(answer, [answer.points.buffer, answer.normals.buffer]));
@@ -111,7 +112,7 @@ const api: SolverApi = {
   },
 };
 
-function opened(): Current {
+function openMesh(): Current {
   if (!current) throw new Error('No mesh is open.');
   return current;
 }

@@ -11,6 +11,8 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 /// Debian's compiler, its source of the standard library, and what they need to build it.
 const DEBIAN_PACKAGES: [&str; 4] = ["rustc-web", "rust-web-src", "rust-web-clippy", "rust-web-llvm"];
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
+/// A link to the linker, whose package is called as the link's target.
+const DEBIAN_LINKER: &str = "/usr/bin/rust-lld";
 const DEBIAN_CLIPPY: &str = "/usr/bin/clippy-driver";
 
 /// How the standard library for wasm32 comes about.
@@ -77,20 +79,26 @@ fn debian_is_installed() -> bool {
     version.is_ok_and(|output| {
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         text.split_whitespace().nth(1).is_some_and(|version| Path::new(&source(version)).is_file())
-    }) && Path::new(DEBIAN_CLIPPY).is_file()
+    }) && [DEBIAN_CLIPPY, DEBIAN_LINKER].iter().all(|program| Path::new(program).is_file())
 }
 
 fn install_debian_packages() -> bool {
-    let apt = |arguments: &[&str]| {
-        let root = Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout == b"0\n");
-        let mut command = if root { Command::new("apt-get") } else { Command::new("sudo") };
-        if !root {
-            command.args(["--non-interactive", "apt-get"]);
-        }
-        succeeds(command.env("DEBIAN_FRONTEND", "noninteractive").args(arguments))
-    };
-    let install = [&["install", "--yes", "--quiet", "--no-install-recommends"], &DEBIAN_PACKAGES[..]].concat();
-    apt(&["update", "--quiet"]) && apt(&install)
+    let install =
+        |packages: &[&str]| apt_get(&[&["install", "--yes", "--quiet", "--no-install-recommends"], packages].concat());
+    apt_get(&["update", "--quiet"]) && install(&DEBIAN_PACKAGES) && {
+        let linker = Path::new(DEBIAN_LINKER).read_link().unwrap_or_default();
+        Path::new(DEBIAN_LINKER).is_file()
+            || linker.file_name().and_then(|name| name.to_str()).is_some_and(|name| install(&[name]))
+    }
+}
+
+fn apt_get(arguments: &[&str]) -> bool {
+    let is_root = Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout == b"0\n");
+    let mut command = if is_root { Command::new("apt-get") } else { Command::new("sudo") };
+    if !is_root {
+        command.args(["--non-interactive", "apt-get"]);
+    }
+    succeeds(command.env("DEBIAN_FRONTEND", "noninteractive").args(arguments))
 }
 
 fn succeeds(command: &mut Command) -> bool {
