@@ -82,10 +82,10 @@ export class HeatwalkPage {
     return pixel;
   }
 
-  /** A pixel on the model, as shares of the window away from the model's middle on the screen. */
+  /** A pixel on the model, as shares of the free area away from its middle; that area begins at the upper left corner. */
   async pixelOnModel(dx = 0, dy = 0): Promise<[number, number]> {
-    const { width, height } = this.page.viewportSize() ?? { width: 0, height: 0 };
-    const pixel: [number, number] = [width * (0.5 + dx), height * (0.5 + dy)];
+    const [x0, y0] = await this.page.evaluate(() => window.heatwalk.centre);
+    const pixel: [number, number] = [x0 * (1 + 2 * dx), y0 * (1 + 2 * dy)];
     const place = await this.page.evaluate(([x, y]) => window.heatwalk.placeAt(x, y), pixel);
     if (!place) throw new Error(`the model is not at ${pixel.join(', ')}`);
     return pixel;

@@ -7,6 +7,7 @@ import { Keys } from './input/keys';
 import { Opener } from './opener';
 import { heading } from './overlay/heading';
 import { loadingBar } from './overlay/loading';
+import { followInsets } from './overlay/insets';
 import { Messages } from './overlay/messages';
 import { Readout } from './overlay/readout';
 import { toolbar, type Tool } from './overlay/toolbar';
@@ -64,9 +65,10 @@ const keys = new Keys({
   closeMessage: () => messages.closeNewest(),
 });
 
+const bar = toolbar(session, tool);
 page.append(
   heading(session),
-  h('div', { class: 'foot' }, hint, toolbar(session, tool)),
+  h('div', { class: 'foot' }, hint, bar),
   messages.element,
   loadingBar(session),
   readout.element,
@@ -74,6 +76,7 @@ page.append(
   dropTarget((files) => void opener.files(files)),
   dialogue.element,
 );
+let panel: HTMLElement | null = null;
 if (!address.kiosk) {
   const sections = [
     { id: 'scene', title: 'Scene', element: sceneSection(session, opener, dialogue.choose), open: true },
@@ -83,8 +86,10 @@ if (!address.kiosk) {
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share', element: shareSection(() => address.link()), open: false },
   ];
-  page.append(buildPanel(sections));
+  panel = buildPanel(sections);
+  page.append(panel);
 }
+followInsets(view, bar, panel);
 
 followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));

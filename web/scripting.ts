@@ -11,6 +11,8 @@ export interface Heatwalk {
   readonly scene: SceneState;
   /** Where the camera is now: yaw, pitch (rad), distance and offset from the centre in bounding radii. */
   readonly camera: readonly number[] | null;
+  /** The CSS pixel of the window on which models are centred. */
+  readonly centre: readonly [number, number];
   readonly mesh: {
     name: string;
     triangles: number;
@@ -52,6 +54,9 @@ export function expose(session: Session, ready: Promise<void>): void {
     },
     get camera() {
       return session.view.camera;
+    },
+    get centre() {
+      return session.view.centre;
     },
     get mesh() {
       if (!session.shown.value) return null;

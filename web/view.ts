@@ -16,6 +16,16 @@ const ORDER = ['background', 'surface', 'scenery', 'ramp', 'stripes', 'distance'
 type Layer = (typeof ORDER)[number];
 const CLEARED_BY_SURFACE: readonly Layer[] = ['distance', 'pins', 'path', 'walker'];
 
+/** How far panels reach in from the edges of the stage; CSS pixels. */
+export interface Insets {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
+
 export class View {
   readonly stage: HTMLElement;
   readonly #forceWebgl: boolean;
@@ -27,6 +37,7 @@ export class View {
   #ratio = 1;
   /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
   #size: [width: number, height: number] = [1, 1];
+  #insets: Insets = NO_INSETS;
   #ready: Promise<unknown> | null = null;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
@@ -56,7 +67,7 @@ export class View {
       this.#canvas.replaceWith(fresh);
       this.#canvas = fresh;
       const viewer = await Viewer.create(fresh, this.#forceWebgl);
-      viewer.resize(...this.#size);
+      this.#fit(viewer);
       for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
       if (this.#camera) viewer.set_camera(this.#camera);
       if (this.#frameFirst) viewer.frame();
@@ -104,6 +115,19 @@ export class View {
 
   setWalker(arc: number): void {
     this.#show('walker', (viewer) => viewer.set_walker(arc));
+  }
+
+  /** Models are centred on what the insets leave free. */
+  set insets(insets: Insets) {
+    this.#insets = insets;
+    if (this.#viewer) this.#fit(this.#viewer);
+  }
+
+  /** Where models are centred: the middle of what the insets leave free, in CSS pixels of the window. */
+  get centre(): [number, number] {
+    const stage = this.stage.getBoundingClientRect();
+    const { left, top, right, bottom } = this.#insets;
+    return [(stage.left + left + stage.right - right) / 2, (stage.top + top + stage.bottom - bottom) / 2];
   }
 
   /** Device pixels for one CSS pixel. */
@@ -195,7 +219,13 @@ export class View {
     const h = Math.max(1, exact ? exact.blockSize : Math.round(height * devicePixelRatio));
     this.#ratio = w / Math.max(1, width);
     this.#size = [w, h];
-    this.#viewer?.resize(w, h);
+    if (this.#viewer) this.#fit(this.#viewer);
+  }
+
+  #fit(viewer: Viewer): void {
+    const { left, top, right, bottom } = this.#insets;
+    viewer.resize(...this.#size);
+    viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
 }
 

@@ -129,16 +129,14 @@ export class Keys {
     addEventListener('keyup', () => (this.#nudging = null), { once: true });
   }
 
-  #centre(): [number, number] {
-    const { left, top, width, height } = this.#o.session.view.stage.getBoundingClientRect();
-    return [left + width / 2, top + height / 2];
-  }
-
   #underReticle(): SurfacePoint | null {
-    return this.#o.session.view.pick(...this.#centre())?.point ?? null;
+    return this.#o.session.view.pick(...this.#o.session.view.centre)?.point ?? null;
   }
 
   #showReticle(): void {
+    const [x, y] = this.#o.session.view.centre;
+    this.reticle.style.left = `${x}px`;
+    this.reticle.style.top = `${y}px`;
     this.reticle.hidden = false;
     this.#o.acted();
     // The camera moves with the next frame.
@@ -148,7 +146,7 @@ export class Keys {
   #showReading(): void {
     if (this.reticle.hidden) return;
     const point = this.#underReticle();
-    if (point) this.#o.readout.show(point, ...this.#centre());
+    if (point) this.#o.readout.show(point, ...this.#o.session.view.centre);
     else this.#o.readout.hide();
   }
 

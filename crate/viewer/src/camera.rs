@@ -21,6 +21,19 @@ const DEPTH_MARGIN: f64 = 1.3;
 /// Length of a smooth move; seconds.
 const FLIGHT_SECONDS: f64 = 0.3;
 
+/// How far what floats over the canvas reaches in from its edges; physical pixels. The view centres on what it leaves free.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Insets {
+    /// From the left edge.
+    pub left: f64,
+    /// From the upper edge.
+    pub top: f64,
+    /// From the right edge.
+    pub right: f64,
+    /// From the lower edge.
+    pub bottom: f64,
+}
+
 /// Where the camera stands, free of the surface's scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -79,6 +92,7 @@ pub struct Camera {
     size: DVec2,
     /// Physical pixels a CSS pixel.
     pixel_ratio: f64,
+    insets: Insets,
 }
 
 /// What one frame needs of the camera; world space.
@@ -100,7 +114,15 @@ impl Camera {
     pub fn new() -> Self {
         let view =
             View { yaw: 0.5, pitch: 0.3, distance: FRAME_MARGIN / (0.5 * FIELD_OF_VIEW).sin(), target: DVec3::ZERO };
-        Self { view, flight: None, surface: Bounds::UNIT, scene: Bounds::UNIT, size: DVec2::ONE, pixel_ratio: 1.0 }
+        Self {
+            view,
+            flight: None,
+            surface: Bounds::UNIT,
+            scene: Bounds::UNIT,
+            size: DVec2::ONE,
+            pixel_ratio: 1.0,
+            insets: Insets::default(),
+        }
     }
 
     /// What the view is relative to, and what must lie between the near and the far plane.
@@ -113,6 +135,22 @@ impl Camera {
     pub fn set_size(&mut self, width: u32, height: u32, pixel_ratio: f32) {
         self.size = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
         self.pixel_ratio = f64::from(pixel_ratio);
+    }
+
+    /// Centres the view on what the insets leave free.
+    pub fn set_insets(&mut self, insets: Insets) {
+        self.insets = insets;
+    }
+
+    /// Size of the canvas that the insets leave free, at least a third of it each way; physical pixels.
+    fn free_size(&self) -> DVec2 {
+        let covered = DVec2::new(self.insets.left + self.insets.right, self.insets.top + self.insets.bottom);
+        (self.size - covered).max(self.size / 3.0)
+    }
+
+    /// From the middle of the canvas to the middle of what is free, x right, y down; physical pixels.
+    fn center_offset(&self) -> DVec2 {
+        0.5 * DVec2::new(self.insets.left - self.insets.right, self.insets.top - self.insets.bottom)
     }
 
     /// Physical pixels a CSS pixel.
@@ -152,10 +190,10 @@ impl Camera {
         self.set_view(View { distance: self.view.distance / factor, ..self.view });
     }
 
-    /// Starts a smooth move that fits the scene into the window; the direction stays.
+    /// Starts a smooth move that fits the scene into what the insets leave free; the direction stays.
     pub fn frame(&mut self) {
-        let half_vertical = 0.5 * FIELD_OF_VIEW;
-        let half_horizontal = (half_vertical.tan() * self.size.x / self.size.y).atan();
+        let free = self.free_size() / self.size.y * (0.5 * FIELD_OF_VIEW).tan();
+        let (half_horizontal, half_vertical) = (free.x.atan(), free.y.atan());
         let radius = f64::from(self.scene.radius / self.surface.radius);
         let distance = FRAME_MARGIN * radius / half_vertical.min(half_horizontal).sin();
         let target = (self.scene.center - self.surface.center).as_dvec3() / f64::from(self.surface.radius);
@@ -206,7 +244,9 @@ impl Camera {
         // With the scene behind the eye any positive range will do.
         let far = (depth + scene_radius).max(1e-3 * radius);
         let near = (depth - scene_radius).max(NEAREST_NEAR * far);
-        let clip_from_view = perspective(FIELD_OF_VIEW, self.size.x / self.size.y, near, far);
+        let [right, down] = (2.0 * self.center_offset() / self.size).to_array();
+        let shift = DMat4::from_translation(DVec3::new(right, -down, 0.0));
+        let clip_from_view = shift * perspective(FIELD_OF_VIEW, self.size.x / self.size.y, near, far);
         let view_from_world = DMat4::from_mat3(world_from_view.transpose()) * DMat4::from_translation(-position);
         Eye {
             clip_from_world: clip_from_view * view_from_world,
@@ -220,7 +260,7 @@ impl Camera {
     #[must_use]
     pub fn ray(&self, pixel: Vec2) -> Ray {
         let eye = self.eye();
-        let offset = (pixel.as_dvec2() - 0.5 * self.size) * eye.pixel_slope;
+        let offset = (pixel.as_dvec2() - 0.5 * self.size - self.center_offset()) * eye.pixel_slope;
         let direction = eye.world_from_view * DVec3::new(offset.x, -offset.y, -1.0);
         Ray { origin: eye.position.as_vec3(), direction: direction.normalize().as_vec3() }
     }
@@ -257,6 +297,26 @@ mod tests {
         camera.set_bounds(surface, surface);
         camera.set_size(1600, 900, 2.0);
         camera
+    }
+
+    #[test]
+    fn insets_move_the_centre_and_shrink_the_frame() {
+        let mut camera = camera();
+        let center = Vec3::new(5.0, -2.0, 1.0);
+        camera.set_insets(Insets { left: 0.0, top: 0.0, right: 600.0, bottom: 100.0 });
+        let pixel = camera.project(center).unwrap();
+        assert!((pixel.truncate() - Vec2::new(500.0, 400.0)).length() < PIXEL_TOLERANCE, "{pixel}");
+        let ray = camera.ray(Vec2::new(500.0, 400.0));
+        assert!((center - ray.origin).normalize().dot(ray.direction) > 0.999_999);
+
+        camera.frame();
+        camera.advance(FLIGHT_SECONDS);
+        for (from_center, room) in [(Vec3::X, 500.0), (Vec3::Y, 400.0)] {
+            let axes = camera.eye().world_from_view;
+            let rim = center + (axes * from_center.as_dvec3()).as_vec3() * 3.0;
+            let reach = (camera.project(rim).unwrap() - pixel).truncate().length();
+            assert!(reach < room, "the bounding sphere fits: {reach} of {room}");
+        }
     }
 
     fn settle(camera: &mut Camera) {

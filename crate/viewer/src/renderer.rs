@@ -2,7 +2,7 @@ use glam::{DVec3, Vec2, Vec3};
 
 use crate::background::Background;
 use crate::bounds::Bounds;
-use crate::camera::{Camera, View};
+use crate::camera::{Camera, Insets, View};
 use crate::context::{Backend, Context, NextFrame};
 use crate::curve::Curve;
 use crate::error::Error;
@@ -136,6 +136,12 @@ impl Renderer {
     pub fn resize(&mut self, width: u32, height: u32, pixel_ratio: f32) {
         self.dirty |= self.context.resize(width, height) || pixel_ratio != self.camera.pixel_ratio();
         self.camera.set_size(width, height, pixel_ratio);
+    }
+
+    /// Centres the view on what the insets leave free.
+    pub fn set_insets(&mut self, insets: Insets) {
+        self.camera.set_insets(insets);
+        self.dirty = true;
     }
 
     /// Replaces the surface; clears distance, pins, path and walker. The view stays the same relative to the bounds.

@@ -6,6 +6,7 @@ use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 
+use crate::camera::Insets;
 use crate::context::{Backend, Context};
 use crate::error::Error;
 use crate::renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
@@ -53,6 +54,11 @@ impl Viewer {
         // A canvas that is not laid out yet has no width.
         let pixel_ratio = if css_width > 0 { width as f32 / css_width as f32 } else { 1.0 };
         self.renderer.resize(width, height, pixel_ratio);
+    }
+
+    /// How far panels reach in from the edges, physical pixels: the view centres on what they leave free.
+    pub fn set_insets(&mut self, left: f64, top: f64, right: f64, bottom: f64) {
+        self.renderer.set_insets(Insets { left, top, right, bottom });
     }
 
     /// Replaces the surface; clears distance, pins, path and walker.

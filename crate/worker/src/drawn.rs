@@ -6,7 +6,6 @@ use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
 use crate::results::DrawMesh;
-use crate::sentence;
 
 /// Edges bent by more than this are drawn sharp: above a smooth model's largest bend, under a box's.
 const CREASE_ANGLE: f64 = std::f64::consts::PI * 0.25;
@@ -43,7 +42,7 @@ impl Drawn {
             let vertex = vertex as usize;
             let point = surface.point_of_input.get(vertex).copied().flatten();
             let absent = || heatwalk::Error::BadVertex { vertex, problem: "is on no triangle of the surface".into() };
-            return Ok(SurfacePoint::Vertex(point.ok_or_else(|| sentence(absent()))?));
+            return Ok(SurfacePoint::Vertex(point.ok_or_else(absent)?));
         }
         let face = number("face").ok_or_else(|| JsError::new("a place is a vertex or a face with three weights"))?;
         let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();

@@ -43,17 +43,19 @@ pub struct MeshFile {
 impl MeshFile {
     /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
     pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self, JsError> {
-        let first = bytes.first().ok_or_else(|| JsError::new("no file was given"))?.to_vec();
+        let files: Vec<(String, Vec<u8>)> =
+            names.into_iter().zip(bytes).map(|(name, bytes)| (name, bytes.to_vec())).collect();
+        let (name, bytes) = files.first().ok_or_else(|| JsError::new("no file was given"))?;
         let resource = |uri: &str| {
             let wanted = uri.rsplit('/').next();
-            names.iter().position(|name| Some(name.as_str()) == wanted).map(|index| bytes[index].to_vec())
+            files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
         };
-        Ok(Self { soup: io::read(&names[0], &first, &resource).map_err(sentence)? })
+        Ok(Self { soup: io::read(name, bytes, &resource)? })
     }
 
     /// Makes a shape.
     pub fn shape(name: &str) -> Result<Self, JsError> {
-        Ok(Self { soup: shapes::by_name(name).map_err(sentence)? })
+        Ok(Self { soup: shapes::by_name(name)? })
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
@@ -75,8 +77,8 @@ impl MeshFile {
     /// The surface formed by the parts `walked`.
     pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsError> {
         let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen).map_err(sentence)?;
-        let surface = Surface::build(&soup).map_err(sentence)?;
+        let soup = self.soup.select(&chosen)?;
+        let surface = Surface::build(&soup)?;
         Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
     }
 
@@ -86,12 +88,12 @@ impl MeshFile {
         if others.is_empty() {
             return Ok(DrawMesh::default());
         }
-        let soup = self.soup.select(&others).map_err(sentence)?;
+        let soup = self.soup.select(&others)?;
         match Surface::build(&soup) {
             Ok(surface) => Ok(Drawn::new(&surface).mesh()),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
             Err(heatwalk::Error::Empty { .. }) => Ok(DrawMesh::default()),
-            Err(error) => Err(sentence(error)),
+            Err(error) => Err(error.into()),
         }
     }
 }
@@ -128,8 +130,7 @@ impl WalkedSurface {
     /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
     pub fn factor(&self, time_factor: f64, boundary: &str, progress: &Function) -> Result<Solver, JsError> {
         let parameters = parameters(time_factor, boundary)?;
-        let solver =
-            HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress)).map_err(sentence)?;
+        let solver = HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress))?;
         Ok(Solver { solver, drawn: Arc::clone(&self.drawn), distance: None })
     }
 }
@@ -146,7 +147,7 @@ pub struct Solver {
 impl Solver {
     /// Factors again what the change needs.
     pub fn configure(&mut self, time_factor: f64, boundary: &str, progress: &Function) -> Result<(), JsError> {
-        self.solver.set_parameters(parameters(time_factor, boundary)?, &mut reporter(progress)).map_err(sentence)
+        self.solver.set_parameters(parameters(time_factor, boundary)?, &mut reporter(progress)).map_err(JsError::from)
     }
 
     /// Stored entries of all Cholesky factors together.
@@ -158,7 +159,7 @@ impl Solver {
     pub fn solve(&mut self, sources: &Array) -> Result<Vec<f32>, JsError> {
         let sources = sources.iter().map(|source| self.drawn.point(self.solver.surface(), &source));
         let sources = sources.collect::<Result<Vec<_>, _>>()?;
-        let distance = self.solver.distance(&sources).map_err(sentence)?;
+        let distance = self.solver.distance(&sources)?;
         let values = self.drawn.spread(&distance.values);
         self.distance = Some(distance);
         Ok(values)
@@ -176,10 +177,10 @@ impl Solver {
 
     /// The way from a point down the last field to its nearest source.
     pub fn path(&self, from: &JsValue) -> Result<SurfacePath, JsError> {
-        let distance = self.distance.as_ref().ok_or_else(|| sentence(heatwalk::Error::NoSource))?;
+        let distance = self.distance.as_ref().ok_or(heatwalk::Error::NoSource)?;
         let surface = self.solver.surface();
         let from = self.drawn.point(surface, from)?;
-        Ok(SurfacePath::of(&path::descend(surface, distance, from).map_err(sentence)?))
+        Ok(SurfacePath::of(&path::descend(surface, distance, from)?))
     }
 }
 
@@ -199,8 +200,4 @@ fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
         let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
         ControlFlow::Continue(())
     }
-}
-
-fn sentence(error: heatwalk::Error) -> JsError {
-    JsError::new(&error.to_string())
 }
