@@ -122,7 +122,7 @@ export class Opener {
     } catch (error) {
       if (!(error instanceof Cancelled)) {
         const { message, stack } = error instanceof Error ? error : new Error(String(error));
-        this.#voice.fail(`${request.title} was not opened. ${message}`, stack ?? message);
+        this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message);
       }
       return null;
     }

@@ -62,8 +62,7 @@ impl Toolchain {
                 cargo.arg("-Zbuild-std=std,panic_abort")
             }
         };
-        // The host's flags and wrapper have nothing to say about wasm32.
-        cargo.env_remove("RUSTUP_TOOLCHAIN").env_remove("RUSTFLAGS").args(["--target", TARGET]);
+        cargo.args(["--target", TARGET]);
         cargo
     }
 }
