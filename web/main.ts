@@ -1,4 +1,8 @@
-import './style.css';
+import './style/page.css';
+import './style/overlay.css';
+import './style/panel.css';
+// Last: for narrow windows, reduced motion and forced colours it overrides the others.
+import './style/windows.css';
 import { Address } from './address';
 import { Frames } from './frames';
 import { dropTarget, fileDialogue } from './input/drop';
