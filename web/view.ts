@@ -213,10 +213,10 @@ export class View {
   }
 
   #resize(entry: ResizeObserverEntry): void {
-    const exact = entry.devicePixelContentBoxSize?.[0];
     const { width, height } = entry.contentRect;
-    const w = Math.max(1, exact ? exact.inlineSize : Math.round(width * devicePixelRatio));
-    const h = Math.max(1, exact ? exact.blockSize : Math.round(height * devicePixelRatio));
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const w = pixels(width, exact?.inlineSize);
+    const h = pixels(height, exact?.blockSize);
     this.#ratio = w / Math.max(1, width);
     this.#size = [w, h];
     if (this.#viewer) this.#fit(this.#viewer);
@@ -227,6 +227,12 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
+}
+
+/** The exact count of device pixels differs from the product by rounding only; on an emulated screen it is not scaled. */
+function pixels(length: number, exact: number | undefined): number {
+  const product = Math.max(1, Math.round(length * devicePixelRatio));
+  return exact !== undefined && Math.abs(exact - product) <= 1 ? Math.max(1, exact) : product;
 }
 
 function unitColour(css: string): Float32Array {
