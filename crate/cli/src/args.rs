@@ -3,7 +3,11 @@
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use heatwalk::{LinearSolver, MultiSource};
+
+use crate::dials::{Dials, LINEAR_SOLVERS, MULTI_SOURCES, one_of};
+use crate::place::{Line, Place, SourcePlace};
 
 /// Geodesic distance and paths on meshes by the heat method.
 #[derive(Parser)]
@@ -19,11 +23,13 @@ pub enum Command {
     Info(Info),
     /// Distance of every vertex from the sources
     Distance(Distance),
-    /// The way from one vertex to another
+    /// The way from one place to another
     Path(Path),
+    /// Time both linear solvers on each mesh
+    Table(Table),
 }
 
-/// What every command reads and how it answers.
+/// What the commands on one mesh read and how they answer.
 #[derive(Args)]
 pub struct Mesh {
     /// glTF, GLB, OBJ, OFF, PLY or STL file
@@ -36,17 +42,6 @@ pub struct Mesh {
     pub json: bool,
 }
 
-/// The dials of the heat method.
-#[derive(Args)]
-pub struct Dials {
-    /// Time step in squares of the mean edge length
-    #[arg(long = "t", value_name = "M", default_value_t = 1.0, value_parser = positive, allow_negative_numbers = true)]
-    pub time_factor: f64,
-    /// What heat does at the boundary
-    #[arg(long, value_enum, default_value_t = Boundary::Neumann)]
-    pub boundary: Boundary,
-}
-
 #[derive(Args)]
 pub struct Info {
     #[command(flatten)]
@@ -57,11 +52,29 @@ pub struct Info {
 pub struct Distance {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Source: a vertex of the file over the chosen parts, counted from 0; may be repeated
-    #[arg(long = "source", value_name = "V", required = true)]
-    pub sources: Vec<usize>,
+    /// Source: a vertex V or a place F:b0,b1,b2 in a triangle, with @D if it starts from a distance D; may be repeated
+    #[arg(long = "source", value_name = "S", required_unless_present = "lines")]
+    pub sources: Vec<SourcePlace>,
+    /// Sources: all vertices along the shortest way on edges through these ones, V,V[,V...]; may be repeated
+    #[arg(long = "line", value_name = "V,V...")]
+    pub lines: Vec<Line>,
+    /// Close each line
+    #[arg(long, requires = "lines")]
+    pub closed: bool,
     #[command(flatten)]
     pub dials: Dials,
+    /// How linear systems are solved
+    #[arg(long, default_value = "cholesky", value_parser = one_of(&LINEAR_SOLVERS))]
+    pub solver: LinearSolver,
+    /// How several sources are joined
+    #[arg(long, default_value = "exact", value_parser = one_of(&MULTI_SOURCES))]
+    pub multi: MultiSource,
+    /// Exact polyhedral distances everywhere; the dials of the heat method then do nothing
+    #[arg(long)]
+    pub exact: bool,
+    /// Tell the error against exact distances
+    #[arg(long, conflicts_with = "exact")]
+    pub compare: bool,
     /// Time the median solve over so many single sources
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
@@ -74,48 +87,50 @@ pub struct Distance {
 pub struct Path {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Vertex where the path begins, counted from 0
-    #[arg(long, value_name = "V")]
-    pub from: usize,
-    /// Vertex where it ends
-    #[arg(long, value_name = "V")]
-    pub to: usize,
+    /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle
+    #[arg(long, value_name = "S")]
+    pub from: Place,
+    /// Where it ends
+    #[arg(long, value_name = "S")]
+    pub to: Place,
     #[command(flatten)]
     pub dials: Dials,
+    /// How linear systems are solved
+    #[arg(long, default_value = "cholesky", value_parser = one_of(&LINEAR_SOLVERS))]
+    pub solver: LinearSolver,
+    /// Straighten the path until it is locally shortest
+    #[arg(long)]
+    pub straighten: bool,
+    /// An exact shortest path; the dials of the heat method then do nothing
+    #[arg(long, conflicts_with = "straighten")]
+    pub exact: bool,
     /// Write the points to an .obj or .csv file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Boundary {
-    Neumann,
-    Dirichlet,
-    Average,
-}
-
-impl Dials {
-    pub fn parameters(&self) -> heatwalk::Parameters {
-        let boundary = match self.boundary {
-            Boundary::Neumann => heatwalk::Boundary::Neumann,
-            Boundary::Dirichlet => heatwalk::Boundary::Dirichlet,
-            Boundary::Average => heatwalk::Boundary::Average,
-        };
-        heatwalk::Parameters { time_factor: self.time_factor, boundary }
-    }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
-        _ => Err("it must be a positive number".to_owned()),
-    }
+#[derive(Args)]
+pub struct Table {
+    /// glTF, GLB, OBJ, OFF, PLY or STL files
+    #[arg(value_name = "MESH", required = true)]
+    pub meshes: Vec<PathBuf>,
+    #[command(flatten)]
+    pub dials: Dials,
+    /// Tell the errors against exact distances too
+    #[arg(long)]
+    pub exact: bool,
+    /// Take the median solve over so many sources; over 3 at most with conjugate gradients
+    #[arg(long, value_name = "K", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub repeat: u32,
+    /// Print one JSON array
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance or path; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

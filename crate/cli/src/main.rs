@@ -2,9 +2,17 @@
 
 mod args;
 mod commands;
+mod dials;
+mod distance;
+mod exact;
 mod input;
+mod markdown;
 mod output;
+mod path;
+mod place;
 mod report;
+mod table;
+mod timing;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -21,17 +29,21 @@ fn main() -> ExitCode {
     let outcome = match Arguments::try_parse() {
         Ok(arguments) => commands::run(&arguments.command),
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
-            Ok(error.render().to_string())
+            Ok(error.render().to_string().into())
         }
         Err(error) => return fail(&args::in_one_sentence(&error)),
     };
-    match outcome.map(|text| print(&text)) {
-        Ok(Ok(())) => ExitCode::SUCCESS,
+    let answer = match outcome {
+        Ok(answer) => answer,
+        Err(error) => return fail(&format!("{error:#}")),
+    };
+    match print(&answer.text) {
+        Ok(()) => {}
         // Whoever reads the pipe has seen enough.
-        Ok(Err(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-        Ok(Err(error)) => fail(&format!("cannot write to standard output: {error}")),
-        Err(error) => fail(&format!("{error:#}")),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {}
+        Err(error) => return fail(&format!("cannot write to standard output: {error}")),
     }
+    answer.failures.iter().fold(ExitCode::SUCCESS, |_, failure| fail(failure))
 }
 
 fn print(text: &str) -> io::Result<()> {

@@ -73,6 +73,8 @@ impl Report {
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
+                // JSON has no infinity.
+                Value::Null => writeln!(text, "{name:<22} inf"),
                 value => writeln!(text, "{name:<22} {value}"),
             };
         }

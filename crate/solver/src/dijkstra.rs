@@ -1,69 +1,101 @@
-//! Shortest paths along edges (Dijkstra 1959): an upper bound for distance, and the way out of a dead end.
+//! Shortest paths along edges (Dijkstra 1959; towards one goal, Hart, Nilsson, Raphael 1968): lines along edges, an
+//! upper bound for distance, and the way out of a dead end.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::ops::ControlFlow;
 
 use crate::csr::NONE;
+use crate::error::{Error, Result};
+use crate::halfedge::Halfedge;
+use crate::sources::SurfacePoint;
 use crate::surface::Surface;
 use crate::triangle;
 
-/// Visits points in order of their distance along edges from `start`, until `settled(point, distance)` breaks or all
-/// that can be reached are done. `best` holds infinity at every point of the piece before, the distances after;
-/// `improved(point, from)` tells each new predecessor.
-fn sweep(
-    surface: &Surface,
-    start: u32,
-    best: &mut [f64],
-    mut settled: impl FnMut(u32, f64) -> ControlFlow<()>,
-    mut improved: impl FnMut(u32, u32),
-) {
+/// The shortest way along edges from one point to another, both included; one point where they are the same.
+///
+/// # Errors
+/// [`Error::BadVertex`] for a point that does not exist; [`Error::Unreachable`] where no edges join them.
+pub fn edge_path(surface: &Surface, from: u32, to: u32) -> Result<Vec<u32>> {
+    for point in [from, to] {
+        SurfacePoint::Vertex(point).validated(surface)?;
+    }
+    let component = |point: u32| surface.component_of_point[point as usize];
+    if component(from) != component(to) {
+        return Err(Error::Unreachable);
+    }
+    let goal = surface.position(to);
+    // No way along edges is shorter than the straight line.
+    let ahead = |point: u32| triangle::length(goal - surface.position(point));
+    way(surface, from, |point| point == to, ahead).ok_or(Error::Unreachable)
+}
+
+/// The line of shortest ways along edges through picked points in order, and back to the first where it is `closed`.
+/// Where two ways meet, their point is there once; a closed line does not repeat its first point at the end.
+///
+/// # Errors
+/// As [`edge_path`]; [`Error::BadParameter`] where no point is given.
+pub fn edge_polyline(surface: &Surface, through: &[u32], closed: bool) -> Result<Vec<u32>> {
+    let Some(&first) = through.first() else {
+        return Err(Error::BadParameter { name: "line", value: "empty".to_owned(), range: "one point at least" });
+    };
+    SurfacePoint::Vertex(first).validated(surface)?;
+    let mut line = vec![first];
+    for pair in through.windows(2) {
+        line.extend_from_slice(&edge_path(surface, pair[0], pair[1])?[1..]);
+    }
+    if closed {
+        let back = edge_path(surface, through[through.len() - 1], first)?;
+        line.extend_from_slice(&back[1..]);
+        // The point in common, unless it is the only one.
+        if line.len() > 1 {
+            line.pop();
+        }
+    }
+    Ok(line)
+}
+
+/// The shortest way along edges from `start` to the nearest point that is a `goal`, both ends included; `None` where
+/// none can be reached.
+pub(crate) fn way_to(surface: &Surface, start: u32, goal: impl Fn(u32) -> bool) -> Option<Vec<u32>> {
+    way(surface, start, goal, |_| 0.0)
+}
+
+/// The same with a lower bound, from each point, of the way `ahead` to the goal. Points are visited in order of the way
+/// behind and the bound, and none beyond the goal.
+fn way(surface: &Surface, start: u32, goal: impl Fn(u32) -> bool, ahead: impl Fn(u32) -> f64) -> Option<Vec<u32>> {
+    let mut best = vec![f64::INFINITY; surface.point_count()];
+    let mut from = vec![NONE; surface.point_count()];
     // Bits of non-negative floats order as the floats do.
-    let mut queue = BinaryHeap::from([Reverse((0.0_f64.to_bits(), start))]);
+    let mut queue = BinaryHeap::from([Reverse((0, start, 0.0_f64.to_bits()))]);
     best[start as usize] = 0.0;
-    while let Some(Reverse((bits, point))) = queue.pop() {
+    let end = loop {
+        let Reverse((_, point, bits)) = queue.pop()?;
         let distance = f64::from_bits(bits);
         if distance > best[point as usize] {
             continue;
         }
-        if settled(point, distance).is_break() {
-            break;
+        if goal(point) {
+            break point;
         }
         let position = surface.position(point);
         for other in surface.neighbours(point) {
             let candidate = distance + triangle::length(surface.position(other) - position);
             if candidate < best[other as usize] {
                 best[other as usize] = candidate;
-                improved(other, point);
-                queue.push(Reverse((candidate.to_bits(), other)));
+                from[other as usize] = point;
+                queue.push(Reverse(((candidate + ahead(other)).to_bits(), other, candidate.to_bits())));
             }
         }
-    }
-}
-
-/// The shortest way along edges from `start` to the nearest point that is a `goal`, both ends included; `None` where
-/// none can be reached.
-pub(crate) fn way_to(surface: &Surface, start: u32, goal: impl Fn(u32) -> bool) -> Option<Vec<u32>> {
-    let mut best = vec![f64::INFINITY; surface.point_count()];
-    let mut from = vec![NONE; surface.point_count()];
-    let mut end = None;
-    let settled = |point, _| {
-        if goal(point) {
-            end = Some(point);
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
     };
-    sweep(surface, start, &mut best, settled, |point, before| from[point as usize] = before);
     let step_back = |&point: &u32| Some(from[point as usize]).filter(|&before| before != NONE);
-    let mut way: Vec<u32> = std::iter::successors(Some(end?), step_back).collect();
+    let mut way: Vec<u32> = std::iter::successors(Some(end), step_back).collect();
     way.reverse();
     Some(way)
 }
 
 /// The largest extent of a connected piece along edges, found by two sweeps over each; at least half the true one.
 pub(crate) fn extent(surface: &Surface) -> f64 {
+    let mut sweep = Sweep::new(surface);
     let mut first = vec![f64::INFINITY; surface.point_count()];
     let mut second = first.clone();
     let mut extent: f64 = 0.0;
@@ -71,20 +103,93 @@ pub(crate) fn extent(surface: &Surface) -> f64 {
     for point in 0..surface.point_count() as u32 {
         if surface.component_of_point[point as usize] == pieces {
             pieces += 1;
-            let (end, _) = farthest(surface, point, &mut first);
-            extent = extent.max(farthest(surface, end, &mut second).1);
+            let (end, _) = sweep.farthest(point, &mut first);
+            extent = extent.max(sweep.farthest(end, &mut second).1);
         }
     }
     extent
 }
 
-/// The farthest point of the piece from `start` along edges, with its distance.
-fn farthest(surface: &Surface, start: u32, best: &mut [f64]) -> (u32, f64) {
-    let mut last = (start, 0.0);
-    let settled = |point, distance| {
-        last = (point, distance);
-        ControlFlow::Continue(())
-    };
-    sweep(surface, start, best, settled, |_, _| {});
-    last
+/// Distances along edges from a point to all of its piece. Points are taken from buckets of distance in any order and
+/// again when they got nearer (delta-stepping: Meyer and Sanders 2003), which is cheaper than a heap and ends at the
+/// same distances.
+struct Sweep {
+    /// `#P + 1`, where each point's edges begin.
+    start: Vec<u32>,
+    /// The point at the other end, and the length.
+    edges: Vec<(u32, f64)>,
+    /// Those of the piece.
+    reached: Vec<u32>,
+    /// Points to take, by distance in units of `width`, in a circle longer than any edge.
+    buckets: Vec<Vec<(u32, f64)>>,
+    width: f64,
+}
+
+impl Sweep {
+    /// Width of a bucket in mean edges. Narrower ones are empty, in wider ones points are taken in vain.
+    const WIDTH: f64 = 0.5;
+    /// Most buckets, for meshes with edges far longer than the mean.
+    const MOST: f64 = 4096.0;
+
+    fn new(surface: &Surface) -> Self {
+        // Each edge in both directions: from the face on each side, or from its boundary.
+        let inner = surface.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let outer = (3 * surface.face_count() as u32..surface.mesh.halfedge_count() as u32).map(Halfedge);
+        let both = || inner.clone().chain(outer.clone().map(|halfedge| surface.ends(halfedge)));
+        let mut start = vec![0; surface.point_count() + 1];
+        for [tail, _] in both() {
+            start[tail as usize + 1] += 1;
+        }
+        for point in 0..surface.point_count() {
+            start[point + 1] += start[point];
+        }
+        let mut free = start.clone();
+        let mut edges = vec![(0, 0.0); surface.mesh.halfedge_count()];
+        for [tail, tip] in both() {
+            let slot = &mut free[tail as usize];
+            let length = triangle::length(surface.position(tip) - surface.position(tail));
+            edges[*slot as usize] = (tip, length);
+            *slot += 1;
+        }
+        let longest = edges.iter().fold(0.0, |longest: f64, edge| longest.max(edge.1));
+        let width = (Self::WIDTH * surface.mean_edge).max(longest / Self::MOST);
+        // One bucket more for the one at work, one for rounding.
+        let circle = (longest / width) as usize + 3;
+        Self { start, edges, reached: Vec::new(), buckets: vec![Vec::new(); circle], width }
+    }
+
+    /// The farthest point of the piece from `start`, the last one of several, with its distance. `best` holds infinity
+    /// at every point of the piece before, the distances after.
+    fn farthest(&mut self, start: u32, best: &mut [f64]) -> (u32, f64) {
+        let circle = self.buckets.len();
+        best[start as usize] = 0.0;
+        self.reached.clear();
+        self.reached.push(start);
+        self.buckets[0].push((start, 0.0));
+        let (mut waiting, mut at) = (1, 0);
+        while waiting > 0 {
+            while let Some((point, distance)) = self.buckets[at % circle].pop() {
+                waiting -= 1;
+                if distance > best[point as usize] {
+                    continue;
+                }
+                let row = self.start[point as usize] as usize..self.start[point as usize + 1] as usize;
+                for &(tip, length) in &self.edges[row] {
+                    let candidate = distance + length;
+                    let known = &mut best[tip as usize];
+                    if candidate < *known {
+                        if known.is_infinite() {
+                            self.reached.push(tip);
+                        }
+                        *known = candidate;
+                        self.buckets[(candidate / self.width) as usize % circle].push((tip, candidate));
+                        waiting += 1;
+                    }
+                }
+            }
+            at += 1;
+        }
+        let reached = self.reached.iter().map(|&point| (point, best[point as usize]));
+        reached.max_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0))).unwrap_or((start, 0.0))
+    }
 }

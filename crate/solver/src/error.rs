@@ -104,13 +104,19 @@ pub enum Error {
     },
     /// A matrix could not be factored.
     #[error(
-        "the {matrix} matrix is not positive definite at vertex {vertex}: the triangles around it are degenerate; repair the mesh there"
+        "the {matrix} matrix is not positive definite at vertex {vertex}: the triangles around it are degenerate; choose the Delaunay operator or repair the mesh there"
     )]
     NotPositiveDefinite {
         /// Which matrix: heat or Poisson.
         matrix: &'static str,
         /// Welded vertex of the failing pivot.
         vertex: usize,
+    },
+    /// Conjugate gradients did not reach their tolerance.
+    #[error("conjugate gradients did not converge in {iterations} steps; choose the Cholesky solver")]
+    NotConverged {
+        /// Steps done.
+        iterations: usize,
     },
     /// The factors do not fit into memory.
     #[error("out of memory while {stage}; use a mesh with fewer triangles")]

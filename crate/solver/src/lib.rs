@@ -22,16 +22,17 @@
 //! # }
 //! ```
 
-mod cholesky;
 mod csr;
 mod dijkstra;
 pub mod drawing;
 pub mod error;
+pub mod exact;
+pub mod gradient;
 pub mod halfedge;
 pub mod heat;
 pub mod io;
-pub mod laplacian;
-pub mod ordering;
+mod linear;
+pub mod operator;
 mod pairing;
 pub mod path;
 pub mod shapes;
@@ -41,11 +42,16 @@ pub mod surface;
 mod triangle;
 mod weld;
 
+pub use dijkstra::{edge_path, edge_polyline};
 pub use drawing::{DrawMesh, draw_mesh};
 pub use error::{Error, Result};
 pub use halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
-pub use heat::{Boundary, Distance, HeatSolver, Parameters, Progress, Stage};
-pub use path::{Path, PathPoint, descend};
+pub use heat::{
+    Boundary, Distance, HeatSolver, LinearSolver, MultiSource, NearField, Parameters, Progress, Refinement, Stage,
+    TimeStep,
+};
+pub use operator::Operator;
+pub use path::{Path, PathPoint, Straightest, descend, straighten, straightest};
 pub use soup::Soup;
-pub use sources::SurfacePoint;
+pub use sources::{Source, SurfacePoint};
 pub use surface::{BuildReport, Surface};

@@ -2,6 +2,34 @@
 
 use crate::csr::{Csr, NONE};
 
+/// Visits each edge with its lower point and its half-edges `3 f + k`, ascending, of either direction. `corners` lists
+/// the corners `3 f + k` at each point.
+pub(crate) fn for_each_edge(faces: &[[u32; 3]], corners: &Csr, mut visit: impl FnMut(u32, &[u32])) {
+    // Half-edges between the point and higher ones, as (other point, half-edge) in one sortable word.
+    let mut around: Vec<u64> = Vec::new();
+    let mut sides: Vec<u32> = Vec::new();
+    for (point, row) in corners.rows().enumerate() {
+        around.clear();
+        for &corner in row {
+            let (face, k) = (corner as usize / 3, corner as usize % 3);
+            let before = (k + 2) % 3;
+            for (other, halfedge) in
+                [(faces[face][(k + 1) % 3], corner as usize), (faces[face][before], face * 3 + before)]
+            {
+                if other as usize > point {
+                    around.push(u64::from(other) << 32 | halfedge as u64);
+                }
+            }
+        }
+        around.sort_unstable();
+        for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
+            sides.clear();
+            sides.extend(edge.iter().map(|&side| side as u32));
+            visit(point as u32, &sides);
+        }
+    }
+}
+
 /// The edges of a triangle list. Half-edge `3 f + k` runs from corner `k` of face `f` to the next corner.
 pub(crate) struct Pairing {
     /// `3 #F`, the other half-edge of the same edge where exactly two faces meet, else [`NONE`].
@@ -15,7 +43,7 @@ pub(crate) struct Pairing {
 }
 
 impl Pairing {
-    /// Pairs half-edges by their end points. `corners` lists the corners `3 f + k` at each point.
+    /// Pairs half-edges by their end points; `corners` as in [`for_each_edge`].
     pub(crate) fn new(faces: &[[u32; 3]], corners: &Csr) -> Self {
         let mut pairing = Self {
             mate: vec![NONE; faces.len() * 3],
@@ -23,34 +51,17 @@ impl Pairing {
             edges: Vec::with_capacity(faces.len() * 3 / 2),
             non_manifold_edges: 0,
         };
-        // Half-edges between the point and higher ones, as (other point, half-edge) in one sortable word.
-        let mut around: Vec<u64> = Vec::new();
-        for (point, row) in corners.rows().enumerate() {
-            around.clear();
-            for &corner in row {
-                let (face, k) = (corner as usize / 3, corner as usize % 3);
-                let before = (k + 2) % 3;
-                for (other, halfedge) in
-                    [(faces[face][(k + 1) % 3], corner as usize), (faces[face][before], face * 3 + before)]
-                {
-                    if other as usize > point {
-                        around.push(u64::from(other) << 32 | halfedge as u64);
-                    }
+        for_each_edge(faces, corners, |_, sides| {
+            pairing.edges.push(sides[0]);
+            match *sides {
+                [only] => pairing.single[only as usize] = true,
+                [a, b] => {
+                    pairing.mate[a as usize] = b;
+                    pairing.mate[b as usize] = a;
                 }
+                _ => pairing.non_manifold_edges += 1,
             }
-            around.sort_unstable();
-            for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
-                pairing.edges.push(edge[0] as u32);
-                match *edge {
-                    [only] => pairing.single[only as u32 as usize] = true,
-                    [a, b] => {
-                        pairing.mate[a as u32 as usize] = b as u32;
-                        pairing.mate[b as u32 as usize] = a as u32;
-                    }
-                    _ => pairing.non_manifold_edges += 1,
-                }
-            }
-        }
+        });
         pairing
     }
 

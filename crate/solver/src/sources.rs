@@ -1,4 +1,4 @@
-//! Points on the surface, and how sources enter the heat and leave the distance.
+//! Points on the surface and sources of distance.
 
 use glam::DVec3;
 
@@ -91,6 +91,12 @@ impl SurfacePoint {
         points.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
     }
 
+    /// The welded point that it is, if it is one.
+    pub(crate) fn vertex(self, surface: &Surface) -> Option<u32> {
+        let mut support = self.support(surface);
+        support.next().filter(|_| support.next().is_none()).map(|(point, _)| point)
+    }
+
     /// Its position, in the file's unit.
     pub fn position(self, surface: &Surface) -> DVec3 {
         self.support(surface).map(|(point, weight)| surface.position(point) * weight).sum()
@@ -112,30 +118,37 @@ impl SurfacePoint {
     }
 }
 
-/// Unit heat at each source, spread barycentrically, as `(point, amount)`; one point may appear more than once.
-pub(crate) fn spread(surface: &Surface, sources: &[SurfacePoint]) -> Vec<(u32, f64)> {
-    sources.iter().flat_map(|source| source.support(surface)).collect()
+/// A source: a point of the surface and the distance that it starts from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    /// Where.
+    pub point: SurfacePoint,
+    /// Starting value, in the file's unit, 0 or more: distances are the least of starting value plus way.
+    pub offset: f64,
 }
 
-/// Shifts distances, known up to a constant on each connected piece, and sets pieces without a source to infinity.
-///
-/// At one source the shift makes values at the corners around it equal, on the barycentric mean, to their straight
-/// distances from it; at a vertex that is exactly 0. With several sources on a piece it is the mean of theirs, since
-/// superposed heat gives one constant only. What then is below 0 becomes 0.
-pub(crate) fn shift(surface: &Surface, sources: &[SurfacePoint], values: &mut [f64]) {
-    let mut excess = vec![(0.0, 0.0); surface.report.components];
-    for source in sources {
-        let position = source.position(surface);
-        let own: f64 = source
-            .support(surface)
-            .map(|(point, weight)| weight * (values[point as usize] - (surface.position(point) - position).length()))
-            .sum();
-        let (sum, count) = &mut excess[source.component(surface) as usize];
-        *sum += own;
-        *count += 1.0;
+impl From<SurfacePoint> for Source {
+    fn from(point: SurfacePoint) -> Self {
+        Self { point, offset: 0.0 }
     }
-    for (value, &component) in values.iter_mut().zip(&surface.component_of_point) {
-        let (sum, count) = excess[component as usize];
-        *value = if count > 0.0 { (*value - sum / count).max(0.0) } else { f64::INFINITY };
+}
+
+impl From<(SurfacePoint, f64)> for Source {
+    fn from((point, offset): (SurfacePoint, f64)) -> Self {
+        Self { point, offset }
+    }
+}
+
+impl Source {
+    /// The same source with a valid point.
+    ///
+    /// # Errors
+    /// As [`SurfacePoint::validated`]; [`Error::BadParameter`] for a starting value that is negative or not finite.
+    pub fn validated(self, surface: &Surface) -> Result<Self> {
+        if !(self.offset.is_finite() && self.offset >= 0.0) {
+            let value = self.offset.to_string();
+            return Err(Error::BadParameter { name: "the starting value of a source", value, range: "0 or more" });
+        }
+        Ok(Self { point: self.point.validated(surface)?, offset: self.offset })
     }
 }

@@ -9,7 +9,7 @@ use glam::DVec3;
 use crate::csr::{Csr, NONE};
 use crate::error::Result;
 use crate::halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
-use crate::pairing::Pairing;
+use crate::pairing::{Pairing, for_each_edge};
 use crate::soup::Soup;
 use crate::triangle;
 use crate::weld::weld;
@@ -66,6 +66,8 @@ pub struct Surface {
     pub component_of_point: Vec<u32>,
     /// Per point whether an edge with one face only ends there. Cuts are not boundary.
     pub is_boundary_point: Vec<bool>,
+    /// Whether no edge had to be cut: every edge has one face, or two that agree in orientation.
+    pub is_oriented_manifold: bool,
     /// Mean length of the edges, in the file's unit.
     pub mean_edge: f64,
     /// What was found and done.
@@ -107,6 +109,9 @@ impl Surface {
             is_boundary_point[face[(halfedge + 1) % 3] as usize] = true;
         }
         let is_true_boundary = |halfedge: Halfedge| pairing.single[mesh.twin(halfedge).0 as usize];
+        let cut_or_boundary =
+            (0..faces.len() * 3).filter(|&slot| mesh.twin(Halfedge(slot as u32)).0 as usize >= faces.len() * 3);
+        let is_oriented_manifold = cut_or_boundary.into_iter().all(|slot| pairing.single[slot]);
         let boundary_loops =
             mesh.boundary_loops().filter(|&cap| mesh.halfedges_of_face(cap).any(is_true_boundary)).count();
 
@@ -133,6 +138,7 @@ impl Surface {
         let inputs_of_point = Csr::group(points, welded.point_of_input.iter().copied());
         Ok(Self {
             mean_edge: mean_edge(&pairing.edges, &faces, &positions),
+            is_oriented_manifold,
             mesh,
             point_of_vertex,
             positions,
@@ -180,6 +186,16 @@ impl Surface {
     /// The faces that have both points, over all copies: one on a boundary, more than two where not manifold.
     pub(crate) fn faces_of_edge(&self, a: u32, b: u32) -> impl Iterator<Item = Face> + '_ {
         self.corners_of_point(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
+    }
+
+    /// Visits each edge with its lower point and all half-edges `3 f + k` along it, of either direction.
+    pub(crate) fn for_each_edge(&self, visit: impl FnMut(u32, &[u32])) {
+        for_each_edge(self.faces.as_slice(), &self.corners_of_point, visit);
+    }
+
+    /// The same connectivity in another place: `#P` positions. Reports and the mean edge stay.
+    pub(crate) fn with_positions(&self, positions: Vec<DVec3>) -> Self {
+        Self { positions, ..self.clone() }
     }
 
     /// Position of a point.

@@ -14,8 +14,25 @@ pub(crate) fn unit(vector: DVec3) -> DVec3 {
 
 /// Length, safe where its square would under- or overflow.
 pub(crate) fn length(vector: DVec3) -> f64 {
+    let squared = vector.length_squared();
+    if (1e-280..1e280).contains(&squared) {
+        return squared.sqrt();
+    }
     let scale = vector.abs().max_element();
     if scale > 0.0 { scale * (vector / scale).length() } else { 0.0 }
+}
+
+/// Area of the triangle with these side lengths, 0 where they violate the triangle inequality. W. Kahan,
+/// "Miscalculating area and angles of a needle-like triangle" (2014): accurate for any shape.
+pub(crate) fn area_of_lengths(mut lengths: [f64; 3]) -> f64 {
+    lengths.sort_unstable_by(|a, b| b.total_cmp(a));
+    let [a, b, c] = lengths;
+    if a == 0.0 {
+        return 0.0;
+    }
+    let [b, c] = [b / a, c / a];
+    let product = (1.0 + (b + c)) * (c - (1.0 - b)) * (c + (1.0 - b)) * (1.0 + (b - c));
+    0.25 * a * a * product.max(0.0).sqrt()
 }
 
 /// The edges opposite each corner.
@@ -34,12 +51,9 @@ pub(crate) fn angle([p, q, r]: [DVec3; 3]) -> f64 {
     length(a.cross(b)).atan2(a.dot(b))
 }
 
-/// Cotangents of the three corner angles, within ± `COTAN_LIMIT`. They stay those of a triangle, so that its
+/// Cuts the cotangents of a triangle's corner angles at ± `COTAN_LIMIT`. They stay those of a triangle, so that its
 /// stiffness matrix stays positive semidefinite.
-pub(crate) fn cotans(corners: [DVec3; 3]) -> [f64; 3] {
-    let [a, b, c] = edges(corners);
-    let double_area = length(area_vector(corners));
-    let mut cotans = [-b.dot(c), -c.dot(a), -a.dot(b)].map(|dot| dot / double_area);
+pub(crate) fn limit_cotans(mut cotans: [f64; 3]) -> [f64; 3] {
     if cotans.iter().all(|cotan| cotan.abs() <= COTAN_LIMIT) {
         return cotans;
     }

@@ -102,6 +102,46 @@ fn constant_distance_still_arrives() {
 }
 
 #[test]
+fn walks_along_the_boundary() {
+    // Lower to the left and, ten times as steeply, out over the lower side.
+    let (solver, mut distance) = distance_from(&square(8), 0);
+    let surface = solver.surface();
+    for (value, position) in distance.values.iter_mut().zip(&surface.positions) {
+        *value = position.x + 10.0 * position.y;
+    }
+    distance.sources = vec![SurfacePoint::Vertex(nearest(surface, DVec3::ZERO))];
+    for face in surface.mesh.faces() {
+        let from = SurfacePoint::Face { face, weights: [0.3, 0.3, 0.4] };
+        let path = descend(surface, &distance, from).expect("reachable");
+        check(&solver, &path, from, &distance.sources);
+        let side = path.points.iter().position(|point| point.position.y == 0.0).expect("the lower side");
+        let (down, along) = path.points.split_at(side);
+        // In line with the gradient, then on the side; the last piece but one may be cut short by the source in sight.
+        let start = from.position(surface);
+        for point in down {
+            let offset = point.position - start;
+            assert!((offset.x - 0.1 * offset.y).abs() < 1e-9 || point.position.x < 0.125, "{point:?}");
+        }
+        assert!(along.windows(2).all(|pair| pair[1].position.y == 0.0 && pair[1].position.x < pair[0].position.x));
+    }
+}
+
+#[test]
+fn starts_on_an_edge() {
+    let solver = solver(&band(24, 1), 1.0, Boundary::Neumann);
+    let surface = solver.surface();
+    let source = SurfacePoint::Vertex(0);
+    let distance = solver.distance(&[source]).expect("a source");
+    for halfedge in surface.mesh.halfedges() {
+        let from = SurfacePoint::Edge { halfedge, fraction: 0.37 };
+        let path = descend(surface, &distance, from).expect("reachable");
+        check(&solver, &path, from, &[source]);
+        // The straight line through space is no longer.
+        assert!(path.length() >= from.position(surface).distance(surface.position(0)) * (1.0 - 1e-12));
+    }
+}
+
+#[test]
 fn start_at_the_source_is_a_point() {
     let (solver, distance) = distance_from(&square(4), 3);
     let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(3)).expect("reachable");

@@ -168,6 +168,20 @@ fn touching_fans_share_a_point() {
 }
 
 #[test]
+fn sheets_that_only_touch_stay_apart() {
+    // Two fans at one place: joined where the file joins them, apart where it does not.
+    let positions = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (0.0, 0.0)]);
+    let joined = checked(&soup(positions.clone(), vec![[0, 1, 2], [0, 3, 4]]));
+    assert_eq!((joined.report.components, joined.point_count()), (1, 5));
+    let apart = checked(&soup(positions, vec![[0, 1, 2], [5, 3, 4]]));
+    assert_eq!((apart.report.components, apart.point_count(), apart.report.welded_vertices), (2, 6, 0));
+    // A seam down to the same place joins by its edge, though the file has a vertex for each side.
+    let positions = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1.0, 1.0)]);
+    let seam = checked(&soup(positions, vec![[0, 1, 2], [4, 5, 3]]));
+    assert_eq!((seam.report.components, seam.point_count(), seam.report.welded_vertices), (1, 4, 2));
+}
+
+#[test]
 fn separate_parts_are_infinitely_far() {
     let mut two = square(4);
     let first = two.positions.len();

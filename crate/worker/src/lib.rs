@@ -191,7 +191,7 @@ fn parameters(time_factor: f64, boundary: &str) -> Result<Parameters, JsError> {
         "average" => Boundary::Average,
         other => return Err(JsError::new(&format!("there is no boundary condition '{other}'"))),
     };
-    Ok(Parameters { time_factor, boundary })
+    Ok(Parameters { time_step: heatwalk::TimeStep::Factor(time_factor), boundary, ..Parameters::default() })
 }
 
 /// Passes the stages on to the page. What the page does with them is no reason to stop.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{Boundary, Distance, HeatSolver, Parameters, Soup, Surface, SurfacePoint};
+use heatwalk::{Boundary, Distance, HeatSolver, NearField, Parameters, Soup, Surface, SurfacePoint, TimeStep};
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
     Soup::single("test", positions, triangles)
@@ -92,9 +92,18 @@ pub fn surface(soup: &Soup) -> Surface {
     Surface::build(soup).expect("a usable test shape")
 }
 
+/// The heat method alone, without the near field.
+pub fn heat_only(time_factor: f64, boundary: Boundary) -> Parameters {
+    let time_step = TimeStep::Factor(time_factor);
+    Parameters { time_step, boundary, near_field: NearField::Edges(0.0), ..Parameters::default() }
+}
+
+pub fn solver_with(soup: &Soup, parameters: Parameters) -> HeatSolver {
+    HeatSolver::new(surface(soup), parameters, &mut |_, _| ControlFlow::Continue(())).expect("factors")
+}
+
 pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {
-    HeatSolver::new(surface(soup), Parameters { time_factor, boundary }, &mut |_, _| ControlFlow::Continue(()))
-        .expect("factors")
+    solver_with(soup, heat_only(time_factor, boundary))
 }
 
 pub fn distance_from(soup: &Soup, point: u32) -> (HeatSolver, Distance) {

@@ -5,48 +5,14 @@
 
 use std::collections::HashMap;
 
-use glam::DVec3;
-
+use super::{Path, PathPoint, faces_at, snapped, weights_in};
 use crate::dijkstra;
 use crate::error::{Error, Result};
-use crate::halfedge::{Face, Halfedge};
+use crate::halfedge::Face;
 use crate::heat::Distance;
 use crate::sources::SurfacePoint;
 use crate::surface::Surface;
 use crate::triangle;
-
-/// A crossing nearer to a vertex or an edge than this share of the edge is on it. Rounding of one crossing is 10⁻¹⁶,
-/// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
-const SNAP: f64 = 1e-10;
-
-/// A point of a [`Path`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PathPoint {
-    /// Position, in the file's unit.
-    pub position: DVec3,
-    /// Where on the surface: at a point, on an edge, or inside a face.
-    pub location: SurfacePoint,
-    /// The face that the path goes through, or along, after this point; at the last point the one before.
-    pub face: Face,
-}
-
-/// A piecewise straight curve on the surface.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Path {
-    /// From the start to the source, both included; a start on a source gives one point.
-    pub points: Vec<PathPoint>,
-    /// Unit surface normal at each of `points`.
-    pub normals: Vec<DVec3>,
-}
-
-impl Path {
-    /// Length, in the file's unit.
-    pub fn length(&self) -> f64 {
-        let pieces = self.points.windows(2).map(|ends| triangle::length(ends[1].position - ends[0].position));
-        // The empty sum of floats is −0.
-        pieces.fold(0.0, |sum, piece| sum + piece)
-    }
-}
 
 /// Follows the distance from `from` down to a source.
 ///
@@ -70,8 +36,7 @@ pub fn descend(surface: &Surface, distance: &Distance, from: SurfacePoint) -> Re
         }
         crossings_left = crossings_left.saturating_sub(1);
     }
-    let normals = descent.points.iter().map(|point| normal(surface, point)).collect();
-    Ok(Path { points: descent.points, normals })
+    Ok(Path::new(surface, descent.points))
 }
 
 struct Descent<'a> {
@@ -223,62 +188,4 @@ impl<'a> Descent<'a> {
             }
         }
     }
-}
-
-/// The same point as a vertex or on an edge where it is within `SNAP` of one.
-fn snapped(surface: &Surface, location: SurfacePoint) -> SurfacePoint {
-    match location {
-        SurfacePoint::Vertex(_) => location,
-        SurfacePoint::Edge { halfedge, fraction } => {
-            let [a, b] = surface.ends(halfedge);
-            match fraction {
-                _ if fraction <= SNAP => SurfacePoint::Vertex(a),
-                _ if fraction >= 1.0 - SNAP => SurfacePoint::Vertex(b),
-                _ => location,
-            }
-        }
-        SurfacePoint::Face { face, weights } => match weights.iter().position(|&weight| weight <= SNAP) {
-            None => location,
-            Some(k) => {
-                let [i, j] = [(k + 1) % 3, (k + 2) % 3];
-                let fraction = weights[j] / (weights[i] + weights[j]);
-                snapped(surface, SurfacePoint::Edge { halfedge: Halfedge(face.0 * 3 + i as u32), fraction })
-            }
-        },
-    }
-}
-
-/// The faces that a point lies on.
-fn faces_at(surface: &Surface, location: SurfacePoint) -> Vec<Face> {
-    match location {
-        SurfacePoint::Vertex(point) => surface.corners_of_point(point).map(|(face, _)| face).collect(),
-        SurfacePoint::Edge { halfedge, .. } => {
-            let [a, b] = surface.ends(halfedge);
-            surface.faces_of_edge(a, b).collect()
-        }
-        SurfacePoint::Face { face, .. } => vec![face],
-    }
-}
-
-/// Barycentric weights of a point in one of the faces that it lies on.
-fn weights_in(surface: &Surface, location: SurfacePoint, face: Face) -> [f64; 3] {
-    let mut weights = [0.0; 3];
-    for (point, weight) in location.support(surface) {
-        if let Some(k) = surface.faces[face].iter().position(|&corner| corner == point) {
-            weights[k] = weight;
-        }
-    }
-    weights
-}
-
-fn normal(surface: &Surface, point: &PathPoint) -> DVec3 {
-    let normal = match point.location {
-        SurfacePoint::Vertex(vertex) => surface.point_normal(vertex),
-        SurfacePoint::Edge { .. } | SurfacePoint::Face { .. } => {
-            let faces = faces_at(surface, point.location);
-            triangle::unit(faces.into_iter().map(|face| surface.face_normal(face)).sum())
-        }
-    };
-    // Faces back to back cancel.
-    if normal == DVec3::ZERO { surface.face_normal(point.face) } else { normal }
 }

@@ -1,0 +1,90 @@
+//! `heatwalk distance`.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use anyhow::Result;
+use heatwalk::{Source, Surface};
+use serde_json::json;
+
+use crate::args::Distance;
+use crate::exact::{self, RelativeError};
+use crate::input::Input;
+use crate::output::Output;
+use crate::report::{Report, milliseconds};
+use crate::timing::{build, factor, median_solve_ms};
+
+/// Distances, `#P`, and what they took.
+struct Solved {
+    values: Vec<f64>,
+    precompute_ms: f64,
+    solve_ms: f64,
+}
+
+pub fn distance(arguments: &Distance) -> Result<String> {
+    let output = arguments.output.as_deref().map(Output::distance).transpose()?;
+    let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
+    arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
+    arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
+    let (surface, build_ms) = build(&input)?;
+    let mut sources =
+        arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
+    for line in &arguments.lines {
+        sources.extend(line.on(&surface, arguments.closed)?);
+    }
+
+    let mut report = Report::default();
+    report.push_surface(&surface.report);
+    let solve = if arguments.exact { exactly } else { by_heat };
+    let Solved { values, precompute_ms, solve_ms } = solve(&surface, &sources, arguments, &mut report)?;
+
+    // Vertices that no triangle uses are as far as another piece.
+    let of_input = |point: &Option<u32>| point.map_or(f64::INFINITY, |point| values[point as usize]);
+    let of_inputs: Vec<f64> = surface.point_of_input.iter().map(of_input).collect();
+    if let Some(output) = output {
+        output.write(&input.soup, &of_inputs)?;
+    }
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    report.push("max_distance", finite.fold(0.0, f64::max));
+    report.push("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count());
+    report.push(
+        "timings_ms",
+        json!({ "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms }),
+    );
+    Ok(report.render(arguments.mesh.json))
+}
+
+fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
+    let parameters = arguments.dials.parameters(arguments.solver, arguments.multi);
+    let (solver, precompute_ms) = factor(surface, parameters)?;
+    let start = Instant::now();
+    let distance = solver.distance(sources)?;
+    let asked_ms = milliseconds(start);
+    let solve_ms = match arguments.repeat {
+        1 => asked_ms,
+        count => median_solve_ms(surface, count, |source| Ok(solver.distance(&[source])?))?,
+    };
+    report.push("factor_nonzeros", solver.factor_nonzeros());
+    report.push("time_factor", solver.time_factor());
+    report.push("exact_below", distance.exact_below);
+    if arguments.compare {
+        let exact = exact::distances(surface, solver.exact_geometry(), sources);
+        let error = RelativeError::of(&distance.values, &exact);
+        report.push("mean_error_percent", error.mean_percent);
+        report.push("max_error_percent", error.max_percent);
+    }
+    Ok(Solved { values: distance.values, precompute_ms, solve_ms })
+}
+
+fn exactly(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
+    let (geometry, precompute_ms) = exact::geometry(surface);
+    let start = Instant::now();
+    let values = exact::distances(surface, &geometry, sources);
+    let asked_ms = milliseconds(start);
+    let solve_ms = match arguments.repeat {
+        1 => asked_ms,
+        count => median_solve_ms(surface, count, |source| Ok(exact::distances(surface, &geometry, &[source])))?,
+    };
+    report.push("factor_nonzeros", 0);
+    Ok(Solved { values, precompute_ms, solve_ms })
+}

@@ -1,0 +1,145 @@
+//! Places on the surface, as they are written on the command line.
+
+use std::str::FromStr;
+
+use anyhow::{Context, Result, bail};
+use heatwalk::{Error, Soup, Source, Surface, SurfacePoint, edge_polyline};
+
+/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
+#[derive(Debug, Clone, Copy)]
+pub enum Place {
+    Vertex(usize),
+    /// Barycentric weights of the corners, in the file's order.
+    Triangle {
+        triangle: usize,
+        weights: [f64; 3],
+    },
+}
+
+/// A place and the distance that it starts from, `S` or `S@D`.
+#[derive(Debug, Clone, Copy)]
+pub struct SourcePlace {
+    pub place: Place,
+    offset: f64,
+}
+
+/// Vertices `V,V[,V...]` that a line of sources goes through.
+#[derive(Debug, Clone)]
+pub struct Line(Vec<usize>);
+
+impl FromStr for Place {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let place = match text.split_once(':') {
+            None => text.parse().ok().map(Self::Vertex),
+            Some((triangle, weights)) => {
+                let weights: Option<Vec<f64>> = weights.split(',').map(|weight| weight.parse().ok()).collect();
+                let weights = weights.and_then(|weights| weights.try_into().ok());
+                triangle.parse().ok().zip(weights).map(|(triangle, weights)| Self::Triangle { triangle, weights })
+            }
+        };
+        place.ok_or_else(|| {
+            "give a vertex, such as 12, or a triangle and three weights, such as 5:0.2,0.3,0.5".to_owned()
+        })
+    }
+}
+
+impl FromStr for SourcePlace {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some((place, offset)) = text.split_once('@') else {
+            return Ok(Self { place: text.parse()?, offset: 0.0 });
+        };
+        match offset.parse::<f64>() {
+            Ok(offset) if offset.is_finite() && offset >= 0.0 => Ok(Self { place: place.parse()?, offset }),
+            _ => Err("after @ give the distance that the source starts from, 0 or more, such as 12@0.5".to_owned()),
+        }
+    }
+}
+
+impl FromStr for Line {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let vertices: Option<Vec<usize>> = text.split(',').map(|vertex| vertex.parse().ok()).collect();
+        let vertices = vertices.filter(|vertices| vertices.len() > 1);
+        vertices.map(Self).ok_or_else(|| "give two vertices or more, such as 3,17,40".to_owned())
+    }
+}
+
+impl Place {
+    /// Fails early, before the surface is built, for a vertex or triangle that does not exist.
+    pub fn check(&self, soup: &Soup) -> Result<()> {
+        let (vertices, triangles) = (soup.positions.len(), soup.triangles.len());
+        match *self {
+            Self::Vertex(vertex) if vertex >= vertices => {
+                let problem = format!("does not exist; there are {vertices}, counted from 0");
+                Err(Error::BadVertex { vertex, problem }.into())
+            }
+            Self::Triangle { triangle, .. } if triangle >= triangles => {
+                bail!("triangle {triangle} does not exist; there are {triangles}, counted from 0")
+            }
+            Self::Vertex(_) | Self::Triangle { .. } => Ok(()),
+        }
+    }
+
+    /// The point of the surface.
+    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
+        match *self {
+            Self::Vertex(vertex) => Ok(SurfacePoint::Vertex(point_of_vertex(surface, vertex)?)),
+            Self::Triangle { triangle, weights } => {
+                let Some(face) = surface.face_of_triangle[triangle] else {
+                    bail!("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another");
+                };
+                // The face may have been turned.
+                let [a, b, _] = soup.triangles[triangle];
+                let weight_of = |corner| {
+                    weights[if corner == a {
+                        0
+                    } else if corner == b {
+                        1
+                    } else {
+                        2
+                    }]
+                };
+                let point = SurfacePoint::Face { face, weights: surface.inputs_of_face[face].map(weight_of) };
+                point.validated(surface).map_err(|error| match error {
+                    // In the file's words.
+                    Error::BadPoint { problem, .. } => {
+                        Error::BadPoint { face: triangle, weights: format!("{weights:?}"), problem }.into()
+                    }
+                    error => error.into(),
+                })
+            }
+        }
+    }
+}
+
+impl SourcePlace {
+    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<Source> {
+        Ok(Source { point: self.place.on(soup, surface)?, offset: self.offset })
+    }
+}
+
+impl Line {
+    /// As [`Place::check`].
+    pub fn check(&self, soup: &Soup) -> Result<()> {
+        self.0.iter().try_for_each(|&vertex| Place::Vertex(vertex).check(soup))
+    }
+
+    /// A source at each vertex along the line.
+    pub fn on(&self, surface: &Surface, closed: bool) -> Result<Vec<Source>> {
+        let through = self.0.iter().map(|&vertex| point_of_vertex(surface, vertex)).collect::<Result<Vec<_>>>()?;
+        let points = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
+        Ok(points.into_iter().map(|point| SurfacePoint::Vertex(point).into()).collect())
+    }
+}
+
+/// The welded point of an input vertex.
+fn point_of_vertex(surface: &Surface, vertex: usize) -> Result<u32> {
+    let point = surface.point_of_input.get(vertex).copied().flatten();
+    let problem = "is used by no triangle; choose another".to_owned();
+    point.ok_or_else(|| Error::BadVertex { vertex, problem }.into())
+}

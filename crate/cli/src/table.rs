@@ -1,0 +1,144 @@
+//! `heatwalk table`: Table 1 of the study, for any meshes.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use heatwalk::{LinearSolver, MultiSource, SurfacePoint};
+use serde_json::{Value, json};
+
+use crate::args::Table;
+use crate::commands::Answer;
+use crate::exact::{self, RelativeError};
+use crate::input::Input;
+use crate::markdown;
+use crate::timing::{build, factor, median_solve_ms};
+
+/// Conjugate gradients take seconds a source on a large mesh, so their median is over so many sources at most.
+const MOST_ITERATED: u32 = 3;
+
+/// What one linear solver takes on one mesh.
+struct Figures {
+    precompute_ms: f64,
+    solve_ms: f64,
+    error: Option<RelativeError>,
+}
+
+/// A mesh whose file could be read and built. The solvers fail independently.
+struct Measured {
+    triangles: usize,
+    iterated: Result<Figures>,
+    factored: Result<Figures>,
+}
+
+pub fn table(arguments: &Table) -> Answer {
+    let rows: Vec<(String, Result<Measured>)> =
+        arguments.meshes.iter().map(|path| (name(path), measure(path, arguments))).collect();
+    let failures = rows.iter().flat_map(|(_, measured)| sentences(measured)).collect();
+    let text = if arguments.json { as_json(&rows) } else { as_markdown(&rows, arguments) };
+    Answer { text, failures }
+}
+
+/// What went wrong with a mesh.
+fn sentences(measured: &Result<Measured>) -> Vec<String> {
+    let errors = match measured {
+        Ok(Measured { iterated, factored, .. }) => vec![iterated.as_ref().err(), factored.as_ref().err()],
+        Err(error) => vec![Some(error)],
+    };
+    errors.into_iter().flatten().map(|error| format!("{error:#}")).collect()
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+fn measure(path: &Path, arguments: &Table) -> Result<Measured> {
+    let input = Input::read(path, &[])?;
+    let (surface, build_ms) = build(&input).with_context(|| path.display().to_string())?;
+    let source = SurfacePoint::Vertex(0).into();
+    let exact = arguments.exact.then(|| exact::distances(&surface, &exact::geometry(&surface).0, &[source]));
+    let figures = |linear_solver, sources| -> Result<Figures> {
+        let parameters = arguments.dials.parameters(linear_solver, MultiSource::default());
+        let (solver, factor_ms) = factor(&surface, parameters)?;
+        let solve_ms = median_solve_ms(&surface, sources, |source| Ok(solver.distance(&[source])?))?;
+        let error = match &exact {
+            Some(exact) => Some(RelativeError::of(&solver.distance(&[source])?.values, exact)),
+            None => None,
+        };
+        Ok(Figures { precompute_ms: build_ms + factor_ms, solve_ms, error })
+    };
+    let named = |figures: Result<Figures>| figures.with_context(|| path.display().to_string());
+    Ok(Measured {
+        triangles: surface.face_count(),
+        iterated: named(figures(LinearSolver::ConjugateGradients, arguments.repeat.min(MOST_ITERATED))),
+        factored: named(figures(LinearSolver::Cholesky, arguments.repeat)),
+    })
+}
+
+fn as_json(rows: &[(String, Result<Measured>)]) -> String {
+    let figures = |figures: &Result<Figures>| match figures {
+        Ok(Figures { precompute_ms, solve_ms, error }) => {
+            let mut object = json!({ "precompute_ms": precompute_ms, "solve_ms": solve_ms });
+            if let Some(error) = error {
+                object["mean_error_percent"] = error.mean_percent.into();
+                object["max_error_percent"] = error.max_percent.into();
+            }
+            object
+        }
+        Err(error) => json!({ "error": format!("{error:#}") }),
+    };
+    let row = |(name, measured): &(String, Result<Measured>)| match measured {
+        Ok(Measured { triangles, iterated, factored }) => json!({
+            "name": name, "triangles": triangles, "conjugate_gradients": figures(iterated), "cholesky": figures(factored)
+        }),
+        Err(error) => json!({ "name": name, "error": format!("{error:#}") }),
+    };
+    format!("{}\n", Value::Array(rows.iter().map(row).collect()))
+}
+
+fn as_markdown(rows: &[(String, Result<Measured>)], arguments: &Table) -> String {
+    let mut header = vec!["mesh", "triangles", "CG precompute (ms)", "CG solve (ms)"];
+    header.extend(["Cholesky precompute (ms)", "Cholesky solve (ms)"]);
+    if arguments.exact {
+        header.extend(["CG error mean / max (%)", "Cholesky error mean / max (%)"]);
+    }
+    let mut lines = vec![header.into_iter().map(str::to_owned).collect()];
+    lines.extend(rows.iter().map(|(name, measured)| {
+        let Ok(Measured { triangles, iterated, factored }) = measured else {
+            return vec![name.clone()];
+        };
+        let solvers = [iterated, factored].map(|figures| figures.as_ref().ok());
+        let mut cells = vec![name.clone(), triangles.to_string()];
+        for figures in solvers {
+            let times = figures.map(|figures| [figures.precompute_ms, figures.solve_ms].map(milliseconds));
+            cells.extend(times.unwrap_or([markdown::MISSING; 2].map(str::to_owned)));
+        }
+        if arguments.exact {
+            cells.extend(solvers.map(|figures| match figures.and_then(|figures| figures.error) {
+                Some(RelativeError { mean_percent, max_percent }) => format!("{mean_percent:.2} / {max_percent:.2}"),
+                None => markdown::MISSING.to_owned(),
+            }));
+        }
+        cells
+    }));
+    let (iterated, factored) = (arguments.repeat.min(MOST_ITERATED), arguments.repeat);
+    let mut text = markdown::table(&lines);
+    text += &format!(
+        "\nPrecompute: from positions to ready operators. Solve: median over single sources, {factored} with Cholesky, \
+         {iterated} with conjugate gradients (CG).\n"
+    );
+    if arguments.exact {
+        text += "Error: against exact distances from the first vertex, relative. To CG heat below 10⁻¹² of its \
+                 maximum is noise, so it loses the far field.\n";
+    }
+    text
+}
+
+/// Three digits or so.
+fn milliseconds(time: f64) -> String {
+    let digits = match time {
+        ..10.0 => 2,
+        ..100.0 => 1,
+        _ => 0,
+    };
+    format!("{time:.digits$}")
+}

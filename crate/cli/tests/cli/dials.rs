@@ -1,0 +1,99 @@
+//! The dials of the heat method.
+
+use std::fs;
+
+use heatwalk::io::write;
+
+use crate::{difference, distances, flat, folder, json};
+
+#[test]
+fn dials_change_the_answer() {
+    let folder = folder("dials");
+    let max = |dials: &[&str]| {
+        let arguments = [&["distance", "grid.ply", "--source", "0", "--near", "0"], dials].concat();
+        json(&folder, &arguments)["max_distance"].as_f64().unwrap()
+    };
+    assert_eq!(max(&[]), max(&["--t", "auto"]));
+    assert_ne!(max(&[]), max(&["--t", "20"]));
+    assert_ne!(max(&["--boundary", "neumann"]), max(&["--boundary", "dirichlet"]));
+    max(&["--boundary", "average"]);
+}
+
+#[test]
+fn the_time_factor_is_reported() {
+    let folder = folder("time_factor");
+    let factor = |dials: &[&str]| {
+        let arguments = [&["distance", "flat.ply", "--source", "0"], dials].concat();
+        json(&folder, &arguments)["time_factor"].as_f64().unwrap()
+    };
+    assert_eq!(factor(&["--t", "2.5"]), 2.5);
+    assert_eq!(factor(&["--t", "auto"]), factor(&[]));
+    assert!(factor(&[]) > 0.0);
+}
+
+#[test]
+fn both_linear_solvers_agree() {
+    let folder = folder("solver");
+    for dials in [&["torus.ply"][..], &["torus.ply", "--t", "5"], &["grid.ply", "--boundary", "average"]] {
+        let of = |solver| {
+            let places = ["--source", "0", "--source", "7:0.2,0.3,0.5", "--near", "0", "--solver", solver];
+            distances(&folder, &[dials, &places].concat())
+        };
+        // Conjugate gradients stop at a residual of 10⁻¹², which the matrices of so small meshes, and heat that falls
+        // by some orders of magnitude, make this much of.
+        assert!(difference(&of("cg"), &of("cholesky")) < 1e-6, "{dials:?}");
+    }
+    let nonzeros = |solver| {
+        let arguments = ["distance", "torus.ply", "--source", "0", "--solver", solver];
+        json(&folder, &arguments)["factor_nonzeros"].as_u64().unwrap()
+    };
+    assert_eq!(nonzeros("cg"), 0);
+    assert!(nonzeros("cholesky") > 0);
+}
+
+#[test]
+fn the_delaunay_operator_is_the_best_on_bad_triangles() {
+    let folder = folder("operator");
+    let mut soup = flat();
+    for position in &mut soup.positions {
+        position.x -= 3.0 * position.z;
+    }
+    let none = vec![0.0; soup.positions.len()];
+    fs::write(folder.join("sheared.ply"), write::distance_ply(&soup, &none)).unwrap();
+    let centre = soup.positions[40];
+    let straight: Vec<f64> = soup.positions.iter().map(|at| (*at - centre).length()).collect();
+    let of = |dials: &[&str]| distances(&folder, &[&["sheared.ply", "--source", "40", "--near", "0"], dials].concat());
+    let delaunay = of(&["--operator", "delaunay"]);
+    assert_eq!(difference(&delaunay, &of(&[])), 0.0, "it is the default");
+    for operator in ["plain", "relocate"] {
+        let other = of(&["--operator", operator]);
+        assert!(difference(&delaunay, &straight) < difference(&other, &straight), "{operator}: {other:?}");
+    }
+    assert!(difference(&of(&["--operator", "plain"]), &of(&["--operator", "relocate"])) > 1e-6);
+}
+
+#[test]
+fn distances_are_exact_near_the_sources() {
+    let folder = folder("near");
+    let below = |mesh: &str, near: &[&str]| {
+        let arguments = [&["distance", mesh, "--source", "0", "--operator", "plain"], near].concat();
+        json(&folder, &arguments)["exact_below"].clone()
+    };
+    assert_eq!(below("torus.ply", &["--near", "0"]), 0.0);
+    let mean_edge = json(&folder, &["info", "torus.ply"])["mean_edge"].as_f64().unwrap();
+    let radius = below("torus.ply", &["--near", "3"]).as_f64().unwrap();
+    // Sums of the same lengths in another order.
+    assert!((radius - 3.0 * mean_edge).abs() < 1e-12, "{radius}");
+    assert_eq!(below("torus.ply", &[]), below("torus.ply", &["--near", "auto"]));
+    // JSON has no infinity.
+    assert!(below("torus.ply", &["--near", "inf"]).is_null());
+
+    let straight: Vec<f64> = flat().positions.iter().map(|at| at.x.hypot(at.z)).collect();
+    let near = distances(&folder, &["flat.ply", "--source", "0", "--operator", "plain", "--near", "3"]);
+    let radius = below("flat.ply", &["--near", "3"]).as_f64().unwrap();
+    for (near, straight) in near.iter().zip(&straight).filter(|&(_, &straight)| straight < radius) {
+        assert!((near - straight).abs() < 1e-9, "{near} {straight}");
+    }
+    let whole = distances(&folder, &["flat.ply", "--source", "0", "--near", "inf"]);
+    assert!(difference(&whole, &straight) < 1e-9);
+}

@@ -1,0 +1,96 @@
+//! Files read and written.
+
+use std::fs;
+
+use crate::{folder, json, refused, run, succeed};
+
+#[test]
+fn info_counts() {
+    let folder = folder("info");
+    let info = json(&folder, &["info", "torus.ply"]);
+    for (key, value) in
+        [("vertices", 288), ("faces", 576), ("welded_vertices", 288), ("components", 1), ("boundary_loops", 0)]
+    {
+        assert_eq!(info[key], value, "{key}");
+    }
+    assert_eq!(info["parts"][0]["name"], "torus");
+    assert!(info["timings_ms"]["read"].is_number() && info["timings_ms"]["build"].is_number());
+    let two = json(&folder, &["info", "two.obj", "--part", "1"]);
+    assert_eq!((&two["vertices"], &two["components"], &two["boundary_loops"]), (&3.into(), &1.into(), &1.into()));
+    assert!(succeed(&folder, &["info", "two.obj"]).contains("near"));
+}
+
+#[test]
+fn distance_to_csv_ply_and_glb() {
+    let folder = folder("distance");
+    for name in ["d.csv", "d.ply", "d.glb"] {
+        let answer = json(&folder, &["distance", "torus.ply", "--source", "0", "--output", name, "--repeat", "3"]);
+        for key in ["read", "build", "precompute", "solve"] {
+            assert!(answer["timings_ms"][key].as_f64().unwrap() >= 0.0, "{key}");
+        }
+        assert!(answer["factor_nonzeros"].as_u64().unwrap() > 288);
+        assert_eq!(answer["unreachable"], 0);
+        // Half around the ring along its inside and over the tube: between π · 0.6 and π · 1.8.
+        let max = answer["max_distance"].as_f64().unwrap();
+        assert!((1.9..5.7).contains(&max), "{max}");
+    }
+    let csv = fs::read_to_string(folder.join("d.csv")).unwrap();
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("vertex,distance"));
+    assert_eq!(lines.next(), Some("0,0.0000000000000000e0"));
+    assert_eq!(lines.count(), 287);
+    assert_eq!(json(&folder, &["info", "d.glb"])["faces"], 576);
+    assert_eq!(json(&folder, &["info", "d.ply"])["faces"], 576);
+    assert!(succeed(&folder, &["distance", "torus.ply", "--source", "0"]).contains("max distance"));
+}
+
+#[test]
+fn unreachable_and_unreferenced_vertices_are_infinite() {
+    let folder = folder("unreachable");
+    let answer = json(&folder, &["distance", "two.obj", "--source", "0", "--output", "d.csv"]);
+    assert_eq!((&answer["unreachable"], &answer["components"]), (&4.into(), &2.into()));
+    let csv = fs::read_to_string(folder.join("d.csv")).unwrap();
+    assert_eq!(csv.lines().filter(|line| line.ends_with(",inf")).count(), 4);
+    assert_eq!(csv.lines().count(), 8);
+    let both = json(&folder, &["distance", "two.obj", "--source", "0", "--source", "3"]);
+    assert_eq!(both["unreachable"], 1);
+    refused(&folder, &["path", "two.obj", "--from", "0", "--to", "3"]);
+    assert!(refused(&folder, &["distance", "two.obj", "--source", "6"]).contains("no triangle"));
+}
+
+#[test]
+fn companions_are_read_beside_the_mesh_only() {
+    let folder = folder("companions");
+    let gltf = |uri: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"nodes":[{{"mesh":0}}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}}],"buffers":[{{"byteLength":36,"uri":"{uri}"}}]}}"#
+        )
+    };
+    let bytes: Vec<u8> = [0., 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|v: &f32| v.to_le_bytes()).collect();
+    fs::create_dir_all(folder.join("below")).unwrap();
+    fs::write(folder.join("a b.bin"), &bytes).unwrap();
+    fs::write(folder.join("inside.gltf"), gltf("a%20b.bin")).unwrap();
+    fs::write(folder.join("below/outside.gltf"), gltf("../a%20b.bin")).unwrap();
+    fs::write(folder.join("absolute.gltf"), gltf(folder.join("a b.bin").to_str().unwrap())).unwrap();
+    assert_eq!(json(&folder, &["info", "inside.gltf"])["faces"], 1);
+    assert!(refused(&folder, &["info", "below/outside.gltf"]).contains("not given"));
+    refused(&folder, &["info", "absolute.gltf"]);
+}
+
+#[test]
+fn files_cut_short_or_damaged_never_crash() {
+    let folder = folder("damaged");
+    let whole = fs::read(folder.join("torus.ply")).unwrap();
+    for eighth in 0..8 {
+        fs::write(folder.join("part.ply"), &whole[..whole.len() * eighth / 8]).unwrap();
+        refused(&folder, &["distance", "part.ply", "--source", "0"]);
+        let mut damaged = whole.clone();
+        damaged[whole.len() * (2 * eighth + 1) / 16] ^= 0xff;
+        fs::write(folder.join("damaged.ply"), damaged).unwrap();
+        let output = run(&folder, &["distance", "damaged.ply", "--source", "0"]);
+        assert!(matches!(output.status.code(), Some(0 | 2)), "{output:?}");
+    }
+}

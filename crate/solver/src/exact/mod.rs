@@ -1,0 +1,87 @@
+//! Exact distance on the polyhedral surface, and exact shortest paths, by windows that grow outward.
+//!
+//! A window is the part of an edge that sees one source, or one point that paths bend at, along straight lines
+//! through unfolded faces; windows cross faces in order of their distance (Mitchell, Mount, Papadimitriou, "The
+//! discrete geodesic problem", 1987; Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005). What
+//! cannot be part of a shortest path is cut: by the distances of the edge's ends (Xin & Wang, "Improving Chen and
+//! Han's algorithm on the discrete geodesic problem", 2009) and by other windows of the same edge. All windows that
+//! wait on one side of an edge cross its face together (after Qin et al., "Fast and exact discrete geodesic
+//! computation based on triangle-oriented wavefront propagation", 2016), and are forgotten then, so that memory is
+//! that of the front.
+//!
+//! Every value is at all times the length of a path; cutting needs a strictly shorter path. So the order of work
+//! does not matter for the result, only for the time, and a queue of buckets will do.
+
+mod geometry;
+mod lists;
+mod overlap;
+mod queue;
+mod sources;
+mod targets;
+mod trace;
+mod wavefront;
+mod window;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+pub use geometry::ExactGeometry;
+pub use wavefront::Wavefront;
+
+use crate::error::{Error, Result};
+use crate::path::Path;
+use crate::sources::{Source, SurfacePoint};
+use crate::surface::Surface;
+
+/// Windows between two calls of a progress callback, some milliseconds of work.
+const WORK_BETWEEN_CALLS: usize = 20_000;
+
+/// The exact distance of every point (`#P`, in the file's unit) to the sources: the least of starting value plus length
+/// of a path. Infinite where no source can be reached.
+///
+/// `progress` is told the distance below which all values are final, and can stop the work.
+///
+/// # Errors
+/// [`Error::NoSource`]; those of [`Source::validated`]; [`Error::Cancelled`].
+pub fn exact_distance<S: Copy + Into<Source>>(
+    surface: &Arc<Surface>,
+    sources: &[S],
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Vec<f64>> {
+    let sources = validated(surface, sources)?;
+    let geometry = Arc::new(ExactGeometry::new(surface));
+    let mut wavefront = Wavefront::new(Arc::clone(surface), geometry, &sources, &[]);
+    while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS) {
+        if progress(wavefront.radius()).is_break() {
+            return Err(Error::Cancelled);
+        }
+    }
+    Ok(wavefront.into_values())
+}
+
+/// A shortest path to the source for which starting value plus length is least.
+///
+/// # Errors
+/// [`Error::NoSource`]; those of [`Source::validated`] and [`SurfacePoint::validated`]; [`Error::Unreachable`].
+pub fn shortest_path<S: Copy + Into<Source>>(
+    surface: &Arc<Surface>,
+    geometry: &Arc<ExactGeometry>,
+    from: SurfacePoint,
+    sources: &[S],
+) -> Result<Path> {
+    let sources = validated(surface, sources)?;
+    let target = from.validated(surface)?;
+    let mut wavefront = Wavefront::new(Arc::clone(surface), Arc::clone(geometry), &sources, &[target]);
+    // No way can get shorter once the front has passed the target.
+    while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
+        wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS);
+    }
+    wavefront.path_from_target(0)
+}
+
+fn validated<S: Copy + Into<Source>>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
+    if sources.is_empty() {
+        return Err(Error::NoSource);
+    }
+    sources.iter().map(|&source| source.into().validated(surface)).collect()
+}

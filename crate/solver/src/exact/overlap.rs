@@ -1,0 +1,141 @@
+//! Two windows that overlap: each keeps what it reaches sooner.
+
+use super::window::Window;
+
+/// Two overlapping windows of one slot, and the first's distance less the second's where their overlap begins and
+/// ends. A tie is the second's.
+pub(super) struct Overlap<'a> {
+    pub first: &'a Window,
+    pub second: &'a Window,
+    pub begin: (f64, f64),
+    pub end: (f64, f64),
+}
+
+/// Intervals of two windows in order, each with whether it is the first's. At most: one alone, three turns, one alone.
+pub(super) struct Shares {
+    shares: [(bool, f64, f64); 5],
+    count: usize,
+}
+
+impl Shares {
+    fn push(&mut self, is_first: bool, begin: f64, end: f64) {
+        if self.count > 0 && self.shares[self.count - 1].0 == is_first {
+            self.shares[self.count - 1].2 = end;
+        } else if end > begin {
+            self.shares[self.count] = (is_first, begin, end);
+            self.count += 1;
+        }
+    }
+
+    /// The intervals.
+    pub fn as_slice(&self) -> &[(bool, f64, f64)] {
+        &self.shares[..self.count]
+    }
+}
+
+impl<'a> Overlap<'a> {
+    pub fn new(first: &'a Window, second: &'a Window) -> Self {
+        let begin = if first.begin < second.begin {
+            (second.begin, first.at(second.begin) - second.at_begin)
+        } else {
+            (first.begin, first.at_begin - second.at(first.begin))
+        };
+        let end = if first.end > second.end {
+            (second.end, first.at(second.end) - second.at_end)
+        } else {
+            (first.end, first.at_end - second.at(first.end))
+        };
+        Self { first, second, begin, end }
+    }
+
+    fn lead(&self, x: f64) -> f64 {
+        self.first.at(x) - self.second.at(x)
+    }
+
+    /// Where the lead changes once, from begin to end.
+    pub fn change(&self) -> f64 {
+        self.zero(self.begin, self.end)
+    }
+
+    /// Who keeps what.
+    ///
+    /// The difference of two distances along a line has one extremum at most, in line with both sources, so that
+    /// the lead changes twice at most.
+    pub fn shares(&self) -> Shares {
+        let (first, second, begin, end) = (self.first, self.second, self.begin, self.end);
+        let mut shares = Shares { shares: [(false, 0.0, 0.0); 5], count: 0 };
+        if first.begin < begin.0 {
+            shares.push(true, first.begin, begin.0);
+        } else if second.begin < begin.0 {
+            shares.push(false, second.begin, begin.0);
+        }
+        let mut from = begin;
+        if (begin.1 < 0.0) == (end.1 < 0.0) {
+            let in_line = (first.x * second.depth - second.x * first.depth) / (second.depth - first.depth);
+            if in_line > begin.0 && in_line < end.0 {
+                let extremum = (in_line, self.lead(in_line));
+                if (extremum.1 < 0.0) != (begin.1 < 0.0) {
+                    let change = self.zero(begin, extremum);
+                    shares.push(begin.1 < 0.0, begin.0, change);
+                    from = (self.zero(extremum, end), end.1);
+                    shares.push(extremum.1 < 0.0, change, from.0);
+                }
+            }
+        } else {
+            from = (self.change(), end.1);
+            shares.push(begin.1 < 0.0, begin.0, from.0);
+        }
+        shares.push(from.1 < 0.0, from.0, end.0);
+        if first.end > end.0 {
+            shares.push(true, end.0, first.end);
+        } else if second.end > end.0 {
+            shares.push(false, end.0, second.end);
+        }
+        shares
+    }
+
+    /// Where the lead is zero, between two positions where its signs differ. Positions come with the lead there.
+    fn zero(&self, low: (f64, f64), high: (f64, f64)) -> f64 {
+        let (first, second) = (self.first, self.second);
+        // Rounding of a lead, and a share of the leads around that moves the zero by as much of the overlap: a
+        // sliver in which the slower ray is kept meets the faster one within as little.
+        let enough = (4.0 * f64::EPSILON * second.at_begin.max(second.at_end)).max(1e-11 * (high.1 - low.1).abs());
+        // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`.
+        let (a, b) = (first.x - low.0, second.x - low.0);
+        let delta = second.offset - first.offset;
+        let p = 2.0 * (b - a);
+        let q = (a - b) * (a + b) + (first.depth - second.depth) * (first.depth + second.depth) - delta * delta;
+        let four = 4.0 * delta * delta;
+        let square = p * p - four;
+        let half = p * q + four * b;
+        let under = (q + p * b) * (q + p * b) + second.depth * second.depth * square;
+        let root = -(half + (2.0 * delta.abs() * under.max(0.0).sqrt()).copysign(half));
+        let constant = q * q - four * (b * b + second.depth * second.depth);
+        let (mut low, mut high) = (low, high);
+        let width = high.0 - low.0;
+        for x in [root / square, constant / root] {
+            if x >= 0.0 && x <= width {
+                let x = (low.0 + x).min(high.0);
+                let lead = self.lead(x);
+                if lead.abs() <= enough {
+                    return x;
+                }
+            }
+        }
+        // The Illinois variant of the secant method.
+        for _ in 0..60 {
+            let x = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).max(low.0.min(high.0)).min(low.0.max(high.0));
+            let lead = self.lead(x);
+            if lead.abs() <= enough {
+                return x;
+            }
+            if (lead < 0.0) == (high.1 < 0.0) {
+                low.1 *= 0.5;
+            } else {
+                low = high;
+            }
+            high = (x, lead);
+        }
+        high.0
+    }
+}

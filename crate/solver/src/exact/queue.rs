@@ -1,0 +1,105 @@
+//! A monotone queue of items by distance: a ring of buckets of one width, in order between buckets, not inside.
+
+/// Buckets of the ring. Most items are pushed a few edges ahead; the rest wait in a list of their own.
+const RING: u32 = 1024;
+
+/// The last bucket takes everything beyond, so that bucket numbers fit.
+const LAST: u32 = u32::MAX - 2 * RING;
+
+/// Items `0..n`, each in the queue once at most.
+#[derive(Debug)]
+pub(super) struct Buckets {
+    /// Distance at which bucket 0 begins.
+    base: f64,
+    width: f64,
+    per_distance: f64,
+    current: u32,
+    /// Items of the buckets of the current round, `current − current % RING` and following.
+    ring: Vec<Vec<u32>>,
+    /// `(bucket, item)` of later rounds.
+    later: Vec<(u32, u32)>,
+    /// `#items`, the bucket that the item waits in, plus 1; 0 where it waits in none.
+    bucket: Vec<u32>,
+    waiting: usize,
+}
+
+impl Buckets {
+    pub fn new(items: usize, base: f64, width: f64) -> Self {
+        Self {
+            base,
+            width,
+            per_distance: 1.0 / width,
+            current: 0,
+            ring: vec![Vec::new(); RING as usize],
+            later: Vec::new(),
+            bucket: vec![0; items],
+            waiting: 0,
+        }
+    }
+
+    /// Every waiting item is at least this far.
+    pub fn floor(&self) -> f64 {
+        if self.waiting == 0 { f64::INFINITY } else { self.base + f64::from(self.current) * self.width }
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        4 * self.bucket.capacity()
+            + 8 * self.later.capacity()
+            + self.ring.iter().map(|bucket| 24 + 4 * bucket.capacity()).sum::<usize>()
+    }
+
+    /// Lets the item wait at `distance`, unless it waits at a lower one.
+    pub fn push(&mut self, item: u32, distance: f64) {
+        let number = ((distance - self.base) * self.per_distance).min(f64::from(LAST)) as u32;
+        let number = number.max(self.current);
+        let bucket = &mut self.bucket[item as usize];
+        if *bucket != 0 && *bucket <= number + 1 {
+            return;
+        }
+        self.waiting += usize::from(*bucket == 0);
+        *bucket = number + 1;
+        self.place(number, item);
+    }
+
+    fn place(&mut self, number: u32, item: u32) {
+        if number / RING == self.current / RING {
+            self.ring[(number % RING) as usize].push(item);
+        } else {
+            self.later.push((number, item));
+        }
+    }
+
+    /// Takes an item out of the first bucket, unless that begins at `limit` or beyond.
+    pub fn pop(&mut self, limit: f64) -> Option<u32> {
+        while self.waiting > 0 && self.floor() < limit {
+            let Some(item) = self.ring[(self.current % RING) as usize].pop() else {
+                self.step();
+                continue;
+            };
+            // Items that moved to a lower bucket stay behind in the higher one.
+            if self.bucket[item as usize] == self.current + 1 {
+                self.bucket[item as usize] = 0;
+                self.waiting -= 1;
+                return Some(item);
+            }
+        }
+        None
+    }
+
+    fn step(&mut self) {
+        self.current += 1;
+        if !self.current.is_multiple_of(RING) {
+            return;
+        }
+        let first = self.later.iter().map(|&(number, _)| number).min();
+        if let Some(first) = first {
+            self.current = self.current.max(first - first % RING);
+        }
+        for (number, item) in std::mem::take(&mut self.later) {
+            if self.bucket[item as usize] == number + 1 {
+                self.place(number, item);
+            }
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! The wavefront: windows that wait at edges, and their way across faces.
+
+use std::sync::Arc;
+
+use super::geometry::{ExactGeometry, Frame, after};
+use super::queue::Buckets;
+use super::targets::Targets;
+use super::window::{GRAZE, Window, length};
+use crate::sources::{Source, SurfacePoint};
+use crate::surface::Surface;
+
+/// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
+const BUCKET: f64 = 1.0;
+
+/// Where a value came from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Origin {
+    /// Nowhere yet.
+    None,
+    /// Straight through, or along, a face from a root on it.
+    Straight { face: u32, root: u32 },
+    /// Through position `at` of a slot, whose face it lies on, in a window with the source at `(x, −depth)`.
+    Window { slot: u32, root: u32, at: f64, x: f64, depth: f64 },
+}
+
+/// Exact distances that grow outward from their sources; stopped and continued at will, with the same result.
+#[derive(Debug)]
+pub struct Wavefront {
+    pub(super) surface: Arc<Surface>,
+    pub(super) geometry: Arc<ExactGeometry>,
+    pub(super) sources: Vec<Source>,
+    pub(super) targets: Targets,
+    /// `#P`.
+    pub(super) values: Vec<f64>,
+    /// `#P`.
+    pub(super) origins: Vec<Origin>,
+    /// All windows; those not in use form a list from `free`. Number 0 is none.
+    pub(super) windows: Vec<Window>,
+    pub(super) free: u32,
+    /// `3 #F`, first window that waits to enter the face by each slot, in order along it; 0 where there is none.
+    pub(super) heads: Vec<u32>,
+    /// Slots, then points that paths can bend at.
+    pub(super) queue: Buckets,
+    propagated: usize,
+    /// Windows that cross now; kept for its memory.
+    crossing: Vec<Crossing>,
+    /// Those that leave by one slot; kept for its memory.
+    leaving: Vec<Window>,
+}
+
+impl Wavefront {
+    /// Starts at sources; `targets` are further points of the surface whose distance is wanted. Sources and targets
+    /// are as [`Source::validated`] and [`SurfacePoint::validated`] return them.
+    pub fn new<S: Copy + Into<Source>>(
+        surface: Arc<Surface>,
+        geometry: Arc<ExactGeometry>,
+        sources: &[S],
+        targets: &[SurfacePoint],
+    ) -> Self {
+        let (slots, points) = (3 * surface.face_count(), surface.point_count());
+        let sources: Vec<Source> = sources.iter().map(|&source| source.into()).collect();
+        let first = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
+        let none = Window::new(0.0, 0.0, [0.0; 2], 0.0, 0);
+        let mut wavefront = Self {
+            targets: Targets::new(&surface, &geometry, targets),
+            sources,
+            values: vec![f64::INFINITY; points],
+            origins: vec![Origin::None; points],
+            windows: vec![none],
+            free: 0,
+            heads: vec![0; slots],
+            queue: Buckets::new(slots + points, first.min(f64::MAX), BUCKET * surface.mean_edge),
+            propagated: 0,
+            crossing: Vec::new(),
+            leaving: Vec::new(),
+            surface,
+            geometry,
+        };
+        wavefront.start();
+        wavefront
+    }
+
+    /// Grows until every value below `radius` is final, or about `work` windows have crossed a face. Returns whether
+    /// the radius was reached.
+    pub fn advance(&mut self, radius: f64, work: usize) -> bool {
+        let enough = self.propagated.saturating_add(work);
+        let slots = self.heads.len() as u32;
+        while self.propagated < enough {
+            match self.queue.pop(radius) {
+                None => return true,
+                Some(item) if item < slots => self.cross(item),
+                Some(item) => self.bend_at(item - slots),
+            }
+        }
+        self.radius() >= radius
+    }
+
+    /// Every value below this is final; infinity when all is done.
+    pub fn radius(&self) -> f64 {
+        self.queue.floor()
+    }
+
+    /// Whether every value is final.
+    pub fn is_done(&self) -> bool {
+        self.queue.floor() == f64::INFINITY
+    }
+
+    /// `#P`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values, without what else is held.
+    pub fn into_values(self) -> Vec<f64> {
+        self.values
+    }
+
+    /// Lengths of paths to the targets; infinite where none has been found.
+    pub fn target_values(&self) -> &[f64] {
+        &self.targets.values
+    }
+
+    /// Windows that have crossed a face.
+    pub fn windows(&self) -> usize {
+        self.propagated
+    }
+
+    /// Bytes held for what is still to be done.
+    pub fn pending_bytes(&self) -> usize {
+        size_of::<Window>() * self.windows.capacity() + 4 * self.heads.len() + self.queue.bytes()
+    }
+
+    /// Offers a vertex a shorter path.
+    pub(super) fn offer(&mut self, point: u32, value: f64, origin: Origin) {
+        if value < self.values[point as usize] {
+            self.values[point as usize] = value;
+            self.origins[point as usize] = origin;
+            if self.geometry.can_bend(point) {
+                self.queue.push(self.heads.len() as u32 + point, value);
+            }
+        }
+    }
+
+    /// Lets the windows that wait at a slot enter its face: values for the opposite corner and for targets in the
+    /// face, windows for the slots across its two other edges.
+    fn cross(&mut self, slot: u32) {
+        let geometry = Arc::clone(&self.geometry);
+        let (frame, k) = geometry.frame_of_slot(slot);
+        let [l, r] = [after(after(k)), after(k)];
+        let [a, b, c] = [k, r, l].map(|corner| frame.points[corner]);
+        let opposite = frame.opposite(k);
+
+        let mut crossing = std::mem::take(&mut self.crossing);
+        crossing.clear();
+        let ends = [self.values[a as usize], self.values[b as usize]];
+        let mut next = std::mem::take(&mut self.heads[slot as usize]);
+        while next != 0 {
+            let number = next;
+            let mut window = self.windows[number as usize];
+            next = window.next;
+            self.release(number);
+            let is_current = self.values.get(window.root as usize).is_none_or(|&value| value >= window.offset);
+            if !(is_current && window.clip(frame.length[k], ends)) {
+                continue;
+            }
+            let (x, height) = (opposite[0] - window.x, opposite[1] + window.depth);
+            let splits = window.x + x * window.depth / height;
+            let distance = length(x, height);
+            crossing.push(Crossing { window, splits });
+            let at = splits.max(window.begin).min(window.end);
+            if (splits - at).abs() > GRAZE * distance {
+                continue;
+            }
+            let is_straight = at == splits;
+            let bent = length(at - window.x, window.depth) + length(opposite[0] - at, opposite[1]);
+            let value = window.offset + if is_straight { distance } else { bent };
+            if value < self.values[c as usize] {
+                let origin = Origin::Window { slot, root: window.root, at, x: window.x, depth: window.depth };
+                self.offer(c, value, origin);
+            }
+        }
+        self.propagated += crossing.len();
+        if self.targets.are_in(slot / 3) {
+            for crossing in &crossing {
+                self.targets.see(frame, slot, &crossing.window);
+            }
+        }
+
+        let mut leaving = std::mem::take(&mut self.leaving);
+        for (out, corners) in [(l, [a, c]), (r, [c, b])] {
+            if frame.beside[out] >> 2 == slot - k as u32 + out as u32 {
+                continue;
+            }
+            let ends = corners.map(|point| self.values[point as usize]);
+            leaving.clear();
+            for crossing in &crossing {
+                let part = if out == l { crossing.to_left(frame, k) } else { crossing.to_right(frame, k) };
+                let Some(mut part) = part else { continue };
+                if part.clip(frame.length[out], ends) {
+                    leaving.push(part);
+                }
+            }
+            self.deliver(&geometry, slot - k as u32 + out as u32, &leaving);
+        }
+        self.leaving = leaving;
+        self.crossing = crossing;
+    }
+}
+
+/// A window that crosses a face.
+#[derive(Debug)]
+struct Crossing {
+    window: Window,
+    /// Where the ray to the opposite corner crosses the slot's line.
+    splits: f64,
+}
+
+impl Crossing {
+    /// What leaves by the edge at slot `k`'s begin, as the slot across that edge sees it.
+    fn to_left(&self, frame: &Frame, k: usize) -> Option<Window> {
+        let Self { window, splits } = self;
+        if window.begin >= *splits {
+            return None;
+        }
+        let (along, cos, sin) = (frame.length[after(after(k))], frame.cos[k], frame.sin[k]);
+        let hit = |at: f64| hit(at, at - window.x, window.depth, [cos, -sin], along);
+        let source = [window.x * cos - window.depth * sin, window.x * sin + window.depth * cos];
+        let end = if window.end >= *splits { along } else { hit(window.end) };
+        Some(Window::new(hit(window.begin), end, source, window.offset, window.root))
+    }
+
+    /// What leaves by the edge at slot `k`'s end, as the slot across that edge sees it.
+    fn to_right(&self, frame: &Frame, k: usize) -> Option<Window> {
+        let Self { window, splits } = self;
+        if window.end <= *splits {
+            return None;
+        }
+        let r = after(k);
+        let (along, cos, sin) = (frame.length[r], frame.cos[r], frame.sin[r]);
+        let hit = |at: f64| along - hit(frame.length[k] - at, at - window.x, window.depth, [cos, sin], along);
+        let x = frame.length[k] - window.x;
+        let source = [along - (x * cos - window.depth * sin), x * sin + window.depth * cos];
+        let begin = if window.begin <= *splits { 0.0 } else { hit(window.begin) };
+        Some(Window::new(begin, hit(window.end), source, window.offset, window.root))
+    }
+}
+
+/// How far from the common end of two edges a ray meets the second, of length `along`. It leaves the first at `at`
+/// from that end, with `forward` along the first edge's slot and `up` into the face; `sin` is negative where the end
+/// is the slot's first.
+fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
+    let towards = cos * up + sin * forward;
+    if towards > 0.0 { (at * up / towards).min(along) } else { along }
+}

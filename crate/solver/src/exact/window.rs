@@ -1,0 +1,131 @@
+//! Windows: the part of an edge that sees one (pseudo-)source along straight lines, unfolded into the plane.
+
+/// A window reaches vertices that its rays miss by at most this share of their distance from it, and an angle sum
+/// counts as a turn within this. Rounding of positions unfolded through thousands of faces stays below; a path
+/// bent at the window's end to reach such a vertex is longer by no more than twice this share.
+pub(super) const GRAZE: f64 = 1e-11;
+
+/// Windows seen under a smaller angle, radians, are dropped: what they see, their neighbours reach within [`GRAZE`].
+const THIN: f64 = 1e-13;
+
+/// Nothing is dropped unless it is longer by this share than what replaces it: rounding of lengths stays below, so
+/// a shortest path is never lost to a tie with itself.
+const MARGIN: f64 = 1e-12;
+
+/// Two windows with sources nearer to each other than this share of their distance see the same source: rounding of
+/// positions unfolded past a vertex. A vertex with so little curvature that its shadow is not seen.
+const SAME: f64 = 1e-13;
+
+/// An interval of a slot, and the (pseudo-)source that lights it from behind.
+///
+/// The slot lies on the x axis from the origin, its face above, the source at `(x, −depth)`. Windows form lists.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Window {
+    /// Where the interval begins and ends, along the slot.
+    pub begin: f64,
+    pub end: f64,
+    /// Position of the source along the slot and behind it.
+    pub x: f64,
+    pub depth: f64,
+    /// Distance of the source itself.
+    pub offset: f64,
+    /// Distance where the interval begins and ends.
+    pub at_begin: f64,
+    pub at_end: f64,
+    /// A point, or `#P` + the number of a source.
+    pub root: u32,
+    /// Following window of the list, 0 at its end.
+    pub next: u32,
+}
+
+impl Window {
+    /// A window with nothing after it. `[x, depth]` is the source's place, `offset` its distance.
+    pub fn new(begin: f64, end: f64, [x, depth]: [f64; 2], offset: f64, root: u32) -> Self {
+        let at = |at: f64| offset + length(at - x, depth);
+        Self { begin, end, x, depth, offset, at_begin: at(begin), at_end: at(end), root, next: 0 }
+    }
+
+    /// Distance of the position `x` of the slot by this window.
+    pub fn at(&self, x: f64) -> f64 {
+        self.offset + length(x - self.x, self.depth)
+    }
+
+    /// The same window for a part of its interval.
+    pub fn part(&self, begin: f64, end: f64) -> Self {
+        let at_begin = if begin == self.begin { self.at_begin } else { self.at(begin) };
+        let at_end = if end == self.end { self.at_end } else { self.at(end) };
+        Self { begin, end, at_begin, at_end, ..*self }
+    }
+
+    /// The least distance in the interval.
+    pub fn nearest(&self) -> f64 {
+        let is_below = self.begin < self.x && self.x < self.end;
+        if is_below { self.offset + self.depth } else { self.at_begin.min(self.at_end) }
+    }
+
+    /// Whether the interval is worth following. Also false where something is not a number.
+    pub fn is_wide(&self) -> bool {
+        is_wide(self, self.begin, self.end)
+    }
+
+    /// Whether another window begins where this one ends and has the same source.
+    pub fn continues_into(&self, other: &Self) -> bool {
+        let close = SAME * (self.at_end - self.offset);
+        self.root == other.root
+            && (self.end - other.begin).abs() <= close
+            && (self.x - other.x).abs() <= close
+            && (self.depth - other.depth).abs() <= close
+    }
+
+    /// The same window on a slot in the opposite direction.
+    pub fn mirrored(self, length: f64) -> Self {
+        Self {
+            begin: length - self.end,
+            end: length - self.begin,
+            x: length - self.x,
+            at_begin: self.at_end,
+            at_end: self.at_begin,
+            ..self
+        }
+    }
+
+    /// Cuts off what is farther than by way of the slot's ends (Xin & Wang 2009, theorem 3.2, for every ray instead
+    /// of the whole window); `values` are distances there. Returns whether anything is left.
+    pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
+        // At slope one, the way by an end grows at least as fast as this window's distance.
+        let limit = values[0] + MARGIN * values[0];
+        if self.at_begin > limit + self.begin {
+            if self.at_end > limit + self.end {
+                return false;
+            }
+            let begin = tie(self.x, self.depth, limit - self.offset);
+            *self = self.part(self.begin.max(begin).min(self.end), self.end);
+        }
+        let limit = values[1] + MARGIN * values[1];
+        if self.at_end > limit + (length - self.end) {
+            if self.at_begin > limit + (length - self.begin) {
+                return false;
+            }
+            let end = length - tie(length - self.x, self.depth, limit - self.offset);
+            *self = self.part(self.begin, self.end.min(end).max(self.begin));
+        }
+        self.is_wide()
+    }
+}
+
+/// Whether a part of a window is seen from its source under an angle worth following.
+fn is_wide(window: &Window, begin: f64, end: f64) -> bool {
+    let middle = 0.5 * (begin + end) - window.x;
+    (end - begin) * window.depth > THIN * (middle * middle + window.depth * window.depth)
+}
+
+/// Euclidean length. The numbers are of the mesh's size, so that squares are safe.
+pub(super) fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// Where on the x axis the distance from `(x, −depth)` equals the distance from the origin plus `limit`.
+fn tie(x: f64, depth: f64, limit: f64) -> f64 {
+    let tie = 0.5 * (x * x + depth * depth - limit * limit) / (x + limit);
+    if tie.is_finite() { tie } else { f64::NEG_INFINITY }
+}

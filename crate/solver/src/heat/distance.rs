@@ -1,0 +1,147 @@
+//! Questions to a factored surface and their answers.
+
+use crate::error::{Error, Result};
+use crate::exact::Wavefront;
+use crate::heat::field::divergence;
+use crate::heat::near::Near;
+use crate::heat::{HeatSolver, MultiSource};
+use crate::sources::{Source, SurfacePoint};
+
+/// Share of its starting value by which the distance at a source may miss it for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Distance from a set of sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Distance {
+    /// `#P`, in the file's unit, non-negative, never NaN; infinity on pieces without a source. At a source that is a
+    /// vertex it is exactly its starting value; with superposed sources, the mean over the sources of a piece is 0
+    /// before values below 0 become 0.
+    pub values: Vec<f64>,
+    /// `#P`, heat after time t, to an arbitrary scale near 10²⁹⁰.
+    pub heat: Vec<f64>,
+    /// The sources, validated. Those whose starting value is above the distance from another are left out.
+    pub sources: Vec<SurfacePoint>,
+    /// Values below this are exact polyhedral distances; infinity when all are.
+    pub exact_below: f64,
+}
+
+impl Distance {
+    /// The largest finite distance.
+    pub fn max(&self) -> f64 {
+        self.values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Number of points on pieces without a source.
+    pub fn unreachable(&self) -> usize {
+        self.values.iter().filter(|value| value.is_infinite()).count()
+    }
+}
+
+impl HeatSolver {
+    /// Distance of every point from the nearest source, or least sum of starting value and distance.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`]; [`Error::BadVertex`], [`Error::BadPoint`] and [`Error::BadParameter`] for a source that is
+    /// not on the surface or starts from a bad value; [`Error::NotConverged`] of conjugate gradients;
+    /// [`Error::OutOfMemory`].
+    pub fn distance<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Distance> {
+        let sources = self.validated(sources)?;
+        let (heat, is_active) = self.heat(&sources)?;
+        self.distance_beyond(&self.near_field(&sources), heat, &sources, &is_active)
+    }
+
+    /// Begins to make a distance exact, from the sources outward.
+    ///
+    /// # Errors
+    /// As [`HeatSolver::distance`].
+    pub fn refine<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Refinement> {
+        let sources = self.validated(sources)?;
+        let (heat, is_active) = self.heat(&sources)?;
+        Ok(Refinement { front: self.wavefront(&sources), heat, sources, is_active })
+    }
+
+    fn validated<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Vec<Source>> {
+        if sources.is_empty() {
+            return Err(Error::NoSource);
+        }
+        let mut valid: Vec<Source> = Vec::with_capacity(sources.len());
+        for &source in sources {
+            let source: Source = source.into().validated(&self.surface)?;
+            match valid.iter_mut().find(|other| other.point == source.point) {
+                Some(other) => other.offset = other.offset.min(source.offset),
+                None => valid.push(source),
+            }
+        }
+        Ok(valid)
+    }
+
+    /// Distance where some of it is known to be exact. `is_active` tells the sources that heat comes from.
+    fn distance_beyond(&self, near: &Near, heat: Vec<f64>, sources: &[Source], is_active: &[bool]) -> Result<Distance> {
+        let surface = &*self.surface;
+        let mut has_source = vec![false; surface.report.components];
+        for source in sources {
+            has_source[source.point.component(surface) as usize] = true;
+        }
+        let is_reachable = |point: usize| has_source[surface.component_of_point[point] as usize];
+        let is_known = |point: usize| near.values[point].is_finite() || !is_reachable(point);
+        let points = 0..surface.point_count();
+        let mut values = if points.clone().all(is_known) {
+            near.values.clone()
+        } else {
+            let mut mixed = Vec::new();
+            let active: Vec<Source> =
+                sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
+            let divergence = divergence(&self.elements, &heat, &near.values, |face, whole| mixed.push((face, whole)));
+            self.poisson(&divergence, near, &self.known(near, &mixed, &active))?
+        };
+        for point in points {
+            values[point] = match near.values[point] {
+                exact if exact.is_finite() => exact,
+                _ if is_reachable(point) => values[point].max(near.radius),
+                _ => f64::INFINITY,
+            };
+        }
+        let is_source = |source: &Source, value: f64| value >= source.offset * (1.0 - ROUNDING);
+        if self.parameters().sources == MultiSource::Exact {
+            for source in sources {
+                if let Some(point) = source.point.vertex(surface) {
+                    let value = &mut values[point as usize];
+                    if is_source(source, *value) {
+                        *value = source.offset;
+                    }
+                }
+            }
+        }
+        // A source that another one reaches before its starting value is none.
+        let remains = |source: &&Source| is_source(source, source.point.interpolate(surface, &values));
+        let sources = sources.iter().filter(remains).map(|source| source.point).collect();
+        Ok(Distance { values, heat, sources, exact_below: near.radius })
+    }
+}
+
+/// A distance that becomes exact step by step, from the sources outward.
+#[derive(Debug)]
+pub struct Refinement {
+    front: Wavefront,
+    heat: Vec<f64>,
+    sources: Vec<Source>,
+    is_active: Vec<bool>,
+}
+
+impl Refinement {
+    /// Propagates about `work` windows further and gives the distance with the near field so reached: exact inside,
+    /// heat beyond.
+    ///
+    /// # Errors
+    /// As [`HeatSolver::distance`].
+    pub fn step(&mut self, solver: &HeatSolver, work: usize) -> Result<Distance> {
+        self.front.advance(f64::INFINITY, work);
+        let near = Near::below(&self.front, self.front.radius());
+        solver.distance_beyond(&near, self.heat.clone(), &self.sources, &self.is_active)
+    }
+
+    /// Whether every distance is exact.
+    pub fn is_done(&self) -> bool {
+        self.front.is_done()
+    }
+}

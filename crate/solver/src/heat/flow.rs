@@ -1,0 +1,194 @@
+//! Heat after time t.
+
+use crate::error::Result;
+use crate::heat::{Heat, HeatSolver, MultiSource, Solve};
+use crate::linear::constraints::{Functional, Gram, System};
+use crate::sources::Source;
+
+/// Heat at a source. Near the largest float, so that heat falls through 1,375 e-folds, not 708, before it reaches the
+/// smallest normal float.
+pub(super) const SOURCE_HEAT: f64 = 1e290;
+
+impl HeatSolver {
+    /// Heat `u` (`#P`) under the boundary condition, to an arbitrary scale near 10²⁹⁰, and per source whether it is
+    /// the nearest one to any point: those that are not would have to take heat out.
+    pub(super) fn heat(&self, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
+        let [wants_neumann, wants_dirichlet] = self.conditions(self.parameters.boundary);
+        let free = |_: usize| false;
+        let held = |point: usize| self.held[point];
+        let neumann = self.neumann.as_ref().filter(|_| wants_neumann).map(|heat| self.heat_of(heat, &free, sources));
+        let dirichlet =
+            self.dirichlet.as_ref().filter(|_| wants_dirichlet).map(|heat| self.heat_of(heat, &held, sources));
+        match (neumann.transpose()?, dirichlet.transpose()?) {
+            (Some((mut heat, mut is_active)), Some((other, is_active_there))) => {
+                for (heat, other) in heat.iter_mut().zip(&other) {
+                    *heat = 0.5 * (*heat + other);
+                }
+                for (active, there) in is_active.iter_mut().zip(is_active_there) {
+                    *active |= there;
+                }
+                Ok((heat, is_active))
+            }
+            (Some(answer), None) | (None, Some(answer)) => Ok(answer),
+            (None, None) => unreachable!("factor_heat leaves at least one heat system"),
+        }
+    }
+
+    fn heat_of(&self, heat: &Heat, held: &dyn Fn(usize) -> bool, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
+        let mut is_active = vec![true; sources.len()];
+        if self.parameters.sources == MultiSource::Superposed {
+            return Ok((self.superposed(heat, held, sources)?, is_active));
+        }
+        let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
+        let level = |source: &Source| ((least - source.offset) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
+        loop {
+            let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
+            let levels: Vec<(Source, f64)> =
+                active.iter().map(|&index| (sources[index], level(&sources[index]))).collect();
+            let (values, supplies) = self.prescribed(heat, held, &levels)?;
+            // Sources of the least starting value always give heat; rounding must not drop one of them.
+            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].offset > least;
+            let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
+            if dropped.is_empty() {
+                return Ok((values, is_active));
+            }
+            for index in dropped {
+                is_active[index] = false;
+            }
+        }
+    }
+
+    /// Heat that is at these levels at the sources, and the supply that each needs for it.
+    fn prescribed(
+        &self,
+        heat: &Heat,
+        held: &dyn Fn(usize) -> bool,
+        levels: &[(Source, f64)],
+    ) -> Result<(Vec<f64>, Vec<f64>)> {
+        let surface = &*self.surface;
+        let vertices: Vec<u32> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
+        let mut is_fixed: Vec<bool> = (0..surface.point_count()).map(held).collect();
+        let constrained;
+        let is_constrained = vertices.len() > 1 && self.is_cheaper_to_factor(&heat.system, vertices.len());
+        let system = if is_constrained {
+            for &point in &vertices {
+                is_fixed[point as usize] = true;
+            }
+            let values = self.laplacian.combine(1.0 / heat.time, |point| is_fixed[point]);
+            constrained = self.solve.system(&self.laplacian, values, "heat")?;
+            &constrained
+        } else {
+            &heat.system
+        };
+
+        // Sources on fixed points are prescribed there; the others are constraints.
+        let mut prescribed = vec![0.0; surface.point_count()];
+        let mut constraints: Vec<(usize, Functional)> = Vec::new();
+        for (index, &(source, level)) in levels.iter().enumerate() {
+            let support = || source.point.support(surface);
+            let free: Functional = support().filter(|&(point, _)| !is_fixed[point as usize]).collect();
+            if free.is_empty() {
+                for (point, _) in support() {
+                    prescribed[point as usize] = level.max(prescribed[point as usize]);
+                }
+            } else {
+                constraints.push((index, free));
+            }
+        }
+        let mut supplies = vec![0.0; levels.len()];
+        let any_prescribed = constraints.len() < levels.len();
+        let mut right = vec![0.0; prescribed.len()];
+        if any_prescribed {
+            right = self.laplacian.apply(1.0 / heat.time, &prescribed);
+            for (value, &is_fixed) in right.iter_mut().zip(&is_fixed) {
+                *value = if is_fixed { 0.0 } else { -*value };
+            }
+        }
+        let mut values = match constraints.as_slice() {
+            [] => system.solve(&right)?,
+            [(index, functional)] if !any_prescribed => {
+                // The level of a single source is arbitrary.
+                supplies[*index] = SOURCE_HEAT;
+                for &(point, weight) in functional {
+                    right[point as usize] = weight * SOURCE_HEAT;
+                }
+                system.solve(&right)?
+            }
+            _ => {
+                let functionals: Vec<Functional> = constraints.iter().map(|(_, free)| free.clone()).collect();
+                let responses = if is_constrained {
+                    system.responses(&functionals)?
+                } else {
+                    let mut kept = heat.responses.lock().expect("no holder of the lock panics");
+                    kept.of(system, &functionals, self.most_kept(system))?
+                };
+                let mut begun = system.begin(&right)?;
+                let missing: Vec<f64> = constraints
+                    .iter()
+                    .zip(&responses)
+                    .map(|(&(index, _), response)| {
+                        let (source, level) = levels[index];
+                        level - source.point.interpolate(surface, &prescribed) - begun.evaluate(response)
+                    })
+                    .collect();
+                let amounts = Gram::new(&responses, 0.0).solve(&missing);
+                for ((&(index, _), response), &amount) in constraints.iter().zip(&responses).zip(&amounts) {
+                    begun.add(amount, response);
+                    supplies[index] = amount;
+                }
+                system.finish(begun)
+            }
+        };
+        if any_prescribed {
+            for (value, level) in values.iter_mut().zip(&prescribed) {
+                *value += level;
+            }
+            let supply = self.laplacian.apply(1.0 / heat.time, &values);
+            for (index, (source, _)) in levels.iter().enumerate() {
+                if let Some(point) = source.point.vertex(surface).filter(|&point| is_fixed[point as usize]) {
+                    supplies[index] = supply[point as usize];
+                }
+            }
+        }
+        Ok((values, supplies))
+    }
+
+    /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
+    /// entry makes of it.
+    fn superposed(&self, heat: &Heat, held: &dyn Fn(usize) -> bool, sources: &[Source]) -> Result<Vec<f64>> {
+        let mut supply = vec![0.0; self.surface.point_count()];
+        for (point, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
+            supply[point as usize] += weight * SOURCE_HEAT;
+        }
+        let mut prescribed = vec![0.0; supply.len()];
+        for point in (0..supply.len()).filter(|&point| held(point) && supply[point] > 0.0) {
+            let diagonal = self.laplacian.stiffness[self.laplacian.column(point).start];
+            prescribed[point] = supply[point] / (diagonal + self.laplacian.mass[point] / heat.time);
+        }
+        let outflow = self.laplacian.apply(1.0 / heat.time, &prescribed);
+        for (point, supply) in supply.iter_mut().enumerate() {
+            *supply = if held(point) { 0.0 } else { *supply - outflow[point] };
+        }
+        let mut values = heat.system.solve(&supply)?;
+        for (value, level) in values.iter_mut().zip(&prescribed) {
+            *value += level;
+        }
+        Ok(values)
+    }
+
+    /// Whether so many constraints cost more than factoring the matrix with their points held.
+    pub(super) fn is_cheaper_to_factor(&self, system: &System, constraints: usize) -> bool {
+        match (&self.solve, system) {
+            (Solve::Factored(symbolic), System::Cholesky(_)) => {
+                symbolic.constraint_work(constraints) > symbolic.factor_work()
+            }
+            // Each constraint is a solve of its own; holding points costs nothing.
+            _ => true,
+        }
+    }
+
+    /// Numbers that kept responses may take: as many as the factor itself.
+    pub(super) fn most_kept(&self, system: &System) -> usize {
+        system.nonzeros().max(self.surface.point_count())
+    }
+}

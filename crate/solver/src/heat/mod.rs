@@ -1,0 +1,287 @@
+//! Geodesic distance by the heat method: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`.
+//!
+//! The heat matrix is divided by t, so that no number here depends on the file's unit.
+//!
+//! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
+
+mod distance;
+mod field;
+mod flow;
+mod near;
+mod parameters;
+mod poisson;
+
+use std::sync::{Arc, Mutex};
+
+use crate::dijkstra;
+use crate::error::Result;
+use crate::exact::ExactGeometry;
+use crate::linear::cholesky::Symbolic;
+use crate::linear::conjugate_gradients::Matrix;
+use crate::linear::constraints::System;
+use crate::linear::ordering::Ordering;
+use crate::linear::responses::Responses;
+use crate::operator::elements::Elements;
+use crate::operator::laplacian::Laplacian;
+use crate::surface::Surface;
+
+pub use distance::{Distance, Refinement};
+use parameters::report;
+pub use parameters::{Boundary, LinearSolver, MultiSource, NearField, Parameters, Progress, Stage, TimeStep};
+
+/// Heat falls by about one e-fold per √t of distance. √t is at least the surface's extent over this: the e-folds that
+/// `SOURCE_HEAT` leaves room for, less an eighth for triangles that slow heat down.
+const EFOLDS: f64 = 1200.0;
+
+/// Root-mean-square deviation of edge lengths, as a share of their mean, up to which a mesh is even and from which on
+/// it is not.
+const EVENNESS: [f64; 2] = [0.15, 0.25];
+
+/// m on even meshes and on others, where so short a time would follow the edges, at resolutions up to `RESOLUTION`.
+/// Measured on forty cases; the near field takes the first rings, where a short time is too coarse on any mesh.
+const SUITED_FACTORS: [f64; 2] = [0.3, 1.0];
+
+/// Extent in mean edges up to which these hold. Beyond, m grows with its power of 2/3: what heat errs by for
+/// following the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls
+/// with the size of the edges.
+const RESOLUTION: f64 = 120.0;
+
+/// A surface ready to be asked: expensive to make, cheap to ask.
+#[derive(Debug)]
+pub struct HeatSolver {
+    surface: Arc<Surface>,
+    parameters: Parameters,
+    elements: Elements,
+    laplacian: Laplacian,
+    solve: Solve,
+    /// `L`, with `pinned` held.
+    poisson: System,
+    poisson_responses: Mutex<Responses>,
+    /// Heat that does not leave; absent until a boundary condition needs it.
+    neumann: Option<Heat>,
+    /// Heat held at 0 where `held`; absent until a boundary condition needs it.
+    dirichlet: Option<Heat>,
+    /// Per point whether Dirichlet holds it: the boundary of pieces that also have an inside.
+    held: Vec<bool>,
+    /// Any point of each piece, where the Poisson solution is held at 0.
+    pinned: Vec<u32>,
+    /// Mean edge of the triangles that carry the operators, and the m that suits them.
+    mean_edge: f64,
+    suited_factor: f64,
+    /// Largest distance along edges, in the file's unit.
+    extent: f64,
+    exact: Arc<ExactGeometry>,
+}
+
+/// How systems of the surface's pattern are made ready.
+#[derive(Debug, Clone)]
+enum Solve {
+    Factored(Arc<Symbolic>),
+    Iterated,
+}
+
+/// `M / t + L` for one boundary condition.
+#[derive(Debug)]
+struct Heat {
+    system: System,
+    time: f64,
+    responses: Mutex<Responses>,
+}
+
+impl Solve {
+    fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
+        Ok(match self {
+            Self::Factored(symbolic) => System::Cholesky(symbolic.factor(&values, name)?),
+            Self::Iterated => System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values)),
+        })
+    }
+}
+
+impl HeatSolver {
+    /// Factors a surface.
+    ///
+    /// # Errors
+    /// [`BadParameter`](crate::Error::BadParameter); [`Cancelled`](crate::Error::Cancelled);
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite); [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn new(surface: impl Into<Arc<Surface>>, parameters: Parameters, progress: Progress<'_>) -> Result<Self> {
+        let surface = surface.into();
+        parameters.check()?;
+        report(progress, Stage::Assembling, 0.0)?;
+        let extent = dijkstra::extent(&surface);
+        let exact = Arc::new(ExactGeometry::new(&surface));
+        Self::assemble(surface, parameters, extent, exact, progress)
+    }
+
+    fn assemble(
+        surface: Arc<Surface>,
+        parameters: Parameters,
+        extent: f64,
+        exact: Arc<ExactGeometry>,
+        progress: Progress<'_>,
+    ) -> Result<Self> {
+        let elements = parameters.operator.elements(&surface);
+        let laplacian = Laplacian::of_elements(surface.point_count(), &elements);
+        let (mean_edge, deviation) = elements.edge_statistics();
+        let suited_factor = suited_factor(deviation / mean_edge, extent / mean_edge);
+        let solve = match parameters.solver {
+            LinearSolver::Cholesky => {
+                report(progress, Stage::Ordering, 0.1)?;
+                let permutation = Symbolic::order(Ordering::default(), &laplacian.pattern)?;
+                report(progress, Stage::Analysing, 0.2)?;
+                Solve::Factored(Arc::new(Symbolic::analyse(permutation, Arc::clone(&laplacian.pattern))?))
+            }
+            LinearSolver::ConjugateGradients => Solve::Iterated,
+        };
+        let pinned = first_of_components(&surface);
+        let mut is_pinned = vec![false; surface.point_count()];
+        for &point in &pinned {
+            is_pinned[point as usize] = true;
+        }
+        report(progress, Stage::FactoringPoisson, 0.3)?;
+        let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
+        let poisson = solve.system(&laplacian, grounded, "Poisson")?;
+        let held = dirichlet_points(&surface);
+        let mut solver = Self {
+            surface,
+            parameters,
+            elements,
+            laplacian,
+            solve,
+            poisson,
+            poisson_responses: Mutex::default(),
+            neumann: None,
+            dirichlet: None,
+            held,
+            pinned,
+            mean_edge,
+            suited_factor,
+            extent,
+            exact,
+        };
+        solver.factor_heat(parameters, 0.65, progress)?;
+        Ok(solver)
+    }
+
+    /// Changes parameters; factors the matrices that this touches, with the order found before where the operator
+    /// stays. Going back to a boundary condition factors nothing while the time stays.
+    ///
+    /// # Errors
+    /// As [`HeatSolver::new`]. After an error the solver still answers, with the old parameters: the old factors go
+    /// only when the new ones are there.
+    pub fn set_parameters(&mut self, parameters: Parameters, progress: Progress<'_>) -> Result<()> {
+        parameters.check()?;
+        if (parameters.operator, parameters.solver) == (self.parameters.operator, self.parameters.solver) {
+            return self.factor_heat(parameters, 0.0, progress);
+        }
+        report(progress, Stage::Assembling, 0.0)?;
+        let (surface, exact) = (Arc::clone(&self.surface), Arc::clone(&self.exact));
+        *self = Self::assemble(surface, parameters, self.extent, exact, progress)?;
+        Ok(())
+    }
+
+    /// Factors the heat matrices that are needed and absent, and drops those of another time.
+    fn factor_heat(&mut self, parameters: Parameters, done: f64, progress: Progress<'_>) -> Result<()> {
+        let [wants_neumann, wants_dirichlet] = self.conditions(parameters.boundary);
+        let time = self.time_with(parameters);
+        let is_absent = |heat: &Option<Heat>| heat.as_ref().is_none_or(|heat| heat.time != time);
+        let mut neumann = None;
+        if wants_neumann && is_absent(&self.neumann) {
+            report(progress, Stage::FactoringHeat, done)?;
+            neumann = Some(self.heat_system(time, |_| false)?);
+        }
+        if wants_dirichlet && is_absent(&self.dirichlet) {
+            report(progress, Stage::FactoringHeat, if wants_neumann { 0.5 * (done + 1.0) } else { done })?;
+            self.dirichlet = Some(self.heat_system(time, |point| self.held[point])?);
+        }
+        self.neumann = neumann.or_else(|| self.neumann.take().filter(|heat| heat.time == time));
+        self.dirichlet = self.dirichlet.take().filter(|heat| heat.time == time);
+        self.parameters = parameters;
+        Ok(())
+    }
+
+    fn heat_system(&self, time: f64, held: impl Fn(usize) -> bool) -> Result<Heat> {
+        let values = self.laplacian.combine(1.0 / time, held);
+        let system = self.solve.system(&self.laplacian, values, "heat")?;
+        Ok(Heat { system, time, responses: Mutex::default() })
+    }
+
+    /// Whether a boundary condition needs heat that does not leave, and heat held at 0.
+    fn conditions(&self, boundary: Boundary) -> [bool; 2] {
+        let boundary = if self.held.contains(&true) { boundary } else { Boundary::Neumann };
+        [boundary != Boundary::Dirichlet, boundary != Boundary::Neumann]
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &Arc<Surface> {
+        &self.surface
+    }
+
+    /// What exact distances and paths need of the surface.
+    pub fn exact_geometry(&self) -> &Arc<ExactGeometry> {
+        &self.exact
+    }
+
+    /// The parameters in force.
+    pub fn parameters(&self) -> Parameters {
+        self.parameters
+    }
+
+    /// The diffusion time t, in the file's unit squared: m h², or more on long surfaces, where heat would underflow.
+    pub fn time(&self) -> f64 {
+        self.time_with(self.parameters)
+    }
+
+    /// m in t = m h², as asked for or chosen.
+    pub fn time_factor(&self) -> f64 {
+        self.factor_with(self.parameters)
+    }
+
+    fn factor_with(&self, parameters: Parameters) -> f64 {
+        match parameters.time_step {
+            TimeStep::Automatic => self.suited_factor,
+            TimeStep::Factor(factor) => factor,
+        }
+    }
+
+    fn time_with(&self, parameters: Parameters) -> f64 {
+        let root = self.factor_with(parameters).sqrt() * self.mean_edge;
+        root.max(self.extent / EFOLDS).powi(2)
+    }
+
+    /// Stored entries of all factors together, zeros inside supernodes counted; 0 for conjugate gradients.
+    pub fn factor_nonzeros(&self) -> usize {
+        let heat = [&self.neumann, &self.dirichlet];
+        let nonzeros = heat.into_iter().flatten().map(|heat| heat.system.nonzeros());
+        self.poisson.nonzeros() + nonzeros.sum::<usize>()
+    }
+}
+
+/// m by the deviation of edge lengths as a share of their mean, and the extent in mean edges.
+fn suited_factor(deviation: f64, resolution: f64) -> f64 {
+    let [even, uneven] = EVENNESS;
+    let [short, long] = SUITED_FACTORS;
+    let factor = short + (long - short) * ((deviation - even) / (uneven - even)).clamp(0.0, 1.0);
+    factor * (resolution / RESOLUTION).max(1.0).powf(2.0 / 3.0)
+}
+
+/// The first point of each piece.
+fn first_of_components(surface: &Surface) -> Vec<u32> {
+    let mut first = Vec::with_capacity(surface.report.components);
+    for (point, &component) in surface.component_of_point.iter().enumerate() {
+        if component as usize == first.len() {
+            first.push(point as u32);
+        }
+    }
+    first
+}
+
+/// The boundary points of pieces that also have other points.
+fn dirichlet_points(surface: &Surface) -> Vec<bool> {
+    let mut has_inside = vec![false; surface.report.components];
+    for (&component, is_boundary) in surface.component_of_point.iter().zip(&surface.is_boundary_point) {
+        has_inside[component as usize] |= !is_boundary;
+    }
+    let components = surface.component_of_point.iter();
+    let held = components.zip(&surface.is_boundary_point).map(|(&c, &boundary)| boundary && has_inside[c as usize]);
+    held.collect()
+}

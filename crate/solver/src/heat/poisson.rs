@@ -1,0 +1,261 @@
+//! Distance from its gradient: the Poisson equation, with the distance known at some places of each piece.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::csr::NONE;
+use crate::error::Result;
+use crate::heat::near::Near;
+use crate::heat::{HeatSolver, MultiSource};
+use crate::linear::constraints::{Functional, Gram, Response, System, evaluate};
+use crate::sources::Source;
+
+/// Added to every entry of the Gram matrix of constraints whose amounts sum to 0, which it does not change: a
+/// constraint at the pinned point alone has a response of 0 and would not be seen.
+const GRAM_SHIFT: f64 = 1.0;
+
+/// A place where the solution is known: a weighted mean of points with its value.
+pub(super) struct Known {
+    functional: Functional,
+    value: f64,
+    component: u32,
+}
+
+impl HeatSolver {
+    /// What is known of the distance: on the rim of each patch of the near field the mean of the exact distances, and
+    /// the starting values of sources that no patch contains. `mixed` are the triangles of which some corners are
+    /// near, with whether all are.
+    pub(super) fn known(&self, near: &Near, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
+        let is_near = |point: u32| near.values[point as usize].is_finite();
+        let mut patches = Patches::new(self.surface.point_count());
+        for &(face, whole) in mixed {
+            for point in face.into_iter().filter(|&point| is_near(point)) {
+                patches.visit(point, !whole);
+            }
+            if whole {
+                patches.join(face[0], face[1]);
+                patches.join(face[1], face[2]);
+            }
+        }
+        let component = |point: u32| self.surface.component_of_point[point as usize];
+        let mut known: Vec<Known> = patches
+            .rims()
+            .into_iter()
+            .map(|rim| {
+                let weight = 1.0 / rim.len() as f64;
+                let value = rim.iter().map(|&point| weight * near.values[point as usize]).sum();
+                Known {
+                    component: component(rim[0]),
+                    functional: rim.iter().map(|&point| (point, weight)).collect(),
+                    value,
+                }
+            })
+            .collect();
+        for source in sources {
+            let functional: Functional = source.point.support(&self.surface).collect();
+            if !functional.iter().all(|&(point, _)| is_near(point)) {
+                known.push(Known { component: component(functional[0].0), functional, value: source.offset });
+            }
+        }
+        known
+    }
+
+    /// The solution of `L φ = right` (`#P`, sums to 0 on each piece) with what is known of it.
+    pub(super) fn poisson(&self, right: &[f64], near: &Near, known: &[Known]) -> Result<Vec<f64>> {
+        let is_exact = self.parameters.sources == MultiSource::Exact;
+        if is_exact && self.is_cheaper_to_factor(&self.poisson, known.len()) {
+            let fixed = self.fixed_by(near, known);
+            let matrix = self.laplacian.combine(0.0, |point| fixed.values[point].is_some());
+            let system = self.solve.system(&self.laplacian, matrix, "Poisson")?;
+            let wanted = self.wanted(known, &fixed);
+            let responses = system.responses(&functionals(&wanted))?;
+            return self.joined(&system, right, &fixed, &wanted, &responses);
+        }
+        let fixed = self.pins();
+        let wanted = self.wanted(known, &fixed);
+        if is_exact && wanted.values().any(|wanted| wanted.len() > 1) {
+            let functionals = functionals(&wanted);
+            let responses = {
+                let mut kept = self.poisson_responses.lock().expect("no holder of the lock panics");
+                kept.of(&self.poisson, &functionals, self.most_kept(&self.poisson))?
+            };
+            return self.joined(&self.poisson, right, &fixed, &wanted, &responses);
+        }
+        let mut values = self.poisson.solve(&self.freed(right, &fixed))?;
+        let mut constants = vec![0.0; self.pinned.len()];
+        for (&component, wanted) in &wanted {
+            let missing = wanted.iter().map(|wanted| wanted.value - evaluate(&wanted.functional, &values));
+            constants[component as usize] = missing.sum::<f64>() / wanted.len() as f64;
+        }
+        self.complete(&mut values, &fixed, &constants);
+        Ok(values)
+    }
+
+    /// The solution that has every wanted value, by one solve and the amounts that the constraints need.
+    fn joined(
+        &self,
+        system: &System,
+        right: &[f64],
+        fixed: &Fixed,
+        wanted: &BTreeMap<u32, Vec<Wanted>>,
+        responses: &[Arc<Response>],
+    ) -> Result<Vec<f64>> {
+        let mut begun = system.begin(&self.freed(right, fixed))?;
+        let mut constants = vec![0.0; self.pinned.len()];
+        let mut responses = responses;
+        for (&component, wanted) in wanted {
+            let (own, others) = responses.split_at(wanted.len());
+            responses = others;
+            let floats = fixed.floats[component as usize];
+            let missing: Vec<f64> =
+                wanted.iter().zip(own).map(|(wanted, response)| wanted.value - begun.evaluate(response)).collect();
+            let gram = Gram::new(own, if floats { GRAM_SHIFT } else { 0.0 });
+            let mut amounts = gram.solve(&missing);
+            if floats {
+                // The constant is free, so the amounts sum to 0.
+                let ones = gram.solve(&vec![1.0; own.len()]);
+                let constant = amounts.iter().sum::<f64>() / ones.iter().sum::<f64>();
+                for (amount, one) in amounts.iter_mut().zip(&ones) {
+                    *amount -= constant * one;
+                }
+                constants[component as usize] = constant;
+            }
+            for (&amount, response) in amounts.iter().zip(own) {
+                begun.add(amount, response);
+            }
+        }
+        let mut values = system.finish(begun);
+        self.complete(&mut values, fixed, &constants);
+        Ok(values)
+    }
+
+    /// One point held at 0 on each piece.
+    fn pins(&self) -> Fixed {
+        let mut values = vec![None; self.surface.point_count()];
+        for &point in &self.pinned {
+            values[point as usize] = Some(0.0);
+        }
+        Fixed { values, floats: vec![true; self.pinned.len()] }
+    }
+
+    /// The near field and sources at vertices held, and the pin of each piece that has none of these.
+    fn fixed_by(&self, near: &Near, known: &[Known]) -> Fixed {
+        let near_value = |&value: &f64| Some(value).filter(|value| value.is_finite());
+        let mut values: Vec<Option<f64>> = near.values.iter().map(near_value).collect();
+        for known in known {
+            if let [(point, _)] = known.functional[..] {
+                let value = values[point as usize].map_or(known.value, |value| value.min(known.value));
+                values[point as usize] = Some(value);
+            }
+        }
+        let mut floats = vec![true; self.pinned.len()];
+        for (value, &component) in values.iter().zip(&self.surface.component_of_point) {
+            floats[component as usize] &= value.is_none();
+        }
+        for (&point, _) in self.pinned.iter().zip(&floats).filter(|&(_, &floats)| floats) {
+            values[point as usize] = Some(0.0);
+        }
+        Fixed { values, floats }
+    }
+
+    /// What is wanted of the free points, by component. A piece that floats needs even what is known of its pin alone.
+    fn wanted(&self, known: &[Known], fixed: &Fixed) -> BTreeMap<u32, Vec<Wanted>> {
+        let mut wanted: BTreeMap<u32, Vec<Wanted>> = BTreeMap::new();
+        for Known { functional, value, component } in known {
+            let given = |point: u32| fixed.values[point as usize];
+            let free: Functional = functional.iter().copied().filter(|&(point, _)| given(point).is_none()).collect();
+            if fixed.floats[*component as usize] || !free.is_empty() {
+                let given: f64 = functional.iter().filter_map(|&(point, weight)| Some(weight * given(point)?)).sum();
+                wanted.entry(*component).or_default().push(Wanted { functional: free, value: value - given });
+            }
+        }
+        wanted
+    }
+
+    /// The right side of the free points when the fixed ones have their values.
+    fn freed(&self, right: &[f64], fixed: &Fixed) -> Vec<f64> {
+        let prescribed: Vec<f64> = fixed.values.iter().map(|value| value.unwrap_or(0.0)).collect();
+        let mut outflow = vec![0.0; right.len()];
+        if prescribed.iter().any(|&value| value != 0.0) {
+            outflow = self.laplacian.apply(0.0, &prescribed);
+        }
+        let free = |point: usize| if fixed.values[point].is_some() { 0.0 } else { right[point] - outflow[point] };
+        (0..right.len()).map(free).collect()
+    }
+
+    /// Adds the fixed values and the constants of pieces that float.
+    fn complete(&self, values: &mut [f64], fixed: &Fixed, constants: &[f64]) {
+        for (point, value) in values.iter_mut().enumerate() {
+            let component = self.surface.component_of_point[point] as usize;
+            *value += fixed.values[point].unwrap_or(0.0) + constants[component];
+        }
+    }
+}
+
+/// Values at which points are held while the others are solved for.
+struct Fixed {
+    /// `#P`.
+    values: Vec<Option<f64>>,
+    /// Per component whether it is held at its pin only, so that a constant is still free.
+    floats: Vec<bool>,
+}
+
+/// What the solution of a system shall have: a weighted sum of free points with its value.
+struct Wanted {
+    functional: Functional,
+    value: f64,
+}
+
+fn functionals(wanted: &BTreeMap<u32, Vec<Wanted>>) -> Vec<Functional> {
+    wanted.values().flatten().map(|wanted| wanted.functional.clone()).collect()
+}
+
+/// Connected parts of the near field, as a union-find structure.
+struct Patches {
+    /// `#P`; [`NONE`] where not visited.
+    parent: Vec<u32>,
+    /// `#P`.
+    is_rim: Vec<bool>,
+    /// The points visited, in order.
+    visited: Vec<u32>,
+}
+
+impl Patches {
+    fn new(points: usize) -> Self {
+        Self { parent: vec![NONE; points], is_rim: vec![false; points], visited: Vec::new() }
+    }
+
+    fn visit(&mut self, point: u32, is_rim: bool) {
+        if self.parent[point as usize] == NONE {
+            self.parent[point as usize] = point;
+            self.visited.push(point);
+        }
+        self.is_rim[point as usize] |= is_rim;
+    }
+
+    fn root(&mut self, mut point: u32) -> u32 {
+        while self.parent[point as usize] != point {
+            let above = self.parent[self.parent[point as usize] as usize];
+            self.parent[point as usize] = above;
+            point = above;
+        }
+        point
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b) as usize] = a.min(b);
+    }
+
+    /// The rim of each patch, ascending; a patch that covers its whole piece has none and is left out.
+    fn rims(mut self) -> Vec<Vec<u32>> {
+        let mut rims: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        let mut visited = std::mem::take(&mut self.visited);
+        visited.sort_unstable();
+        visited.retain(|&point| self.is_rim[point as usize]);
+        for point in visited {
+            rims.entry(self.root(point)).or_default().push(point);
+        }
+        rims.into_values().collect()
+    }
+}

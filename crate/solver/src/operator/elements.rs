@@ -1,0 +1,93 @@
+//! Linear elements: each triangle laid out in a plane of its own. All operators need no more of a surface.
+
+use crate::halfedge::{Face, Halfedge};
+use crate::surface::Surface;
+use crate::triangle;
+
+/// A triangle in the plane with corners (0, 0), (`x1`, 0) and (`x2`, `y2`), counter-clockwise.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Element {
+    x1: f64,
+    x2: f64,
+    y2: f64,
+}
+
+impl Element {
+    /// From the lengths of the sides that leave corners 0, 1 and 2.
+    pub(crate) fn of_lengths([a, b, c]: [f64; 3]) -> Self {
+        let x2 = 0.5 * ((c - b) * (c + b) / a + a);
+        Self { x1: a, x2, y2: 2.0 * triangle::area_of_lengths([a, b, c]) / a }
+    }
+
+    fn of_face(surface: &Surface, face: Face) -> Self {
+        let [p, q, r] = surface.corners(face);
+        let x1 = triangle::length(q - p);
+        let along = triangle::unit(q - p);
+        Self { x1, x2: along.dot(r - p), y2: triangle::length(along.cross(r - p)) }
+    }
+
+    /// Lengths of the sides that leave corners 0, 1 and 2.
+    fn sides(&self) -> [f64; 3] {
+        [self.x1, (self.x1 - self.x2).hypot(self.y2), self.x2.hypot(self.y2)]
+    }
+
+    /// Area, in the file's unit squared.
+    pub(crate) fn area(&self) -> f64 {
+        0.5 * self.x1 * self.y2
+    }
+
+    /// Cotangents of the three corner angles, cut as [`triangle::limit_cotans`] says.
+    pub(crate) fn cotans(&self) -> [f64; 3] {
+        let &Self { x1, x2, y2 } = self;
+        triangle::limit_cotans([x2 / y2, (x1 - x2) / y2, (y2 - x2 * ((x1 - x2) / y2)) / x1])
+    }
+
+    /// The sum of each corner's value times the edge opposite it: the gradient of the linear function with these
+    /// values, turned by a right angle, times twice the area.
+    pub(crate) fn circulation(&self, values: [f64; 3]) -> [f64; 2] {
+        let [u1, u2] = [values[1] - values[0], values[2] - values[0]];
+        [self.x1 * u2 - self.x2 * u1, -self.y2 * u1]
+    }
+
+    /// Products of the edges opposite corners 1 and 2 with a vector; that of corner 0 is minus their sum.
+    pub(crate) fn edge_products(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [-self.x2 * x - self.y2 * y, self.x1 * x]
+    }
+}
+
+/// The triangles that the operators are built on.
+#[derive(Debug, Clone)]
+pub(crate) struct Elements {
+    /// `#F × 3` points. A face may have a point twice.
+    pub(crate) faces: Vec<[u32; 3]>,
+    /// `#F`, in the same order of corners.
+    pub(crate) shapes: Vec<Element>,
+    /// `3 #F`, whether nothing is glued to the side that leaves each corner.
+    pub(crate) is_boundary: Vec<bool>,
+    /// What each triangle counts for: 1 over the number of sheets that cover the surface.
+    pub(crate) share: f64,
+}
+
+impl Elements {
+    /// The faces of a surface as they are.
+    pub(crate) fn of_surface(surface: &Surface) -> Self {
+        let shapes = surface.mesh.faces().map(|face| Element::of_face(surface, face)).collect();
+        let sides = 3 * surface.face_count();
+        let is_boundary = |side: usize| surface.mesh.twin(Halfedge(side as u32)).0 as usize >= sides;
+        let is_boundary = (0..sides).map(is_boundary).collect();
+        Self { faces: surface.faces.as_slice().to_vec(), shapes, is_boundary, share: 1.0 }
+    }
+
+    /// Mean length of the edges and its root-mean-square deviation, in the file's unit.
+    pub(crate) fn edge_statistics(&self) -> (f64, f64) {
+        // A side shared by two triangles is half an edge.
+        let sides = || {
+            let sides = self.shapes.iter().flat_map(Element::sides);
+            sides.zip(&self.is_boundary).map(|(side, &is_boundary)| (side, if is_boundary { 2.0 } else { 1.0 }))
+        };
+        let count: f64 = sides().map(|(_, weight)| weight).sum();
+        let mean = sides().map(|(side, weight)| weight * side).sum::<f64>() / count;
+        let deviation = sides().map(|(side, weight)| weight * (side / mean - 1.0).powi(2)).sum::<f64>() / count;
+        (mean, mean * deviation.sqrt())
+    }
+}

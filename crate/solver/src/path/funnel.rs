@@ -1,0 +1,211 @@
+//! The shortest path inside a strip of faces: the funnel of Lee and Preparata (1984) over the unfolded strip.
+
+use std::collections::VecDeque;
+
+use glam::{DVec2, DVec3};
+
+use super::strip::{Portal, Strip, unfold};
+use crate::halfedge::Face;
+use crate::sources::SurfacePoint;
+use crate::surface::Surface;
+use crate::triangle;
+
+/// A line that passes a vertex within this share of the edge touches it: rounding of unfolding some ten faces.
+const TOUCH: f64 = 1e-14;
+
+/// The direction in which a path leaves or reaches a vertex.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Heading {
+    /// The face that it lies in.
+    pub face: Face,
+    /// The points that the vertex is joined to in that face, with the angles to them, radians.
+    pub sides: [(u32, f64); 2],
+}
+
+/// A straight piece of a path, from one vertex or end to the next.
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    /// The faces that it goes through.
+    pub strip: Strip,
+    /// Where it ends.
+    pub to: SurfacePoint,
+    /// In mean edges.
+    pub length: f64,
+    /// At its start; `None` where that is no vertex.
+    pub leaving: Option<Heading>,
+    /// At its end, backwards; `None` where that is no vertex.
+    pub arriving: Option<Heading>,
+}
+
+/// The shortest path in a strip: none where its ends are one.
+pub(super) fn tighten(surface: &Surface, from: SurfacePoint, mut strip: Strip, to: SurfacePoint) -> Vec<Piece> {
+    strip.trim(surface, from, to);
+    if strip.steps.is_empty() {
+        return Piece::in_face(surface, strip.first, from, to).into_iter().collect();
+    }
+    let (portals, end) = unfold(surface, &strip, from, to);
+    let mut pieces = Vec::new();
+    let mut start = Stop { location: from, at: DVec2::ZERO, portals: [0, 0] };
+    for stop in stops(&portals, Stop { location: to, at: end, portals: [portals.len(); 2] }) {
+        let [first, last] = [start.portals[1].min(stop.portals[0]), stop.portals[0]];
+        if first == last {
+            pieces.extend(Piece::in_face(surface, strip.face_before(first), start.location, stop.location));
+        } else {
+            pieces.push(Piece::over(strip.part(first, last), &portals[first..last], &start, &stop));
+        }
+        start = stop;
+    }
+    pieces
+}
+
+/// A vertex that the path bends around or touches, or its end.
+#[derive(Debug, Clone, Copy)]
+struct Stop {
+    location: SurfacePoint,
+    at: DVec2,
+    /// First of the portals that end there, and the one after the last.
+    portals: [usize; 2],
+}
+
+impl Piece {
+    fn in_face(surface: &Surface, face: Face, from: SurfacePoint, to: SurfacePoint) -> Option<Self> {
+        let [start, end] = [from, to].map(|location| location.position(surface));
+        let heading = |location: SurfacePoint, toward: DVec3| {
+            let SurfacePoint::Vertex(vertex) = location else { return None };
+            let corners = surface.faces[face];
+            let k = corners.iter().position(|&corner| corner == vertex).expect("a vertex of the face");
+            let position = surface.position(vertex);
+            let side = |point| (point, triangle::angle([position, toward, surface.position(point)]));
+            Some(Heading { face, sides: [side(corners[(k + 1) % 3]), side(corners[(k + 2) % 3])] })
+        };
+        let length = triangle::length(end - start) / surface.mean_edge;
+        (length > 0.0).then(|| Self {
+            strip: Strip::new(face),
+            to,
+            length,
+            leaving: heading(from, end),
+            arriving: heading(to, start),
+        })
+    }
+
+    /// Straight through portals.
+    fn over(strip: Strip, portals: &[Portal], start: &Stop, end: &Stop) -> Self {
+        let heading = |here: &Stop, there: &Stop, face: Face, portal: &Portal| {
+            let direction = there.at - here.at;
+            let side = |k: usize| {
+                let edge = portal.at[k] - here.at;
+                (portal.ends[k], direction.perp_dot(edge).abs().atan2(direction.dot(edge)))
+            };
+            matches!(here.location, SurfacePoint::Vertex(_)).then(|| Heading { face, sides: [side(0), side(1)] })
+        };
+        Self {
+            to: end.location,
+            length: start.at.distance(end.at),
+            leaving: heading(start, end, strip.first, &portals[0]),
+            arriving: heading(end, start, strip.last(), &portals[portals.len() - 1]),
+            strip,
+        }
+    }
+}
+
+/// The vertices that the shortest path bends around and those that it touches, then its end.
+fn stops(portals: &[Portal], end: Stop) -> Vec<Stop> {
+    let mut stops = Vec::new();
+    let (mut at, mut next) = (DVec2::ZERO, 0);
+    for bend in bends(portals, end.at).into_iter().map(|corner| corner.stop(portals)).chain([end]) {
+        let mut portal = next;
+        while portal < bend.portals[0] {
+            portal += 1;
+            if let Some(touch) = touched(portals, [next, portal - 1], at, bend.at) {
+                next = touch.portals[1];
+                portal = next;
+                stops.push(touch);
+            }
+        }
+        stops.push(bend);
+        (at, next) = (bend.at, bend.portals[1]);
+    }
+    stops
+}
+
+/// The end of a portal that a straight line passes within `TOUCH`, if any. Portals from `first` on may end there, too.
+fn touched(portals: &[Portal], [first, portal]: [usize; 2], start: DVec2, end: DVec2) -> Option<Stop> {
+    let share = share_of(&portals[portal], start, end);
+    let side = match share {
+        _ if share <= TOUCH => 0,
+        _ if share >= 1.0 - TOUCH => 1,
+        _ => return None,
+    };
+    let Portal { ends, at } = portals[portal];
+    let ending = portals[first..portal].iter().rev().take_while(|before| before.ends.contains(&ends[side])).count();
+    Some(Corner { point: ends[side], at: at[side], portal: portal - ending }.stop(portals))
+}
+
+/// Where a line crosses a portal, as a share of the way from its left end to its right one, 0 to 1.
+pub(super) fn share_of(portal: &Portal, start: DVec2, end: DVec2) -> f64 {
+    let [left, right] = portal.at.map(|at| (end - start).perp_dot(at - start));
+    let share = left / (left - right);
+    if share.is_nan() {
+        // Along the portal: its nearer end comes first.
+        let [left, right] = portal.at.map(|at| at.distance_squared(start));
+        return if left < right { 0.0 } else { 1.0 };
+    }
+    share.clamp(0.0, 1.0)
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    point: u32,
+    at: DVec2,
+    /// The first portal that ends there.
+    portal: usize,
+}
+
+impl Corner {
+    fn stop(self, portals: &[Portal]) -> Stop {
+        let ending = portals[self.portal..].iter().take_while(|portal| portal.ends.contains(&self.point)).count();
+        let portals = [self.portal, self.portal + ending];
+        Stop { location: SurfacePoint::Vertex(self.point), at: self.at, portals }
+    }
+}
+
+/// The vertices that the shortest path through the portals from the origin bends around.
+fn bends(portals: &[Portal], end: DVec2) -> Vec<Corner> {
+    let mut apex = DVec2::ZERO;
+    let mut bends = Vec::new();
+    // From the apex outward, left and right; positive is to the inside of neither.
+    let mut chains = [VecDeque::<Corner>::new(), VecDeque::new()];
+    let outward = [1.0, -1.0];
+    let mut add = |side: usize, corner: Corner, bends: &mut Vec<Corner>, chains: &mut [VecDeque<Corner>; 2]| {
+        let turn = |a: DVec2, b: DVec2, c: DVec2| outward[side] * (b - a).perp_dot(c - a);
+        while let Some(last) = chains[side].back() {
+            let before = chains[side].len().checked_sub(2).map_or(apex, |before| chains[side][before].at);
+            if turn(before, last.at, corner.at) > 0.0 {
+                break;
+            }
+            chains[side].pop_back();
+        }
+        if chains[side].is_empty() {
+            // Past the other side's chain: the path bends around it.
+            while let Some(&first) = chains[1 - side].front().filter(|first| turn(apex, first.at, corner.at) < 0.0) {
+                apex = first.at;
+                bends.push(first);
+                chains[1 - side].pop_front();
+            }
+        }
+        chains[side].push_back(corner);
+    };
+    for (k, portal) in portals.iter().enumerate() {
+        for side in 0..2 {
+            if k == 0 || portals[k - 1].ends[side] != portal.ends[side] {
+                let corner = Corner { point: portal.ends[side], at: portal.at[side], portal: k };
+                add(side, corner, &mut bends, &mut chains);
+            }
+        }
+    }
+    add(0, Corner { point: u32::MAX, at: end, portal: portals.len() }, &mut bends, &mut chains);
+    let [mut left, _] = chains;
+    left.pop_back();
+    bends.extend(left);
+    bends
+}

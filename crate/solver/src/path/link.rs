@@ -1,0 +1,103 @@
+//! Ways around a vertex. Its link is a graph: a node for each edge there, an arc for each face, as long as its angle.
+//! On a manifold it is a circle, on a boundary an arc; where more than two faces meet in an edge it branches.
+//!
+//! A path through a vertex is locally shortest exactly where its two directions are at least π apart in the link.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::funnel::Heading;
+use super::strip::Step;
+use crate::halfedge::Face;
+use crate::surface::Surface;
+use crate::triangle;
+
+/// A way around a vertex from one direction to another.
+#[derive(Debug, Clone)]
+pub(super) struct Turn {
+    /// Radians.
+    pub angle: f64,
+    /// The edges of the vertex that it crosses.
+    pub steps: Vec<Step>,
+}
+
+/// The shortest way around `vertex` between two directions, if it is shorter than `limit`.
+pub(super) fn shortest_turn(surface: &Surface, vertex: u32, from: &Heading, to: &Heading, limit: f64) -> Option<Turn> {
+    let mut best = Turn { angle: limit, steps: Vec::new() };
+    let mut is_found = false;
+    if from.face == to.face {
+        let (point, angle) = from.sides[0];
+        let same = to.sides.iter().find(|side| side.0 == point).expect("one face has one pair of edges at a corner");
+        let between = (angle - same.1).abs();
+        if between < best.angle {
+            best.angle = between;
+            is_found = true;
+        }
+    }
+
+    // Each arc from both of its ends, in order of these; a node is the first place of its point.
+    let mut arcs: Vec<(u32, Arc)> = Vec::new();
+    for (face, k) in surface.corners_of_point(vertex) {
+        let corners = surface.faces[face];
+        let [p, q] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+        arcs.extend([(p, Arc { face, to: q }), (q, Arc { face, to: p })]);
+    }
+    arcs.sort_unstable_by_key(|arc| arc.0);
+    let node_of = |point: u32| arcs.partition_point(|arc| arc.0 < point);
+
+    // Dijkstra (1959) from both sides of the first direction.
+    let mut nearest: Vec<(f64, Option<(usize, Face)>)> = vec![(f64::INFINITY, None); arcs.len()];
+    let mut queue = BinaryHeap::new();
+    for (point, angle) in from.sides {
+        nearest[node_of(point)].0 = angle;
+        queue.push(Reverse((angle.to_bits(), node_of(point))));
+    }
+    let position = surface.position(vertex);
+    let mut end = None;
+    while let Some(Reverse((bits, here))) = queue.pop() {
+        let angle = f64::from_bits(bits);
+        if angle >= best.angle {
+            break;
+        }
+        if angle > nearest[here].0 {
+            continue;
+        }
+        let point = arcs[here].0;
+        if let Some(&(_, rest)) = to.sides.iter().find(|side| side.0 == point)
+            && angle + rest < best.angle
+        {
+            best.angle = angle + rest;
+            end = Some(here);
+        }
+        for (_, arc) in arcs[here..].iter().take_while(|arc| arc.0 == point) {
+            let there = node_of(arc.to);
+            // Not back.
+            if nearest[there].0 <= angle {
+                continue;
+            }
+            let further = angle + triangle::angle([position, surface.position(point), surface.position(arc.to)]);
+            if further < nearest[there].0 {
+                nearest[there] = (further, Some((here, arc.face)));
+                queue.push(Reverse((further.to_bits(), there)));
+            }
+        }
+    }
+
+    let Some(end) = end else { return is_found.then_some(best) };
+    let (mut here, mut face) = (end, to.face);
+    loop {
+        best.steps.push(Step::new(vertex, arcs[here].0, face));
+        let (_, Some((before, between))) = nearest[here] else { break };
+        (here, face) = (before, between);
+    }
+    best.steps.reverse();
+    Some(best)
+}
+
+/// A face at a vertex, from one of its edges there.
+#[derive(Debug, Clone, Copy)]
+struct Arc {
+    face: Face,
+    /// The point at the other edge's end.
+    to: u32,
+}

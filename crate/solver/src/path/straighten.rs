@@ -1,0 +1,232 @@
+//! Straightening to a locally shortest path, after Sharp and Crane, "You Can Find Geodesic Paths in Triangle Meshes by
+//! Just Flipping Edges" (2020).
+//!
+//! As there, the vertex where the path turns most sharply goes first: the path is led through the faces on the side
+//! where it turns by less than π, and shortened there, until no vertex is left to do that at. There, that means to
+//! flip edges of an intrinsic triangulation; here, it means to take the shortest path in the unfolded strip of faces
+//! between the vertices before and after, which is the same path and needs neither a manifold nor an orientation.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use super::funnel::{Piece, share_of, tighten};
+use super::link::{Turn, shortest_turn};
+use super::strip::{Step, Strip, unfold};
+use super::{Path, PathPoint, crossing, reduced};
+use crate::csr::NONE;
+use crate::halfedge::Face;
+use crate::sources::SurfacePoint;
+use crate::surface::Surface;
+
+/// A turn by less than this short of π, in radians, is none: to cut it would shorten the path by 10⁻¹⁵ of it, which is
+/// its rounding.
+const STRAIGHT: f64 = 1e-7;
+
+/// Vertices led around per point of the path given, at most. Ways along edges need ten; each shortens the path, so that this
+/// bounds time and never harms the result.
+const LONGEST_WORK: usize = 1000;
+
+/// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
+///
+/// Every piece of the result is straight once the faces that it goes through are unfolded, and at every vertex between
+/// its ends all ways around within the surface turn by π at least.
+pub fn straighten(surface: &Surface, path: &Path) -> Path {
+    let Some(mut chain) = Chain::new(surface, path) else { return path.clone() };
+    chain.shorten(LONGEST_WORK * path.points.len());
+    let straight = Path::new(surface, chain.points());
+    // Where it was straight already, rounding may make it longer.
+    if straight.length() <= path.length() { straight } else { path.clone() }
+}
+
+/// A vertex that the path goes through, or one of its ends.
+struct Node {
+    location: SurfacePoint,
+    before: u32,
+    after: u32,
+    /// To the node after.
+    piece: Option<Piece>,
+    /// The way around the vertex that is shorter than through it.
+    turn: Option<Turn>,
+    /// Changes with the pieces at the node; tells which entry of the queue is the latest.
+    version: u32,
+}
+
+struct Chain<'a> {
+    surface: &'a Surface,
+    nodes: Vec<Node>,
+    /// Bits of the angle, node, version. Bits of non-negative floats order as the floats do.
+    queue: BinaryHeap<Reverse<(u64, u32, u32)>>,
+    last_face: Face,
+}
+
+impl<'a> Chain<'a> {
+    /// The shortest path in the faces of `path` between each vertex on it and the next; `None` without points.
+    fn new(surface: &'a Surface, path: &Path) -> Option<Self> {
+        let (first, rest) = path.points.split_first()?;
+        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), last_face: first.face };
+        let mut last = chain.add(reduced(surface, first.location), NONE);
+        let mut strip = Strip::new(first.face);
+        for (k, point) in rest.iter().enumerate() {
+            let location = reduced(surface, point.location);
+            match location {
+                SurfacePoint::Edge { halfedge, .. } if k + 1 < rest.len() => {
+                    let [a, b] = surface.ends(halfedge);
+                    strip.push(Step::new(a, b, point.face));
+                }
+                SurfacePoint::Face { .. } if k + 1 < rest.len() => {}
+                _ => {
+                    let start = chain.nodes[last as usize].location;
+                    for piece in tighten(surface, start, strip, location) {
+                        last = chain.append(last, piece);
+                    }
+                    strip = Strip::new(point.face);
+                }
+            }
+        }
+        let mut node = chain.nodes[0].after;
+        while node != NONE {
+            chain.look_around(node);
+            node = chain.nodes[node as usize].after;
+        }
+        Some(chain)
+    }
+
+    fn add(&mut self, location: SurfacePoint, before: u32) -> u32 {
+        self.nodes.push(Node { location, before, after: NONE, piece: None, turn: None, version: 0 });
+        self.nodes.len() as u32 - 1
+    }
+
+    /// Adds a piece and a new node at its end.
+    fn append(&mut self, node: u32, piece: Piece) -> u32 {
+        let next = self.add(piece.to, node);
+        self.join(node, piece, next);
+        next
+    }
+
+    fn join(&mut self, node: u32, piece: Piece, next: u32) {
+        self.nodes[node as usize].after = next;
+        self.nodes[node as usize].piece = Some(piece);
+        self.nodes[next as usize].before = node;
+    }
+
+    /// Queues a node where there is a way around that turns by less than π.
+    fn look_around(&mut self, index: u32) {
+        let node = &self.nodes[index as usize];
+        let turn = match (node.location, self.piece_before(index), &node.piece) {
+            (SurfacePoint::Vertex(vertex), Some(before), Some(after)) => {
+                let [from, to] = [&before.arriving, &after.leaving].map(Option::as_ref);
+                let [from, to] = [from, to].map(|heading| heading.expect("a piece has headings at its vertices"));
+                shortest_turn(self.surface, vertex, from, to, PI - STRAIGHT)
+            }
+            _ => None,
+        };
+        let node = &mut self.nodes[index as usize];
+        node.version += 1;
+        if let Some(turn) = &turn {
+            self.queue.push(Reverse((turn.angle.to_bits(), index, node.version)));
+        }
+        node.turn = turn;
+    }
+
+    fn piece_before(&self, index: u32) -> Option<&Piece> {
+        self.nodes.get(self.nodes[index as usize].before as usize)?.piece.as_ref()
+    }
+
+    /// Leads the path around one vertex after the other, the sharpest turn first.
+    fn shorten(&mut self, most: usize) {
+        for _ in 0..most {
+            let Some(Reverse((_, index, version))) = self.queue.pop() else { break };
+            if self.nodes[index as usize].version == version {
+                self.lead_around(index);
+            }
+        }
+    }
+
+    fn lead_around(&mut self, index: u32) {
+        let Some(turn) = self.nodes[index as usize].turn.take() else { return };
+        let Node { before, after, .. } = self.nodes[index as usize];
+        let [Some(first), Some(second)] = [self.piece_before(index), self.nodes[index as usize].piece.as_ref()] else {
+            return;
+        };
+        let mut strip = first.strip.clone();
+        strip.extend(turn.steps);
+        strip.extend(second.strip.steps.iter().copied());
+        let length = first.length + second.length;
+        let [start, end] = [before, after].map(|node| self.nodes[node as usize].location);
+        let pieces = tighten(self.surface, start, strip, end);
+        // Not so where the turn is among rounding errors.
+        if pieces.iter().map(|piece| piece.length).sum::<f64>() >= length {
+            return;
+        }
+        self.nodes[index as usize].version += 1;
+        self.replace(before, pieces, after);
+    }
+
+    /// Puts new pieces between two nodes.
+    fn replace(&mut self, before: u32, mut pieces: Vec<Piece>, after: u32) {
+        let Some(last) = pieces.pop() else { return self.merge(before, after) };
+        let mut node = before;
+        for piece in pieces {
+            node = self.append(node, piece);
+        }
+        self.join(node, last, after);
+        while node != before {
+            self.look_around(node);
+            node = self.nodes[node as usize].before;
+        }
+        self.look_around(before);
+        self.look_around(after);
+    }
+
+    /// Makes two neighbours at one place into one node, keeping an end of the path if either is.
+    fn merge(&mut self, before: u32, after: u32) {
+        let [kept, dropped] = if self.nodes[after as usize].after == NONE { [after, before] } else { [before, after] };
+        self.nodes[dropped as usize].version += 1;
+        let Node { before: previous, .. } = self.nodes[before as usize];
+        if kept == before {
+            let piece = self.nodes[after as usize].piece.take().expect("a node that is not the last has a piece");
+            let next = self.nodes[after as usize].after;
+            self.join(before, piece, next);
+        } else if previous != NONE {
+            self.nodes[previous as usize].after = after;
+            self.nodes[after as usize].before = previous;
+        } else {
+            // Start and end are one.
+            self.nodes[before as usize].after = NONE;
+            self.nodes[before as usize].piece = None;
+            return;
+        }
+        self.look_around(kept);
+    }
+
+    /// The points of the path, with all crossings of edges.
+    fn points(&self) -> Vec<PathPoint> {
+        let surface = self.surface;
+        let mut points: Vec<PathPoint> = Vec::new();
+        let mut add = |location: SurfacePoint, face| match points.last_mut() {
+            // Two crossings next to one vertex.
+            Some(last) if last.location == location => last.face = face,
+            _ => points.push(PathPoint { position: location.position(surface), location, face }),
+        };
+        let mut last_face = self.last_face;
+        let mut node = &self.nodes[0];
+        while let Some(piece) = &node.piece {
+            add(node.location, piece.strip.first);
+            if !piece.strip.steps.is_empty() {
+                let (portals, end) = unfold(surface, &piece.strip, node.location, piece.to);
+                for (portal, step) in portals.iter().zip(&piece.strip.steps) {
+                    let share = share_of(portal, DVec2::ZERO, end);
+                    let location = crossing(surface, step.face, portal.ends, share);
+                    add(reduced(surface, location), step.face);
+                }
+            }
+            last_face = piece.strip.last();
+            node = &self.nodes[node.after as usize];
+        }
+        add(node.location, last_face);
+        points
+    }
+}

@@ -1,0 +1,387 @@
+//! Exact distance: against closed forms, against itself, and against another program.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::{band, book, flat, nearest, random, soup, square, surface};
+use glam::DVec3;
+use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
+use heatwalk::{Error, Face, Halfedge, Path, Soup, Surface, SurfacePoint, shapes};
+
+/// Everything is the length of a path, and lost to rounding is less than this share.
+const EXACT: f64 = 1e-9;
+
+fn start(surface: &Arc<Surface>, sources: &[(SurfacePoint, f64)], targets: &[SurfacePoint]) -> Wavefront {
+    Wavefront::new(Arc::clone(surface), Arc::new(ExactGeometry::new(surface)), sources, targets)
+}
+
+fn finished(surface: &Arc<Surface>, sources: &[(SurfacePoint, f64)], targets: &[SurfacePoint]) -> Wavefront {
+    let mut wavefront = start(surface, sources, targets);
+    assert!(wavefront.advance(f64::INFINITY, usize::MAX) && wavefront.is_done());
+    wavefront
+}
+
+/// Distance along an edge bounds the difference of the values at its ends; sources are at their start values.
+fn check_lipschitz(wavefront: &Wavefront, surface: &Surface, sources: &[(SurfacePoint, f64)]) {
+    let values = wavefront.values();
+    for face in surface.mesh.faces() {
+        for k in 0..3 {
+            let [a, b] = [surface.faces[face][k], surface.faces[face][(k + 1) % 3]];
+            let (from, to) = (values[a as usize], values[b as usize]);
+            assert!(!from.is_nan() && from.is_infinite() == to.is_infinite(), "{a} {from}, {b} {to}");
+            let length = surface.position(a).distance(surface.position(b));
+            let difference = if from.is_finite() { (from - to).abs() } else { 0.0 };
+            assert!(difference <= length + EXACT * from.max(to), "{a} at {from}, {b} at {to}, {length} apart");
+        }
+    }
+    for &(location, offset) in sources {
+        if let SurfacePoint::Vertex(point) = location {
+            assert!(values[point as usize] <= offset);
+        }
+    }
+}
+
+/// A path goes through the faces it names, from `from` to a source, and is as long as the value says.
+fn check_path(surface: &Surface, path: &Path, from: SurfacePoint, value: f64, sources: &[(SurfacePoint, f64)]) {
+    assert_eq!(path.points.len(), path.normals.len());
+    let [first, last] = [path.points[0], path.points[path.points.len() - 1]].map(|point| point.position);
+    assert_eq!(first, from.position(surface));
+    let offset = sources.iter().filter(|source| source.0.position(surface) == last).map(|source| source.1);
+    let offset = offset.min_by(f64::total_cmp).expect("the path ends at a source");
+    for pair in path.points.windows(2) {
+        for point in pair {
+            let corners = surface.faces[pair[0].face];
+            let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
+            assert!(lies_in_face, "{point:?} is not in {:?} {corners:?}", pair[0].face);
+        }
+    }
+    let error = path.length() + offset - value;
+    assert!(error.abs() <= EXACT * value, "{from:?}: {} for {value}", path.length() + offset);
+}
+
+fn random_location(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+    let mut share = || random(seed, 1000) as f64 / 1000.0;
+    let (a, b) = (share(), share());
+    match random(seed, 3) {
+        0 => SurfacePoint::Vertex(random(seed, surface.point_count()) as u32),
+        1 => SurfacePoint::Edge { halfedge: Halfedge(random(seed, surface.mesh.halfedge_count()) as u32), fraction: a },
+        _ => {
+            let weights = [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)];
+            SurfacePoint::Face { face: Face(random(seed, surface.face_count()) as u32), weights }
+        }
+    }
+}
+
+/// From random sources to random targets: values are symmetric, Lipschitz and those of paths; stopping is harmless.
+fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
+    let surface = Arc::new(surface(soup));
+    let mut seed = seed;
+    for _ in 0..rounds {
+        let source = random_location(&surface, &mut seed);
+        let targets: Vec<_> = (0..20).map(|_| random_location(&surface, &mut seed)).collect();
+        let sources = [(source, 0.25 * surface.mean_edge)];
+        let wavefront = finished(&surface, &sources, &targets);
+        check_lipschitz(&wavefront, &surface, &sources);
+        for (index, (&target, &value)) in targets.iter().zip(wavefront.target_values()).enumerate() {
+            if let SurfacePoint::Vertex(point) = target {
+                let here = wavefront.values()[point as usize];
+                assert!(value == here || (value - here).abs() <= EXACT * here, "{value} and {here}");
+            }
+            match wavefront.path_from_target(index) {
+                Ok(path) => check_path(&surface, &path, target, value, &sources),
+                Err(error) => assert!(error == Error::Unreachable && value.is_infinite()),
+            }
+        }
+        for _ in 0..20 {
+            let point = random(&mut seed, surface.point_count()) as u32;
+            let value = wavefront.values()[point as usize];
+            match wavefront.path_from_point(point) {
+                Ok(path) => check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources),
+                Err(error) => assert!(error == Error::Unreachable && value.is_infinite()),
+            }
+        }
+        let back = finished(&surface, &[(targets[0], sources[0].1)], &[source]);
+        let (there, back) = (wavefront.target_values()[0], back.target_values()[0]);
+        assert!(there == back || (there - back).abs() <= EXACT * there, "{there} there, {back} back");
+    }
+}
+
+#[test]
+fn plane_is_straight() {
+    let surface = Arc::new(surface(&square(12)));
+    let mut seed = 5;
+    for _ in 0..10 {
+        let source = random_location(&surface, &mut seed);
+        let wavefront = finished(&surface, &[(source, 0.0)], &[]);
+        for (value, position) in wavefront.values().iter().zip(&surface.positions) {
+            let straight = position.distance(source.position(&surface));
+            assert!((value - straight).abs() <= EXACT * straight, "{value} for {straight}");
+        }
+    }
+}
+
+#[test]
+fn cube_around_an_edge() {
+    let corner = |x: u32, y: u32, z: u32| DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+    let positions = (0..8).map(|i| corner(i & 1, i >> 1 & 1, i >> 2)).collect();
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let surface = Arc::new(surface(&soup(positions, triangles)));
+    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(0), 0.0)], &[]);
+    let far = nearest(&surface, DVec3::ONE) as usize;
+    // Two squares side by side.
+    assert!((wavefront.values()[far] - 5.0_f64.sqrt()).abs() < EXACT);
+}
+
+#[test]
+fn reflex_boundary_bends_paths() {
+    // An L of three unit squares: paths between its ends bend at the inner corner (1, 1).
+    let positions =
+        flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 1.0), (2.0, 1.0), (0.0, 2.0), (1.0, 2.0)]);
+    let triangles = vec![[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [3, 4, 7], [3, 7, 6]];
+    let surface = Arc::new(surface(&soup(positions, triangles)));
+    let at = |x, y| nearest(&surface, DVec3::new(x, y, 0.0));
+    let source = [(SurfacePoint::Vertex(at(2.0, 1.0)), 0.0)];
+    let wavefront = finished(&surface, &source, &[]);
+    let bent = at(0.0, 2.0);
+    let value = wavefront.values()[bent as usize];
+    assert!((value - (1.0 + 2.0_f64.sqrt())).abs() < EXACT, "{value}");
+    check_path(&surface, &wavefront.path_from_point(bent).expect("a path"), SurfacePoint::Vertex(bent), value, &source);
+}
+
+#[test]
+fn closed_shapes() {
+    try_shape(&shapes::icosphere(3), 4, 1);
+    try_shape(&shapes::torus(2.0, 0.7, 24, 12), 4, 2);
+}
+
+#[test]
+fn bounded_shapes() {
+    try_shape(&square(8), 4, 3);
+    try_shape(&shapes::cylinder(4.0, 16, 8), 3, 4);
+    try_shape(&shapes::strip(3.0, 40.0, 3), 3, 5);
+}
+
+#[test]
+fn shapes_that_are_no_manifold() {
+    try_shape(&band(24, 1), 4, 6);
+    try_shape(&book(3, 6), 4, 7);
+    // Two squares with one vertex in common.
+    let mut bow_tie = square(4);
+    let first = bow_tie.positions.len() as u32;
+    let corner =
+        bow_tie.positions.iter().position(|&position| position == DVec3::new(1.0, 1.0, 0.0)).expect("a corner");
+    let other = square(4);
+    bow_tie.positions.extend(other.positions.iter().map(|&position| position + DVec3::new(1.0, 1.0, 0.0)));
+    let shared = |vertex| if vertex == 0 { corner as u32 } else { vertex + first };
+    bow_tie.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(shared)));
+    try_shape(&bow_tie, 4, 8);
+    let surface = Arc::new(surface(&bow_tie));
+    let [from, to] = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0)].map(|position| nearest(&surface, position));
+    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(from), 0.0)], &[]);
+    assert!((wavefront.values()[to as usize] - (1.0 + 2.0_f64.sqrt())).abs() < EXACT);
+}
+
+#[test]
+fn badly_shaped_faces() {
+    let mut seed = 12;
+    let mut crumpled = square(10);
+    for position in &mut crumpled.positions {
+        position.x *= 1e-4;
+        position.z = 1e-3 * random(&mut seed, 1000) as f64 / 1000.0;
+    }
+    try_shape(&crumpled, 4, 9);
+    // Edges a billion times shorter than others, and angles as near to 0 and π.
+    let mut pinched = square(8);
+    for position in &mut pinched.positions {
+        if position.x > 0.4 && position.x < 0.6 {
+            position.x = 0.5 + 1e-9 * (position.x - 0.5);
+        }
+        position.z = 0.1 * (position.x * 9.0).sin() * (position.y * 7.0).cos();
+    }
+    try_shape(&pinched, 4, 10);
+}
+
+#[test]
+fn pieces_without_a_source_are_infinite() {
+    let mut two = square(3);
+    let first = two.positions.len() as u32;
+    let other = square(3);
+    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
+    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let surface = Arc::new(surface(&two));
+    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(0), 0.0)], &[SurfacePoint::Vertex(first)]);
+    for (value, position) in wavefront.values().iter().zip(&surface.positions) {
+        assert_eq!(value.is_infinite(), position.z > 0.5);
+    }
+    assert_eq!(wavefront.path_from_point(first), Err(Error::Unreachable));
+    assert_eq!(wavefront.path_from_target(0), Err(Error::Unreachable));
+}
+
+#[test]
+fn several_sources_are_the_least_of_each() {
+    let surface = Arc::new(surface(&shapes::icosphere(3)));
+    let mut seed = 21;
+    let sources: Vec<_> = (0..5).map(|i| (random_location(&surface, &mut seed), 0.1 * f64::from(i))).collect();
+    let together = finished(&surface, &sources, &[]);
+    check_lipschitz(&together, &surface, &sources);
+    let each: Vec<_> = sources.iter().map(|&source| finished(&surface, &[source], &[])).collect();
+    for (point, &value) in together.values().iter().enumerate() {
+        let least = each.iter().map(|alone| alone.values()[point]).fold(f64::INFINITY, f64::min);
+        assert!((value - least).abs() <= EXACT * least, "{value} for {least}");
+        let path = together.path_from_point(point as u32).expect("a path");
+        check_path(&surface, &path, SurfacePoint::Vertex(point as u32), value, &sources);
+    }
+}
+
+#[test]
+fn stopping_changes_nothing() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 32, 16)));
+    let sources = [(SurfacePoint::Vertex(3), 0.0)];
+    let whole = finished(&surface, &sources, &[]);
+    let mut steps = start(&surface, &sources, &[]);
+    let mut radius = 0.0;
+    while !steps.is_done() {
+        radius += 0.37 * surface.mean_edge;
+        while !steps.advance(radius, 50) {}
+        assert!(steps.radius() >= radius);
+        for (&value, &last) in steps.values().iter().zip(whole.values()) {
+            assert!(value >= last && (last >= radius || value == last), "{value} at {radius}, {last} in the end");
+        }
+    }
+    assert_eq!(steps.values(), whole.values());
+    assert_eq!(steps.windows(), whole.windows());
+}
+
+#[test]
+fn bad_requests_are_refused() {
+    let surface = Arc::new(surface(&square(2)));
+    let mut go_on = |_| ControlFlow::Continue(());
+    assert_eq!(exact_distance::<SurfacePoint>(&surface, &[], &mut go_on), Err(Error::NoSource));
+    let offset = exact_distance(&surface, &[(SurfacePoint::Vertex(0), -1.0)], &mut go_on);
+    assert!(matches!(offset, Err(Error::BadParameter { .. })));
+    let vertex = exact_distance(&surface, &[(SurfacePoint::Vertex(1000), 0.0)], &mut go_on);
+    assert!(matches!(vertex, Err(Error::BadVertex { .. })));
+    let values = exact_distance(&surface, &[(SurfacePoint::Vertex(0), 1.0)], &mut go_on).expect("values");
+    assert_eq!(values[0], 1.0);
+}
+
+/// On the shared meshes, which are not part of the repository.
+#[cfg(not(target_arch = "wasm32"))]
+mod shared {
+    use std::fs;
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    use heatwalk::{Soup, Surface, SurfacePoint};
+
+    use super::common::random;
+    use super::{EXACT, check_lipschitz, check_path, finished};
+
+    fn folder(name: &str) -> Option<PathBuf> {
+        let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/meshes")).join(name);
+        if !path.is_dir() {
+            eprintln!("skipped: {} is not there", path.display());
+            return None;
+        }
+        Some(path)
+    }
+
+    fn read(folder: &std::path::Path, name: &str) -> Soup {
+        let bytes = fs::read(folder.join(name)).expect("a shared mesh");
+        heatwalk::io::read(name, &bytes, &|uri| fs::read(folder.join(uri)).ok()).expect("a readable mesh")
+    }
+
+    /// One-dimensional float64 array: ten bytes of magic, version and header length, a header, then the values.
+    fn read_npy(bytes: &[u8]) -> Vec<f64> {
+        let header = u16::from_le_bytes([bytes[8], bytes[9]]) as usize;
+        let values = bytes[10 + header..].chunks_exact(8);
+        values.map(|chunk| f64::from_le_bytes(chunk.try_into().expect("eight bytes"))).collect()
+    }
+
+    /// Against the exact distances of pygeodesic (Kirsanov's implementation of Mitchell, Mount, Papadimitriou).
+    fn check(mesh: &str, sources: [usize; 2]) {
+        let Some(folder) = folder("exact") else { return };
+        let soup = read(&folder, &format!("{mesh}.off"));
+        let surface = Arc::new(Surface::build(&soup).expect("a usable mesh"));
+        for source in sources {
+            let exact = read_npy(&fs::read(folder.join(format!("{mesh}.src{source}.npy"))).expect("distances"));
+            let source = surface.point_of_input[source].expect("a used vertex");
+            let sources = [(SurfacePoint::Vertex(source), 0.0)];
+            let wavefront = finished(&surface, &sources, &[]);
+            for (&point, &exact) in surface.point_of_input.iter().flatten().zip(&exact) {
+                let value = wavefront.values()[point as usize];
+                assert!((value - exact).abs() <= EXACT * exact, "{mesh}, point {point}: {value} for {exact}");
+            }
+            let mut seed = 31;
+            for _ in 0..200 {
+                let point = random(&mut seed, surface.point_count()) as u32;
+                let path = wavefront.path_from_point(point).expect("a connected mesh");
+                let value = wavefront.values()[point as usize];
+                check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources);
+            }
+        }
+    }
+
+    #[test]
+    fn cow() {
+        check("cow", [0, 1452]);
+    }
+
+    #[test]
+    fn spot() {
+        check("spot", [0, 1465]);
+    }
+
+    #[test]
+    fn half_sphere() {
+        check("half_sphere", [0, 1025]);
+    }
+
+    #[test]
+    fn bunny() {
+        check("bunny", [0, 7145]);
+    }
+
+    #[test]
+    fn horse() {
+        check("horse_97k", [0, 24242]);
+    }
+
+    /// Meshes with cuts, edges of three faces, slivers and loose pieces.
+    #[test]
+    fn messy_meshes() {
+        let Some(folder) = folder("table1") else { return };
+        for name in [
+            "bague.off",
+            "cow.off",
+            "dragon.glb",
+            "hemisphere.glb",
+            "high_genus.off",
+            "horse.off",
+            "maze.glb",
+            "skull.glb",
+            "sphere3.glb",
+            "triceratops.off",
+        ] {
+            let surface = Arc::new(Surface::build(&read(&folder, name)).expect("a usable mesh"));
+            let mut seed = 41;
+            let sources = [(SurfacePoint::Vertex(random(&mut seed, surface.point_count()) as u32), 0.0)];
+            let wavefront = finished(&surface, &sources, &[]);
+            check_lipschitz(&wavefront, &surface, &sources);
+            for _ in 0..100 {
+                let point = random(&mut seed, surface.point_count()) as u32;
+                let value = wavefront.values()[point as usize];
+                if value.is_finite() {
+                    let path = wavefront.path_from_point(point).expect("a path");
+                    check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources);
+                }
+            }
+        }
+    }
+}

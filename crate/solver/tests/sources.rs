@@ -1,0 +1,256 @@
+//! Several sources: distances are those of matrices factored anew with the sources held, whatever way they are found.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::{heat_only, nearest, random, solver_with, square, surface};
+use faer::prelude::Solve;
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
+use glam::DVec3;
+use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::{
+    Boundary, Error, Face, LinearSolver, MultiSource, Operator, Parameters, Soup, Source, Surface, SurfacePoint, shapes,
+};
+
+/// The heat method alone on the triangles as they are.
+fn plain() -> Parameters {
+    Parameters { operator: Operator::Plain, ..heat_only(1.0, Boundary::Neumann) }
+}
+
+fn vertices(points: &[u32]) -> Vec<SurfacePoint> {
+    points.iter().map(|&point| SurfacePoint::Vertex(point)).collect()
+}
+
+/// `(L + scale M) x = right` with some points held at values, factored for the purpose.
+fn held_solve(laplacian: &Laplacian, scale: f64, held: &[(u32, f64)], right: &[f64]) -> Vec<f64> {
+    let size = laplacian.size();
+    let mut values: Vec<Option<f64>> = vec![None; size];
+    for &(point, value) in held {
+        values[point as usize] = Some(value);
+    }
+    let mut x = Mat::from_fn(size, 1, |row, _| values[row].unwrap_or(right[row]));
+    let mut triplets = Vec::new();
+    for column in 0..size {
+        for entry in laplacian.column(column) {
+            let row = laplacian.rows()[entry] as usize;
+            let mut weight = laplacian.stiffness[entry];
+            if row == column {
+                weight += scale * laplacian.mass[row];
+            }
+            match (values[row], values[column]) {
+                (None, None) => triplets.push(Triplet::new(row, column, weight)),
+                (None, Some(value)) => x[(row, 0)] -= weight * value,
+                (Some(value), None) => x[(column, 0)] -= weight * value,
+                (Some(_), Some(_)) if row == column => triplets.push(Triplet::new(row, row, 1.0)),
+                (Some(_), Some(_)) => {}
+            }
+        }
+    }
+    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(size, size, &triplets).expect("a lower triangle");
+    let factor = matrix.sp_cholesky(Side::Lower).expect("positive definite");
+    factor.solve_in_place(x.as_mut());
+    x.col(0).iter().copied().collect()
+}
+
+/// The heat method with heat 1 and distance 0 held at the sources, written out in three dimensions.
+fn refactored(surface: &Surface, time: f64, sources: &[u32]) -> Vec<f64> {
+    let laplacian = Laplacian::new(surface, Operator::Plain);
+    let zeros = vec![0.0; laplacian.size()];
+    let hot: Vec<(u32, f64)> = sources.iter().map(|&source| (source, 1e290)).collect();
+    let heat = held_solve(&laplacian, 1.0 / time, &hot, &zeros);
+    let mut divergence = zeros;
+    for face in surface.mesh.faces() {
+        let points = surface.faces[face];
+        let [p, q, r] = surface.corners(face);
+        let edges = [r - q, p - r, q - p];
+        let normal = (q - p).cross(r - p);
+        let largest = points.map(|point| heat[point as usize]).into_iter().fold(0.0, f64::max);
+        let gradient: DVec3 = (0..3).map(|k| normal.cross(edges[k]) * (heat[points[k] as usize] / largest)).sum();
+        let field = -gradient.normalize();
+        for k in 0..3 {
+            divergence[points[k] as usize] += 0.5 * field.dot(normal.normalize().cross(edges[k]));
+        }
+    }
+    let cold: Vec<(u32, f64)> = sources.iter().map(|&source| (source, 0.0)).collect();
+    held_solve(&laplacian, 0.0, &cold, &divergence)
+}
+
+fn check_against_refactored(soup: &Soup, sources: &[u32]) {
+    let solver = solver_with(soup, plain());
+    let reference = refactored(solver.surface(), solver.time(), sources);
+    let distance = solver.distance(&vertices(sources)).expect("sources");
+    let diameter = distance.max();
+    for &source in sources {
+        assert_eq!(distance.values[source as usize], 0.0);
+    }
+    for (point, (value, reference)) in distance.values.iter().zip(&reference).enumerate() {
+        assert!(*value >= 0.0);
+        // Condition of the Poisson matrix times rounding is some 1e-12. Where the reference is below 0, between
+        // sources next to each other, distances are cut at 0.
+        assert!((value - reference.max(0.0)).abs() <= 1e-9 * diameter, "{point}: {value} for {reference}");
+    }
+}
+
+#[test]
+fn few_sources_as_if_factored_anew() {
+    for soup in [square(20), shapes::icosphere(4), shapes::torus(2.0, 0.7, 48, 24)] {
+        let count = soup.positions.len();
+        let mut seed = 5;
+        check_against_refactored(&soup, &[random(&mut seed, count) as u32]);
+        let five: Vec<u32> = (0..5).map(|_| random(&mut seed, count) as u32).collect();
+        check_against_refactored(&soup, &five);
+    }
+}
+
+#[test]
+fn a_line_of_sources_as_if_factored_anew() {
+    let soup = square(60);
+    let surface = surface(&soup);
+    let line: Vec<u32> = (0..61).map(|i| nearest(&surface, DVec3::new(f64::from(i) / 60.0, 0.5, 0.0))).collect();
+    check_against_refactored(&soup, &line);
+}
+
+#[test]
+fn a_boundary_of_sources_as_if_factored_anew() {
+    let soup = square(100);
+    let surface = surface(&soup);
+    let boundary: Vec<u32> =
+        (0..surface.point_count() as u32).filter(|&point| surface.is_boundary_point[point as usize]).collect();
+    assert_eq!(boundary.len(), 400);
+    check_against_refactored(&soup, &boundary);
+}
+
+#[test]
+fn asking_again_gives_the_same() {
+    // Responses kept from before must not change the answer, whatever was asked in between.
+    let soup = shapes::icosphere(4);
+    let solver = solver_with(&soup, Parameters::default());
+    let questions =
+        [vec![3, 900, 1500], vec![3, 900], vec![3, 900, 1500, 77], vec![1500, 3, 900]].map(|q| vertices(&q));
+    let first: Vec<_> = questions.iter().map(|q| solver.distance(q).expect("sources").values).collect();
+    for (question, before) in questions.iter().zip(&first) {
+        let anew = solver_with(&soup, Parameters::default()).distance(question).expect("sources").values;
+        for (after, before) in anew.iter().zip(before) {
+            assert!((after - before).abs() < 1e-12, "{after} {before}");
+        }
+    }
+}
+
+#[test]
+fn sources_inside_faces_and_on_edges_are_at_zero() {
+    let soup = shapes::icosphere(4);
+    let mut seed = 9;
+    for near_field in [heatwalk::NearField::Automatic, heatwalk::NearField::Edges(0.0)] {
+        let solver = solver_with(&soup, Parameters { near_field, ..Parameters::default() });
+        let surface = solver.surface();
+        let sources: Vec<SurfacePoint> = (0..6)
+            .map(|index| {
+                let face = Face(random(&mut seed, surface.face_count()) as u32);
+                let halfedge = heatwalk::Halfedge(face.0 * 3);
+                match index % 2 {
+                    0 => SurfacePoint::Face { face, weights: [0.2, 0.3, 0.5] },
+                    _ => SurfacePoint::Edge { halfedge, fraction: 0.4 },
+                }
+            })
+            .collect();
+        let distance = solver.distance(&sources).expect("sources");
+        for (point, value) in surface.positions.iter().zip(&distance.values) {
+            let arc = |source: &SurfacePoint| point.dot(source.position(surface).normalize()).clamp(-1.0, 1.0).acos();
+            let exact = sources.iter().map(arc).fold(f64::INFINITY, f64::min);
+            // The method's own offset in the first rings is half an edge; where two fronts meet it is rounded off.
+            assert!((value - exact).abs() < 1.2 * surface.mean_edge, "{value} for {exact}");
+        }
+    }
+}
+
+#[test]
+fn dependent_sources_are_no_obstacle() {
+    // The three corners of a face, a point inside it and one of the corners again.
+    let solver = solver_with(&shapes::icosphere(3), heat_only(1.0, Boundary::Neumann));
+    let surface = solver.surface();
+    let mut sources = vertices(&surface.faces[Face(10)]);
+    sources.push(SurfacePoint::Face { face: Face(10), weights: [0.2, 0.3, 0.5] });
+    sources.push(sources[0]);
+    let distance = solver.distance(&sources).expect("sources");
+    assert!(distance.values.iter().all(|value| value.is_finite()));
+    for point in surface.faces[Face(10)] {
+        assert_eq!(distance.values[point as usize], 0.0);
+    }
+}
+
+#[test]
+fn starting_values() {
+    let soup = square(40);
+    let solver = solver_with(&soup, Parameters::default());
+    let surface = solver.surface();
+    let at = |x: f64, y: f64| SurfacePoint::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
+    let sources = [(at(0.2, 0.5), 0.0), (at(0.8, 0.5), 0.25), (at(0.5, 0.9), 3.0)]
+        .map(|(point, offset)| Source { point, offset });
+    let distance = solver.distance(&sources).expect("sources");
+    for (point, value) in surface.positions.iter().zip(&distance.values) {
+        let from = |source: &Source| source.offset + point.distance(source.point.position(surface));
+        let exact = sources.iter().map(from).fold(f64::INFINITY, f64::min);
+        assert!((value - exact).abs() < 1.5 * surface.mean_edge, "{value} for {exact} at {point}");
+    }
+    let value = |source: &Source| source.point.interpolate(surface, &distance.values);
+    assert_eq!([value(&sources[0]), value(&sources[1])], [0.0, 0.25]);
+    assert_eq!(distance.sources.len(), 2, "the third starts later than the others arrive there");
+    for offset in [-1.0, f64::NAN, f64::INFINITY] {
+        let bad = Source { offset, ..sources[0] };
+        assert!(matches!(solver.distance(&[bad]), Err(Error::BadParameter { .. })));
+    }
+}
+
+#[test]
+fn superposed_sources_are_not_at_zero() {
+    let soup = square(40);
+    let parameters = Parameters { sources: MultiSource::Superposed, ..heat_only(1.0, Boundary::Neumann) };
+    let solver = solver_with(&soup, parameters);
+    let surface = solver.surface();
+    let at = |x: f64, y: f64| SurfacePoint::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
+    let sources = [at(0.2, 0.2), at(0.3, 0.2), at(0.8, 0.7)];
+    let distance = solver.distance(&sources).expect("sources");
+    let values: Vec<f64> = sources.iter().map(|source| source.interpolate(surface, &distance.values)).collect();
+    assert!(values.iter().any(|value| *value > 1e-3), "{values:?}");
+    assert!(distance.values.iter().all(|value| *value >= 0.0));
+}
+
+#[test]
+fn conjugate_gradients_agree_near_the_sources() {
+    let soup = shapes::icosphere(3);
+    for sources in [vec![0], vec![0, 100, 401]] {
+        let answer = |solver| {
+            let parameters = Parameters { solver, ..heat_only(1.0, Boundary::Neumann) };
+            solver_with(&soup, parameters).distance(&vertices(&sources)).expect("sources").values
+        };
+        let [direct, iterated] = [LinearSolver::Cholesky, LinearSolver::ConjugateGradients].map(answer);
+        for (direct, iterated) in direct.iter().zip(&iterated) {
+            // The sphere is 20 edges around, so heat falls to e⁻¹⁰ of its maximum and keeps 1e-12 / e⁻¹⁰ of its digits.
+            assert!((direct - iterated).abs() < 1e-6, "{direct} {iterated}");
+        }
+    }
+}
+
+#[test]
+fn boundary_conditions_change_at_no_cost_the_second_time() {
+    let soup = square(30);
+    let mut solver = solver_with(&soup, heat_only(1.0, Boundary::Neumann));
+    let mut factored = |boundary| {
+        let mut stages = 0;
+        let mut count = |_, _| {
+            stages += 1;
+            ControlFlow::Continue(())
+        };
+        solver.set_parameters(heat_only(1.0, boundary), &mut count).expect("factors");
+        stages
+    };
+    assert_eq!(
+        [Boundary::Dirichlet, Boundary::Average, Boundary::Neumann, Boundary::Dirichlet].map(&mut factored),
+        [1, 0, 0, 0]
+    );
+}

@@ -1,0 +1,459 @@
+//! Straightened paths: locally shortest, as an independent measure sees it, and equal to closed forms.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+
+use common::{band, book, nearest, random, solver, soup, square, surface};
+use glam::{DVec2, DVec3, Vec3Swizzles};
+use heatwalk::{
+    Boundary, Face, HeatSolver, Path, Soup, Surface, SurfacePoint, descend, edge_path, shapes, straighten, straightest,
+};
+
+/// Points follow each other through the faces that they name.
+fn check_valid(surface: &Surface, path: &Path) {
+    assert_eq!(path.points.len(), path.normals.len());
+    for pair in path.points.windows(2) {
+        assert!(pair[0].location != pair[1].location, "{pair:?}");
+        for point in pair {
+            let corners = surface.faces[pair[0].face];
+            let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
+            assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
+        }
+    }
+    for point in &path.points {
+        let position = point.location.position(surface);
+        assert!(position.distance(point.position) <= 1e-12 * surface.mean_edge.max(position.length()));
+    }
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    let (a, b) = (a.normalize(), b.normalize());
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// The smallest angle by which a path can turn around its vertices, by relaxing all of each link (Bellman and Ford).
+fn sharpest_turn(surface: &Surface, path: &Path) -> f64 {
+    let mut sharpest = f64::INFINITY;
+    for triple in path.points.windows(3) {
+        let SurfacePoint::Vertex(vertex) = triple[1].location else { continue };
+        let at = surface.position(vertex);
+        let sides = |face: Face| {
+            let others: Vec<u32> = surface.faces[face].into_iter().filter(|&corner| corner != vertex).collect();
+            [others[0], others[1]]
+        };
+        let from_side = |face: Face, other: DVec3, side: u32| {
+            assert!(sides(face).contains(&side));
+            angle(other - at, surface.position(side) - at)
+        };
+        let mut far: HashMap<u32, f64> = HashMap::new();
+        for side in sides(triple[0].face) {
+            far.insert(side, from_side(triple[0].face, triple[0].position, side));
+        }
+        let arcs: Vec<([u32; 2], f64)> = surface
+            .corners_of_point(vertex)
+            .map(|(face, _)| {
+                let [p, q] = sides(face);
+                ([p, q], angle(surface.position(p) - at, surface.position(q) - at))
+            })
+            .collect();
+        loop {
+            let mut is_done = true;
+            for &([p, q], arc) in &arcs {
+                for [p, q] in [[p, q], [q, p]] {
+                    let Some(&known) = far.get(&p) else { continue };
+                    let other = far.entry(q).or_insert(f64::INFINITY);
+                    if known + arc < *other {
+                        *other = known + arc;
+                        is_done = false;
+                    }
+                }
+            }
+            if is_done {
+                break;
+            }
+        }
+        if triple[0].face == triple[1].face {
+            sharpest = sharpest.min(angle(triple[0].position - at, triple[2].position - at));
+        }
+        for side in sides(triple[1].face) {
+            let rest = from_side(triple[1].face, triple[2].position, side);
+            sharpest = sharpest.min(far.get(&side).map_or(f64::INFINITY, |known| known + rest));
+        }
+    }
+    sharpest
+}
+
+/// How far a path runs beside the straight line at its crossings of edges, the two faces unfolded, in mean edges.
+fn largest_kink(surface: &Surface, path: &Path) -> f64 {
+    let mut largest: f64 = 0.0;
+    for triple in path.points.windows(3) {
+        let SurfacePoint::Edge { halfedge, .. } = triple[1].location else {
+            assert!(matches!(triple[1].location, SurfacePoint::Vertex(_)), "a point inside a face: {triple:?}");
+            continue;
+        };
+        assert!(triple[0].face != triple[1].face, "an edge that is not crossed: {triple:?}");
+        let [a, b] = surface.ends(halfedge).map(|point| surface.position(point));
+        let along = (b - a).normalize();
+        let flat = |offset: DVec3, side: f64| DVec2::new(along.dot(offset), side * along.cross(offset).length());
+        let before = flat(triple[0].position - triple[1].position, -1.0);
+        let after = flat(triple[2].position - triple[1].position, 1.0);
+        largest = largest.max(before.perp_dot(after).abs() / before.distance(after) / surface.mean_edge);
+    }
+    largest
+}
+
+/// Straightens and checks all that must hold on any surface.
+fn straightened(surface: &Surface, path: &Path) -> Path {
+    let straight = straighten(surface, path);
+    check_valid(surface, path);
+    check_valid(surface, &straight);
+    let ends = |path: &Path| [path.points[0].position, path.points[path.points.len() - 1].position];
+    for (a, b) in ends(path).into_iter().zip(ends(&straight)) {
+        // Rounding of weights of 0 that are left out.
+        assert!(a.distance(b) <= 1e-12 * surface.mean_edge);
+    }
+    assert!(straight.length() <= path.length());
+    // Turns short of π by 10⁻⁷ are left as straight. A line that passes a vertex within 10⁻¹⁴ of an edge is taken to go
+    // through it, which moves angles by that over the thickness of the slivers there: 10⁻⁸ at the thinnest here.
+    let turn = sharpest_turn(surface, &straight);
+    assert!(turn >= PI - 1e-6, "a turn short of π by {:e}", PI - turn);
+    // Rounding of a chain of unfoldings.
+    let kink = largest_kink(surface, &straight);
+    assert!(kink < 1e-10, "a kink of {kink:e}");
+    straight
+}
+
+fn random_point(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+    if random(seed, 2) == 0 {
+        return SurfacePoint::Vertex(random(seed, surface.point_count()) as u32);
+    }
+    let a = random(seed, 1000) as f64 / 1000.0;
+    let b = (1.0 - a) * random(seed, 1000) as f64 / 1000.0;
+    let face = Face(random(seed, surface.face_count()) as u32);
+    let weights = if random(seed, 4) == 0 { [a, 1.0 - a, 0.0] } else { [a, b, 1.0 - a - b] };
+    SurfacePoint::Face { face, weights }
+}
+
+/// Descends and straightens between random points, and hands both on.
+fn try_pairs(solver: &HeatSolver, pairs: usize, mut each: impl FnMut(DVec3, DVec3, &Path)) {
+    let surface = solver.surface();
+    let mut seed = 3;
+    for _ in 0..pairs {
+        let [source, from] = [(); 2].map(|()| random_point(surface, &mut seed));
+        let distance = solver.distance(&[source]).expect("a source");
+        let path = descend(surface, &distance, from).expect("reachable");
+        each(from.position(surface), source.position(surface), &straightened(surface, &path));
+    }
+}
+
+/// A walk along edges that chooses each next one at random.
+fn random_walk(surface: &Surface, seed: &mut u64, steps: usize) -> Path {
+    let mut points = vec![random(seed, surface.point_count()) as u32];
+    for _ in 0..steps {
+        let corners: Vec<_> = surface.corners_of_point(points[points.len() - 1]).collect();
+        let (face, k) = corners[random(seed, corners.len())];
+        points.push(surface.faces[face][(k + 1 + random(seed, 2)) % 3]);
+    }
+    Path::along_edges(surface, &points).expect("edges")
+}
+
+#[test]
+fn plane() {
+    try_pairs(&solver(&square(20), 1.0, Boundary::Neumann), 60, |from, to, path| {
+        // Rounding of some ten crossings.
+        assert!((path.length() - from.distance(to)).abs() < 1e-12, "{} for {}", path.length(), from.distance(to));
+        let along = (to - from).normalize_or_zero();
+        assert!(path.points.iter().all(|point| (point.position - from).cross(along).length() < 1e-12));
+    });
+}
+
+#[test]
+fn any_walk_in_the_plane_becomes_the_line() {
+    let surface = surface(&square(12));
+    let mut seed = 8;
+    for steps in 0..200 {
+        let walk = random_walk(&surface, &mut seed, steps);
+        let [from, to] = [walk.points[0].position, walk.points[walk.points.len() - 1].position];
+        // Rounding of some ten crossings.
+        assert!((straightened(&surface, &walk).length() - from.distance(to)).abs() < 1e-12);
+    }
+}
+
+/// The box [0, 1]³, its sides cut into `n × n` quads.
+fn cube(n: u32) -> Soup {
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for side in 0..6 {
+        let first = positions.len() as u32;
+        for i in 0..=n {
+            for j in 0..=n {
+                let mut position = DVec3::new(f64::from(i), f64::from(j), 0.0) / f64::from(n);
+                position.z = f64::from(side / 3);
+                positions.push(match side % 3 {
+                    0 => position,
+                    1 => position.zxy(),
+                    _ => position.yzx(),
+                });
+            }
+        }
+        for i in 0..n {
+            for j in 0..n {
+                let a = first + i * (n + 1) + j;
+                let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+    soup(positions, triangles)
+}
+
+#[test]
+fn over_an_edge_of_a_cube() {
+    let solver = solver(&cube(10), 1.0, Boundary::Neumann);
+    let surface = solver.surface();
+    assert_eq!(surface.report.euler_characteristic, 2);
+    let mut seed = 1;
+    for _ in 0..40 {
+        // On the top and on the front, near enough to their common edge that no way over a third side is shorter.
+        let mut tenth = || random(&mut seed, 5) as f64 / 10.0;
+        let [x, y, u, z] = [0.3 + tenth(), tenth(), 0.3 + tenth(), 1.0 - tenth()];
+        let [top, front] = [DVec3::new(x, y, 1.0), DVec3::new(u, 0.0, z)];
+        let [from, to] = [top, front].map(|position| nearest(surface, position));
+        let distance = solver.distance(&[SurfacePoint::Vertex(to)]).expect("a source");
+        let path = descend(surface, &distance, SurfacePoint::Vertex(from)).expect("reachable");
+        let exact = (x - u).hypot(y + 1.0 - z);
+        // Rounding of some ten crossings.
+        let length = straightened(surface, &path).length();
+        assert!((length - exact).abs() < 1e-12, "{length} for {exact}");
+    }
+}
+
+#[test]
+fn around_a_prism() {
+    let segments = 24;
+    let surface = surface(&shapes::cylinder(4.0, segments, 16));
+    let chord = 2.0 * (PI / f64::from(segments)).sin();
+    let on_side = |k: u32, y: f64| {
+        let angle = TAU * f64::from(k) / f64::from(segments);
+        let position = |offset: f64| DVec3::new(angle.cos(), y + offset, angle.sin());
+        nearest(&surface, position(0.0))
+    };
+    let middle = surface.positions.iter().map(|position| position.y).sum::<f64>() / surface.point_count() as f64;
+    for k in 0..9 {
+        for rise in [-0.5, 0.25, 1.0] {
+            let [from, to] = [on_side(0, middle), on_side(k, middle + rise)];
+            let way = edge_path(&surface, from, to).expect("connected");
+            let path = straightened(&surface, &Path::along_edges(&surface, &way).expect("edges"));
+            let rise = surface.position(to).y - surface.position(from).y;
+            let exact = (chord * f64::from(k)).hypot(rise);
+            // Rounding of some ten crossings.
+            assert!((path.length() - exact).abs() < 1e-12, "{} for {exact}", path.length());
+        }
+    }
+}
+
+#[test]
+fn sphere() {
+    let solver = solver(&shapes::icosphere(4), 1.0, Boundary::Neumann);
+    try_pairs(&solver, 60, |from, to, path| {
+        let arc = from.normalize().dot(to.normalize()).clamp(-1.0, 1.0).acos();
+        // Edges of 0.07 lie 0.0006 inside the sphere; steps between faces of the same size lengthen by as much.
+        assert!((path.length() / arc - 1.0).abs() < 0.002 || arc < 0.1, "{} for {arc}", path.length());
+    });
+}
+
+#[test]
+fn every_kind_of_surface() {
+    let mut slivers = square(12);
+    for position in &mut slivers.positions {
+        position.x *= 1e-4;
+    }
+    let mut needle = shapes::icosphere(3);
+    for position in &mut needle.positions {
+        position.x *= 1e3;
+    }
+    let shapes = [band(24, 1), band(24, 3), book(3, 6), slivers, needle, shapes::torus(2.0, 0.7, 24, 12)];
+    for soup in shapes.into_iter().chain([shapes::maze(4, 3), shapes::uv_sphere(40, 20), shapes::grid(9, 9)]) {
+        try_pairs(&solver(&soup, 1.0, Boundary::Neumann), 30, |_, _, _| {});
+        let surface = surface(&soup);
+        let mut seed = 12;
+        for steps in 0..60 {
+            straightened(&surface, &random_walk(&surface, &mut seed, steps));
+        }
+    }
+}
+
+#[test]
+fn slivers_of_any_thickness() {
+    let mut seed = 15;
+    for thickness in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8] {
+        for mut soup in [shapes::grid(12, 12), shapes::icosphere(2)] {
+            for position in &mut soup.positions {
+                position.x *= thickness;
+            }
+            let surface = surface(&soup);
+            for steps in 0..100 {
+                straightened(&surface, &random_walk(&surface, &mut seed, steps));
+                let from = random_point(&surface, &mut seed);
+                let direction = DVec3::new(random(&mut seed, 99) as f64 - 49.5, 0.3, random(&mut seed, 99) as f64);
+                let walk = straightest(&surface, from, None, direction, 20.0 * surface.mean_edge).expect("a direction");
+                straightened(&surface, &walk.path);
+            }
+        }
+    }
+}
+
+#[test]
+fn rough_terrain() {
+    let mut seed = 6;
+    for height in [0.01, 0.3, 3.0, 30.0] {
+        let mut soup = shapes::grid(14, 14);
+        for position in &mut soup.positions {
+            position.y = height * random(&mut seed, 1000) as f64 / 1000.0;
+        }
+        let surface = surface(&soup);
+        for steps in 0..100 {
+            straightened(&surface, &random_walk(&surface, &mut seed, steps));
+        }
+    }
+}
+
+#[test]
+fn around_a_corner_of_the_boundary() {
+    // The unit square without its upper right quarter.
+    let mut soup = square(16);
+    let positions = soup.positions.clone();
+    soup.triangles.retain(|triangle| {
+        let middle = triangle.map(|vertex| positions[vertex as usize]).iter().sum::<DVec3>() / 3.0;
+        middle.x < 0.5 || middle.y < 0.5
+    });
+    let solver = solver(&soup, 1.0, Boundary::Neumann);
+    let corner = DVec3::new(0.5, 0.5, 0.0);
+    try_pairs(&solver, 200, |from, to, path| {
+        // Seen past the corner, or bent around it.
+        let is_apart = |p: DVec3, q: DVec3| p.x > 0.5 && q.y > 0.5 && (q - p).cross(corner - p).z > 0.0;
+        let exact = match is_apart(from, to) || is_apart(to, from) {
+            true => from.distance(corner) + corner.distance(to),
+            false => from.distance(to),
+        };
+        // Rounding of some ten crossings.
+        assert!((path.length() - exact).abs() < 1e-12, "{} for {exact}", path.length());
+    });
+}
+
+#[test]
+fn any_triangles() {
+    // Edges of many faces, faces through each other, points that hold nothing but tips together.
+    let mut seed = 21;
+    for points in [5, 7, 9, 12, 20, 40] {
+        for _ in 0..8 {
+            let mut coordinate = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
+            let positions: Vec<_> = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
+            let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(&mut seed, points) as u32)).collect();
+            let surface = surface(&soup(positions, triangles));
+            for steps in 0..30 {
+                straightened(&surface, &random_walk(&surface, &mut seed, steps));
+            }
+        }
+    }
+}
+
+#[test]
+fn any_unit() {
+    let normal = straightened_length(1.0);
+    for scale in [1e-150, 1e-20, 1e20, 1e150] {
+        // Rounding of the coordinates by the scale, and what follows from it.
+        assert!((straightened_length(scale) / scale / normal - 1.0).abs() < 1e-12, "{scale:e}");
+    }
+}
+
+fn straightened_length(scale: f64) -> f64 {
+    let mut torus = shapes::torus(2.0, 0.7, 30, 15);
+    for position in &mut torus.positions {
+        *position *= scale;
+    }
+    let surface = surface(&torus);
+    let way = edge_path(&surface, 0, 217).expect("connected");
+    straighten(&surface, &Path::along_edges(&surface, &way).expect("edges")).length()
+}
+
+#[test]
+fn a_way_there_and_back_is_a_point() {
+    for soup in [square(6), band(12, 1), book(3, 4)] {
+        let surface = surface(&soup);
+        let mut way = edge_path(&surface, 0, 17).expect("connected");
+        way.extend(way.clone().into_iter().rev().skip(1));
+        let path = straightened(&surface, &Path::along_edges(&surface, &way).expect("edges"));
+        assert_eq!((path.points.len(), path.length()), (1, 0.0));
+    }
+}
+
+#[test]
+fn what_is_straight_stays() {
+    let surface = surface(&shapes::torus(2.0, 0.7, 24, 12));
+    let mut seed = 2;
+    for _ in 0..40 {
+        let from = random_point(&surface, &mut seed);
+        let direction = DVec3::new(random(&mut seed, 99) as f64 - 49.0, random(&mut seed, 99) as f64 - 49.0, 3.5);
+        let walk = straightest(&surface, from, None, direction, 3.0).expect("a direction");
+        let straight = straightened(&surface, &walk.path);
+        // Rounding of one walk of some ten faces.
+        assert!((walk.path.length() - 3.0).abs() < 1e-12 && straight.length() <= 3.0 + 1e-12);
+        let again = straightened(&surface, &straight);
+        assert!((again.length() - straight.length()).abs() < 1e-12);
+    }
+}
+
+/// Against the exact polyhedral distances of the shared meshes, which are not part of the repository.
+#[cfg(not(target_arch = "wasm32"))]
+mod exact {
+    use heatwalk::{SurfacePoint, descend};
+
+    use super::common::{distance_from, random};
+    use super::straightened;
+
+    /// One-dimensional float64 array: ten bytes of magic, version and header length, a header, then the values.
+    fn read_npy(bytes: &[u8]) -> Vec<f64> {
+        let header = u16::from_le_bytes([bytes[8], bytes[9]]) as usize;
+        let values = bytes[10 + header..].chunks_exact(8);
+        values.map(|chunk| f64::from_le_bytes(chunk.try_into().expect("eight bytes"))).collect()
+    }
+
+    #[test]
+    fn straightened_paths_are_mostly_shortest() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/meshes/exact");
+        if !folder.is_dir() {
+            eprintln!("skipped: {} is absent", folder.display());
+            return;
+        }
+        let read = |name: &str| std::fs::read(folder.join(name)).expect("a shared mesh");
+        for mesh in ["cow", "spot", "half_sphere", "bunny", "horse_97k"] {
+            let exact = read_npy(&read(&format!("{mesh}.src0.npy")));
+            let name = format!("{mesh}.off");
+            let soup = heatwalk::io::read(&name, &read(&name), &|_| None).expect("a readable mesh");
+            let (solver, distance) = distance_from(&soup, 0);
+            let surface = solver.surface();
+            let mut seed = 14;
+            let mut excess = Vec::new();
+            for _ in 0..200 {
+                let input = random(&mut seed, exact.len());
+                let from = surface.point_of_input[input].expect("a vertex in use");
+                let path = descend(surface, &distance, SurfacePoint::Vertex(from)).expect("reachable");
+                let length = straightened(surface, &path).length();
+                // Rounding of the file's exact values and of the sum.
+                assert!(length >= exact[input] * (1.0 - 1e-9), "{mesh}: {length} is under {}", exact[input]);
+                if exact[input] > 0.0 {
+                    excess.push(length / exact[input] - 1.0);
+                }
+            }
+            excess.sort_by(f64::total_cmp);
+            // Shortest of all where the path descended on the right side of every bump.
+            assert!(excess[excess.len() / 2] < 1e-6, "{mesh}: {:e}", excess[excess.len() / 2]);
+        }
+    }
+}

@@ -1,0 +1,330 @@
+//! Straightest geodesics against closed forms and against themselves, backwards; lines along edges.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::f64::consts::{PI, TAU};
+
+use common::{band, book, nearest, random, soup, square, surface};
+use glam::DVec3;
+use heatwalk::{
+    Error, Face, Halfedge, Soup, Straightest, Surface, SurfacePoint, edge_path, edge_polyline, shapes, straighten,
+    straightest,
+};
+
+/// Walks, and checks what holds for any walk.
+fn walk(surface: &Surface, from: SurfacePoint, face: Option<Face>, direction: DVec3, length: f64) -> Straightest {
+    let walked = straightest(surface, from, face, direction, length).expect("a direction");
+    let points = &walked.path.points;
+    assert_eq!(points.len(), walked.path.normals.len());
+    for pair in points.windows(2) {
+        for point in pair {
+            let corners = surface.faces[pair[0].face];
+            let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
+            assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
+        }
+    }
+    let last = points[points.len() - 1];
+    let corners = surface.faces[last.face];
+    assert!(last.location.support(surface).all(|(corner, _)| corners.contains(&corner)));
+    // Rounding of one normalisation, and of a normal.
+    assert!((walked.direction.length() - 1.0).abs() < 1e-12);
+    assert!(walked.direction.dot(surface.face_normal(last.face)).abs() < 1e-9);
+    // Points within 10⁻¹⁰ of a vertex or an edge are moved to it.
+    let moved = walked.path.length() - length;
+    assert!(moved.abs() < 1e-9 * surface.mean_edge || walked.is_at_boundary && moved < 0.0, "{moved:e}");
+    walked
+}
+
+fn end(walked: &Straightest) -> DVec3 {
+    walked.path.points[walked.path.points.len() - 1].position
+}
+
+fn random_point(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+    let share = random(seed, 1000) as f64 / 1000.0;
+    match random(seed, 3) {
+        0 => SurfacePoint::Vertex(random(seed, surface.point_count()) as u32),
+        1 => SurfacePoint::Edge { halfedge: Halfedge(random(seed, 3 * surface.face_count()) as u32), fraction: share },
+        _ => {
+            let rest = (1.0 - share) * random(seed, 1000) as f64 / 1000.0;
+            let face = Face(random(seed, surface.face_count()) as u32);
+            SurfacePoint::Face { face, weights: [share, rest, 1.0 - share - rest] }
+        }
+    }
+}
+
+fn random_direction(seed: &mut u64) -> DVec3 {
+    let mut coordinate = || random(seed, 2001) as f64 - 1000.5;
+    DVec3::from_array([(); 3].map(|()| coordinate()))
+}
+
+#[test]
+fn plane() {
+    let surface = surface(&square(16));
+    let mut seed = 4;
+    for k in 0..300 {
+        let from = random_point(&surface, &mut seed);
+        // Among them many along the edges and through the vertices.
+        let turn = if k % 2 == 0 { f64::from(k) * PI / 8.0 } else { f64::from(k) };
+        let direction = DVec3::new(turn.cos(), turn.sin(), 0.0);
+        let start = from.position(&surface);
+        let walked = walk(&surface, from, None, direction + DVec3::Z, 0.4);
+        let goal = start + direction * 0.4;
+        // Vertices within 10⁻¹⁰ of an edge are taken as met, each turning the line by that at most.
+        let length = walked.path.length();
+        assert!(end(&walked).distance(start + direction * length) < 1e-10);
+        assert!(walked.direction.distance(direction) < 1e-9);
+        let is_inside = goal.x.min(goal.y).min(1.0 - goal.x).min(1.0 - goal.y) > 1e-9;
+        assert!(walked.is_at_boundary != is_inside || length < 1e-9, "{start} to {goal}");
+        if walked.is_at_boundary {
+            let stop = end(&walked);
+            assert!(stop.x.min(stop.y).min(1.0 - stop.x).min(1.0 - stop.y) < 1e-9);
+        }
+    }
+}
+
+/// The cone of `wedges` flat wedges, rings at distances 1, 2, … from its tip, which is point 0.
+fn cone(wedges: u32, rings: u32, height: f64) -> Soup {
+    let mut positions = vec![DVec3::ZERO];
+    for ring in 1..=rings {
+        for wedge in 0..wedges {
+            let angle = TAU * f64::from(wedge) / f64::from(wedges);
+            positions.push(DVec3::new(angle.cos(), angle.sin(), -height).normalize() * f64::from(ring));
+        }
+    }
+    let vertex = |ring: u32, wedge: u32| 1 + (ring - 1) * wedges + wedge % wedges;
+    let mut triangles: Vec<[u32; 3]> = (0..wedges).map(|wedge| [0, vertex(1, wedge), vertex(1, wedge + 1)]).collect();
+    for ring in 1..rings {
+        for wedge in 0..wedges {
+            let [a, b] = [vertex(ring, wedge), vertex(ring + 1, wedge)];
+            let [d, c] = [vertex(ring, wedge + 1), vertex(ring + 1, wedge + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    soup(positions, triangles)
+}
+
+#[test]
+fn along_the_boundary_to_the_next_vertex() {
+    let surface = surface(&square(4));
+    for (from, along) in [(DVec3::ZERO, DVec3::X), (DVec3::Y, DVec3::X), (DVec3::X, DVec3::Y)] {
+        let corner = nearest(&surface, from);
+        let walked = walk(&surface, SurfacePoint::Vertex(corner), None, along, 0.1);
+        assert!(!walked.is_at_boundary && end(&walked).distance(from + along * 0.1) < 1e-12);
+        let last = walked.path.points[1];
+        let walked = walk(&surface, last.location, Some(last.face), along, 1.0);
+        assert!(walked.is_at_boundary && end(&walked).distance(from + along * 0.25) < 1e-12);
+    }
+}
+
+#[test]
+fn cone_unrolled() {
+    for height in [0.3, 1.0, 4.0] {
+        let surface = surface(&cone(12, 30, height));
+        let mut seed = 6;
+        for _ in 0..50 {
+            let face = Face(12 + random(&mut seed, 12 * 2 * 9) as u32);
+            let from = SurfacePoint::Face { face, weights: [0.3, 0.3, 0.4] };
+            let start = from.position(&surface);
+            let direction = random_direction(&mut seed).reject_from_normalized(surface.face_normal(face)).normalize();
+            let walked = walk(&surface, from, Some(face), direction, 12.0);
+            // The cosine rule in the unrolled cone.
+            let (radius, cos) = (start.length(), start.normalize().dot(direction));
+            let exact = (radius * radius + 24.0 * radius * cos + 144.0).sqrt();
+            assert!(!walked.is_at_boundary);
+            // Rounding of some hundred faces.
+            assert!((end(&walked).length() - exact).abs() < 1e-10, "{} for {exact}", end(&walked).length());
+        }
+    }
+}
+
+#[test]
+fn through_the_tip_of_a_cone() {
+    let surface = surface(&cone(12, 8, 1.0));
+    for spoke in 0..12 {
+        let from = 1 + 12 * 4 + spoke;
+        let start = surface.position(from);
+        let walked = walk(&surface, SurfacePoint::Vertex(from), None, -start, 8.0);
+        // Half of the angle at the tip: the opposite spoke. Rounding of a few angles.
+        let opposite = surface.position(1 + 12 * 2 + (spoke + 6) % 12);
+        assert!(end(&walked).distance(opposite) < 1e-9, "{} for {opposite}", end(&walked));
+        // From the tip, a third of a wedge beside the spoke.
+        let along = (start * 2.0 + surface.position(1 + 12 * 4 + (spoke + 1) % 12)).normalize();
+        let walked = walk(&surface, SurfacePoint::Vertex(0), None, along, 6.5);
+        assert!(end(&walked).distance(along * 6.5) < 1e-12);
+    }
+}
+
+#[test]
+fn around_a_sphere() {
+    let surface = surface(&shapes::icosphere(4));
+    let mut seed = 9;
+    for _ in 0..40 {
+        let from = random_point(&surface, &mut seed);
+        let start = from.position(&surface);
+        let walked = walk(&surface, from, None, random_direction(&mut seed), TAU);
+        // Between a great circle and the walk lies as much curvature as between the faces and the sphere: some parts
+        // in a hundred of a turn, at edges of 0.07.
+        assert!(end(&walked).distance(start) < 0.1, "{}", end(&walked).distance(start));
+    }
+}
+
+#[test]
+fn backwards_to_the_start() {
+    let mut stretched = shapes::icosphere(3);
+    for position in &mut stretched.positions {
+        position.x *= 50.0;
+    }
+    let shapes = [shapes::torus(2.0, 0.7, 40, 20), stretched, band(30, 1), shapes::uv_sphere(24, 12)];
+    for soup in shapes {
+        let surface = surface(&soup);
+        let mut seed = 10;
+        for _ in 0..100 {
+            let from = random_point(&surface, &mut seed);
+            let there = walk(&surface, from, None, random_direction(&mut seed), 40.0 * surface.mean_edge);
+            let last = there.path.points[there.path.points.len() - 1];
+            let length = there.path.length();
+            if there.is_at_boundary && matches!(last.location, SurfacePoint::Vertex(_)) {
+                continue;
+            }
+            let back = walk(&surface, last.location, Some(last.face), -there.direction, length);
+            // Rounding of directions, 10⁻¹⁶ each, over the length, times the spread of lines by negative curvature.
+            let error = end(&back).distance(from.position(&surface)) / surface.mean_edge;
+            assert!(error < 1e-9, "{error:e} of an edge, {from:?}");
+        }
+    }
+}
+
+#[test]
+fn never_shorter_than_the_straightened_path() {
+    for soup in [shapes::torus(2.0, 0.7, 40, 20), band(30, 1), shapes::icosphere(3)] {
+        let surface = surface(&soup);
+        let mut seed = 13;
+        for _ in 0..60 {
+            let from = random_point(&surface, &mut seed);
+            let walked = walk(&surface, from, None, random_direction(&mut seed), 20.0 * surface.mean_edge);
+            assert!(straighten(&surface, &walked.path).length() <= walked.path.length());
+        }
+    }
+}
+
+#[test]
+fn where_pages_meet_it_goes_on_into_the_flattest() {
+    let surface = surface(&book(4, 6));
+    let from = SurfacePoint::Vertex(nearest(&surface, DVec3::new(0.5, 0.0, 1.0 / 3.0)));
+    let walked = walk(&surface, from, None, DVec3::new(-1.0, 0.0, 0.31), 1.0);
+    let exact = DVec3::new(0.5, 0.0, 1.0 / 3.0) + DVec3::new(-1.0, 0.0, 0.31).normalize();
+    // Rounding of some ten faces, and of the pages' angles.
+    assert!(end(&walked).distance(exact) < 1e-12, "{} for {exact}", end(&walked));
+    assert!(walked.direction.distance(DVec3::new(-1.0, 0.0, 0.31).normalize()) < 1e-12);
+}
+
+#[test]
+fn any_triangles() {
+    let mut seed = 22;
+    for points in [5, 7, 9, 12, 20, 40] {
+        for _ in 0..8 {
+            let mut coordinate = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
+            let positions: Vec<_> = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
+            let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(&mut seed, points) as u32)).collect();
+            let surface = surface(&soup(positions, triangles));
+            for _ in 0..30 {
+                let from = random_point(&surface, &mut seed);
+                walk(&surface, from, None, random_direction(&mut seed), 30.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_walk_of_no_length_is_a_point() {
+    let surface = surface(&square(4));
+    let walked = walk(&surface, SurfacePoint::Vertex(6), None, DVec3::X, 0.0);
+    assert_eq!((walked.path.points.len(), walked.is_at_boundary), (1, false));
+}
+
+#[test]
+fn what_is_wrong_with_a_walk_is_said() {
+    let surface = surface(&square(4));
+    let from = SurfacePoint::Vertex(6);
+    let name_of = |from, face, direction, length| match straightest(&surface, from, face, direction, length) {
+        Err(Error::BadParameter { name, .. }) => name,
+        Err(Error::BadPoint { .. }) => "point",
+        Err(Error::BadVertex { .. }) => "vertex",
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(name_of(from, None, DVec3::ZERO, 1.0), "direction");
+    assert_eq!(name_of(from, None, DVec3::Z, 1.0), "direction");
+    assert_eq!(name_of(from, None, DVec3::X * f64::NAN, 1.0), "direction");
+    assert_eq!(name_of(from, None, DVec3::X, -1.0), "length");
+    assert_eq!(name_of(from, None, DVec3::X, f64::INFINITY), "length");
+    assert_eq!(name_of(from, Some(Face(60)), DVec3::X, 1.0), "point");
+    assert_eq!(name_of(SurfacePoint::Vertex(999), None, DVec3::X, 1.0), "vertex");
+    let closed = common::surface(&shapes::icosphere(0));
+    let endless = straightest(&closed, SurfacePoint::Vertex(0), None, DVec3::new(0.3, 0.5, 0.7), 1e9);
+    assert!(matches!(endless, Err(Error::BadParameter { name: "length", .. })));
+}
+
+#[test]
+fn edge_path_on_a_grid() {
+    let surface = surface(&shapes::grid(6, 6));
+    let mut seed = 15;
+    for _ in 0..60 {
+        let [from, to] = [(); 2].map(|()| random(&mut seed, surface.point_count()) as u32);
+        let way = edge_path(&surface, from, to).expect("connected");
+        assert_eq!((way[0], way[way.len() - 1]), (from, to));
+        let length: f64 = way.windows(2).map(|e| surface.position(e[0]).distance(surface.position(e[1]))).sum();
+        // Rounding of a short sum.
+        assert!((length - all_ways(&surface, from)[to as usize]).abs() < 1e-12);
+    }
+}
+
+/// Distances along edges by relaxing all of them (Bellman and Ford).
+fn all_ways(surface: &Surface, from: u32) -> Vec<f64> {
+    let mut best = vec![f64::INFINITY; surface.point_count()];
+    best[from as usize] = 0.0;
+    loop {
+        let before = best.clone();
+        for corners in &surface.faces {
+            for k in 0..3 {
+                for [a, b] in [[corners[k], corners[(k + 1) % 3]], [corners[(k + 1) % 3], corners[k]]] {
+                    let length = best[a as usize] + surface.position(a).distance(surface.position(b));
+                    best[b as usize] = best[b as usize].min(length);
+                }
+            }
+        }
+        if best == before {
+            return best;
+        }
+    }
+}
+
+#[test]
+fn edge_polyline_joins_once() {
+    let surface = surface(&square(4));
+    let [a, b, c] = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0)].map(|corner| nearest(&surface, corner));
+    let open = edge_polyline(&surface, &[a, b, b, c], false).expect("connected");
+    assert_eq!((open.len(), open[0], open[4], open[8]), (9, a, b, c));
+    let closed = edge_polyline(&surface, &[a, b, c], true).expect("connected");
+    let mut once = closed.clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!(once.len(), closed.len());
+    assert_eq!(&closed[..9], &open[..]);
+    assert_eq!(edge_polyline(&surface, &[b], true), Ok(vec![b]));
+    assert_eq!(edge_polyline(&surface, &[b, b], true), Ok(vec![b]));
+    assert!(matches!(edge_polyline(&surface, &[], false), Err(Error::BadParameter { .. })));
+    assert!(matches!(edge_path(&surface, 0, 999), Err(Error::BadVertex { vertex: 999, .. })));
+}
+
+#[test]
+fn edge_path_between_two_pieces_is_unreachable() {
+    let mut two = square(2);
+    let first = two.positions.len() as u32;
+    let other = square(2);
+    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
+    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    assert_eq!(edge_path(&surface(&two), 0, first), Err(Error::Unreachable));
+}
