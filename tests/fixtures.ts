@@ -32,6 +32,24 @@ export function sphere(rings: number, centre: [number, number, number] = [0, 0, 
   return { positions, triangles };
 }
 
+/** The unit square in the plane z = 0, `n × n` squares cut alternately; vertex `i + (n + 1) j` lies at (i, j) / n. */
+export function grid(n: number): Mesh {
+  const positions: Mesh['positions'] = [];
+  const triangles: Mesh['triangles'] = [];
+  for (let j = 0; j <= n; j++) {
+    for (let i = 0; i <= n; i++) positions.push([i / n, j / n, 0]);
+  }
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) {
+      const a = i + (n + 1) * j;
+      const [b, c, d] = [a + 1, a + n + 2, a + n + 1];
+      if ((i + j) % 2 === 0) triangles.push([a, b, c], [a, c, d]);
+      else triangles.push([a, b, d], [b, c, d]);
+    }
+  }
+  return { positions, triangles };
+}
+
 /** Meshes one after another, each as an object with a name. */
 export function obj(meshes: Record<string, Mesh>): string {
   const lines: string[] = [];

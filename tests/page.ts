@@ -36,6 +36,11 @@ export class HeatwalkPage {
     });
   }
 
+  /** Until nothing is being opened, solved or refined. */
+  async settled(): Promise<void> {
+    await this.page.evaluate(() => window.heatwalk.settled());
+  }
+
   async drop(files: readonly DroppedFile[]): Promise<void> {
     const packed = files.map(([name, content]) => [name, Buffer.from(content).toString('base64')] as const);
     await this.page.evaluate((entries) => {
@@ -56,6 +61,12 @@ export class HeatwalkPage {
     await this.rest();
   }
 
+  /** Opens a file with the state that a link gives it: `options` as in a link, `s=3&near=0`. */
+  async openFile(name: string, content: string, options: string): Promise<void> {
+    await this.open(`#v=1&m=file&name=${name}&${options}`);
+    await this.dropAndOpen([[name, content]]);
+  }
+
   scene() {
     return this.page.evaluate(() => window.heatwalk.scene);
   }
@@ -66,6 +77,18 @@ export class HeatwalkPage {
       if (!mesh) throw new Error('no mesh');
       return mesh;
     });
+  }
+
+  field() {
+    return this.page.evaluate(() => {
+      const { field } = window.heatwalk;
+      if (!field) throw new Error('no field');
+      return field;
+    });
+  }
+
+  refining() {
+    return this.page.evaluate(() => window.heatwalk.refining);
   }
 
   solves(): Promise<number> {
@@ -91,8 +114,9 @@ export class HeatwalkPage {
     return pixel;
   }
 
-  /** The window as drawn, without what floats over the canvas. */
+  /** The window as drawn once everything has settled, without what floats over the canvas. */
   async picture(): Promise<PNG> {
+    await this.settled();
     const style = '.stage ~ * { visibility: hidden !important }';
     return PNG.sync.read(await this.page.screenshot({ style }));
   }

@@ -3,16 +3,15 @@
 // everything from positions and triangles to ready factors; solve is from a source to the distance at all vertices.
 // Without a mesh: the Stanford dragon with 48k triangles.
 
-import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { gunzipSync } from 'node:zlib';
-import { buildModules, cargo, fail, prepare, requireChromium, root, run } from './steps.mjs';
+import { json, POTPOURRI3D, pythonWith } from './peers.mjs';
+import { buildModules, cargo, fail, prepare, requireChromium, root } from './steps.mjs';
 
 const ROUNDS = 3;
 const SOURCES = 10;
-const PEER = 'potpourri3d==1.4.0';
 
 const { values } = parseArgs({ options: { mesh: { type: 'string', multiple: true } } });
 const folder = join(root, 'target', 'bench');
@@ -23,7 +22,7 @@ const missing = meshes.find((mesh) => !existsSync(mesh));
 if (missing) fail(`There is no file ${missing}.`);
 buildModules();
 cargo('Building the program', ['build', '--release', '--package', 'heatwalk-cli'], 'See above.');
-const python = virtualEnvironment();
+const python = pythonWith(POTPOURRI3D);
 const { chromium } = await import('@playwright/test');
 const { createServer } = await import('vite');
 const server = await createServer({ root, logLevel: 'error', server: { port: 0 } });
@@ -58,36 +57,6 @@ function dragon() {
   const file = join(folder, 'dragon_48k.ply');
   writeFileSync(file, gunzipSync(readFileSync(packed)));
   return file;
-}
-
-function virtualEnvironment() {
-  const environment = join(folder, 'python');
-  const program = join(environment, 'bin', 'python');
-  if (!existsSync(program)) {
-    run(
-      'Making a Python environment for the peers',
-      'python3',
-      ['-m', 'venv', environment],
-      'Install Python 3 with venv.',
-    );
-    run(
-      `Installing ${PEER}`,
-      program,
-      ['-m', 'pip', 'install', '--quiet', PEER],
-      'Is the Python package index reachable?',
-    );
-  }
-  return program;
-}
-
-function json(command, args) {
-  const { status, stdout, stderr } = spawnSync(command, args, {
-    encoding: 'utf8',
-    maxBuffer: 1 << 28,
-    env: { ...process.env, OMP_NUM_THREADS: '1' },
-  });
-  if (status !== 0) fail(`${command} failed: ${stderr}`);
-  return JSON.parse(stdout);
 }
 
 function native(mesh) {

@@ -47,4 +47,5 @@ def main():
     )
 
 
-main()
+if __name__ == "__main__":
+    main()

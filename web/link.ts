@@ -1,12 +1,18 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
 import { findLook, isRamp, type Look } from './looks';
-import type { Boundary, SurfacePoint } from './protocol';
-import type { MeshReference, SceneState } from './scene';
+import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from './protocol';
+import { type MeshReference, type SceneState, withOffset } from './scene';
 
 const VERSION = '1';
+const OPERATORS: readonly Operator[] = ['delaunay', 'plain', 'relocate'];
+const SOLVERS: readonly LinearSolver[] = ['cholesky', 'cg'];
 const BOUNDARIES: readonly Boundary[] = ['neumann', 'dirichlet', 'average'];
+const MULTI_SOURCES: readonly MultiSource[] = ['exact', 'superposed'];
+const WAYS: readonly PathKind[] = ['descent', 'straight', 'exact'];
 
 export const TIME_FACTOR_RANGE: readonly [number, number] = [0.1, 1000];
+/** In mean edges. */
+export const NEAR_FIELD_RANGE: readonly [number, number] = [0, 64];
 
 export interface Decoded {
   state: SceneState;
@@ -30,8 +36,15 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('p', state.parts.join(','), start.parts.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
-  add('t', number(state.parameters.timeFactor), number(start.parameters.timeFactor));
-  add('b', state.parameters.boundary, start.parameters.boundary);
+  const { parameters } = state;
+  add('t', dial(parameters.timeFactor), dial(start.parameters.timeFactor));
+  add('b', parameters.boundary, start.parameters.boundary);
+  add('multi', parameters.multi, start.parameters.multi);
+  add('near', dial(parameters.nearField), dial(start.parameters.nearField));
+  add('op', parameters.operator, start.parameters.operator);
+  add('solver', parameters.solver, start.parameters.solver);
+  add('way', state.way, start.way);
+  add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
   add('look', state.look.name, start.look.name);
   const look = baseLook(state.look.name, start.look);
@@ -66,10 +79,17 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
-  read('s', parsePoints, (sources) => (state.sources = sources));
-  read('w', parsePoints, ([walker]) => (state.walker = walker ?? null));
-  read('t', within(...TIME_FACTOR_RANGE), (factor) => (state.parameters.timeFactor = factor));
-  read('b', parseBoundary, (boundary) => (state.parameters.boundary = boundary));
+  read('s', listOf(parseSource), (sources) => (state.sources = sources));
+  read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
+  const { parameters } = state;
+  read('t', automaticOr(within(...TIME_FACTOR_RANGE)), (factor) => (parameters.timeFactor = factor));
+  read('b', oneOf(BOUNDARIES), (boundary) => (parameters.boundary = boundary));
+  read('multi', oneOf(MULTI_SOURCES), (multi) => (parameters.multi = multi));
+  read('near', automaticOr(within(...NEAR_FIELD_RANGE)), (radius) => (parameters.nearField = radius));
+  read('op', oneOf(OPERATORS), (operator) => (parameters.operator = operator));
+  read('solver', oneOf(SOLVERS), (solver) => (parameters.solver = solver));
+  read('way', oneOf(WAYS), (way) => (state.way = way));
+  read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
   read('cam', parseCamera, (camera) => (state.camera = camera));
   read(
     'look',
@@ -101,18 +121,44 @@ function number(value: number): string {
   return String(Number(value.toFixed(4)));
 }
 
-function encodePoints(points: readonly SurfacePoint[]): string {
+/** Six digits, whatever the file's unit is; a plus sign would read as a space. */
+function amount(value: number): string {
+  return String(Number(value.toPrecision(6))).replace('+', '');
+}
+
+function dial(value: number | 'auto'): string {
+  return value === 'auto' ? value : number(value);
+}
+
+function flag(value: boolean): string {
+  return value ? '1' : '0';
+}
+
+function encodePoints(points: readonly Source[]): string {
   return points.length === 0 ? 'none' : points.map(encodePoint).join(',');
 }
 
-function encodePoint(point: SurfacePoint): string {
-  return 'vertex' in point ? String(point.vertex) : `${point.face}:${point.weights.map(number).join('/')}`;
+function encodePoint(point: Source): string {
+  const place = 'vertex' in point ? String(point.vertex) : `${point.face}:${point.weights.map(number).join('/')}`;
+  return point.offset ? `${place}@${amount(point.offset)}` : place;
 }
 
-function parsePoints(text: string): SurfacePoint[] | null {
-  if (text === 'none') return [];
-  const points = text.split(',').map(parsePoint);
-  return points.every((point) => point !== null) ? points : null;
+function listOf<T>(parse: (text: string) => T | null): (text: string) => T[] | null {
+  return (text) => {
+    if (text === 'none') return [];
+    const items = text.split(',').map(parse);
+    return items.every((item) => item !== null) ? items : null;
+  };
+}
+
+/** A place, and after `@` the value that distance starts from there. */
+function parseSource(text: string): Source | null {
+  const [place, start, ...more] = text.split('@');
+  const point = parsePoint(place);
+  if (!point || more.length > 0) return null;
+  if (start === undefined) return point;
+  const offset = /^\d[\d.]*(e-?\d+)?$/.test(start) ? Number(start) : Number.NaN;
+  return Number.isFinite(offset) ? withOffset(point, offset) : null;
 }
 
 function parsePoint(text: string): SurfacePoint | null {
@@ -130,8 +176,12 @@ function parseIndices(text: string): number[] | null {
   return /^\d{1,6}(,\d{1,6})*$/.test(text) ? text.split(',').map(Number) : null;
 }
 
-function parseBoundary(text: string): Boundary | null {
-  return BOUNDARIES.find((boundary) => boundary === text) ?? null;
+function oneOf<T extends string>(words: readonly T[]): (text: string) => T | null {
+  return (text) => words.find((word) => word === text) ?? null;
+}
+
+function automaticOr(parse: (text: string) => number | null): (text: string) => number | 'auto' | null {
+  return (text) => (text === 'auto' ? text : parse(text));
 }
 
 function parseCamera(text: string): number[] | null {

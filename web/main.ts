@@ -28,7 +28,7 @@ import { Scene } from './scene';
 import { expose } from './scripting';
 import { Session } from './session';
 import { Signal } from './signal';
-import { WorkerLost } from './solver';
+import { WorkerLost } from './solver-worker';
 import { followTheme } from './theme';
 import { View } from './view';
 
@@ -85,7 +85,7 @@ if (!address.kiosk) {
   const sections = [
     { id: 'scene', title: 'Scene', element: sceneSection(session, opener, dialogue.choose), open: true },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
-    { id: 'solver', title: 'Solver', element: solverSection(scene), open: false },
+    { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'look', title: 'Look', element: lookSection(session), open: true },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share', element: shareSection(() => address.link()), open: false },

@@ -4,7 +4,7 @@ import { LANDING_VIEW, findPreset, FIRST_PRESET } from './presets';
 import type { MeshInput, NamedBytes } from './protocol';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
 import type { OpenRequest, Session, Shown } from './session';
-import { Cancelled } from './solver';
+import { Cancelled } from './solver-worker';
 import { openingSentence } from './words';
 
 export interface Voice {

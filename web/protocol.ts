@@ -18,12 +18,31 @@ export type MeshInput =
 /** A place on the surface: an input vertex, or a face of `DrawMesh.triangles` with three weights that sum to 1. */
 export type SurfacePoint = { vertex: number } | { face: number; weights: [number, number, number] };
 
+/** A place that distance is measured from. */
+export type Source = SurfacePoint & {
+  /** The value that distance starts from here, 0 or more, in the unit of the file; 0 when absent. */
+  offset?: number;
+};
+
+/** The triangles that carry the operators. */
+export type Operator = 'delaunay' | 'plain' | 'relocate';
+/** Sparse factors, or conjugate gradients. */
+export type LinearSolver = 'cholesky' | 'cg';
 export type Boundary = 'neumann' | 'dirichlet' | 'average';
+/** How several sources are joined: each held at its starting value, or their heat added up. */
+export type MultiSource = 'exact' | 'superposed';
+/** Down the field as it is, the same made as short as it gets, or the shortest there is, whatever the field. */
+export type PathKind = 'descent' | 'straight' | 'exact';
 
 export interface Parameters {
-  /** m in t = m h², h the mean edge length. */
-  timeFactor: number;
+  operator: Operator;
+  solver: LinearSolver;
+  /** m in t = m h², h the mean edge length; "auto": chosen by how even the edges are. */
+  timeFactor: number | 'auto';
   boundary: Boundary;
+  multi: MultiSource;
+  /** Radius around the sources in which distances are exact at once, in mean edges; 0: none; "auto": what is cheap. */
+  nearField: number | 'auto';
 }
 
 export interface PartInfo {
@@ -65,7 +84,16 @@ export interface Timings {
   precomputeMs: number;
 }
 
-export interface OpenedMesh {
+/** What is ready to be asked, and what that cost. */
+export interface Factoring {
+  timings: Timings;
+  /** Stored entries of all Cholesky factors together. */
+  factorNonzeros: number;
+  /** Bytes of wasm memory in use. */
+  memoryBytes: number;
+}
+
+export interface OpenedMesh extends Factoring {
   name: string;
   /** SHA-256 of the first file, hex; empty for shapes and arrays. */
   hash: string;
@@ -78,13 +106,8 @@ export interface OpenedMesh {
   /** The parts that are not walked on; empty arrays if none. */
   scenery: DrawMesh;
   report: BuildReport;
-  timings: Timings;
   /** Mean edge length. */
   meanEdge: number;
-  /** Stored entries of all Cholesky factors together. */
-  factorNonzeros: number;
-  /** Bytes of wasm memory in use. */
-  memoryBytes: number;
 }
 
 export interface DistanceField {
@@ -94,7 +117,24 @@ export interface DistanceField {
   maxDistance: number;
   /** Welded vertices that no source reaches. */
   unreachableVertices: number;
+  /** Values below this are exact polyhedral distances; Infinity when all are. */
+  exactBelow: number;
+  /** Share of the reachable welded vertices whose value is exact, 0 to 1. */
+  exactShare: number;
+  /** m in t = m h², as asked for or chosen. */
+  timeFactor: number;
+  /** How far the field was off before it was refined; null until refining has made all of it exact. */
+  error: FieldError | null;
+  /** Of `solve` alone. */
   solveMs: number;
+  /** Of all slices of refining so far. */
+  refineMs: number;
+}
+
+/** Relative to the exact distance, over the reachable welded vertices off the sources; 0.01 is one percent. */
+export interface FieldError {
+  mean: number;
+  max: number;
 }
 
 export interface SurfacePath {
@@ -119,11 +159,23 @@ export type ProgressListener = (progress: Progress) => void;
 export interface SolverApi {
   /** Reads, welds, factors. `parts`: the indices to walk on, empty for all. The last mesh stays if this fails. */
   open(input: MeshInput, parts: number[], parameters: Parameters, progress: ProgressListener): Promise<OpenedMesh>;
-  /** Factors again what the change needs. */
-  configure(parameters: Parameters): Promise<Timings>;
-  solve(sources: SurfacePoint[]): Promise<DistanceField>;
-  /** The way down the last distance field to the nearest source. */
-  path(from: SurfacePoint): Promise<SurfacePath>;
+  /** Factors again what the change needs. The last field is forgotten. */
+  configure(parameters: Parameters): Promise<Factoring>;
+  solve(sources: Source[]): Promise<DistanceField>;
+  /**
+   * One slice of making the last field exact, from the sources outward: exact inside, heat beyond. Takes 100 to
+   * 200 ms, or twice a solve where that is more; the next call goes on. Once all is exact, the field stays as it is.
+   */
+  refine(): Promise<DistanceField>;
+  /** The way home from a place, by the last field. */
+  path(from: SurfacePoint, kind: PathKind): Promise<SurfacePath>;
+  /**
+   * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
+   * gradient of heat (towards the sources); 0 where there is none.
+   */
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
+  /** One value a drawn vertex: log10 of the last field's heat over its maximum; −Infinity where there is none. */
+  heat(): Promise<Float32Array>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;
 }

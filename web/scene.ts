@@ -1,12 +1,12 @@
 /** The one truth of the page. The panel, the link, undo and the renderer all derive from it. */
 import { DEFAULT_LOOK, type Look } from './looks';
-import type { Parameters, SurfacePoint } from './protocol';
+import type { Parameters, PathKind, Source, SurfacePoint } from './protocol';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
 
 /** What undo goes back over. */
 export interface Places {
-  sources: readonly SurfacePoint[];
+  sources: readonly Source[];
   /** Where the walker sets out; null: nobody walks. */
   walker: SurfacePoint | null;
 }
@@ -16,6 +16,10 @@ export interface SceneState extends Places {
   /** Indices of the parts that are walked on; empty: all. */
   parts: readonly number[];
   parameters: Parameters;
+  /** What the walker walks. */
+  way: PathKind;
+  /** Whether a field at rest is made exact. */
+  refine: boolean;
   /** As `Viewer.camera` gives it; null until a hand has moved it. */
   camera: readonly number[] | null;
   look: Look;
@@ -23,7 +27,14 @@ export interface SceneState extends Places {
   selected: number;
 }
 
-export const DEFAULT_PARAMETERS: Parameters = { timeFactor: 1, boundary: 'neumann' };
+export const DEFAULT_PARAMETERS: Parameters = {
+  operator: 'delaunay',
+  solver: 'cholesky',
+  timeFactor: 'auto',
+  boundary: 'neumann',
+  multi: 'exact',
+  nearField: 'auto',
+};
 
 export function emptyScene(mesh: MeshReference): SceneState {
   return {
@@ -32,10 +43,18 @@ export function emptyScene(mesh: MeshReference): SceneState {
     sources: [],
     walker: null,
     parameters: DEFAULT_PARAMETERS,
+    way: 'straight',
+    refine: true,
     camera: null,
     look: DEFAULT_LOOK,
     selected: -1,
   };
+}
+
+/** A source at a place. A starting value of 0 is not written, so that equal sources are equal objects. */
+export function withOffset(point: SurfacePoint, offset: number): Source {
+  const place = 'vertex' in point ? { vertex: point.vertex } : { face: point.face, weights: point.weights };
+  return offset > 0 ? { ...place, offset } : place;
 }
 
 export type SceneListener = (state: SceneState, previous: SceneState) => void;

@@ -1,11 +1,17 @@
 /** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
-import type { SurfacePoint } from './protocol';
+import type { DistanceField, PathKind, SurfacePoint } from './protocol';
+import type { Phase } from './refiner';
 import type { SceneState } from './scene';
 import type { Session } from './session';
+import { until } from './signal';
 
 export interface Heatwalk {
   /** Resolves when the first scene is solved and drawn, or when it is certain that nothing can be drawn. */
   readonly ready: Promise<void>;
+  /**
+   * Resolves when nothing is being opened or solved and refining has ended: everything is exact, or `refining` says why not.
+   */
+  settled(): Promise<void>;
   /** "WebGPU", "WebGL2", or null when nothing can be drawn. */
   readonly backend: string | null;
   readonly scene: SceneState;
@@ -24,13 +30,19 @@ export interface Heatwalk {
     diameter: number;
   } | null;
   /** Of the field that is shown. */
-  readonly field: { maxDistance: number; unreachableVertices: number; solveMs: number } | null;
-  /** Fields shown since the page was opened. */
+  readonly field: Omit<DistanceField, 'distance'> | null;
+  /** What is being done about exactness: see `Phase`. */
+  readonly refining: Phase;
+  /** Fields solved and shown since the page was opened; the slices of refining are not counted. */
   readonly solves: number;
-  /** Arc lengths; null when nobody walks. */
-  readonly walker: { arc: number; length: number; arrived: boolean } | null;
+  /** Arc lengths, and what kind of way it is; null when nobody walks. */
+  readonly walker: { arc: number; length: number; arrived: boolean; kind: PathKind } | null;
   /** Distance at a place of the shown field; Infinity out of reach; NaN where the mesh has no such place. */
   distanceAt(point: SurfacePoint): number;
+  /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
+  /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
+  heat(): Promise<Float32Array>;
   /** The place under a CSS pixel of the window. */
   placeAt(x: number, y: number): SurfacePoint | null;
   /** The CSS pixel of the window where a place is seen. */
@@ -46,6 +58,10 @@ declare global {
 export function expose(session: Session, ready: Promise<void>): void {
   const face: Heatwalk = {
     ready,
+    async settled() {
+      await ready;
+      await until(() => session.settled, session.loading, session.refiner.phase);
+    },
     get backend() {
       return session.view.backend.value;
     },
@@ -75,20 +91,26 @@ export function expose(session: Session, ready: Promise<void>): void {
     get field() {
       const field = session.shown.value?.answer.field;
       if (!field) return null;
-      const { maxDistance, unreachableVertices, solveMs } = field;
-      return { maxDistance, unreachableVertices, solveMs };
+      const { distance: _, ...figures } = field;
+      return figures;
+    },
+    get refining() {
+      return session.refiner.phase.value;
     },
     get solves() {
       return session.solves;
     },
     get walker() {
       const { arc, length, arrived } = session.walk;
-      return length > 0 ? { arc, length, arrived } : null;
+      const kind = session.shown.value?.answer.pathKind;
+      return kind && length > 0 ? { arc, length, arrived, kind } : null;
     },
     distanceAt(point) {
       const shown = session.shown.value;
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field.distance) : Number.NaN;
     },
+    gradients: (kind) => session.gradients(kind),
+    heat: () => session.heat(),
     placeAt: (x, y) => session.view.pick(x, y)?.point ?? null,
     pixelOf(point) {
       const position = session.shown.value?.places.at(point)?.position;

@@ -1,9 +1,13 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
+import type { Answer, Engine } from './engine';
+import type { Places } from './places';
+import { prepare } from './prepare';
 import type { ProgressListener, MeshInput, OpenedMesh } from './protocol';
-import { Places } from './places';
+import { Refiner } from './refiner';
 import { type Scene, type SceneState } from './scene';
 import { Signal } from './signal';
-import { type Answer, Cancelled, type Engine, SolverClient } from './solver';
+import { SolverClient } from './solver';
+import { Cancelled } from './solver-worker';
 import type { View } from './view';
 import { Walk } from './walk';
 
@@ -43,8 +47,12 @@ export class Session {
   /** A question to the solver failed. */
   readonly failure = new Signal<Error | null>(null);
   readonly paused = new Signal(false);
-  /** Distance fields shown since the page was opened. */
+  /** Distance fields solved and shown since the page was opened; the slices of refining are not counted. */
   solves = 0;
+  readonly refiner = new Refiner(
+    (answer) => this.#refined(answer),
+    (error) => this.#fail(error),
+  );
   readonly #client = new SolverClient();
   #engine: Engine | null = null;
   #dragging = false;
@@ -93,7 +101,29 @@ export class Session {
   set dragging(dragging: boolean) {
     this.#dragging = dragging;
     const answer = this.shown.value?.answer;
-    if (!dragging && answer && answer.question.from !== this.scene.state.walker) void this.#solve();
+    if (dragging) this.refiner.interrupt();
+    if (dragging || !answer) return;
+    if (answer.question.from !== this.scene.state.walker) void this.#solve();
+    else this.#rest();
+  }
+
+  /** Nothing is being opened, solved or refined, and no hand holds a source. */
+  get settled(): boolean {
+    return this.loading.value === null && (this.#engine === null || this.refiner.settled);
+  }
+
+  /** The field that the worker holds: the one shown, unless a question or a slice is under way. */
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
+    return this.#open().gradients(kind);
+  }
+
+  heat(): Promise<Float32Array> {
+    return this.#open().heat();
+  }
+
+  #open(): Engine {
+    if (!this.#engine) throw new Error('No mesh is open.');
+    return this.#engine;
   }
 
   /** To be called once a frame; true if something was drawn. */
@@ -118,6 +148,7 @@ export class Session {
     this.#show(shown, true);
     this.scene.load(state);
     this.#showPins();
+    this.#rest();
     // The next opening finds its worker compiled, and the first picture does not wait for it.
     setTimeout(() => this.#client.warmUp(), 1500);
   }
@@ -127,27 +158,46 @@ export class Session {
     if (!shown) return;
     if (state.look !== previous.look) this.view.setLook(state.look, shown.places.diameter);
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
-    const { question } = shown.answer;
-    const asked = question.sources === state.sources && question.parameters === state.parameters;
-    if (!asked || question.from !== state.walker) void this.#solve();
+    if (!isAnswered(shown.answer, state)) void this.#solve();
+    else if (state.refine !== previous.refine) this.#rest();
   }
 
   async #solve(): Promise<void> {
     const engine = this.#engine;
     const { value: before } = this.shown;
     if (!engine || !before) return;
-    const { sources, parameters, walker } = this.scene.state;
+    const { sources, parameters, walker, way } = this.scene.state;
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
+    this.refiner.interrupt();
     try {
-      const answer = await engine.ask({ sources, parameters, from: wait ? null : walker });
+      const answer = await engine.ask({ sources, parameters, from: wait ? null : walker, way });
       if (!answer || engine !== this.#engine) return;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
       this.#show({ ...before, answer: { ...answer, pathMs } }, moved);
       this.failure.value = null;
+      if (!this.#dragging) this.#rest();
     } catch (error) {
-      if (!(error instanceof Cancelled)) this.failure.value = error instanceof Error ? error : new Error(String(error));
+      if (error instanceof Cancelled) return;
+      this.refiner.giveUp();
+      this.#fail(error);
     }
+  }
+
+  /** Begins the refinement of what is shown, unless a newer question is already asked. */
+  #rest(): void {
+    const { value: shown } = this.shown;
+    const { state } = this.scene;
+    if (this.#engine && shown && isAnswered(shown.answer, state)) this.refiner.rest(this.#engine, shown.answer, state);
+  }
+
+  #refined(answer: Answer): void {
+    const { value: shown } = this.shown;
+    if (shown) this.#show({ ...shown, answer }, false);
+  }
+
+  #fail(error: unknown): void {
+    this.failure.value = error instanceof Error ? error : new Error(String(error));
   }
 
   #show(shown: Shown, fromStart: boolean): void {
@@ -158,7 +208,7 @@ export class Session {
       this.walk.follow(path?.length ?? 0, fromStart);
       if (path) this.view.setWalker(this.walk.arc);
     }
-    this.solves += 1;
+    if (field?.refineMs === 0 && field !== this.shown.value?.answer.field) this.solves += 1;
     this.shown.value = shown;
   }
 
@@ -173,36 +223,14 @@ export class Session {
   }
 }
 
-/** Makes the state fit the mesh and solves it for the first time. */
-async function prepare(engine: Engine, request: OpenRequest): Promise<{ state: SceneState; shown: Shown }> {
-  const { opened } = engine;
-  const places = new Places(opened);
-  const { parameters } = request.state;
-  let sources = request.state.sources.filter((source) => places.has(source));
-  let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
-  if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
-  let answer = await ask(engine, { sources, parameters, from: walker });
-  if (request.choosePlaces && !walker && answer.field) {
-    walker = places.farthest(answer.field.distance);
-    answer = await ask(engine, { sources, parameters, from: walker });
-  }
-  const { mesh } = request.state;
-  return {
-    state: {
-      ...request.state,
-      mesh: mesh.kind === 'file' ? { ...mesh, hash: opened.hash } : mesh,
-      sources,
-      walker,
-      selected: -1,
-    },
-    shown: { opened, places, answer },
-  };
-}
-
-async function ask(engine: Engine, question: Answer['question']): Promise<Answer> {
-  const answer = await engine.ask(question);
-  if (!answer) throw new Cancelled();
-  return answer;
+/** Whether an answer is to what the scene asks. */
+function isAnswered({ question }: Answer, { sources, parameters, walker, way }: SceneState): boolean {
+  return (
+    question.sources === sources &&
+    question.parameters === parameters &&
+    question.from === walker &&
+    question.way === way
+  );
 }
 
 export function reducedMotion(): boolean {

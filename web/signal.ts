@@ -18,9 +18,28 @@ export class Signal<T> {
     for (const listener of this.#listeners) listener(next, previous);
   }
 
-  /** Calls at once with the present value, then on every change. */
-  watch(listener: (value: T, previous: T) => void): void {
+  /** Calls at once with the present value, then on every change. Returns the function that ends this. */
+  watch(listener: (value: T, previous: T) => void): () => void {
     this.#listeners.add(listener);
     listener(this.#value, this.#value);
+    return () => this.#listeners.delete(listener);
   }
+}
+
+interface Watched {
+  watch(listener: () => void): () => void;
+}
+
+/** Resolves once the condition holds, which only a change of one of the signals can bring about. */
+export function until(condition: () => boolean, ...signals: readonly Watched[]): Promise<void> {
+  return new Promise((resolve) => {
+    const look = () => {
+      if (!condition()) return;
+      resolve();
+      for (const end of ends.splice(0)) end();
+    };
+    const ends: (() => void)[] = [];
+    for (const signal of signals) ends.push(signal.watch(look));
+    look();
+  });
 }

@@ -4,11 +4,13 @@ import type {
   BuildReport,
   DistanceField,
   DrawMesh,
+  Factoring,
   MeshInput,
   OpenedMesh,
   Parameters,
-  ProgressListener,
+  PathKind,
   SolverApi,
+  Source,
   SurfacePath,
   SurfacePoint,
   Timings,
@@ -20,12 +22,23 @@ import wasmAddress from './wasm/solver/heatwalk_worker_bg.wasm?url';
 const BUILD_FROM = 0.1;
 const FACTOR_FROM = 0.3;
 
+/** A slice of refining lasts about this long, or this many solves where that is more: each slice ends with one. */
+const SLICE_MS = 150;
+const SLICE_SOLVES = 2;
+/** Windows of the first slice, and of any slice at least. */
+const FIRST_WORK = 20_000;
+const LEAST_WORK = 2_000;
+
 /** Calls that arrive while the module is still being compiled wait for it. */
 const ready = initialise({ module_or_path: wasmAddress });
 
 interface Current {
   solver: wasm.Solver;
   timings: Timings;
+  /** Windows of the next slice of refining. */
+  work: number;
+  solveMs: number;
+  refineMs: number;
 }
 
 let current: Current | undefined;
@@ -47,10 +60,12 @@ const api: SolverApi = {
       try {
         const report = reportOf(surface);
         const buildMs = clock();
-        const solver = factor(surface, parameters, report.vertices, progress);
+        const solver = surface.factor(parameters, (stage: string, fraction: number) => {
+          progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices: report.vertices });
+        });
         const timings: Timings = { readMs, buildMs, precomputeMs: clock() };
         current?.solver.free();
-        current = { solver, timings };
+        current = { solver, timings, work: FIRST_WORK, solveMs: 0, refineMs: 0 };
         const opened: OpenedMesh = {
           name: nameOf(input),
           hash,
@@ -60,10 +75,8 @@ const api: SolverApi = {
           inputVertices: surface.input_vertices(),
           scenery: drawMesh(file.scenery(Uint32Array.from(walked))),
           report,
-          timings,
           meanEdge: surface.mean_edge(),
-          factorNonzeros: solver.factor_nonzeros(),
-          memoryBytes: memory.buffer.byteLength,
+          ...factoringOf(current, memory),
         };
         return transfer(opened, [
           ...buffersOf(opened.surface),
@@ -78,32 +91,54 @@ const api: SolverApi = {
     }
   },
 
-  configure({ timeFactor, boundary }: Parameters): Promise<Timings> {
+  async configure(parameters: Parameters): Promise<Factoring> {
+    const { memory } = await ready;
     const mesh = openMesh();
     const clock = stopwatch();
-    mesh.solver.configure(timeFactor, boundary, () => undefined);
+    mesh.solver.configure(parameters, () => undefined);
     mesh.timings = { ...mesh.timings, precomputeMs: clock() };
-    return Promise.resolve(mesh.timings);
+    return factoringOf(mesh, memory);
   },
 
-  solve(sources: SurfacePoint[]): Promise<DistanceField> {
-    const { solver } = openMesh();
+  solve(sources: Source[]): Promise<DistanceField> {
+    const mesh = openMesh();
     const clock = stopwatch();
-    const distance = solver.solve(sources);
-    const field: DistanceField = {
-      distance,
-      maxDistance: solver.max_distance(),
-      unreachableVertices: solver.unreachable_vertices(),
-      solveMs: clock(),
-    };
-    return Promise.resolve(transfer(field, [distance.buffer]));
+    const field = mesh.solver.solve(sources);
+    mesh.solveMs = clock();
+    mesh.refineMs = 0;
+    return fieldOf(field, mesh);
   },
 
-  path(from: SurfacePoint): Promise<SurfacePath> {
-    const path = openMesh().solver.path(from);
+  refine(): Promise<DistanceField> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const field = mesh.solver.refine(mesh.work);
+    const passed = clock();
+    mesh.refineMs += passed;
+    if (field.exact_below < Infinity) {
+      const wanted = Math.max(SLICE_MS, SLICE_SOLVES * mesh.solveMs);
+      // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
+      const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
+      mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
+    }
+    return fieldOf(field, mesh);
+  },
+
+  path(from: SurfacePoint, kind: PathKind): Promise<SurfacePath> {
+    const path = openMesh().solver.path(from, kind);
     const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
     path.free();
     return Promise.resolve(transfer(answer, [answer.points.buffer, answer.normals.buffer]));
+  },
+
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
+    const vectors = openMesh().solver.gradients(kind);
+    return Promise.resolve(transfer(vectors, [vectors.buffer]));
+  },
+
+  heat(): Promise<Float32Array> {
+    const heat = openMesh().solver.heat();
+    return Promise.resolve(transfer(heat, [heat.buffer]));
   },
 
   async shapes(): Promise<string[]> {
@@ -115,6 +150,28 @@ const api: SolverApi = {
 function openMesh(): Current {
   if (!current) throw new Error('No mesh is open.');
   return current;
+}
+
+function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): Factoring {
+  return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
+}
+
+function fieldOf(field: wasm.Field, { solveMs, refineMs }: Current): Promise<DistanceField> {
+  const distance = field.take_values();
+  const { mean_error: mean, max_error: max } = field;
+  const answer: DistanceField = {
+    distance,
+    maxDistance: field.max,
+    unreachableVertices: field.unreachable,
+    exactBelow: field.exact_below,
+    exactShare: field.exact_share,
+    timeFactor: field.time_factor,
+    error: mean !== undefined && max !== undefined ? { mean, max } : null,
+    solveMs,
+    refineMs,
+  };
+  field.free();
+  return Promise.resolve(transfer(answer, [distance.buffer]));
 }
 
 function read(input: MeshInput): wasm.MeshFile {
@@ -140,17 +197,6 @@ function nameOf(input: MeshInput): string {
     case 'arrays':
       return input.name;
   }
-}
-
-function factor(
-  surface: wasm.WalkedSurface,
-  { timeFactor, boundary }: Parameters,
-  vertices: number,
-  progress: ProgressListener,
-): wasm.Solver {
-  return surface.factor(timeFactor, boundary, (stage: string, fraction: number) => {
-    progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices });
-  });
 }
 
 function reportOf(surface: wasm.WalkedSurface): BuildReport {

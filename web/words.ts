@@ -1,5 +1,6 @@
 /** Numbers and sentences as the page says them. */
-import type { BuildReport, DistanceField, OpenedMesh } from './protocol';
+import type { BuildReport, DistanceField, FieldError, OpenedMesh, PathKind } from './protocol';
+import { MOST_SECONDS, MOST_TRIANGLES, type Phase } from './refiner';
 
 const GROUPED = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const THREE_DIGITS = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false });
@@ -18,6 +19,16 @@ export function length(value: number): string {
 
 export function percent(share: number): string {
   return `${Math.round(100 * share)} %`;
+}
+
+/** 100 % is not said before it is true. */
+export function percentDown(share: number): string {
+  return `${Math.floor(100 * share)} %`;
+}
+
+/** Errors are small: one digit after the point where the share is under 10 %. */
+export function finePercent(share: number): string {
+  return share < 0.1 ? `${(100 * share).toFixed(1)} %` : percent(share);
 }
 
 export function milliseconds(value: number): string {
@@ -58,6 +69,43 @@ function repairs(report: BuildReport): string[] {
     'edges shared by more than two triangles',
   );
   return done;
+}
+
+/** How much of a field is exact, in as few words as the heading has room for; empty for none. */
+export function exactnessWords({ exactBelow, exactShare }: DistanceField): string {
+  if (exactBelow === Infinity) return 'exact';
+  return exactShare >= 0.01 ? `exact to ${percentDown(exactShare)}` : '';
+}
+
+export function errorWords({ mean, max }: FieldError): string {
+  return `${finePercent(mean)} on average, ${finePercent(max)} at most`;
+}
+
+/** What is being done about exactness, or why nothing more is. */
+export function refiningSentence(phase: Phase, field: DistanceField, way: PathKind): string {
+  const reached = exactnessWords(field) || 'not exact yet';
+  const soFar = reached[0].toUpperCase() + reached.slice(1);
+  switch (phase) {
+    case 'exact':
+      return field.error ? `Exact. Heat was off by ${errorWords(field.error)}.` : 'Exact.';
+    case 'large': {
+      const limit = `${count(MOST_TRIANGLES)} triangles`;
+      const home = way === 'exact' ? ', and the way home is straightened instead of exact' : '';
+      return `${soFar}. Meshes of more than ${limit} are not refined${home}.`;
+    }
+    case 'late':
+      return `${soFar}. Refining was ended after ${MOST_SECONDS} seconds.`;
+    case 'stuck':
+      return `${soFar}. Refining made no progress and was ended.`;
+    case 'off':
+      return `${soFar}. Refining is switched off.`;
+    case 'solving':
+    case 'resting':
+    case 'refining':
+    case 'failed':
+    case 'idle':
+      return `${soFar}.`;
+  }
 }
 
 /** What no source reaches, named by parts where the triangles tell; null if everything is reached. */

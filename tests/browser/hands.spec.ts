@@ -177,7 +177,7 @@ test('without a mouse: reticle, arrows, Delete', async ({ heatwalk, page }) => {
 test('the time factor is a slider and the boundary a choice', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const solves = await heatwalk.solves();
-  await page.locator('#section-solver summary').click();
+  await page.locator('#section-solver > summary').click();
   await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
   await expect.poll(async () => (await heatwalk.scene()).parameters.timeFactor).toBe(10);
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);

@@ -4,6 +4,8 @@ import { brightness, crossings, difference, expect, test } from '../page';
 const BALL = sphere(24);
 
 test('the first visit shows stripes, a way home and one hint', async ({ heatwalk, page }) => {
+  // The walker stays at its start, so that it does not come between the stripes that are counted.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.open();
   const { sources, mesh } = await heatwalk.scene();
   expect(mesh).toEqual({ kind: 'preset', id: 'bunny' });
@@ -12,7 +14,8 @@ test('the first visit shows stripes, a way home and one hint', async ({ heatwalk
   await expect(page.getByText('Click the surface')).toBeVisible();
 
   const picture = await heatwalk.picture();
-  const [x, y] = await heatwalk.pixelOnModel();
+  // Where the way home, which is drawn over the stripes and counted with them, lies level.
+  const [x, y] = await heatwalk.pixelOnModel(0.04);
   const striped = crossings(picture, x, y - 150, y + 150);
   expect(striped).toBeGreaterThanOrEqual(6);
   // The background is smooth: what was counted are stripes, not noise.

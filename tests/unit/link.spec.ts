@@ -1,7 +1,8 @@
 import { expect, test } from '@playwright/test';
 import { decodeLink, encodeLink } from '../../web/link';
 import { findLook } from '../../web/looks';
-import { emptyScene, type MeshReference, type SceneState } from '../../web/scene';
+import type { Parameters } from '../../web/protocol';
+import { DEFAULT_PARAMETERS, emptyScene, type MeshReference, type SceneState } from '../../web/scene';
 
 const START: SceneState = {
   ...emptyScene({ kind: 'preset', id: 'bunny' }),
@@ -33,14 +34,71 @@ test('everything that was changed survives the link', () => {
   const state: SceneState = {
     ...START,
     parts: [0, 2],
-    sources: [{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }],
+    sources: [
+      { vertex: 1203 },
+      { face: 88, weights: [0.2, 0.3, 0.5], offset: 0.125 },
+      { vertex: 4, offset: 1.5e-7 },
+      { vertex: 5, offset: 2e22 },
+    ],
     walker: { vertex: 5521 },
-    parameters: { timeFactor: 2.5, boundary: 'average' },
+    parameters: {
+      operator: 'plain',
+      solver: 'cg',
+      timeFactor: 2.5,
+      boundary: 'average',
+      multi: 'superposed',
+      nearField: 12.5,
+    },
+    way: 'descent',
+    refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
     look: { ...neon, width: 0.35, ramp: 'viridis', stripe: '#12ab9f' },
   };
   expect(throughLink(state)).toEqual(state);
-  expect(encodeLink(state, START)).toContain('s=1203,88:0.2/0.3/0.5&w=5521&t=2.5&b=average');
+  expect(encodeLink(state, START)).toContain(
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=superposed&near=12.5&op=plain&solver=cg' +
+      '&way=descent&refine=0',
+  );
+});
+
+const CHANGES: readonly Partial<Parameters>[] = [
+  { operator: 'plain' },
+  { operator: 'relocate' },
+  { solver: 'cg' },
+  { timeFactor: 1 },
+  { timeFactor: 1000 },
+  { boundary: 'dirichlet' },
+  { boundary: 'average' },
+  { multi: 'superposed' },
+  { nearField: 0 },
+  { nearField: 64 },
+];
+
+for (const change of CHANGES) {
+  test(`a link holds ${JSON.stringify(change)} and nothing else`, () => {
+    const state = { ...START, parameters: { ...DEFAULT_PARAMETERS, ...change } };
+    expect(throughLink(state)).toEqual(state);
+    expect(encodeLink(state, START).split('&')).toHaveLength(3);
+  });
+}
+
+test('a preset that starts out otherwise can be brought back to the defaults', () => {
+  const start: SceneState = {
+    ...START,
+    parameters: { ...DEFAULT_PARAMETERS, timeFactor: 2, nearField: 0 },
+    way: 'exact',
+    refine: false,
+  };
+  const link = encodeLink(START, start);
+  expect(link).toBe('v=1&m=bunny&t=auto&near=auto&way=straight&refine=1');
+  expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [] });
+});
+
+test('an old link means what it meant', () => {
+  const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
+  expect(decoded?.notices).toEqual([]);
+  expect(decoded?.state.parameters).toMatchObject({ timeFactor: 1, boundary: 'neumann' });
+  expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
 });
 
 test('a scene without sources and walker is not the same as an untouched one', () => {
@@ -75,7 +133,21 @@ for (const [broken, key] of [
   ['w=-3', 'w'],
   ['t=0', 't'],
   ['t=', 't'],
+  ['t=automatic', 't'],
   ['b=robin', 'b'],
+  ['multi=both', 'multi'],
+  ['near=-1', 'near'],
+  ['near=65', 'near'],
+  ['op=tufted', 'op'],
+  ['solver=lu', 'solver'],
+  ['way=home', 'way'],
+  ['refine=yes', 'refine'],
+  ['s=12@', 's'],
+  ['s=12@-1', 's'],
+  ['s=12@1@2', 's'],
+  ['s=12@1.2.3', 's'],
+  ['s=12@1e999', 's'],
+  ['w=12@1', 'w'],
   ['cam=1,2,3', 'cam'],
   ['cam=1,2,-3,0,0,0', 'cam'],
   ['look=plaid', 'look'],

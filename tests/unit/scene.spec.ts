@@ -1,5 +1,6 @@
 import { expect, test } from '@playwright/test';
-import { emptyScene, Scene } from '../../web/scene';
+import { moveSource, startSourceFrom } from '../../web/input/edit';
+import { DEFAULT_PARAMETERS, emptyScene, Scene } from '../../web/scene';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 
@@ -29,6 +30,29 @@ test('a drag is one step', () => {
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
 });
 
+test('a source keeps its starting value when it is moved, and undo takes the value back', () => {
+  const scene = fresh();
+  startSourceFrom(scene, 0, 0.5, {});
+  moveSource(scene, 0, { vertex: 7 }, {});
+  expect(scene.state.sources).toEqual([{ vertex: 7, offset: 0.5 }]);
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 1, offset: 0.5 }]);
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 1 }]);
+});
+
+test('typing a starting value is one step, and 0 leaves no trace', () => {
+  const scene = fresh();
+  const typing = {};
+  for (const offset of [1, 12, 125]) startSourceFrom(scene, 0, offset, typing);
+  expect(scene.state.sources).toEqual([{ vertex: 1, offset: 125 }]);
+  startSourceFrom(scene, 0, 0, {});
+  expect(scene.state.sources).toEqual([{ vertex: 1 }]);
+  scene.undo();
+  scene.undo();
+  expect(scene.canUndo).toBe(false);
+});
+
 test('a new step forgets what was undone', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
@@ -40,7 +64,7 @@ test('a new step forgets what was undone', () => {
 test('undo leaves camera, look and parameters alone', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
-  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { timeFactor: 4, boundary: 'average' } });
+  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { ...DEFAULT_PARAMETERS, timeFactor: 4 } });
   scene.undo();
   expect(scene.state.camera).toEqual([1, 0, 3, 0, 0, 0]);
   expect(scene.state.parameters.timeFactor).toBe(4);

@@ -1,6 +1,6 @@
 /** What hands and keys do to sources and walker. */
 import type { SurfacePoint } from '../protocol';
-import type { Scene } from '../scene';
+import { type Scene, withOffset } from '../scene';
 
 export function setSource(scene: Scene, point: SurfacePoint): void {
   scene.place({ sources: [point], selected: -1 });
@@ -11,7 +11,15 @@ export function addSource(scene: Scene, point: SurfacePoint): void {
 }
 
 export function moveSource(scene: Scene, index: number, point: SurfacePoint, gesture: object): void {
-  scene.place({ sources: scene.state.sources.with(index, point), selected: index }, gesture);
+  const { sources } = scene.state;
+  const source = withOffset(point, sources[index].offset ?? 0);
+  scene.place({ sources: sources.with(index, source), selected: index }, gesture);
+}
+
+/** The value that distance starts from at a source, in the unit of the file. */
+export function startSourceFrom(scene: Scene, index: number, offset: number, gesture: object): void {
+  const { sources } = scene.state;
+  scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
 }
 
 export function removeSelected(scene: Scene): boolean {

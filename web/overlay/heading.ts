@@ -1,13 +1,16 @@
 import { h } from '../panel/dom';
 import { findPreset } from '../presets';
 import type { Session } from '../session';
-import { count } from '../words';
+import { count, exactnessWords } from '../words';
 
-/** Top left: the name, the scene's title and, quietly, the mesh's size. */
+/** Top left: the name, the scene's title and, quietly, the mesh's size and how much of the distance is exact. */
 export function heading(session: Session): HTMLElement {
   const title = h('span', { class: 'title' });
   const size = h('span', { class: 'quiet' });
+  const exactness = h('span', { class: 'quiet exactness' });
   session.shown.watch((shown) => {
+    const field = shown?.answer.field;
+    exactness.textContent = field ? exactnessWords(field) : '';
     const { mesh } = session.scene.state;
     title.textContent = mesh.kind === 'preset' ? (findPreset(mesh.id)?.title ?? '') : mesh.name;
     size.textContent = shown ? `${count(shown.opened.report.faces)} triangles` : '';
@@ -16,5 +19,5 @@ export function heading(session: Session): HTMLElement {
     if (state.mesh === previous.mesh) return;
     title.textContent = state.mesh.kind === 'preset' ? (findPreset(state.mesh.id)?.title ?? '') : state.mesh.name;
   });
-  return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size);
+  return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size, exactness);
 }

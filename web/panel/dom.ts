@@ -85,3 +85,53 @@ export function select<T extends string>(
     },
   };
 }
+
+export function toggle(
+  label: string,
+  change: (on: boolean) => void,
+): { element: HTMLElement; show: (on: boolean) => void } {
+  const input = h('input', { type: 'checkbox', role: 'switch', onchange: () => change(input.checked) });
+  return {
+    element: h('label', { class: 'field' }, h('span', {}, label), input),
+    show: (on) => {
+      input.checked = on;
+    },
+  };
+}
+
+export interface AutomaticSliderOptions extends Omit<SliderOptions, 'change' | 'describe'> {
+  describe: (value: number, automatic: boolean) => string;
+  change: (value: number | 'auto') => void;
+}
+
+/** A slider with a button that leaves the choice to the solver; to take hold of the slider takes the choice back. */
+export function automaticSlider({ change, describe, ...options }: AutomaticSliderOptions): {
+  element: HTMLElement;
+  /** `chosen` is what "auto" comes to. */
+  show: (value: number | 'auto', chosen: number) => void;
+} {
+  let automatic = false;
+  let taken = options.min;
+  const { element, show } = slider({ ...options, describe: (value) => describe(value, automatic), change });
+  const button = h(
+    'button',
+    {
+      class: 'small',
+      'aria-label': `${options.label}, automatic`,
+      title: 'Let the solver choose',
+      onclick: () => change(automatic ? taken : 'auto'),
+    },
+    'Auto',
+  );
+  element.classList.add('automatic');
+  element.querySelector('.value')?.after(button);
+  return {
+    element,
+    show: (value, chosen) => {
+      automatic = value === 'auto';
+      taken = value === 'auto' ? chosen : value;
+      button.setAttribute('aria-pressed', String(automatic));
+      show(taken);
+    },
+  };
+}

@@ -1,6 +1,9 @@
+import type { PathKind } from '../protocol';
 import type { Session, Shown } from '../session';
-import { bytes, count, length, milliseconds } from '../words';
+import { bytes, count, finePercent, length, milliseconds, percentDown } from '../words';
 import { h } from './dom';
+
+const WAY_WORDS: Record<PathKind, string> = { descent: 'steepest', straight: 'straightened', exact: 'exact' };
 
 /** What the mesh is and what it cost. */
 export function numbersSection(session: Session): HTMLElement {
@@ -23,8 +26,9 @@ export function numbersSection(session: Session): HTMLElement {
 }
 
 function figures({ opened, answer, places }: Shown): [string, string][] {
-  const { report, timings } = opened;
-  const { field, path } = answer;
+  const { report } = opened;
+  const { field, path, factoring } = answer;
+  const { timings } = factoring;
   return [
     ['Triangles', count(report.faces)],
     ['Vertices', count(report.vertices)],
@@ -34,12 +38,17 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Mean edge', `${length(opened.meanEdge)} units`],
     ['Diameter', `${length(places.diameter)} units`],
     ['Largest distance', field ? `${length(field.maxDistance)} units` : '–'],
-    ['Way home', path ? `${length(path.length)} units` : '–'],
+    ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
+    ['Mean error of heat', field?.error ? finePercent(field.error.mean) : '–'],
+    ['Largest error', field?.error ? finePercent(field.error.max) : '–'],
+    ['Way home', path ? `${length(path.length)} units, ${WAY_WORDS[answer.pathKind]}` : '–'],
+    ['Time factor m', field ? length(field.timeFactor) : '–'],
     ['Read', milliseconds(timings.readMs)],
     ['Build', milliseconds(timings.buildMs)],
-    ['Factor', milliseconds(answer.timings?.precomputeMs ?? timings.precomputeMs)],
+    ['Factor', milliseconds(timings.precomputeMs)],
     ['Solve', field ? milliseconds(field.solveMs) : '–'],
-    ['Factor entries', count(opened.factorNonzeros)],
-    ['Memory', bytes(opened.memoryBytes)],
+    ['Refine', field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],
+    ['Factor entries', count(factoring.factorNonzeros)],
+    ['Memory', bytes(factoring.memoryBytes)],
   ];
 }

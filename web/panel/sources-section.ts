@@ -1,9 +1,10 @@
+import { startSourceFrom } from '../input/edit';
 import type { SurfacePoint } from '../protocol';
 import type { Session } from '../session';
 import { unreachedSentence } from '../words';
 import { h } from './dom';
 
-/** The list of sources: choose, look at, delete; and what none of them reaches. */
+/** The list of sources: choose, look at, start from a value, delete; and what none of them reaches. */
 export function sourcesSection(session: Session): HTMLElement {
   const { scene } = session;
   const list = h('ul', { class: 'sources' });
@@ -37,7 +38,30 @@ export function sourcesSection(session: Session): HTMLElement {
       },
       '×',
     );
-    return h('li', {}, h('span', { class: 'pin', 'aria-hidden': 'true' }), name, remove);
+    return h('li', {}, h('span', { class: 'pin', 'aria-hidden': 'true' }), name, startField(index), remove);
+  };
+  /** All that is typed until the focus leaves is one step of undo. */
+  const startField = (index: number) => {
+    let gesture = {};
+    const field = h('input', {
+      type: 'number',
+      min: 0,
+      step: 'any',
+      title: 'Starting value: distance begins with it here, in units of the file',
+      'aria-label': `Starting value of source ${index + 1}, in units`,
+      onfocus: () => {
+        gesture = {};
+      },
+      oninput: () => {
+        if (field.validity.valid && field.value !== '') {
+          startSourceFrom(scene, index, field.valueAsNumber, gesture);
+        }
+      },
+      onblur: () => {
+        field.valueAsNumber = scene.state.sources[index]?.offset ?? 0;
+      },
+    });
+    return h('label', { class: 'start quiet' }, 'from', field);
   };
   const label = () => {
     const { sources, selected } = scene.state;
@@ -46,6 +70,9 @@ export function sourcesSection(session: Session): HTMLElement {
       if (!name) return;
       name.textContent = pointName(sources[index]);
       name.setAttribute('aria-pressed', String(index === selected));
+      const start = element.querySelector<HTMLInputElement>('.start input');
+      // What is being typed is left alone.
+      if (start && start !== document.activeElement) start.valueAsNumber = sources[index].offset ?? 0;
     });
   };
   scene.subscribe((state, previous) => {

@@ -4,11 +4,11 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Source, Surface};
+use heatwalk::{RelativeError, Source, Surface};
 use serde_json::json;
 
 use crate::args::Distance;
-use crate::exact::{self, RelativeError};
+use crate::exact;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
@@ -69,9 +69,9 @@ fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
     report.push("exact_below", distance.exact_below);
     if arguments.compare {
         let exact = exact::distances(surface, solver.exact_geometry(), sources);
-        let error = RelativeError::of(&distance.values, &exact);
-        report.push("mean_error_percent", error.mean_percent);
-        report.push("max_error_percent", error.max_percent);
+        let error = RelativeError::between(&distance.values, &exact);
+        report.push("mean_error_percent", 100.0 * error.mean);
+        report.push("max_error_percent", 100.0 * error.max);
     }
     Ok(Solved { values: distance.values, precompute_ms, solve_ms })
 }

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use heatwalk::{LinearSolver, MultiSource, SurfacePoint};
+use heatwalk::{LinearSolver, MultiSource, RelativeError, SurfacePoint};
 use serde_json::{Value, json};
 
 use crate::args::Table;
 use crate::commands::Answer;
-use crate::exact::{self, RelativeError};
+use crate::exact;
 use crate::input::Input;
 use crate::markdown;
 use crate::timing::{build, factor, median_solve_ms};
@@ -61,7 +61,7 @@ fn measure(path: &Path, arguments: &Table) -> Result<Measured> {
         let (solver, factor_ms) = factor(&surface, parameters)?;
         let solve_ms = median_solve_ms(&surface, sources, |source| Ok(solver.distance(&[source])?))?;
         let error = match &exact {
-            Some(exact) => Some(RelativeError::of(&solver.distance(&[source])?.values, exact)),
+            Some(exact) => Some(RelativeError::between(&solver.distance(&[source])?.values, exact)),
             None => None,
         };
         Ok(Figures { precompute_ms: build_ms + factor_ms, solve_ms, error })
@@ -79,8 +79,8 @@ fn as_json(rows: &[(String, Result<Measured>)]) -> String {
         Ok(Figures { precompute_ms, solve_ms, error }) => {
             let mut object = json!({ "precompute_ms": precompute_ms, "solve_ms": solve_ms });
             if let Some(error) = error {
-                object["mean_error_percent"] = error.mean_percent.into();
-                object["max_error_percent"] = error.max_percent.into();
+                object["mean_error_percent"] = (100.0 * error.mean).into();
+                object["max_error_percent"] = (100.0 * error.max).into();
             }
             object
         }
@@ -114,7 +114,7 @@ fn as_markdown(rows: &[(String, Result<Measured>)], arguments: &Table) -> String
         }
         if arguments.exact {
             cells.extend(solvers.map(|figures| match figures.and_then(|figures| figures.error) {
-                Some(RelativeError { mean_percent, max_percent }) => format!("{mean_percent:.2} / {max_percent:.2}"),
+                Some(RelativeError { mean, max }) => format!("{:.2} / {:.2}", 100.0 * mean, 100.0 * max),
                 None => markdown::MISSING.to_owned(),
             }));
         }

@@ -22,6 +22,7 @@
 //! # }
 //! ```
 
+pub mod accuracy;
 mod csr;
 mod dijkstra;
 pub mod drawing;
@@ -39,9 +40,11 @@ pub mod shapes;
 pub mod soup;
 pub mod sources;
 pub mod surface;
+mod touching;
 mod triangle;
 mod weld;
 
+pub use accuracy::RelativeError;
 pub use dijkstra::{edge_path, edge_polyline};
 pub use drawing::{DrawMesh, draw_mesh};
 pub use error::{Error, Result};

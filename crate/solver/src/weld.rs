@@ -6,6 +6,7 @@ use glam::DVec3;
 use crate::csr::{Csr, NONE};
 use crate::error::{Error, Result};
 use crate::soup::Soup;
+use crate::touching::part_touching;
 
 /// Welded triangles over points, each used by a triangle.
 pub(crate) struct Welded {
@@ -118,61 +119,6 @@ fn duplicates(points: usize, faces: &[[u32; 3]]) -> Vec<bool> {
         }
     }
     duplicate
-}
-
-/// Sheets that touch in a point, without an edge or a vertex of the file in common, are not joined there: each gets a
-/// point of its own at the same position. The first keeps the number, others follow after the last point.
-fn part_touching(
-    soup: &Soup,
-    triangle_of_face: &[u32],
-    faces: &mut [[u32; 3]],
-    positions: &mut Vec<DVec3>,
-    point_of_input: &mut [u32],
-) {
-    let mut inputs = vec![0_u32; positions.len()];
-    for &point in point_of_input.iter().filter(|&&point| point != NONE) {
-        inputs[point as usize] += 1;
-    }
-    let corners_of_point = Csr::group(positions.len(), faces.iter().flatten().copied());
-    let input = |corner: u32| soup.triangles[triangle_of_face[corner as usize / 3] as usize][corner as usize % 3];
-    // What corners at a point have in common, as keys: the other ends of their edges, and vertices of the file.
-    let mut keys: Vec<((bool, u32), usize)> = Vec::new();
-    let mut sheet_of_corner: Vec<usize> = Vec::new();
-    let mut parted: Vec<(u32, u32)> = Vec::new();
-    for (point, corners) in corners_of_point.rows().enumerate().filter(|&(point, _)| inputs[point] > 1) {
-        keys.clear();
-        for (index, &corner) in corners.iter().enumerate() {
-            let (face, k) = (faces[corner as usize / 3], corner as usize % 3);
-            keys.extend(
-                [(true, input(corner)), (false, face[(k + 1) % 3]), (false, face[(k + 2) % 3])].map(|key| (key, index)),
-            );
-        }
-        keys.sort_unstable();
-        sheet_of_corner.clear();
-        sheet_of_corner.extend(0..corners.len());
-        for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            let [a, b] = [pair[0].1, pair[1].1].map(|index| sheet_of_corner[index]);
-            for sheet in sheet_of_corner.iter_mut().filter(|sheet| **sheet == a.max(b)) {
-                *sheet = a.min(b);
-            }
-        }
-        let mut new_points: Vec<(usize, u32)> = vec![(0, point as u32)];
-        for (&corner, &sheet) in corners.iter().zip(&sheet_of_corner) {
-            let known = new_points.iter().find(|&&(known, _)| known == sheet).map(|&(_, point)| point);
-            let own = known.unwrap_or_else(|| {
-                positions.push(positions[point]);
-                new_points.push((sheet, positions.len() as u32 - 1));
-                positions.len() as u32 - 1
-            });
-            if own != point as u32 {
-                parted.push((corner, own));
-            }
-        }
-    }
-    for (corner, point) in parted {
-        point_of_input[input(corner) as usize] = point;
-        faces[corner as usize / 3][corner as usize % 3] = point;
-    }
 }
 
 /// Drops points that no face uses, keeping the order of the others.

@@ -5,15 +5,15 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
-use common::{distance_from, mean_error, nearest, solver, solver_with, square, surface};
+use common::{distance_from, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
-use heatwalk::{Boundary, Operator, Parameters, SurfacePoint, shapes};
+use heatwalk::{Boundary, Operator, Parameters, RelativeError, SurfacePoint, shapes};
 
 fn sphere_error(subdivisions: u32) -> f64 {
     let (solver, distance) = distance_from(&shapes::icosphere(subdivisions), 0);
     let positions = &solver.surface().positions;
     let exact: Vec<f64> = positions.iter().map(|p| p.dot(positions[0]).clamp(-1.0, 1.0).acos()).collect();
-    mean_error(&distance.values, &exact)
+    RelativeError::between(&distance.values, &exact).mean
 }
 
 #[test]
@@ -24,7 +24,11 @@ fn plane_from_its_middle() {
     let positions = &solver.surface().positions;
     let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source as usize])).collect();
     // The Neumann condition bends the lines of equal distance within √t of the boundary, which is all of the error.
-    assert!(mean_error(&distance.values, &exact) < 0.025, "{}", mean_error(&distance.values, &exact));
+    assert!(
+        RelativeError::between(&distance.values, &exact).mean < 0.025,
+        "{}",
+        RelativeError::between(&distance.values, &exact).mean
+    );
     assert_eq!(distance.values[source as usize], 0.0);
 }
 
@@ -52,7 +56,11 @@ fn cylinder_unrolled() {
     });
     let exact: Vec<f64> = unrolled.collect();
     // First order in h = 0.13 over distances near 2: a few per cent. Chords for arcs add 0.07 %.
-    assert!(mean_error(&distance.values, &exact) < 0.03, "{}", mean_error(&distance.values, &exact));
+    assert!(
+        RelativeError::between(&distance.values, &exact).mean < 0.03,
+        "{}",
+        RelativeError::between(&distance.values, &exact).mean
+    );
 }
 
 #[test]
@@ -81,7 +89,7 @@ fn average_boundary_is_best_at_long_times() {
         let distance = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
         let positions = &solver.surface().positions;
         let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source as usize])).collect();
-        mean_error(&distance.values, &exact)
+        RelativeError::between(&distance.values, &exact).mean
     };
     let [neumann, dirichlet, average] = [Boundary::Neumann, Boundary::Dirichlet, Boundary::Average].map(error);
     // The two conditions bend the field to opposite sides of the truth (Crane et al. 2013, figure 11).
@@ -110,7 +118,7 @@ fn default_settings_converge_on_the_sphere() {
         let distance = solver.distance(&[SurfacePoint::Vertex(777)]).expect("a source");
         let exact: Vec<f64> =
             positions.iter().map(|p| positions[777].cross(*p).length().atan2(positions[777].dot(*p))).collect();
-        mean_error(&distance.values, &exact)
+        RelativeError::between(&distance.values, &exact).mean
     };
     let errors = [5, 6, 7].map(error);
     assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.01, "{errors:?}");
@@ -119,11 +127,10 @@ fn default_settings_converge_on_the_sphere() {
 /// Against the exact polyhedral distances of the shared meshes, which are not part of the repository.
 #[cfg(not(target_arch = "wasm32"))]
 mod exact {
-    use std::path::Path;
+    use heatwalk::{Parameters, RelativeError, SurfacePoint};
 
-    use heatwalk::{Parameters, SurfacePoint};
-
-    use super::common::{heat_only, mean_error, solver_with};
+    use super::common::shared::{read_mesh, read_npy, shared_meshes};
+    use super::common::{heat_only, solver_with};
     use super::{Boundary, Operator};
 
     /// Mesh, source and the mean and maximum error, in per cent, of geometry-central's robust heat method
@@ -141,37 +148,22 @@ mod exact {
         ("horse_97k", 24242, 0.984, 16.39),
     ];
 
-    /// One-dimensional float64 array: ten bytes of magic, version and header length, a header, then the values.
-    fn read_npy(bytes: &[u8]) -> Vec<f64> {
-        let header = u16::from_le_bytes([bytes[8], bytes[9]]) as usize;
-        let values = bytes[10 + header..].chunks_exact(8);
-        values.map(|chunk| f64::from_le_bytes(chunk.try_into().expect("eight bytes"))).collect()
-    }
-
     /// Ratios of our mean and maximum errors to the peer's, case by case; none where the meshes are absent.
     fn ratios(parameters: Parameters) -> Vec<[f64; 2]> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/meshes/exact");
-        if !folder.is_dir() {
-            eprintln!("skipped: {} is absent", folder.display());
-            return Vec::new();
-        }
+        let Some(folder) = shared_meshes("exact") else { return Vec::new() };
         let mut ratios = Vec::new();
         for cases in CASES.chunk_by(|a, b| a.0 == b.0) {
-            let name = format!("{}.off", cases[0].0);
-            let read = |name: &str| std::fs::read(folder.join(name)).expect("a shared mesh");
-            let soup = heatwalk::io::read(&name, &read(&name), &|_| None).expect("a readable mesh");
-            let solver = solver_with(&soup, parameters);
+            let solver = solver_with(&read_mesh(&folder.join(format!("{}.off", cases[0].0))), parameters);
             let point_of_input = &solver.surface().point_of_input;
             for &(mesh, source, mean, maximum) in cases {
-                let exact = read_npy(&read(&format!("{mesh}.src{source}.npy")));
+                let exact = read_npy(&folder.join(format!("{mesh}.src{source}.npy")));
                 let start = point_of_input[source as usize].expect("a used vertex");
                 let distance = solver.distance(&[SurfacePoint::Vertex(start)]).expect("a source");
                 let values: Vec<f64> =
                     point_of_input.iter().flatten().map(|&point| distance.values[point as usize]).collect();
                 assert_eq!(values.len(), exact.len());
-                let worst = values.iter().zip(&exact).filter(|&(_, exact)| *exact > 0.0);
-                let worst = worst.map(|(value, exact)| (value - exact).abs() / exact).fold(0.0, f64::max);
-                ratios.push([100.0 * mean_error(&values, &exact) / mean, 100.0 * worst / maximum]);
+                let error = RelativeError::between(&values, &exact);
+                ratios.push([100.0 * error.mean / mean, 100.0 * error.max / maximum]);
             }
         }
         ratios

@@ -274,43 +274,21 @@ fn bad_requests_are_refused() {
 /// On the shared meshes, which are not part of the repository.
 #[cfg(not(target_arch = "wasm32"))]
 mod shared {
-    use std::fs;
-    use std::path::PathBuf;
     use std::sync::Arc;
 
-    use heatwalk::{Soup, Surface, SurfacePoint};
+    use heatwalk::{Surface, SurfacePoint};
 
     use super::common::random;
+    use super::common::shared::{read_mesh, read_npy, shared_meshes};
     use super::{EXACT, check_lipschitz, check_path, finished};
-
-    fn folder(name: &str) -> Option<PathBuf> {
-        let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/meshes")).join(name);
-        if !path.is_dir() {
-            eprintln!("skipped: {} is not there", path.display());
-            return None;
-        }
-        Some(path)
-    }
-
-    fn read(folder: &std::path::Path, name: &str) -> Soup {
-        let bytes = fs::read(folder.join(name)).expect("a shared mesh");
-        heatwalk::io::read(name, &bytes, &|uri| fs::read(folder.join(uri)).ok()).expect("a readable mesh")
-    }
-
-    /// One-dimensional float64 array: ten bytes of magic, version and header length, a header, then the values.
-    fn read_npy(bytes: &[u8]) -> Vec<f64> {
-        let header = u16::from_le_bytes([bytes[8], bytes[9]]) as usize;
-        let values = bytes[10 + header..].chunks_exact(8);
-        values.map(|chunk| f64::from_le_bytes(chunk.try_into().expect("eight bytes"))).collect()
-    }
 
     /// Against the exact distances of pygeodesic (Kirsanov's implementation of Mitchell, Mount, Papadimitriou).
     fn check(mesh: &str, sources: [usize; 2]) {
-        let Some(folder) = folder("exact") else { return };
-        let soup = read(&folder, &format!("{mesh}.off"));
+        let Some(folder) = shared_meshes("exact") else { return };
+        let soup = read_mesh(&folder.join(format!("{mesh}.off")));
         let surface = Arc::new(Surface::build(&soup).expect("a usable mesh"));
         for source in sources {
-            let exact = read_npy(&fs::read(folder.join(format!("{mesh}.src{source}.npy"))).expect("distances"));
+            let exact = read_npy(&folder.join(format!("{mesh}.src{source}.npy")));
             let source = surface.point_of_input[source].expect("a used vertex");
             let sources = [(SurfacePoint::Vertex(source), 0.0)];
             let wavefront = finished(&surface, &sources, &[]);
@@ -356,7 +334,7 @@ mod shared {
     /// Meshes with cuts, edges of three faces, slivers and loose pieces.
     #[test]
     fn messy_meshes() {
-        let Some(folder) = folder("table1") else { return };
+        let Some(folder) = shared_meshes("table1") else { return };
         for name in [
             "bague.off",
             "cow.off",
@@ -369,7 +347,7 @@ mod shared {
             "sphere3.glb",
             "triceratops.off",
         ] {
-            let surface = Arc::new(Surface::build(&read(&folder, name)).expect("a usable mesh"));
+            let surface = Arc::new(Surface::build(&read_mesh(&folder.join(name))).expect("a usable mesh"));
             let mut seed = 41;
             let sources = [(SurfacePoint::Vertex(random(&mut seed, surface.point_count()) as u32), 0.0)];
             let wavefront = finished(&surface, &sources, &[]);

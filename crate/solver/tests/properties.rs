@@ -7,13 +7,14 @@ mod common;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use common::shortness::{check_valid, largest_kink, sharpest_turn};
 use common::{band, book, square};
 use glam::DVec3;
-use heatwalk::exact::exact_distance;
+use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
     Boundary, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
-    SurfacePoint, TimeStep, shapes,
+    SurfacePoint, TimeStep, descend, shapes, straighten,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -241,4 +242,44 @@ fn the_near_field_is_exact_and_refining_ends_at_exact() {
         prop_assert!(refined.values.iter().zip(&exact).all(|(value, exact)| same(*value, *exact)));
         Ok(())
     });
+}
+
+#[test]
+fn paths_arrive_and_are_locally_shortest() {
+    check(100, &(any_soup(), any_places(), any_places()), |(soup, places, starts)| {
+        let surface = surface_of(&soup)?;
+        let sources = points(&surface, &places);
+        let solver = solver(&surface, Parameters::default());
+        let distance = solver.distance(&sources).expect("valid sources");
+        for from in points(&surface, &starts) {
+            let shortest = match shortest_path(&surface, solver.exact_geometry(), from, &sources) {
+                Ok(path) => path,
+                Err(error) => {
+                    prop_assert_eq!(&error, &Error::Unreachable);
+                    prop_assert_eq!(descend(&surface, &distance, from), Err(Error::Unreachable));
+                    continue;
+                }
+            };
+            let descent = descend(&surface, &distance, from).expect("reachable");
+            let straight = straighten(&surface, &descent);
+            prop_assert!(straight.length() <= descent.length());
+            // Rounding of some hundred pieces.
+            prop_assert!(straight.length() >= shortest.length() * (1.0 - 1e-9) - 1e-12);
+            for path in [&shortest, &descent, &straight] {
+                check_valid(&surface, path);
+                let end = path.points[path.points.len() - 1].position;
+                let misses = |source: &SurfacePoint| source.position(&surface).distance(end) > 1e-9;
+                prop_assert!(!sources.iter().all(misses), "{end} is no source");
+            }
+            // The thinnest triangles here are a millionth of their length high: directions near them are known to
+            // 10⁻⁸, and what is straight to 10⁻⁷ is left as it is.
+            prop_assert!(sharpest_turn(&surface, &straight) >= std::f64::consts::PI - 1e-6);
+            prop_assert!(largest_kink(&surface, &straight) < 1e-8);
+        }
+        Ok(())
+    });
+}
+
+fn points(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<SurfacePoint> {
+    sources(surface, places).iter().map(|source| source.point).collect()
 }

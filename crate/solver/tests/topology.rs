@@ -168,17 +168,34 @@ fn touching_fans_share_a_point() {
 }
 
 #[test]
-fn sheets_that_only_touch_stay_apart() {
-    // Two fans at one place: joined where the file joins them, apart where it does not.
+fn sheets_that_touch_are_no_short_cut() {
+    // A strip of triangles bent to a ring whose two ends meet in one corner.
+    let count = 12;
+    let mut positions = Vec::new();
+    for step in 0..=count {
+        let angle = std::f64::consts::TAU * f64::from(step) / f64::from(count);
+        let inside = DVec3::new(angle.cos(), angle.sin(), 0.0);
+        // The last step comes back to the first inner position, but not to the first outer one.
+        let outside = inside * 2.0 + DVec3::Z * 0.1 * f64::from(step);
+        positions.extend([if step == count { DVec3::X } else { inside }, outside]);
+    }
+    let quads = (0..count).map(|step| 2 * step);
+    let triangles: Vec<[u32; 3]> = quads.flat_map(|i| [[i, i + 1, i + 3], [i, i + 3, i + 2]]).collect();
+    let ring = checked(&soup(positions.clone(), triangles.clone()));
+    assert_eq!((ring.report.components, ring.point_count(), ring.report.welded_vertices), (1, 26, 0));
+    let (solver, distance) = distance_from(&soup(positions.clone(), triangles.clone()), 0);
+    let end = solver.surface().point_of_input[2 * count as usize].expect("used");
+    assert!(distance.values[end as usize] > 5.0, "all the way around");
+    // Joined where the file joins them.
+    let closed = triangles.iter().map(|triangle| triangle.map(|vertex| if vertex == 2 * count { 0 } else { vertex }));
+    assert_eq!(checked(&soup(positions, closed.collect())).point_count(), 25);
+}
+
+#[test]
+fn a_touch_that_holds_pieces_together_is_kept() {
     let positions = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (0.0, 0.0)]);
-    let joined = checked(&soup(positions.clone(), vec![[0, 1, 2], [0, 3, 4]]));
-    assert_eq!((joined.report.components, joined.point_count()), (1, 5));
-    let apart = checked(&soup(positions, vec![[0, 1, 2], [5, 3, 4]]));
-    assert_eq!((apart.report.components, apart.point_count(), apart.report.welded_vertices), (2, 6, 0));
-    // A seam down to the same place joins by its edge, though the file has a vertex for each side.
-    let positions = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1.0, 1.0)]);
-    let seam = checked(&soup(positions, vec![[0, 1, 2], [4, 5, 3]]));
-    assert_eq!((seam.report.components, seam.point_count(), seam.report.welded_vertices), (1, 4, 2));
+    let two_fans = checked(&soup(positions, vec![[0, 1, 2], [5, 3, 4]]));
+    assert_eq!((two_fans.report.components, two_fans.point_count(), two_fans.report.welded_vertices), (1, 5, 1));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Between the drawn vertices that the page knows and the points that the solver knows.
 
 use heatwalk::halfedge::Face;
-use heatwalk::{DrawMesh as Mesh, Surface, SurfacePoint, draw_mesh};
+use heatwalk::{DrawMesh as Mesh, Source, Surface, SurfacePoint, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -37,16 +37,25 @@ impl Drawn {
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
     /// which are those of the surface's face.
     pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint, JsError> {
-        let number = |key: &str| Reflect::get(place, &key.into()).ok().and_then(|value| value.as_f64());
-        if let Some(vertex) = number("vertex") {
+        if let Some(vertex) = number(place, "vertex") {
             let vertex = vertex as usize;
             let point = surface.point_of_input.get(vertex).copied().flatten();
             let absent = || heatwalk::Error::BadVertex { vertex, problem: "is on no triangle of the surface".into() };
             return Ok(SurfacePoint::Vertex(point.ok_or_else(absent)?));
         }
-        let face = number("face").ok_or_else(|| JsError::new("a place is a vertex or a face with three weights"))?;
+        let face =
+            number(place, "face").ok_or_else(|| JsError::new("a place is a vertex or a face with three weights"))?;
         let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
         let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
         Ok(SurfacePoint::Face { face: Face(face as u32), weights })
     }
+
+    /// Reads a place and its `offset`, the value that distances start from there; 0 when absent.
+    pub fn source(&self, surface: &Surface, place: &JsValue) -> Result<Source, JsError> {
+        Ok(Source { point: self.point(surface, place)?, offset: number(place, "offset").unwrap_or(0.0) })
+    }
+}
+
+fn number(object: &JsValue, key: &str) -> Option<f64> {
+    Reflect::get(object, &key.into()).ok().and_then(|value| value.as_f64())
 }

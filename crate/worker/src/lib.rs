@@ -1,25 +1,27 @@
 //! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
 //! The objects follow the way of the data: a [`MeshFile`] is read, a [`WalkedSurface`] is built from some of its parts,
-//! a [`Solver`] factors it and answers.
+//! a [`solver::Solver`] factors it and answers.
 
 #![cfg(target_arch = "wasm32")]
 
 mod drawn;
+mod field;
+mod parameters;
 mod results;
+mod solver;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::heat::{Boundary, HeatSolver, Parameters, Stage};
 use heatwalk::soup::Soup;
-use heatwalk::{Distance, Surface, io, path, shapes};
-use js_sys::{Array, Function, Uint8Array};
+use heatwalk::{Surface, io, shapes};
+use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::results::{DrawMesh, Report, SurfacePath};
+use crate::results::{DrawMesh, Report};
+use crate::solver::Solver;
 
 /// Makes a panic readable in the browser's console.
 #[wasm_bindgen(start)]
@@ -128,76 +130,7 @@ impl WalkedSurface {
     }
 
     /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
-    pub fn factor(&self, time_factor: f64, boundary: &str, progress: &Function) -> Result<Solver, JsError> {
-        let parameters = parameters(time_factor, boundary)?;
-        let solver = HeatSolver::new(Arc::clone(&self.surface), parameters, &mut reporter(progress))?;
-        Ok(Solver { solver, drawn: Arc::clone(&self.drawn), distance: None })
-    }
-}
-
-/// The factors of a surface, and the distance field solved last.
-#[wasm_bindgen]
-pub struct Solver {
-    solver: HeatSolver,
-    drawn: Arc<Drawn>,
-    distance: Option<Distance>,
-}
-
-#[wasm_bindgen]
-impl Solver {
-    /// Factors again what the change needs.
-    pub fn configure(&mut self, time_factor: f64, boundary: &str, progress: &Function) -> Result<(), JsError> {
-        self.solver.set_parameters(parameters(time_factor, boundary)?, &mut reporter(progress)).map_err(JsError::from)
-    }
-
-    /// Stored entries of all Cholesky factors together.
-    pub fn factor_nonzeros(&self) -> f64 {
-        self.solver.factor_nonzeros() as f64
-    }
-
-    /// Distance to the nearest of `sources`, one value a drawn vertex, infinite where none can be reached.
-    pub fn solve(&mut self, sources: &Array) -> Result<Vec<f32>, JsError> {
-        let sources = sources.iter().map(|source| self.drawn.point(self.solver.surface(), &source));
-        let sources = sources.collect::<Result<Vec<_>, _>>()?;
-        let distance = self.solver.distance(&sources)?;
-        let values = self.drawn.spread(&distance.values);
-        self.distance = Some(distance);
-        Ok(values)
-    }
-
-    /// Largest finite distance of the last field.
-    pub fn max_distance(&self) -> f64 {
-        self.distance.as_ref().map_or(0.0, Distance::max)
-    }
-
-    /// Vertices that no source of the last field reaches.
-    pub fn unreachable_vertices(&self) -> u32 {
-        self.distance.as_ref().map_or(0, |distance| distance.unreachable() as u32)
-    }
-
-    /// The way from a point down the last field to its nearest source.
-    pub fn path(&self, from: &JsValue) -> Result<SurfacePath, JsError> {
-        let distance = self.distance.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let surface = self.solver.surface();
-        let from = self.drawn.point(surface, from)?;
-        Ok(SurfacePath::of(&path::descend(surface, distance, from)?))
-    }
-}
-
-fn parameters(time_factor: f64, boundary: &str) -> Result<Parameters, JsError> {
-    let boundary = match boundary {
-        "neumann" => Boundary::Neumann,
-        "dirichlet" => Boundary::Dirichlet,
-        "average" => Boundary::Average,
-        other => return Err(JsError::new(&format!("there is no boundary condition '{other}'"))),
-    };
-    Ok(Parameters { time_step: heatwalk::TimeStep::Factor(time_factor), boundary, ..Parameters::default() })
-}
-
-/// Passes the stages on to the page. What the page does with them is no reason to stop.
-fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
-    move |stage, fraction| {
-        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
-        ControlFlow::Continue(())
+    pub fn factor(&self, parameters: &JsValue, progress: &Function) -> Result<Solver, JsError> {
+        Solver::new(&self.surface, &self.drawn, parameters, progress)
     }
 }

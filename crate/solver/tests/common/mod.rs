@@ -1,6 +1,10 @@
 //! Small shapes and measures for the solver's tests.
 #![allow(dead_code, reason = "each test binary uses some of it")]
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod shared;
+pub mod shortness;
+
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -110,13 +114,6 @@ pub fn distance_from(soup: &Soup, point: u32) -> (HeatSolver, Distance) {
     let solver = solver(soup, 1.0, Boundary::Neumann);
     let distance = solver.distance(&[SurfacePoint::Vertex(point)]).expect("a valid source");
     (solver, distance)
-}
-
-/// Mean over points of |value − exact| / exact where exact > 0, as the peers measure it.
-pub fn mean_error(values: &[f64], exact: &[f64]) -> f64 {
-    let errors = values.iter().zip(exact).filter(|&(_, &exact)| exact > 0.0);
-    let errors: Vec<f64> = errors.map(|(value, exact)| (value - exact).abs() / exact).collect();
-    errors.iter().sum::<f64>() / errors.len() as f64
 }
 
 /// The point nearest to a position.

@@ -1,0 +1,91 @@
+//! Paths between 2000 random pairs of vertices of each mesh given, as a Markdown table: whether they arrive, how much
+//! longer than exact they are before and after straightening, and whether they end up locally shortest.
+//!
+//! `cargo run --release -p heatwalk --example paths -- MESH...`
+
+#[path = "../tests/common/shortness.rs"]
+mod shortness;
+
+use std::error::Error;
+use std::f64::consts::PI;
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use heatwalk::exact::exact_distance;
+use heatwalk::{HeatSolver, Parameters, Surface, SurfacePoint, descend, io, straighten};
+
+const SOURCES: usize = 40;
+const STARTS_PER_SOURCE: usize = 50;
+
+/// A path counts as locally shortest when no vertex can be passed by an angle smaller than π by more than this, and it
+/// runs beside no straight line by more than this in mean edges.
+const TOLERANCE: f64 = 1e-6;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!(
+        "| mesh | arrived | shortest / exact | excess before, median / 95 % / max | after | locally shortest | ms |"
+    );
+    println!("|---|---|---|---|---|---|---|");
+    for path in std::env::args().skip(1) {
+        measure(Path::new(&path))?;
+    }
+    Ok(())
+}
+
+fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?;
+    let surface = Arc::new(Surface::build(&soup)?);
+    let go_on = |_, _| ControlFlow::Continue(());
+    let solver = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut { go_on })?;
+    // Knuth's 64-bit linear congruential generator: the same pairs at every run.
+    let mut state = 1_u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 33) % surface.point_count() as u64) as u32
+    };
+    let (mut pairs, mut arrived, mut shortest) = (0, 0, 0);
+    let (mut least, mut milliseconds) = (f64::INFINITY, 0.0);
+    let mut excesses = [Vec::new(), Vec::new()];
+    for _ in 0..SOURCES {
+        let source = SurfacePoint::Vertex(random());
+        let exact = exact_distance(&surface, &[source], &mut |_| ControlFlow::Continue(()))?;
+        let distance = solver.distance(&[source])?;
+        for _ in 0..STARTS_PER_SOURCE {
+            let from = random();
+            let exact = exact[from as usize];
+            if !(exact.is_finite() && exact > 0.0) {
+                continue;
+            }
+            pairs += 1;
+            let start = Instant::now();
+            let descent = descend(&surface, &distance, SurfacePoint::Vertex(from))?;
+            let straight = straighten(&surface, &descent);
+            milliseconds += start.elapsed().as_secs_f64() * 1e3;
+            shortness::check_valid(&surface, &straight);
+            let end = straight.points[straight.points.len() - 1].position;
+            arrived += usize::from(end == source.position(&surface));
+            let is_straight = shortness::largest_kink(&surface, &straight) < TOLERANCE;
+            shortest += usize::from(is_straight && shortness::sharpest_turn(&surface, &straight) > PI - TOLERANCE);
+            for (excess, path) in excesses.iter_mut().zip([&descent, &straight]) {
+                excess.push(100.0 * (path.length() / exact - 1.0));
+                least = least.min(path.length() / exact);
+            }
+        }
+    }
+    let [before, after] = excesses.map(|mut excess| {
+        excess.sort_by(f64::total_cmp);
+        let at = |share: f64| excess[((excess.len() - 1) as f64 * share) as usize];
+        format!("{:.4} / {:.2} / {:.1} %", at(0.5), at(0.95), at(1.0))
+    });
+    println!(
+        "| {name} | {arrived} of {pairs} | 1 − {:.1e} | {before} | {after} | {shortest} | {:.2} |",
+        1.0 - least,
+        milliseconds / f64::from(pairs)
+    );
+    Ok(())
+}

@@ -1,0 +1,141 @@
+//! A factored surface that answers questions, and the field solved last.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use heatwalk::heat::{HeatSolver, Refinement, Stage};
+use heatwalk::{Distance, RelativeError, Source, Surface, descend, exact, straighten};
+use js_sys::{Array, Function};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::field::Field;
+use crate::parameters::parameters;
+use crate::results::SurfacePath;
+
+/// The factors of a surface, and the distance field solved last.
+#[wasm_bindgen]
+pub struct Solver {
+    solver: HeatSolver,
+    drawn: Arc<Drawn>,
+    solved: Option<Solved>,
+}
+
+struct Solved {
+    sources: Vec<Source>,
+    distance: Distance,
+    /// Absent before the first step and after the last.
+    refining: Option<Refining>,
+    error: Option<RelativeError>,
+}
+
+struct Refining {
+    refinement: Refinement,
+    /// The values before the first step, to be compared with the exact ones.
+    instant: Vec<f64>,
+}
+
+impl Solver {
+    pub(crate) fn new(
+        surface: &Arc<Surface>,
+        drawn: &Arc<Drawn>,
+        given: &JsValue,
+        progress: &Function,
+    ) -> Result<Self, JsError> {
+        let solver = HeatSolver::new(Arc::clone(surface), parameters(given)?, &mut reporter(progress))?;
+        Ok(Self { solver, drawn: Arc::clone(drawn), solved: None })
+    }
+
+    fn solved(&self) -> Result<&Solved, JsError> {
+        self.solved.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
+    }
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Factors again what the change needs, and forgets the field.
+    pub fn configure(&mut self, given: &JsValue, progress: &Function) -> Result<(), JsError> {
+        self.solver.set_parameters(parameters(given)?, &mut reporter(progress))?;
+        self.solved = None;
+        Ok(())
+    }
+
+    /// Stored entries of all Cholesky factors together.
+    pub fn factor_nonzeros(&self) -> f64 {
+        self.solver.factor_nonzeros() as f64
+    }
+
+    /// Distance to the nearest of `sources`.
+    pub fn solve(&mut self, sources: &Array) -> Result<Field, JsError> {
+        let sources = sources.iter().map(|source| self.drawn.source(self.solver.surface(), &source));
+        let sources = sources.collect::<Result<Vec<_>, _>>()?;
+        let distance = self.solver.distance(&sources)?;
+        let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
+        self.solved = Some(Solved { sources, distance, refining: None, error: None });
+        Ok(field)
+    }
+
+    /// Makes the last field exact by about `work` windows further from the sources; once all is exact, nothing changes.
+    pub fn refine(&mut self, work: u32) -> Result<Field, JsError> {
+        let solved = self.solved.as_mut().ok_or(heatwalk::Error::NoSource)?;
+        if solved.distance.exact_below < f64::INFINITY {
+            let mut refining = match solved.refining.take() {
+                Some(refining) => refining,
+                None => Refining {
+                    refinement: self.solver.refine(&solved.sources)?,
+                    instant: solved.distance.values.clone(),
+                },
+            };
+            solved.distance = refining.refinement.step(&self.solver, work as usize)?;
+            if refining.refinement.is_done() {
+                solved.distance.exact_below = f64::INFINITY;
+                solved.error = Some(RelativeError::between(&refining.instant, &solved.distance.values));
+            } else {
+                solved.refining = Some(refining);
+            }
+        }
+        Ok(Field::of(&self.drawn, &solved.distance, self.solver.time_factor(), solved.error))
+    }
+
+    /// The way from a point to its nearest source: "descent" of the last field, the same made "straight", or "exact".
+    pub fn path(&self, from: &JsValue, kind: &str) -> Result<SurfacePath, JsError> {
+        let solved = self.solved()?;
+        let surface = self.solver.surface();
+        let from = self.drawn.point(surface, from)?;
+        let path = match kind {
+            "descent" => descend(surface, &solved.distance, from)?,
+            "straight" => straighten(surface, &descend(surface, &solved.distance, from)?),
+            "exact" => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
+            other => return Err(JsError::new(&format!("there is no way home '{other}'"))),
+        };
+        Ok(SurfacePath::of(&path))
+    }
+
+    /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", of the last field.
+    pub fn gradients(&self, kind: &str) -> Result<Vec<f32>, JsError> {
+        let solved = self.solved()?;
+        let surface = self.solver.surface();
+        let vectors = match kind {
+            "heat" => solved.distance.heat_directions(surface),
+            "distance" => solved.distance.gradients(surface),
+            other => return Err(JsError::new(&format!("there are no gradients of '{other}'"))),
+        };
+        Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
+    }
+
+    /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
+    pub fn heat(&self) -> Result<Vec<f32>, JsError> {
+        let heat = &self.solved()?.distance.heat;
+        let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let logarithms: Vec<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
+        Ok(self.drawn.spread(&logarithms))
+    }
+}
+
+/// Passes the stages on to the page. What the page does with them is no reason to stop.
+fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
+    move |stage, fraction| {
+        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
+        ControlFlow::Continue(())
+    }
+}

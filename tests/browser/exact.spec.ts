@@ -1,0 +1,154 @@
+import { grid, off, sphere } from '../fixtures';
+import { expect, type HeatwalkPage, test } from '../page';
+
+const N = 24;
+const GRID = off(grid(N));
+const at = (i: number, j: number) => i + (N + 1) * j;
+const SOURCE = at(6, 8);
+/** Of values near 1 in 32-bit floats. */
+const ROUNDING = 1e-6;
+
+/** The largest difference between the distances shown and those in the plane, over all vertices. */
+function largestError(heatwalk: HeatwalkPage, [x, y]: readonly [number, number], start = 0): Promise<number> {
+  return heatwalk.page.evaluate(
+    ([n, sourceX, sourceY, value]) => {
+      let worst = 0;
+      for (let j = 0; j <= n; j++) {
+        for (let i = 0; i <= n; i++) {
+          const exact = value + Math.hypot(i / n - sourceX, j / n - sourceY);
+          const shown = window.heatwalk.distanceAt({ vertex: i + (n + 1) * j });
+          worst = Math.max(worst, Math.abs(shown - exact));
+        }
+      }
+      return worst;
+    },
+    [N, x, y, start] as const,
+  );
+}
+
+test('instant, then exact: on a flat grid every distance becomes that of the plane', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&w=${at(20, 22)}&near=0`);
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('exact');
+  expect(await heatwalk.field()).toMatchObject({ exactBelow: Infinity, exactShare: 1 });
+  expect(await largestError(heatwalk, [6 / N, 8 / N])).toBeLessThan(ROUNDING);
+  await expect(page.locator('.heading')).toContainText(/exact$/);
+
+  const { error } = await heatwalk.field();
+  if (!error) throw new Error('nothing to compare with');
+  expect(error.mean).toBeGreaterThan(0);
+  expect(error.max).toBeGreaterThan(error.mean);
+  // Next to the source heat alone is off by 15 to 20 %.
+  expect(error.max).toBeLessThan(0.5);
+  await page.locator('#section-solver > summary').click();
+  await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
+    /^Exact\. Heat was off by [\d.]+ % on average, [\d.]+ % at most\.$/,
+  );
+});
+
+test('refining can be switched off and on', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&near=0&refine=0`);
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('off');
+  const { exactBelow, refineMs } = await heatwalk.field();
+  expect([exactBelow, refineMs]).toEqual([0, 0]);
+  const instant = await largestError(heatwalk, [6 / N, 8 / N]);
+  expect(instant).toBeGreaterThan(ROUNDING);
+  expect(instant).toBeLessThan(0.1);
+
+  const solves = await heatwalk.solves();
+  await page.locator('#section-solver > summary').click();
+  await page.getByRole('switch', { name: 'Refine to exact' }).check();
+  await heatwalk.settled();
+  expect((await heatwalk.field()).refineMs).toBeGreaterThan(0);
+  expect(await heatwalk.solves()).toBe(solves);
+  await expect(page).not.toHaveURL(/refine=/);
+  expect(await heatwalk.refining()).toBe('exact');
+});
+
+test('a source that moves ends the refinement, and the new field is refined', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('ball.off', off(sphere(110)), 's=0&near=0');
+  await heatwalk.settled();
+  const solves = await heatwalk.solves();
+  // In one go on the page, because a refinement lasts no longer than a few messages of the test.
+  const seen = await page.evaluate(async () => {
+    const phases: string[] = [];
+    const note = () => phases.push(window.heatwalk.refining);
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+    note();
+    while (['solving', 'resting'].includes(window.heatwalk.refining))
+      await new Promise((resolve) => setTimeout(resolve));
+    note();
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, bubbles: true }));
+    note();
+    await window.heatwalk.settled();
+    note();
+    return phases;
+  });
+  expect(seen).toEqual(['solving', 'refining', 'solving', 'exact']);
+  expect(await heatwalk.solves()).toBe(solves + 2);
+  expect((await heatwalk.scene()).sources).toEqual([{ vertex: 0 }]);
+  expect(await heatwalk.distanceAt({ vertex: 0 })).toBe(0);
+  // Straight down the meridians of 110 rings, whose chords are a little shorter than their arcs.
+  expect((await heatwalk.field()).maxDistance).toBeCloseTo(Math.PI, 3);
+});
+
+test('a drag is followed by heat alone and refined when the hand lets go', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await heatwalk.settled();
+  const [x, y] = await heatwalk.pixelOf((await heatwalk.scene()).sources[0]);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y + 10, { steps: 3 });
+  const solves = await heatwalk.solves();
+  await page.mouse.move(x + 30, y + 10);
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+  // Longer than a rest takes.
+  await page.waitForTimeout(600);
+  expect(await heatwalk.refining()).toBe('solving');
+  expect((await heatwalk.field()).refineMs).toBe(0);
+  await page.mouse.up();
+  await heatwalk.settled();
+  expect((await heatwalk.field()).refineMs).toBeGreaterThan(0);
+});
+
+test('sending the walker keeps what refining has reached', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&w=${at(20, 22)}`);
+  await heatwalk.settled();
+  const before = await heatwalk.field();
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...(await heatwalk.pixelOnModel(0.05, 0.05)));
+  await page.keyboard.up('Alt');
+  await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
+  await heatwalk.settled();
+  expect(await heatwalk.field()).toEqual(before);
+  expect(await heatwalk.refining()).toBe('exact');
+});
+
+test('a source starts from the value that is typed', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}`);
+  const start = page.getByRole('spinbutton', { name: 'Starting value of source 1' });
+  await expect(start).toHaveValue('0');
+  await start.fill('0.25');
+  await expect(page).toHaveURL(new RegExp(`s=${SOURCE}@0.25`));
+  await expect.poll(() => heatwalk.distanceAt({ vertex: SOURCE })).toBe(0.25);
+  await heatwalk.settled();
+  expect(await largestError(heatwalk, [6 / N, 8 / N], 0.25)).toBeLessThan(ROUNDING);
+
+  await start.fill('-1');
+  await start.blur();
+  await expect(start).toHaveValue('0.25');
+  await page.keyboard.press('Control+z');
+  await expect(start).toHaveValue('0');
+  await expect.poll(() => heatwalk.distanceAt({ vertex: SOURCE })).toBe(0);
+});
+
+test('starting values decide which source is nearer', async ({ heatwalk }) => {
+  // Between two sources 1 apart, the second of which starts at 0.5, the border lies at three quarters.
+  await heatwalk.openFile('grid.off', GRID, `s=${at(0, 0)},${at(N, 0)}@0.5`);
+  await heatwalk.settled();
+  const distance = (i: number) => heatwalk.distanceAt({ vertex: at(i, 0) });
+  expect(await distance((3 * N) / 4)).toBeCloseTo(0.75, 5);
+  expect(await distance(N)).toBeCloseTo(0.5, 5);
+});

@@ -1,0 +1,128 @@
+import { grid, off } from '../fixtures';
+import { expect, test } from '../page';
+
+const N = 24;
+const GRID = off(grid(N));
+const at = (i: number, j: number) => i + (N + 1) * j;
+
+for (const [option, expected] of [
+  ['op=plain', { operator: 'plain' }],
+  ['op=relocate', { operator: 'relocate' }],
+  ['solver=cg', { solver: 'cg' }],
+  ['t=4', { timeFactor: 4 }],
+  ['b=dirichlet', { boundary: 'dirichlet' }],
+  ['b=average', { boundary: 'average' }],
+  ['multi=superposed', { multi: 'superposed' }],
+  ['near=8', { nearField: 8 }],
+] as const) {
+  test(`${option} reaches the solver and comes back in the link`, async ({ heatwalk, page }) => {
+    await heatwalk.openFile(
+      'grid.off',
+      GRID,
+      `s=${at(3, 4)},${at(20, 20)}&refine=0&near=0&${option}`.replace(/near=0&(near=8)/, '$1'),
+    );
+    expect((await heatwalk.scene()).parameters).toMatchObject(expected);
+    const { maxDistance, timeFactor, exactBelow } = await heatwalk.field();
+    // The farthest corner, (1, 0), is 0.85 from both; heat smears by some edges.
+    expect(maxDistance).toBeGreaterThan(0.7);
+    expect(maxDistance).toBeLessThan(1);
+    if ('timeFactor' in expected) expect(timeFactor).toBe(expected.timeFactor);
+    expect(exactBelow > 0).toBe('nearField' in expected);
+    await expect(page.getByRole('alert')).toBeEmpty();
+    await page.keyboard.press('ArrowLeft');
+    await expect(page).toHaveURL(new RegExp(`[&]${option}(&|$)`));
+  });
+}
+
+test('every choice of the panel is taken, solved and in the link', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)},${at(20, 20)}&w=${at(20, 2)}&refine=0`);
+  await page.locator('#section-solver > summary').click();
+  await page.getByText('More of the method').click();
+  for (const [label, values, key] of [
+    ['Boundary', ['dirichlet', 'average'], 'b'],
+    ['Multi-source', ['superposed'], 'multi'],
+    ['Operator', ['plain', 'relocate'], 'op'],
+    ['Linear solver', ['cg'], 'solver'],
+  ] as const) {
+    for (const value of values) {
+      const solves = await heatwalk.solves();
+      await page.getByLabel(label).selectOption(value);
+      await expect.poll(() => heatwalk.solves(), `${label} ${value}`).toBeGreaterThan(solves);
+      await expect(page).toHaveURL(new RegExp(`[&]${key}=${value}`));
+    }
+  }
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('the time factor and the near field can be left to the solver', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&refine=0`);
+  await page.locator('#section-solver > summary').click();
+  await page.getByText('More of the method').click();
+  const chosen = (await heatwalk.field()).timeFactor;
+  const auto = page.getByRole('button', { name: 'Time factor m, automatic' });
+  await expect(auto).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('.field', { hasText: 'Time factor m' }).locator('.value')).toHaveText(`${Number(chosen.toPrecision(2))}`);
+  await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
+  await expect(auto).toHaveAttribute('aria-pressed', 'false');
+  await expect.poll(async () => (await heatwalk.field()).timeFactor).toBe(10);
+  await auto.click();
+  await expect.poll(async () => (await heatwalk.field()).timeFactor).toBe(chosen);
+  await expect(page).not.toHaveURL(/[&]t=/);
+
+  await page.getByRole('slider', { name: 'Near field' }).fill('0');
+  await expect(page).toHaveURL(/near=0/);
+  await expect.poll(async () => (await heatwalk.field()).exactBelow).toBe(0);
+  await page.getByRole('button', { name: 'Near field, automatic' }).click();
+  expect((await heatwalk.scene()).parameters.nearField).toBe('auto');
+});
+
+test('the way home goes by steepest descent, straightened or exact', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&w=${at(21, 17)}&refine=0&near=0`);
+  await page.locator('#section-solver > summary').click();
+  const solves = await heatwalk.solves();
+  const lengths: Record<string, number> = {};
+  for (const kind of ['straight', 'exact', 'descent']) {
+    await page.getByLabel('Way home').selectOption(kind);
+    await heatwalk.settled();
+    const walker = await page.evaluate(() => window.heatwalk.walker);
+    expect(walker?.kind).toBe(kind);
+    lengths[kind] = walker?.length ?? 0;
+    if (kind === 'exact') await expect(page).toHaveURL(/way=exact/);
+  }
+  // Another way over the same field needs no other field.
+  expect(await heatwalk.solves()).toBe(solves);
+  const straight = Math.hypot(18, 13) / N;
+  expect(lengths['exact']).toBeCloseTo(straight, 5);
+  expect(lengths['straight']).toBeCloseTo(straight, 3);
+  expect(lengths['descent']).toBeGreaterThanOrEqual(straight - 1e-5);
+  expect(lengths['descent']).toBeLessThan(1.1 * straight);
+});
+
+test('gradients and heat can be asked for', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&refine=0&near=0`);
+  const seen = await page.evaluate(async () => {
+    const { heatwalk: face } = window;
+    const [heat, distance, logarithm] = [
+      await face.gradients('heat'),
+      await face.gradients('distance'),
+      await face.heat(),
+    ];
+    let [along, worst] = [0, 0];
+    for (let i = 0; i < heat.length; i += 3) {
+      const dot = heat[i] * distance[i] + heat[i + 1] * distance[i + 1] + heat[i + 2] * distance[i + 2];
+      along += dot / (heat.length / 3);
+      worst = Math.max(worst, Math.abs(Math.hypot(heat[i], heat[i + 1], heat[i + 2]) - 1));
+    }
+    return { faces: heat.length / 3, same: heat.length === distance.length, along, worst, logarithm: [...logarithm] };
+  });
+  expect(seen.faces).toBe(2 * N * N);
+  expect(seen.same).toBe(true);
+  expect(seen.worst).toBeLessThan(1e-6);
+  // Heat points to the source, distance away from it.
+  expect(seen.along).toBeLessThan(-0.9);
+  expect(seen.along).toBeGreaterThan(-1.1);
+  expect(seen.logarithm).toHaveLength((N + 1) ** 2);
+  expect(seen.logarithm[at(3, 4)]).toBe(0);
+  expect(Math.max(...seen.logarithm)).toBe(0);
+  expect(seen.logarithm[at(N, N)]).toBeLessThan(-2);
+});

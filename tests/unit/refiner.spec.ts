@@ -1,0 +1,125 @@
+import { expect, test } from '@playwright/test';
+import type { Answer, Engine } from '../../web/engine';
+import type { DistanceField, PathKind, SurfacePath } from '../../web/protocol';
+import { MOST_TRIANGLES, type Phase, Refiner } from '../../web/refiner';
+import { emptyScene } from '../../web/scene';
+import { until } from '../../web/signal';
+
+const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
+const WAY: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
+
+function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
+  const field: DistanceField = {
+    distance: new Float32Array(),
+    maxDistance: 1,
+    unreachableVertices: 0,
+    exactBelow,
+    exactShare: 0,
+    timeFactor: 1,
+    error: null,
+    solveMs: 1,
+    refineMs: 0,
+  };
+  const question = { sources: [{ vertex: 0 }], parameters: STATE.parameters, from: { vertex: 1 }, way };
+  const timings = { readMs: 0, buildMs: 0, precomputeMs: 0 };
+  const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
+  return { question, field, path: WAY, pathKind: way === 'exact' ? 'straight' : way, pathMs: 0, factoring };
+}
+
+/** An engine whose slices reach as far as told; the last one again and again. */
+function engine(reach: readonly number[], triangles = 100): { engine: Engine; slices: () => number } {
+  let slices = 0;
+  const fake = {
+    opened: { report: { faces: triangles } },
+    refine: async (before: Answer) => {
+      const exactBelow = reach[Math.min(slices, reach.length - 1)];
+      slices += 1;
+      return { ...before, ...answer(exactBelow, before.question.way), pathKind: before.pathKind };
+    },
+    traceExactly: async (before: Answer) => ({ ...before, pathKind: 'exact' as const }),
+  };
+  return { engine: fake as unknown as Engine, slices: () => slices };
+}
+
+function refiner(): { refiner: Refiner; shown: Answer[]; phases: Phase[]; settled: () => Promise<void> } {
+  const shown: Answer[] = [];
+  const phases: Phase[] = [];
+  const made = new Refiner(
+    (better) => shown.push(better),
+    (error) => {
+      throw error;
+    },
+  );
+  made.phase.watch((phase) => phases.push(phase));
+  return { refiner: made, shown, phases, settled: () => until(() => made.settled, made.phase) };
+}
+
+const reached = (shown: readonly Answer[]) => shown.map(({ field }) => field?.exactBelow);
+
+test('rests, refines slice by slice and ends when everything is exact', async () => {
+  const { refiner: it, shown, phases, settled } = refiner();
+  const fake = engine([0.2, 0.6, Infinity]);
+  it.rest(fake.engine, answer(0), STATE);
+  await settled();
+  expect(phases).toEqual(['solving', 'resting', 'refining', 'exact']);
+  expect(reached(shown)).toEqual([0.2, 0.6, Infinity]);
+});
+
+test('slices that reach less far than the instant near field are not shown', async () => {
+  const { refiner: it, shown, settled } = refiner();
+  it.rest(engine([0.1, 0.2, 0.4, Infinity]).engine, answer(0.3), STATE);
+  await settled();
+  expect(reached(shown)).toEqual([0.4, Infinity]);
+});
+
+test('gives up after a few slices without progress', async () => {
+  const { refiner: it, settled } = refiner();
+  const fake = engine([0.2]);
+  it.rest(fake.engine, answer(0), STATE);
+  await settled();
+  expect(it.phase.value).toBe('stuck');
+  expect(fake.slices()).toBeLessThan(10);
+});
+
+test('a question ends it: nothing more is shown, no more slices are asked', async () => {
+  const { refiner: it, shown } = refiner();
+  const fake = engine(Array.from({ length: 1000 }, (_, i) => i + 1));
+  it.rest(fake.engine, answer(0), STATE);
+  await until(() => it.phase.value === 'refining', it.phase);
+  it.interrupt();
+  const [before, slices] = [shown.length, fake.slices()];
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect(shown).toHaveLength(before);
+  expect(fake.slices()).toBe(slices);
+  expect(it.settled).toBe(false);
+});
+
+test('a question while it rests is in time to prevent the first slice', async () => {
+  const { refiner: it } = refiner();
+  const fake = engine([Infinity]);
+  it.rest(fake.engine, answer(0), STATE);
+  it.interrupt();
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  expect(fake.slices()).toBe(0);
+});
+
+for (const [name, end, phase] of [
+  ['switched off', { ...STATE, refine: false }, 'off'],
+  ['a large mesh', STATE, 'large'],
+] as const) {
+  test(`${name}: not refined, and told so at once`, () => {
+    const { refiner: it } = refiner();
+    const fake = engine([Infinity], phase === 'large' ? MOST_TRIANGLES + 1 : 100);
+    it.rest(fake.engine, answer(0), end);
+    expect(it.phase.value).toBe(phase);
+    expect(fake.slices()).toBe(0);
+  });
+}
+
+test('the exact way home is traced at rest, also where the field is not refined', async () => {
+  const { refiner: it, shown, settled } = refiner();
+  it.rest(engine([]).engine, answer(0, 'exact'), { ...STATE, refine: false, way: 'exact' });
+  await settled();
+  expect(it.phase.value).toBe('off');
+  expect(shown.map(({ pathKind }) => pathKind)).toEqual(['exact']);
+});

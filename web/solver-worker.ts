@@ -1,0 +1,68 @@
+/** A worker of the solver, and the ways in which it can end. */
+import { type Remote, wrap } from 'comlink';
+import type { SolverApi } from './protocol';
+
+export class Cancelled extends Error {
+  constructor() {
+    super('Cancelled.');
+  }
+}
+
+/** The worker is gone: out of memory, or a defect. Nothing can be asked of this mesh until it is opened again. */
+export class WorkerLost extends Error {}
+
+/** One worker and the calls to it. */
+export class SolverWorker {
+  readonly #worker: Worker;
+  readonly #abort: (reason: Error) => void;
+  readonly #aborted: Promise<never>;
+  readonly api: Remote<SolverApi>;
+
+  constructor() {
+    this.#worker = new Worker(new URL('./solver.worker.ts', import.meta.url), { type: 'module' });
+    this.api = wrap<SolverApi>(this.#worker);
+    const { promise, reject } = Promise.withResolvers<never>();
+    this.#abort = reject;
+    this.#aborted = promise;
+    // Nobody need be waiting when a worker ends.
+    promise.catch(() => undefined);
+    this.#worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      this.end(new WorkerLost(event.message || 'The solver could not be started.'));
+    });
+  }
+
+  /** Comlink never settles the calls of a terminated worker, so every call races against the worker's end. */
+  async call<T>(answer: Promise<T>): Promise<T> {
+    try {
+      return await Promise.race([answer, this.#aborted]);
+    } catch (error) {
+      const wrapped = toError(error);
+      if (isTrap(wrapped)) {
+        this.end(wrapped);
+        throw new WorkerLost(trapSentence(wrapped), { cause: error });
+      }
+      throw wrapped;
+    }
+  }
+
+  end(reason: Error): void {
+    this.#worker.terminate();
+    this.#abort(reason);
+  }
+}
+
+function toError(thrown: unknown): Error {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
+}
+
+/** A wasm module that trapped must not be called again. */
+function isTrap(error: Error): boolean {
+  return error.name === 'RuntimeError' || error instanceof RangeError;
+}
+
+function trapSentence(error: Error): string {
+  return /memory|allocation/i.test(error.message)
+    ? 'The mesh needs more memory than the browser gives; try one with fewer triangles.'
+    : `The solver stopped unexpectedly (${error.message}).`;
+}
