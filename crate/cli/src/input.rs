@@ -5,9 +5,12 @@ use std::path::{Component, Path};
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{Soup, io};
+use heatwalk::{Soup, io, shapes};
 
 use crate::report::milliseconds;
+
+/// In place of a file: a shape by its name.
+const SHAPE: &str = "shape:";
 
 /// The chosen parts of a file.
 pub struct Input {
@@ -19,19 +22,26 @@ pub struct Input {
 }
 
 impl Input {
-    /// All of the file where no parts are given.
+    /// A file, or a shape made in code; all of it where no parts are given.
     pub fn read(path: &Path, parts: &[usize]) -> Result<Self> {
         let start = Instant::now();
-        let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
-        let file = io::read(&name, &bytes, &companion).with_context(|| path.display().to_string())?;
+        let file = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
+            Some(name) => shapes::by_name(name)?,
+            None => read_mesh(path)?,
+        };
         let read_ms = milliseconds(start);
         let all: Vec<usize> = (0..file.parts.len()).collect();
         let soup = file.select(if parts.is_empty() { &all } else { parts })?;
         Ok(Self { file, soup, read_ms })
     }
+}
+
+fn read_mesh(path: &Path) -> Result<Soup> {
+    let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
+    io::read(&name, &bytes, &companion).with_context(|| path.display().to_string())
 }
 
 /// Devices and pipes may never end, so only plain files are read.

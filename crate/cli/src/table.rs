@@ -32,7 +32,7 @@ struct Measured {
 
 pub fn table(arguments: &Table) -> Answer {
     let rows: Vec<(String, Result<Measured>)> =
-        arguments.meshes.iter().map(|path| (name(path), measure(path, arguments))).collect();
+        arguments.meshes.iter().map(|mesh| (name(mesh), measure(mesh, arguments))).collect();
     let failures = rows.iter().flat_map(|(_, measured)| sentences(measured)).collect();
     let text = if arguments.json { as_json(&rows) } else { as_markdown(&rows, arguments) };
     Answer { text, failures }
@@ -47,13 +47,20 @@ fn sentences(measured: &Result<Measured>) -> Vec<String> {
     errors.into_iter().flatten().map(|error| format!("{error:#}")).collect()
 }
 
-fn name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+fn name(mesh: &str) -> String {
+    Path::new(mesh).file_name().map_or_else(|| mesh.to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
-fn measure(path: &Path, arguments: &Table) -> Result<Measured> {
-    let input = Input::read(path, &[])?;
-    let (surface, build_ms) = build(&input).with_context(|| path.display().to_string())?;
+/// A file that exists is taken by its name, whatever that has after a `#`.
+fn path_and_parts(mesh: &str) -> (&str, Vec<usize>) {
+    let part = mesh.rsplit_once('#').and_then(|(path, part)| Some((path, vec![part.parse().ok()?])));
+    part.filter(|_| !Path::new(mesh).exists()).unwrap_or((mesh, Vec::new()))
+}
+
+fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
+    let (path, parts) = path_and_parts(mesh);
+    let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
+    let (surface, build_ms) = build(&input).with_context(|| mesh.to_owned())?;
     let source = SurfacePoint::Vertex(0).into();
     let exact = arguments.exact.then(|| exact::distances(&surface, &exact::geometry(&surface).0, &[source]));
     let figures = |linear_solver, sources| -> Result<Figures> {
@@ -66,7 +73,7 @@ fn measure(path: &Path, arguments: &Table) -> Result<Measured> {
         };
         Ok(Figures { precompute_ms: build_ms + factor_ms, solve_ms, error })
     };
-    let named = |figures: Result<Figures>| figures.with_context(|| path.display().to_string());
+    let named = |figures: Result<Figures>| figures.with_context(|| mesh.to_owned());
     Ok(Measured {
         triangles: surface.face_count(),
         iterated: named(figures(LinearSolver::ConjugateGradients, arguments.repeat.min(MOST_ITERATED))),

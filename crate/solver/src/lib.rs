@@ -42,6 +42,7 @@ pub mod sources;
 pub mod surface;
 mod touching;
 mod triangle;
+mod union_find;
 mod weld;
 
 pub use accuracy::RelativeError;

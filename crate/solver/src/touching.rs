@@ -6,6 +6,7 @@ use glam::DVec3;
 use crate::csr::{Csr, NONE};
 use crate::pairing::for_each_edge;
 use crate::soup::Soup;
+use crate::union_find::UnionFind;
 
 /// Gives each further sheet of a piece at a point a point of its own, at the same position, after the last point.
 /// `faces` are over welded points, `point_of_input` has [`NONE`] for vertices that no face uses.
@@ -33,11 +34,11 @@ pub(crate) fn part_touching(
     if touching.is_empty() {
         return;
     }
-    let mut pieces = Pieces::new(faces, &corners_of_point, input);
+    let mut pieces = pieces(faces, &corners_of_point, input);
     for sheets in touching {
         let mut here = Vec::new();
         for sheet in sheets {
-            let piece = pieces.of(sheet[0] / 3);
+            let piece = pieces.least(sheet[0] / 3);
             if !here.contains(&piece) {
                 here.push(piece);
                 continue;
@@ -77,42 +78,22 @@ fn sheets(corners: &[u32], faces: &[[u32; 3]], input: impl Fn(u32) -> u32) -> Ve
     sheets
 }
 
-/// Faces that edges or vertices of the file hold together, as a union-find structure.
-struct Pieces {
-    parent: Vec<u32>,
-}
-
-impl Pieces {
-    fn new(faces: &[[u32; 3]], corners_of_point: &Csr, input: impl Fn(u32) -> u32) -> Self {
-        let mut pieces = Self { parent: (0..faces.len() as u32).collect() };
-        for_each_edge(faces, corners_of_point, |_, sides| {
-            for pair in sides.windows(2) {
-                pieces.join(pair[0] / 3, pair[1] / 3);
-            }
-        });
-        let mut of_inputs: Vec<(u32, u32)> = Vec::new();
-        for corners in corners_of_point.rows() {
-            of_inputs.clear();
-            of_inputs.extend(corners.iter().map(|&corner| (input(corner), corner / 3)));
-            of_inputs.sort_unstable();
-            for pair in of_inputs.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-                pieces.join(pair[0].1, pair[1].1);
-            }
+/// Faces that edges or vertices of the file hold together.
+fn pieces(faces: &[[u32; 3]], corners_of_point: &Csr, input: impl Fn(u32) -> u32) -> UnionFind {
+    let mut pieces = UnionFind::new(faces.len());
+    for_each_edge(faces, corners_of_point, |_, sides| {
+        for pair in sides.windows(2) {
+            pieces.join(pair[0] / 3, pair[1] / 3);
         }
-        pieces
-    }
-
-    fn of(&mut self, mut face: u32) -> u32 {
-        while self.parent[face as usize] != face {
-            let above = self.parent[self.parent[face as usize] as usize];
-            self.parent[face as usize] = above;
-            face = above;
+    });
+    let mut of_inputs: Vec<(u32, u32)> = Vec::new();
+    for corners in corners_of_point.rows() {
+        of_inputs.clear();
+        of_inputs.extend(corners.iter().map(|&corner| (input(corner), corner / 3)));
+        of_inputs.sort_unstable();
+        for pair in of_inputs.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            pieces.join(pair[0].1, pair[1].1);
         }
-        face
     }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.of(a), self.of(b));
-        self.parent[a.max(b) as usize] = a.min(b);
-    }
+    pieces
 }

@@ -46,6 +46,20 @@ fn json_has_an_object_for_each_mesh() {
 }
 
 #[test]
+fn shapes_and_single_parts_have_rows() {
+    let folder = folder("table_parts");
+    let rows = json(&folder, &["table", "shape:strip", "two.obj#0", "two.obj", "--repeat", "1"]);
+    assert_eq!((&rows[0]["name"], &rows[1]["name"]), (&"shape:strip".into(), &"two.obj#0".into()));
+    assert_eq!((&rows[1]["triangles"], &rows[2]["triangles"]), (&1.into(), &2.into()));
+    assert!(rows[0]["triangles"].as_u64().unwrap() > 100);
+    let output = run(&folder, &["table", "two.obj#7"]);
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(!output.status.success() && error.contains("two.obj#7") && error.contains("part 7"), "{error}");
+    let error = refused(&folder, &["info", "shape:cube"]);
+    assert!(error.contains("cube") && error.contains("torus"), "{error}");
+}
+
+#[test]
 fn errors_are_against_exact_distances() {
     let folder = folder("table_exact");
     let dials = ["--near", "0", "--t", "1", "--operator", "plain", "--boundary", "neumann"];

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::csr::NONE;
 use crate::error::Result;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
 use crate::linear::constraints::{Functional, Gram, Response, System, evaluate};
 use crate::sources::Source;
+use crate::union_find::UnionFind;
 
 /// Added to every entry of the Gram matrix of constraints whose amounts sum to 0, which it does not change: a
 /// constraint at the pinned point alone has a response of 0 and would not be seen.
@@ -27,20 +27,26 @@ impl HeatSolver {
     /// near, with whether all are.
     pub(super) fn known(&self, near: &Near, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
         let is_near = |point: u32| near.values[point as usize].is_finite();
-        let mut patches = Patches::new(self.surface.point_count());
+        let points = self.surface.point_count();
+        let (mut patches, mut is_rim) = (UnionFind::new(points), vec![false; points]);
         for &(face, whole) in mixed {
-            for point in face.into_iter().filter(|&point| is_near(point)) {
-                patches.visit(point, !whole);
-            }
             if whole {
                 patches.join(face[0], face[1]);
                 patches.join(face[1], face[2]);
+            } else {
+                for point in face.into_iter().filter(|&point| is_near(point)) {
+                    is_rim[point as usize] = true;
+                }
             }
         }
+        // A patch that covers its whole piece has no rim, and nothing there is left to be known.
+        let mut rims: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for point in (0..points as u32).filter(|&point| is_rim[point as usize]) {
+            rims.entry(patches.least(point)).or_default().push(point);
+        }
         let component = |point: u32| self.surface.component_of_point[point as usize];
-        let mut known: Vec<Known> = patches
-            .rims()
-            .into_iter()
+        let mut known: Vec<Known> = rims
+            .into_values()
             .map(|rim| {
                 let weight = 1.0 / rim.len() as f64;
                 let value = rim.iter().map(|&point| weight * near.values[point as usize]).sum();
@@ -208,54 +214,4 @@ struct Wanted {
 
 fn functionals(wanted: &BTreeMap<u32, Vec<Wanted>>) -> Vec<Functional> {
     wanted.values().flatten().map(|wanted| wanted.functional.clone()).collect()
-}
-
-/// Connected parts of the near field, as a union-find structure.
-struct Patches {
-    /// `#P`; [`NONE`] where not visited.
-    parent: Vec<u32>,
-    /// `#P`.
-    is_rim: Vec<bool>,
-    /// The points visited, in order.
-    visited: Vec<u32>,
-}
-
-impl Patches {
-    fn new(points: usize) -> Self {
-        Self { parent: vec![NONE; points], is_rim: vec![false; points], visited: Vec::new() }
-    }
-
-    fn visit(&mut self, point: u32, is_rim: bool) {
-        if self.parent[point as usize] == NONE {
-            self.parent[point as usize] = point;
-            self.visited.push(point);
-        }
-        self.is_rim[point as usize] |= is_rim;
-    }
-
-    fn root(&mut self, mut point: u32) -> u32 {
-        while self.parent[point as usize] != point {
-            let above = self.parent[self.parent[point as usize] as usize];
-            self.parent[point as usize] = above;
-            point = above;
-        }
-        point
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
-    }
-
-    /// The rim of each patch, ascending; a patch that covers its whole piece has none and is left out.
-    fn rims(mut self) -> Vec<Vec<u32>> {
-        let mut rims: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        let mut visited = std::mem::take(&mut self.visited);
-        visited.sort_unstable();
-        visited.retain(|&point| self.is_rim[point as usize]);
-        for point in visited {
-            rims.entry(self.root(point)).or_default().push(point);
-        }
-        rims.into_values().collect()
-    }
 }
