@@ -7,6 +7,7 @@ mod common;
 
 use common::{band, book, distance_from, flat, soup, square, surface};
 use glam::DVec3;
+use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::{Error, Halfedge, HalfedgeMesh, Soup, Surface, Vertex, shapes};
 
 /// The documented invariants of a half-edge mesh.
@@ -237,4 +238,22 @@ fn smallest_surface_works() {
     let (_, distance) = distance_from(&soup(flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]), vec![[0, 1, 2]]), 0);
     assert_eq!(distance.values[0], 0.0);
     assert!(distance.values[1] > 0.5 && distance.values[1] < 1.5);
+}
+
+#[test]
+fn the_tufted_cover_is_used_where_it_is_needed() {
+    let delaunay = |soup: &Soup| IntrinsicTriangulation::delaunay(&surface(soup));
+    // Closed, or with a boundary that lies opposite sharp angles only.
+    for soup in [shapes::icosphere(2), square(3)] {
+        assert_eq!(delaunay(&soup).sheets(), 1);
+    }
+    // Edges of three faces, no orientation, an obtuse angle opposite the boundary.
+    let obtuse = soup(flat(&[(0.0, 0.0), (4.0, 0.0), (2.0, 0.5)]), vec![[0, 1, 2]]);
+    for soup in [book(3, 3), band(20, 1), obtuse] {
+        assert_eq!(delaunay(&soup).sheets(), 2);
+    }
+    // A kite cut along its longer diagonal.
+    let kite = soup(flat(&[(0.0, 0.0), (3.0, 1.0), (6.0, 0.0), (3.0, -1.0)]), vec![[0, 3, 2], [0, 2, 1]]);
+    let triangulation = delaunay(&kite);
+    assert_eq!((triangulation.flips(), triangulation.sheets()), (1, 1));
 }

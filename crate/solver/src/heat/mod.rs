@@ -37,14 +37,14 @@ const EFOLDS: f64 = 1200.0;
 /// it is not.
 const EVENNESS: [f64; 2] = [0.15, 0.25];
 
-/// m on even meshes and on others, where so short a time would follow the edges, at resolutions up to `RESOLUTION`.
+/// m on even meshes and on others, where so short a time would follow the edges, up to the extents of `RESOLUTIONS`.
 /// Measured on forty cases; the near field takes the first rings, where a short time is too coarse on any mesh.
 const SUITED_FACTORS: [f64; 2] = [0.3, 1.0];
 
-/// Extent in mean edges up to which these hold. Beyond, m grows with its power of 2/3: what heat errs by for
-/// following the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls
-/// with the size of the edges.
-const RESOLUTION: f64 = 120.0;
+/// Extents in mean edges up to which these hold. Beyond, m grows with the power of 2/3: what heat errs by for following
+/// the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls with the
+/// size of the edges.
+const RESOLUTIONS: [f64; 2] = [80.0, 120.0];
 
 /// A surface ready to be asked: expensive to make, cheap to ask.
 #[derive(Debug)]
@@ -257,11 +257,11 @@ impl HeatSolver {
 }
 
 /// m by the deviation of edge lengths as a share of their mean, and the extent in mean edges.
-fn suited_factor(deviation: f64, resolution: f64) -> f64 {
+fn suited_factor(deviation: f64, extent: f64) -> f64 {
     let [even, uneven] = EVENNESS;
-    let [short, long] = SUITED_FACTORS;
-    let factor = short + (long - short) * ((deviation - even) / (uneven - even)).clamp(0.0, 1.0);
-    factor * (resolution / RESOLUTION).max(1.0).powf(2.0 / 3.0)
+    let unevenness = ((deviation - even) / (uneven - even)).clamp(0.0, 1.0);
+    let [factor, resolution] = [SUITED_FACTORS, RESOLUTIONS].map(|[low, high]| low + (high - low) * unevenness);
+    factor * (extent / resolution).max(1.0).powf(2.0 / 3.0)
 }
 
 /// The first point of each piece.
