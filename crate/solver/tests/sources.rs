@@ -14,7 +14,8 @@ use faer::{Mat, Side};
 use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, Error, Face, LinearSolver, MultiSource, Operator, Parameters, Soup, Source, Surface, SurfacePoint, shapes,
+    Boundary, Error, Face, LinearSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
+    SurfacePoint, shapes,
 };
 
 /// The heat method alone on the triangles as they are.
@@ -145,7 +146,7 @@ fn asking_again_gives_the_same() {
 fn sources_inside_faces_and_on_edges_are_at_zero() {
     let soup = shapes::icosphere(4);
     let mut seed = 9;
-    for near_field in [heatwalk::NearField::Automatic, heatwalk::NearField::Edges(0.0)] {
+    for near_field in [NearField::Automatic, NearField::Edges(0.0)] {
         let solver = solver_with(&soup, Parameters { near_field, ..Parameters::default() });
         let surface = solver.surface();
         let sources: Vec<SurfacePoint> = (0..6)
@@ -203,6 +204,27 @@ fn starting_values() {
     for offset in [-1.0, f64::NAN, f64::INFINITY] {
         let bad = Source { offset, ..sources[0] };
         assert!(matches!(solver.distance(&[bad]), Err(Error::BadParameter { .. })));
+    }
+}
+
+#[test]
+fn the_near_field_is_a_dial_from_heat_to_exact() {
+    let soup = square(20);
+    let answer = |edges| {
+        let parameters = Parameters { near_field: NearField::Edges(edges), ..heat_only(1.0, Boundary::Neumann) };
+        solver_with(&soup, parameters).distance(&vertices(&[0])).expect("a source")
+    };
+    let surface = surface(&soup);
+    for (edges, is_all) in [(0.0, false), (3.0, false), (1e9, true), (f64::INFINITY, true)] {
+        let distance = answer(edges);
+        assert_eq!(distance.exact_below.is_infinite(), is_all);
+        assert!(is_all || (distance.exact_below - edges * surface.mean_edge).abs() < 1e-12);
+        let exact: Vec<f64> = surface.positions.iter().map(|p| p.distance(surface.position(0))).collect();
+        // Rounding of some unfolded faces.
+        let is_exact = |(value, exact): (&f64, &f64)| (value - exact).abs() < 1e-12;
+        let inside = distance.values.iter().zip(&exact).filter(|&(_, exact)| *exact < distance.exact_below);
+        assert!(inside.into_iter().all(is_exact), "{edges}");
+        assert_eq!(distance.values.iter().zip(&exact).all(is_exact), is_all, "{edges}");
     }
 }
 

@@ -136,7 +136,7 @@ impl Refinement {
     /// As [`HeatSolver::distance`].
     pub fn step(&mut self, solver: &HeatSolver, work: usize) -> Result<Distance> {
         self.front.advance(f64::INFINITY, work);
-        let near = Near::below(&self.front, self.front.radius());
+        let near = Near::of(&self.front, self.front.radius());
         solver.distance_beyond(&near, self.heat.clone(), &self.sources, &self.is_active)
     }
 

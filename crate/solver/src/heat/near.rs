@@ -24,8 +24,9 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// What a wavefront knows for certain below a radius.
-    pub(super) fn below(front: &Wavefront, radius: f64) -> Self {
+    /// What a wavefront knows for certain: all where it is done, else what is below a radius.
+    pub(super) fn of(front: &Wavefront, radius: f64) -> Self {
+        let radius = if front.is_done() { f64::INFINITY } else { radius.min(front.radius()) };
         let is_final = |&value: &f64| if value < radius { value } else { f64::INFINITY };
         Self { values: front.values().iter().map(is_final).collect(), radius }
     }
@@ -46,18 +47,15 @@ impl HeatSolver {
                 let mut front = self.wavefront(sources);
                 let radius = least + edges * self.mean_edge;
                 front.advance(radius, usize::MAX);
-                Near::below(&front, radius)
+                Near::of(&front, radius)
             }
             NearField::Automatic => {
                 let mut front = self.wavefront(sources);
                 let points = self.surface.point_count() as f64;
                 let windows = (WINDOWS * points * points.log2()) as usize;
                 front.advance(f64::INFINITY, windows);
-                let edges = (front.radius() - least) / self.mean_edge;
-                let steps = edges.log(RADIUS_STEP).floor();
-                let radius =
-                    if front.is_done() { f64::INFINITY } else { least + self.mean_edge * RADIUS_STEP.powf(steps) };
-                Near::below(&front, radius.min(front.radius()))
+                let steps = ((front.radius() - least) / self.mean_edge).log(RADIUS_STEP).floor();
+                Near::of(&front, least + self.mean_edge * RADIUS_STEP.powf(steps))
             }
         }
     }
