@@ -61,7 +61,9 @@ test('the time factor and the near field can be left to the solver', async ({ he
   const chosen = (await heatwalk.field()).timeFactor;
   const auto = page.getByRole('button', { name: 'Time factor m, automatic' });
   await expect(auto).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.locator('.field', { hasText: 'Time factor m' }).locator('.value')).toHaveText(`${Number(chosen.toPrecision(2))}`);
+  await expect(page.locator('.field', { hasText: 'Time factor m' }).locator('.value')).toHaveText(
+    `${Number(chosen.toPrecision(2))}`,
+  );
   await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
   await expect(auto).toHaveAttribute('aria-pressed', 'false');
   await expect.poll(async () => (await heatwalk.field()).timeFactor).toBe(10);
