@@ -108,13 +108,7 @@ fn cube(n: u32) -> Soup {
                 });
             }
         }
-        for i in 0..n {
-            for j in 0..n {
-                let a = first + i * (n + 1) + j;
-                let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
-                triangles.extend([[a, b, c], [a, c, d]]);
-            }
-        }
+        triangles.extend(common::grid_triangles(first, n));
     }
     soup(positions, triangles)
 }
@@ -255,14 +249,10 @@ fn around_a_corner_of_the_boundary() {
 
 #[test]
 fn any_triangles() {
-    // Edges of many faces, faces through each other, points that hold nothing but tips together.
     let mut seed = 21;
     for points in [5, 7, 9, 12, 20, 40] {
         for _ in 0..8 {
-            let mut coordinate = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
-            let positions: Vec<_> = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
-            let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(&mut seed, points) as u32)).collect();
-            let surface = surface(&soup(positions, triangles));
+            let surface = surface(&common::any_triangles(points, &mut seed));
             for steps in 0..30 {
                 straightened(&surface, &random_walk(&surface, &mut seed, steps));
             }

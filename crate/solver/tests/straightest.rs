@@ -226,10 +226,7 @@ fn any_triangles() {
     let mut seed = 22;
     for points in [5, 7, 9, 12, 20, 40] {
         for _ in 0..8 {
-            let mut coordinate = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
-            let positions: Vec<_> = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
-            let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(&mut seed, points) as u32)).collect();
-            let surface = surface(&soup(positions, triangles));
+            let surface = surface(&common::any_triangles(points, &mut seed));
             for _ in 0..30 {
                 let from = random_point(&surface, &mut seed);
                 walk(&surface, from, None, random_direction(&mut seed), 30.0);

@@ -198,6 +198,12 @@ impl Walk<'_> {
 
     /// Into the face after a crossing; `None` where there is none.
     fn go_beyond(&mut self) -> Option<()> {
+        // At a vertex: the way back, turned by half of all.
+        self.enter(|ring, walk| ring.angle_of(walk.surface, -walk.direction) + 0.5 * ring.total)
+    }
+
+    /// From an edge over it, from a vertex at the angle given; `None` where the surface ends.
+    fn enter(&mut self, angle: impl Fn(&Ring, &Self) -> f64) -> Option<()> {
         match self.here() {
             SurfacePoint::Face { .. } => Some(()),
             SurfacePoint::Edge { halfedge, .. } => {
@@ -206,16 +212,10 @@ impl Walk<'_> {
             }
             SurfacePoint::Vertex(vertex) => {
                 let ring = Ring::around(self.surface, vertex, self.face)?;
-                // The way back, turned by half of all.
-                let back = ring.angle_of(self.surface, -self.direction);
-                self.leave(&ring, back + 0.5 * ring.total);
+                (self.face, self.direction) = ring.direction_at(self.surface, angle(&ring, self));
                 Some(())
             }
         }
-    }
-
-    fn leave(&mut self, ring: &Ring, angle: f64) {
-        (self.face, self.direction) = ring.direction_at(self.surface, angle);
     }
 
     /// Unfolds the direction over an edge of the face.
@@ -239,19 +239,7 @@ impl Walk<'_> {
         if points_inside(self.surface, self.here(), self.face, self.direction) {
             return Some(());
         }
-        match self.here() {
-            SurfacePoint::Face { .. } => Some(()),
-            SurfacePoint::Edge { halfedge, .. } => {
-                let [a, b] = self.surface.ends(halfedge);
-                self.cross_edge(a, b)
-            }
-            SurfacePoint::Vertex(vertex) => {
-                let ring = Ring::around(self.surface, vertex, self.face)?;
-                let angle = ring.angle_of(self.surface, self.direction);
-                self.leave(&ring, angle);
-                Some(())
-            }
-        }
+        self.enter(|ring, walk| ring.angle_of(walk.surface, walk.direction))
     }
 }
 

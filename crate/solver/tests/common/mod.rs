@@ -48,6 +48,23 @@ pub fn band(segments: u32, half_twists: u32) -> Soup {
     soup(positions, triangles)
 }
 
+/// Triangles of `n × n` quads over rows of `n + 1` vertices that begin at `first`.
+pub fn grid_triangles(first: u32, n: u32) -> impl Iterator<Item = [u32; 3]> {
+    let corners = (0..n).flat_map(move |i| (0..n).map(move |j| first + i * (n + 1) + j));
+    corners.flat_map(move |a| {
+        let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
+        [[a, b, c], [a, c, d]]
+    })
+}
+
+/// Triangles between random points: edges of many faces, faces through each other, points that hold only tips together.
+pub fn any_triangles(points: usize, seed: &mut u64) -> Soup {
+    let mut coordinate = || random(seed, 1 << 20) as f64 / f64::from(1 << 20);
+    let positions = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
+    let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(seed, points) as u32)).collect();
+    soup(positions, triangles)
+}
+
 /// `pages` rectangles of `n × n` quads joined along one edge on the z axis.
 pub fn book(pages: u32, n: u32) -> Soup {
     let mut positions = Vec::new();
@@ -61,13 +78,7 @@ pub fn book(pages: u32, n: u32) -> Soup {
                 positions.push(out * f64::from(i) / f64::from(n) + DVec3::Z * f64::from(j) / f64::from(n));
             }
         }
-        for i in 0..n {
-            for j in 0..n {
-                let a = first + i * (n + 1) + j;
-                let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
-                triangles.extend([[a, b, c], [a, c, d]]);
-            }
-        }
+        triangles.extend(grid_triangles(first, n));
     }
     soup(positions, triangles)
 }
