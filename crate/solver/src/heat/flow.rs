@@ -1,7 +1,7 @@
 //! Heat after time t.
 
 use crate::error::Result;
-use crate::heat::{Heat, HeatSolver, MultiSource, Solve};
+use crate::heat::{Heat, HeatSolver, MultiSource, Solve, conditions};
 use crate::linear::constraints::{Functional, Gram, System};
 use crate::sources::Source;
 
@@ -13,7 +13,7 @@ impl HeatSolver {
     /// Heat `u` (`#P`) under the boundary condition, to an arbitrary scale near 10²⁹⁰, and per source whether it is
     /// the nearest one to any point: those that are not would have to take heat out.
     pub(super) fn heat(&self, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
-        let [wants_neumann, wants_dirichlet] = self.conditions(self.parameters.boundary);
+        let [wants_neumann, wants_dirichlet] = conditions(self.parameters.boundary, &self.held);
         let free = |_: usize| false;
         let held = |point: usize| self.held[point];
         let neumann = self.neumann.as_ref().filter(|_| wants_neumann).map(|heat| self.heat_of(heat, &free, sources));
@@ -109,10 +109,8 @@ impl HeatSolver {
             [(index, functional)] if !any_prescribed => {
                 // The level of a single source is arbitrary.
                 supplies[*index] = SOURCE_HEAT;
-                for &(point, weight) in functional {
-                    right[point as usize] = weight * SOURCE_HEAT;
-                }
-                system.solve(&right)?
+                let right = functional.iter().map(|&(point, weight)| (point, weight * SOURCE_HEAT)).collect();
+                system.solve_sparse(&right)?
             }
             _ => {
                 let functionals: Vec<Functional> = constraints.iter().map(|(_, free)| free.clone()).collect();

@@ -89,11 +89,25 @@ struct Heat {
 }
 
 impl Solve {
-    fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
+    /// Makes matrices ready, side by side. Each has a name for errors.
+    fn systems<const N: usize>(
+        &self,
+        laplacian: &Laplacian,
+        matrices: [(Vec<f64>, &'static str); N],
+    ) -> Result<[System; N]> {
         Ok(match self {
-            Self::Factored(symbolic) => System::Cholesky(symbolic.factor(&values, name)?),
-            Self::Iterated => System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values)),
+            Self::Factored(symbolic) => {
+                let matrices = matrices.each_ref().map(|(values, name)| (values.as_slice(), *name));
+                symbolic.factor(matrices)?.map(System::Cholesky)
+            }
+            Self::Iterated => matrices
+                .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
         })
+    }
+
+    fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
+        let [system] = self.systems(laplacian, [(values, name)])?;
+        Ok(system)
     }
 }
 
@@ -128,7 +142,7 @@ impl HeatSolver {
                 report(progress, Stage::Ordering, 0.1)?;
                 let permutation = Symbolic::order(Ordering::default(), &laplacian.pattern)?;
                 report(progress, Stage::Analysing, 0.2)?;
-                Solve::Factored(Arc::new(Symbolic::analyse(permutation, Arc::clone(&laplacian.pattern))?))
+                Solve::Factored(Arc::new(Symbolic::analyse(permutation, &laplacian.pattern)?))
             }
             LinearSolver::ConjugateGradients => Solve::Iterated,
         };
@@ -137,10 +151,15 @@ impl HeatSolver {
         for &point in &pinned {
             is_pinned[point as usize] = true;
         }
-        report(progress, Stage::FactoringPoisson, 0.3)?;
-        let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
-        let poisson = solve.system(&laplacian, grounded, "Poisson")?;
+        report(progress, Stage::Factoring, 0.3)?;
         let held = dirichlet_points(&surface);
+        let time = time(parameters, suited_factor, mean_edge, extent);
+        let [wants_neumann, _] = conditions(parameters.boundary, &held);
+        let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
+        let values = laplacian.combine(1.0 / time, |point| !wants_neumann && held[point]);
+        let [poisson, system] = solve.systems(&laplacian, [(grounded, "Poisson"), (values, "heat")])?;
+        let heat = Some(Heat { system, time, responses: Mutex::default() });
+        let (neumann, dirichlet) = if wants_neumann { (heat, None) } else { (None, heat) };
         let mut solver = Self {
             surface,
             parameters,
@@ -149,8 +168,8 @@ impl HeatSolver {
             solve,
             poisson,
             poisson_responses: Mutex::default(),
-            neumann: None,
-            dirichlet: None,
+            neumann,
+            dirichlet,
             held,
             pinned,
             mean_edge,
@@ -158,7 +177,7 @@ impl HeatSolver {
             extent,
             exact,
         };
-        solver.factor_heat(parameters, 0.65, progress)?;
+        solver.factor_heat(parameters, 0.75, progress)?;
         Ok(solver)
     }
 
@@ -181,16 +200,16 @@ impl HeatSolver {
 
     /// Factors the heat matrices that are needed and absent, and drops those of another time.
     fn factor_heat(&mut self, parameters: Parameters, done: f64, progress: Progress<'_>) -> Result<()> {
-        let [wants_neumann, wants_dirichlet] = self.conditions(parameters.boundary);
+        let [wants_neumann, wants_dirichlet] = conditions(parameters.boundary, &self.held);
         let time = self.time_with(parameters);
         let is_absent = |heat: &Option<Heat>| heat.as_ref().is_none_or(|heat| heat.time != time);
         let mut neumann = None;
         if wants_neumann && is_absent(&self.neumann) {
-            report(progress, Stage::FactoringHeat, done)?;
+            report(progress, Stage::Factoring, done)?;
             neumann = Some(self.heat_system(time, |_| false)?);
         }
         if wants_dirichlet && is_absent(&self.dirichlet) {
-            report(progress, Stage::FactoringHeat, if wants_neumann { 0.5 * (done + 1.0) } else { done })?;
+            report(progress, Stage::Factoring, if wants_neumann { 0.5 * (done + 1.0) } else { done })?;
             self.dirichlet = Some(self.heat_system(time, |point| self.held[point])?);
         }
         self.neumann = neumann.or_else(|| self.neumann.take().filter(|heat| heat.time == time));
@@ -203,12 +222,6 @@ impl HeatSolver {
         let values = self.laplacian.combine(1.0 / time, held);
         let system = self.solve.system(&self.laplacian, values, "heat")?;
         Ok(Heat { system, time, responses: Mutex::default() })
-    }
-
-    /// Whether a boundary condition needs heat that does not leave, and heat held at 0.
-    fn conditions(&self, boundary: Boundary) -> [bool; 2] {
-        let boundary = if self.held.contains(&true) { boundary } else { Boundary::Neumann };
-        [boundary != Boundary::Dirichlet, boundary != Boundary::Neumann]
     }
 
     /// The surface.
@@ -233,19 +246,11 @@ impl HeatSolver {
 
     /// m in t = m h², as asked for or chosen.
     pub fn time_factor(&self) -> f64 {
-        self.factor_with(self.parameters)
-    }
-
-    fn factor_with(&self, parameters: Parameters) -> f64 {
-        match parameters.time_step {
-            TimeStep::Automatic => self.suited_factor,
-            TimeStep::Factor(factor) => factor,
-        }
+        time_factor(self.parameters, self.suited_factor)
     }
 
     fn time_with(&self, parameters: Parameters) -> f64 {
-        let root = self.factor_with(parameters).sqrt() * self.mean_edge;
-        root.max(self.extent / EFOLDS).powi(2)
+        time(parameters, self.suited_factor, self.mean_edge, self.extent)
     }
 
     /// Stored entries of all factors together, zeros inside supernodes counted; 0 for conjugate gradients.
@@ -254,6 +259,26 @@ impl HeatSolver {
         let nonzeros = heat.into_iter().flatten().map(|heat| heat.system.nonzeros());
         self.poisson.nonzeros() + nonzeros.sum::<usize>()
     }
+}
+
+/// Whether a boundary condition needs heat that does not leave, and heat held at 0.
+fn conditions(boundary: Boundary, held: &[bool]) -> [bool; 2] {
+    let boundary = if held.contains(&true) { boundary } else { Boundary::Neumann };
+    [boundary != Boundary::Dirichlet, boundary != Boundary::Neumann]
+}
+
+/// m in t = m h².
+fn time_factor(parameters: Parameters, suited_factor: f64) -> f64 {
+    match parameters.time_step {
+        TimeStep::Automatic => suited_factor,
+        TimeStep::Factor(factor) => factor,
+    }
+}
+
+/// The diffusion time t.
+fn time(parameters: Parameters, suited_factor: f64, mean_edge: f64, extent: f64) -> f64 {
+    let root = time_factor(parameters, suited_factor).sqrt() * mean_edge;
+    root.max(extent / EFOLDS).powi(2)
 }
 
 /// m by the deviation of edge lengths as a share of their mean, and the extent in mean edges.

@@ -103,10 +103,8 @@ pub enum Stage {
     Ordering,
     /// Finding the pattern of the factors.
     Analysing,
-    /// Factoring `L`.
-    FactoringPoisson,
-    /// Factoring `M / t + L`, for each boundary condition needed.
-    FactoringHeat,
+    /// Factoring `L` and `M / t + L`, the latter for each boundary condition needed.
+    Factoring,
 }
 
 impl fmt::Display for Stage {
@@ -115,8 +113,7 @@ impl fmt::Display for Stage {
             Self::Assembling => "Assembling",
             Self::Ordering => "Ordering",
             Self::Analysing => "Analysing",
-            Self::FactoringPoisson => "Factoring Poisson",
-            Self::FactoringHeat => "Factoring heat",
+            Self::Factoring => "Factoring",
         })
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Davis, "Direct Methods for Sparse Linear Systems" (2006), section 3.2 on the reach of a sparse right side.
 
-use crate::linear::factor::dot;
+use crate::linear::dot;
 
 /// A vector in the elimination order that is zero outside some runs.
 #[derive(Debug, Clone, Default)]
@@ -16,9 +16,9 @@ pub(crate) struct Column {
 
 impl Column {
     /// Appends a run that lies after all others.
-    pub(crate) fn push(&mut self, start: usize, values: &[f64]) {
+    pub(crate) fn push(&mut self, start: usize, values: impl Iterator<Item = f64>) {
         self.starts.push(start as u32);
-        self.values.extend_from_slice(values);
+        self.values.extend(values);
         self.ends.push(self.values.len() as u32);
     }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::linear::Pattern;
-use crate::linear::factor::dot;
+use crate::linear::dot;
 
 /// The residual at which it stops, as a share of the right side.
 const TOLERANCE: f64 = 1e-12;

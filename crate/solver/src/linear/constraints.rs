@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::linear::columns::Column;
 use crate::linear::conjugate_gradients::Matrix;
 use crate::linear::factor::Factor;
-use crate::linear::factor::dot;
+use crate::linear::dot;
 
 /// A weighted sum of unknowns, as `(unknown, weight)`.
 pub(crate) type Functional = Vec<(u32, f64)>;
@@ -53,6 +53,15 @@ pub(crate) fn evaluate(functional: &Functional, vector: &[f64]) -> f64 {
     functional.iter().map(|&(unknown, weight)| weight * vector[unknown as usize]).sum()
 }
 
+/// A functional as a vector.
+fn dense(size: usize, functional: &Functional) -> Vec<f64> {
+    let mut vector = vec![0.0; size];
+    for &(unknown, weight) in functional {
+        vector[unknown as usize] += weight;
+    }
+    vector
+}
+
 /// A solve that has begun: constraints can be evaluated and changed before it is finished.
 pub(crate) struct Begun(Vec<f64>);
 
@@ -72,20 +81,25 @@ impl System {
         }
     }
 
+    /// The solution for a right side that is zero but at a few rows.
+    pub(crate) fn solve_sparse(&self, right: &Functional) -> Result<Vec<f64>> {
+        match self {
+            Self::Cholesky(factor) => Ok(factor.backward(factor.forward_sparse(right))),
+            Self::ConjugateGradients(matrix) => matrix.solve(&dense(matrix.size(), right)),
+        }
+    }
+
     /// Responses to constraints.
     pub(crate) fn responses(&self, functionals: &[Functional]) -> Result<Vec<Arc<Response>>> {
         match self {
             Self::Cholesky(factor) => {
-                let columns = factor.sparse_forward(functionals.iter().map(Vec::as_slice));
+                let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
+                let columns = factor.columns(&rights);
                 Ok(columns.into_iter().map(|column| Arc::new(Response::Forward(column))).collect())
             }
             Self::ConjugateGradients(matrix) => {
                 let solve = |functional: &Functional| {
-                    let mut right = vec![0.0; matrix.size()];
-                    for &(unknown, weight) in functional {
-                        right[unknown as usize] += weight;
-                    }
-                    let solution = matrix.solve(&right)?;
+                    let solution = matrix.solve(&dense(matrix.size(), functional))?;
                     Ok(Arc::new(Response::Solution { functional: functional.clone(), solution }))
                 };
                 functionals.iter().map(solve).collect()

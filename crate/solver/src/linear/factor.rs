@@ -1,9 +1,16 @@
 //! Solves with a Cholesky factor: whole vectors, and right sides that are zero almost everywhere.
+//!
+//! Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 3.
 
 use std::sync::Arc;
 
 use crate::linear::cholesky::{Supernode, Symbolic};
 use crate::linear::columns::Column;
+use crate::linear::substitution;
+use crate::linear::vector::{Work, widest};
+
+/// Sparse right sides that are gone through side by side.
+const LANES: usize = 8;
 
 /// The Cholesky factor `C` of one matrix `A = C Cᵀ`.
 #[derive(Debug)]
@@ -23,95 +30,126 @@ impl Factor {
         self.values.len()
     }
 
-    /// `C⁻¹ right`, in the elimination order. Written for one vector: faer's own solve is made for many, and takes
-    /// twice as long for one.
+    /// A supernode and its dense block.
+    #[inline(always)]
+    fn block(&self, index: usize) -> (Supernode<'_>, &[f64]) {
+        let supernode = self.symbolic.supernode(index);
+        let block = &self.values[supernode.values.clone()];
+        (supernode, block)
+    }
+
+    /// `C⁻¹ right`, in the elimination order.
     pub(crate) fn forward(&self, right: &[f64]) -> Vec<f64> {
         let old_of_new = &self.symbolic.permutation.old_of_new;
         let mut x: Vec<f64> = old_of_new.iter().map(|&old| right[old as usize]).collect();
-        let mut change = Vec::new();
-        for index in 0..self.symbolic.supernode_count() {
-            self.eliminate(&self.symbolic.supernode(index), &mut x, &mut change);
+        widest(Forward { factor: self, supernodes: 0..self.symbolic.supernode_count(), x: &mut x });
+        x
+    }
+
+    /// The same for a right side that is zero but at a few rows, given as `(row, value)`: only the ancestors of these
+    /// rows in the elimination tree are touched.
+    pub(crate) fn forward_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+        let mut x = vec![0.0; self.symbolic.size()];
+        for &(row, value) in right {
+            x[self.unknown(row)] += value;
         }
+        let supernodes = self.reach(right);
+        widest(Forward { factor: self, supernodes: supernodes.iter().map(|&index| index as usize), x: &mut x });
         x
     }
 
     /// `C⁻ᵀ x` for a vector in the elimination order; the result is in the order of the matrix.
     pub(crate) fn backward(&self, mut x: Vec<f64>) -> Vec<f64> {
-        let mut known = Vec::new();
-        for index in (0..self.symbolic.supernode_count()).rev() {
-            let Supernode { start, width, below, values } = self.symbolic.supernode(index);
-            known.clear();
-            known.extend(below.iter().map(|&row| x[row as usize]));
-            let own = &mut x[start..start + width];
-            for (j, column) in self.values[values].chunks_exact(width + below.len()).enumerate().rev() {
-                let sum = dot(&column[j + 1..width], &own[j + 1..]) + dot(&column[width..], &known);
-                own[j] = (own[j] - sum) / column[j];
-            }
-        }
-        let mut result = vec![0.0; x.len()];
-        for (&old, value) in self.symbolic.permutation.old_of_new.iter().zip(x) {
-            result[old as usize] = value;
-        }
-        result
+        widest(Backward { factor: self, x: &mut x });
+        let new_of_old = &self.symbolic.permutation.new_of_old;
+        new_of_old.iter().map(|&new| x[new as usize]).collect()
     }
 
-    /// `C⁻¹ right` for right sides that are zero but at a few rows, given as `(row, value)`. Only the ancestors of
-    /// these rows in the elimination tree are touched.
-    pub(crate) fn sparse_forward<'a>(&self, rights: impl Iterator<Item = &'a [(u32, f64)]>) -> Vec<Column> {
-        let mut x = vec![0.0; self.symbolic.size()];
+    /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
+    pub(crate) fn columns(&self, rights: &[&[(u32, f64)]]) -> Vec<Column> {
+        rights.chunks(LANES).flat_map(|rights| widest(Columns { factor: self, rights })).collect()
+    }
+
+    fn reach(&self, right: &[(u32, f64)]) -> Vec<u32> {
+        self.symbolic.reach(right.iter().map(|&(row, _)| self.unknown(row)))
+    }
+
+    fn unknown(&self, row: u32) -> usize {
+        self.symbolic.permutation.new_of_old[row as usize] as usize
+    }
+}
+
+/// `x ← C⁻¹ x`, by the supernodes that matter.
+struct Forward<'a, I> {
+    factor: &'a Factor,
+    supernodes: I,
+    x: &'a mut [f64],
+}
+
+impl<I: Iterator<Item = usize>> Work for Forward<'_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
         let mut change = Vec::new();
-        let columns = rights.map(|right| {
-            let unknown = |row: u32| self.symbolic.permutation.new_of_old[row as usize] as usize;
-            let supernodes = self.symbolic.reach(right.iter().map(|&(row, _)| unknown(row)));
-            for &(row, value) in right {
-                x[unknown(row)] += value;
-            }
-            let mut column = Column::default();
-            for &index in &supernodes {
-                let supernode = self.symbolic.supernode(index as usize);
-                self.eliminate(&supernode, &mut x, &mut change);
-                let own = &mut x[supernode.start..supernode.start + supernode.width];
-                column.push(supernode.start, own);
-                own.fill(0.0);
-            }
-            column
-        });
-        columns.collect()
-    }
-
-    /// One step of the forward solve. `change` is scratch.
-    fn eliminate(&self, supernode: &Supernode<'_>, x: &mut [f64], change: &mut Vec<f64>) {
-        let &Supernode { start, width, below, ref values } = supernode;
-        change.clear();
-        change.resize(below.len(), 0.0);
-        let own = &mut x[start..start + width];
-        for (j, column) in self.values[values.clone()].chunks_exact(width + below.len()).enumerate() {
-            let value = own[j] / column[j];
-            own[j] = value;
-            subtract_multiple(&mut own[j + 1..], &column[j + 1..width], value);
-            subtract_multiple(change, &column[width..], value);
-        }
-        for (&row, change) in below.iter().zip(change) {
-            x[row as usize] += *change;
+        for index in self.supernodes {
+            let (supernode, block) = self.factor.block(index);
+            substitution::forward::<FUSED>(&supernode, block, self.x, &mut change);
         }
     }
 }
 
-fn subtract_multiple(target: &mut [f64], column: &[f64], factor: f64) {
-    for (target, value) in target.iter_mut().zip(column) {
-        *target -= value * factor;
+/// `x ← C⁻ᵀ x`.
+struct Backward<'a> {
+    factor: &'a Factor,
+    x: &'a mut [f64],
+}
+
+impl Work for Backward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
+        let mut known = Vec::new();
+        for index in (0..self.factor.symbolic.supernode_count()).rev() {
+            let (supernode, block) = self.factor.block(index);
+            substitution::backward::<FUSED>(&supernode, block, self.x, &mut known);
+        }
     }
 }
 
-/// Dot product in four running sums, which the compiler may keep in vector registers.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a_blocks, b_blocks) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(a, b)| a * b).sum();
-    let mut sums = [0.0; 4];
-    for (a, b) in a_blocks.zip(b_blocks) {
-        for lane in 0..4 {
-            sums[lane] += a[lane] * b[lane];
+/// `C⁻¹ right` for up to [`LANES`] sparse right sides: each block of the factor is read once for all.
+struct Columns<'a> {
+    factor: &'a Factor,
+    rights: &'a [&'a [(u32, f64)]],
+}
+
+impl Work for Columns<'_> {
+    type Output = Vec<Column>;
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) -> Vec<Column> {
+        let Self { factor, rights } = self;
+        let mut x = vec![[0.0; LANES]; factor.symbolic.size()];
+        // Every supernode that is touched, with the right sides that touch it.
+        let mut touched: Vec<(u32, u32)> = Vec::new();
+        for (lane, right) in rights.iter().enumerate() {
+            for &(row, value) in *right {
+                x[factor.unknown(row)][lane] += value;
+            }
+            touched.extend(factor.reach(right).into_iter().map(|index| (index, lane as u32)));
         }
+        touched.sort_unstable();
+        let mut columns = vec![Column::default(); rights.len()];
+        let mut change = Vec::new();
+        for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
+            let (supernode, block) = factor.block(lanes[0].0 as usize);
+            substitution::forward_lanes::<LANES, FUSED>(&supernode, block, &mut x, &mut change);
+            let own = &x[supernode.start..supernode.start + supernode.width];
+            for &(_, lane) in lanes {
+                columns[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));
+            }
+        }
+        columns
     }
-    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }

@@ -5,8 +5,12 @@ pub(crate) mod columns;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod constraints;
 pub(crate) mod factor;
+mod front;
+mod multifrontal;
 pub(crate) mod ordering;
 pub(crate) mod responses;
+mod substitution;
+mod vector;
 
 /// Where the entries of a symmetric matrix are: its lower triangle in compressed columns, of each column the diagonal
 /// first, then the rows below in ascending order.
@@ -43,4 +47,17 @@ impl Pattern {
             result[column] += sum;
         }
     }
+}
+
+/// Dot product in four running sums, which the compiler may keep in vector registers.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (a_blocks, b_blocks) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(a, b)| a * b).sum();
+    let mut sums = [0.0; 4];
+    for (a, b) in a_blocks.zip(b_blocks) {
+        for lane in 0..4 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
