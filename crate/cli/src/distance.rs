@@ -12,7 +12,7 @@ use crate::exact;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
-use crate::timing::{build, factor, median_solve_ms};
+use crate::timing::{Factored, build, factor, median_solve_ms, sample};
 
 /// Distances, `#P`, and what they took.
 struct Solved {
@@ -56,14 +56,15 @@ pub fn distance(arguments: &Distance) -> Result<String> {
 
 fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
     let parameters = arguments.dials.parameters(arguments.solver, arguments.multi);
-    let (solver, precompute_ms) = factor(surface, parameters)?;
+    let Factored { solver, precompute_ms, stages_ms } = factor(surface, parameters)?;
     let start = Instant::now();
     let distance = solver.distance(sources)?;
     let asked_ms = milliseconds(start);
     let solve_ms = match arguments.repeat {
         1 => asked_ms,
-        count => median_solve_ms(surface, count, |source| Ok(solver.distance(&[source])?))?,
+        count => median_solve_ms(&timed(surface, count, report), |source| Ok(solver.distance(&[source])?))?,
     };
+    report.push_stages(&stages_ms);
     report.push("factor_nonzeros", solver.factor_nonzeros());
     report.push("time_factor", solver.time_factor());
     report.push("exact_below", distance.exact_below);
@@ -83,8 +84,19 @@ fn exactly(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
     let asked_ms = milliseconds(start);
     let solve_ms = match arguments.repeat {
         1 => asked_ms,
-        count => median_solve_ms(surface, count, |source| Ok(exact::distances(surface, &geometry, &[source])))?,
+        count => {
+            let points = timed(surface, count, report);
+            median_solve_ms(&points, |source| Ok(exact::distances(surface, &geometry, &[source])))?
+        }
     };
     report.push("factor_nonzeros", 0);
     Ok(Solved { values, precompute_ms, solve_ms })
+}
+
+/// The points that the median solve is taken over. The report tells them, for others to be timed on the same.
+fn timed(surface: &Surface, count: u32, report: &mut Report) -> Vec<u32> {
+    let points = sample(surface, count);
+    let input = |&point: &u32| surface.inputs_of_point(point)[0];
+    report.push("timed_sources", points.iter().map(input).collect::<Vec<_>>());
+    points
 }

@@ -13,7 +13,7 @@ use crate::exact;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
-use crate::timing::{build, factor};
+use crate::timing::{Factored, build, factor};
 
 /// A path, the distance that belongs to it, and what they took.
 struct Found {
@@ -56,7 +56,7 @@ pub fn path(arguments: &Path) -> Result<String> {
 
 fn by_heat(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint, arguments: &Path) -> Result<Found> {
     let parameters = arguments.dials.parameters(arguments.solver, MultiSource::default());
-    let (solver, precompute_ms) = factor(surface, parameters)?;
+    let Factored { solver, precompute_ms, .. } = factor(surface, parameters)?;
     let start = Instant::now();
     let distance = solver.distance(&[to])?;
     let solve_ms = milliseconds(start);

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::{BuildReport, Soup};
+use heatwalk::{BuildReport, Soup, Stage};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -39,6 +39,17 @@ impl Report {
         self.push("turned_faces", report.turned_faces);
         self.push("non_manifold_edges", report.non_manifold_edges);
         self.push("euler_characteristic", report.euler_characteristic);
+    }
+
+    /// Stages of the same name, one for each boundary condition, are added up.
+    pub fn push_stages(&mut self, stages_ms: &[(Stage, f64)]) {
+        let mut stages = Map::new();
+        for (stage, time) in stages_ms {
+            let name = stage.to_string().to_lowercase().replace(' ', "_");
+            let before = stages.get(&name).and_then(Value::as_f64).unwrap_or_default();
+            stages.insert(name, json!(before + time));
+        }
+        self.push("stages_ms", stages);
     }
 
     pub fn push_parts(&mut self, soup: &Soup) {

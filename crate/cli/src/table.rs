@@ -11,7 +11,7 @@ use crate::commands::Answer;
 use crate::exact;
 use crate::input::Input;
 use crate::markdown;
-use crate::timing::{build, factor, median_solve_ms};
+use crate::timing::{Factored, build, factor, median_solve_ms, sample};
 
 /// Conjugate gradients take seconds a source on a large mesh, so their median is over so many sources at most.
 const MOST_ITERATED: u32 = 3;
@@ -65,13 +65,13 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let exact = arguments.exact.then(|| exact::distances(&surface, &exact::geometry(&surface).0, &[source]));
     let figures = |linear_solver, sources| -> Result<Figures> {
         let parameters = arguments.dials.parameters(linear_solver, MultiSource::default());
-        let (solver, factor_ms) = factor(&surface, parameters)?;
-        let solve_ms = median_solve_ms(&surface, sources, |source| Ok(solver.distance(&[source])?))?;
+        let Factored { solver, precompute_ms, .. } = factor(&surface, parameters)?;
+        let solve_ms = median_solve_ms(&sample(&surface, sources), |source| Ok(solver.distance(&[source])?))?;
         let error = match &exact {
             Some(exact) => Some(RelativeError::between(&solver.distance(&[source])?.values, exact)),
             None => None,
         };
-        Ok(Figures { precompute_ms: build_ms + factor_ms, solve_ms, error })
+        Ok(Figures { precompute_ms: build_ms + precompute_ms, solve_ms, error })
     };
     let named = |figures: Result<Figures>| figures.with_context(|| mesh.to_owned());
     Ok(Measured {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{HeatSolver, Parameters, Source, Surface, SurfacePoint};
+use heatwalk::{HeatSolver, Parameters, Source, Stage, Surface, SurfacePoint};
 
 use crate::input::Input;
 use crate::report::milliseconds;
@@ -16,24 +16,46 @@ pub fn build(input: &Input) -> Result<(Arc<Surface>, f64)> {
     Ok((Arc::new(surface), milliseconds(start)))
 }
 
-pub fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<(HeatSolver, f64)> {
-    let start = Instant::now();
-    let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut |_, _| ControlFlow::Continue(()))?;
-    Ok((solver, milliseconds(start)))
+/// A surface's solver and what it took, in milliseconds.
+pub struct Factored {
+    pub solver: HeatSolver,
+    pub precompute_ms: f64,
+    /// In the order of the work.
+    pub stages_ms: Vec<(Stage, f64)>,
 }
 
-/// Median time of a solve over `count` single sources, the same ones at every run.
-pub fn median_solve_ms<A>(surface: &Surface, count: u32, mut solve: impl FnMut(Source) -> Result<A>) -> Result<f64> {
+pub fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<Factored> {
+    let start = Instant::now();
+    let mut begun: Vec<(Stage, f64)> = Vec::new();
+    let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut |stage, _| {
+        begun.push((stage, milliseconds(start)));
+        ControlFlow::Continue(())
+    })?;
+    let precompute_ms = milliseconds(start);
+    let ends = begun.iter().skip(1).map(|&(_, begin)| begin).chain([precompute_ms]);
+    let stages_ms = begun.iter().zip(ends).map(|(&(stage, begin), end)| (stage, end - begin)).collect();
+    Ok(Factored { solver, precompute_ms, stages_ms })
+}
+
+/// So many points, the same ones at every run.
+pub fn sample(surface: &Surface, count: u32) -> Vec<u32> {
     let points = surface.point_count() as u64;
     let mut state = 1_u64;
-    let mut times = Vec::with_capacity(count as usize);
-    for _ in 0..count {
+    let draw = |_| {
         // Multiplier and increment of Knuth's MMIX; its high bits are the random ones.
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let source = SurfacePoint::Vertex(((state >> 33) % points) as u32).into();
+        ((state >> 33) % points) as u32
+    };
+    (0..count).map(draw).collect()
+}
+
+/// Median time of a solve over single sources.
+pub fn median_solve_ms<A>(points: &[u32], mut solve: impl FnMut(Source) -> Result<A>) -> Result<f64> {
+    let mut times = Vec::with_capacity(points.len());
+    for &point in points {
         let start = Instant::now();
         // Kept until the clock has stopped, so that the work is not optimised away.
-        let answer = solve(source)?;
+        let answer = solve(SurfacePoint::Vertex(point).into())?;
         times.push(milliseconds(start));
         drop(answer);
     }

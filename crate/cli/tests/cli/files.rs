@@ -28,6 +28,13 @@ fn distance_to_csv_ply_and_glb() {
         for key in ["read", "build", "precompute", "solve"] {
             assert!(answer["timings_ms"][key].as_f64().unwrap() >= 0.0, "{key}");
         }
+        let stages = answer["stages_ms"].as_object().unwrap();
+        let total: f64 = stages.values().map(|time| time.as_f64().unwrap()).sum();
+        let precompute = answer["timings_ms"]["precompute"].as_f64().unwrap();
+        assert!(stages.contains_key("ordering"), "{stages:?}");
+        assert!((total - precompute).abs() <= 1e-9 * precompute, "{total} is not {precompute}");
+        let sources = answer["timed_sources"].as_array().unwrap();
+        assert!(sources.len() == 3 && sources.iter().all(|source| source.as_u64().unwrap() < 288), "{sources:?}");
         assert!(answer["factor_nonzeros"].as_u64().unwrap() > 288);
         assert_eq!(answer["unreachable"], 0);
         // Half around the ring along its inside and over the tube: between π · 0.6 and π · 1.8.

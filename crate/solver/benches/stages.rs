@@ -1,0 +1,112 @@
+//! The stages of the solver on one sphere of 20,480 triangles, each by itself: building, the stages of precompute, the
+//! parts of a solve, and the way home.
+//!
+//! `cargo bench -p heatwalk`, or `cargo bench -p heatwalk -- factoring` for those whose name has the word.
+
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use heatwalk::operator::intrinsic::IntrinsicTriangulation;
+use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::{
+    Boundary, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend, shapes,
+    straighten,
+};
+
+const LEVEL: u32 = 5;
+const STAGES: [Stage; 5] =
+    [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::FactoringPoisson, Stage::FactoringHeat];
+const SOURCE: SurfacePoint = SurfacePoint::Vertex(4321);
+const START: SurfacePoint = SurfacePoint::Vertex(0);
+
+fn surface() -> Arc<Surface> {
+    Arc::new(Surface::build(&shapes::icosphere(LEVEL)).expect("an icosphere is a surface"))
+}
+
+fn solver(surface: &Arc<Surface>, near_field: NearField) -> HeatSolver {
+    let parameters = Parameters { near_field, ..Parameters::default() };
+    HeatSolver::new(Arc::clone(surface), parameters, &mut go_on).expect("a sphere can be factored")
+}
+
+fn go_on(_: Stage, _: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+fn building(criterion: &mut Criterion) {
+    let soup = shapes::icosphere(LEVEL);
+    let surface = surface();
+    criterion.bench_function("surface", |bencher| bencher.iter(|| Surface::build(black_box(&soup))));
+    criterion.bench_function("Delaunay triangulation", |bencher| {
+        bencher.iter(|| IntrinsicTriangulation::delaunay(black_box(&surface)));
+    });
+    criterion.bench_function("Laplacian, plain", |bencher| {
+        bencher.iter(|| Laplacian::new(black_box(&surface), Operator::Plain));
+    });
+}
+
+/// The time that one stage of making a solver takes.
+fn precompute(criterion: &mut Criterion) {
+    let surface = surface();
+    for stage in STAGES {
+        criterion.bench_function(&stage.to_string().to_lowercase(), |bencher| {
+            bencher.iter_custom(|count| (0..count).map(|_| time_of(stage, &surface)).sum());
+        });
+    }
+}
+
+fn time_of(stage: Stage, surface: &Arc<Surface>) -> Duration {
+    let mut marks = Vec::new();
+    let mut mark = |stage, _| {
+        marks.push((stage, Instant::now()));
+        ControlFlow::Continue(())
+    };
+    let solver = HeatSolver::new(Arc::clone(surface), Parameters::default(), &mut mark);
+    let end = Instant::now();
+    black_box(solver).expect("a sphere can be factored");
+    let index = marks.iter().position(|mark| mark.0 == stage).expect("every stage is reported");
+    let next = marks.get(index + 1).map_or(end, |mark| mark.1);
+    next - marks[index].1
+}
+
+/// A solve with the near field, without it, and the cost of the parameters that factor again.
+fn solving(criterion: &mut Criterion) {
+    let surface = surface();
+    for (name, near_field) in [
+        ("solve", NearField::Automatic),
+        ("solve, heat alone", NearField::Edges(0.0)),
+        ("solve, near field of 16 edges", NearField::Edges(16.0)),
+    ] {
+        let solver = solver(&surface, near_field);
+        criterion.bench_function(name, |bencher| bencher.iter(|| solver.distance(black_box(&[SOURCE]))));
+    }
+    let hemisphere = shapes::hemisphere(70).select(&[0]).expect("part 0 is the hemisphere");
+    let hemisphere = Arc::new(Surface::build(&hemisphere).expect("a hemisphere is a surface"));
+    for (name, change) in [
+        ("another time", Parameters { time_step: TimeStep::Factor(3.0), ..Parameters::default() }),
+        ("another boundary condition", Parameters { boundary: Boundary::Dirichlet, ..Parameters::default() }),
+    ] {
+        criterion.bench_function(name, |bencher| {
+            let fresh = || solver(&hemisphere, NearField::Automatic);
+            bencher.iter_batched_ref(
+                fresh,
+                |solver| solver.set_parameters(change, &mut go_on),
+                BatchSize::PerIteration,
+            );
+        });
+    }
+}
+
+fn fields_and_paths(criterion: &mut Criterion) {
+    let surface = surface();
+    let distance = solver(&surface, NearField::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
+    let path = descend(&surface, &distance, START).expect("all of a sphere is reachable");
+    criterion.bench_function("gradients", |bencher| bencher.iter(|| black_box(&distance).gradients(&surface)));
+    criterion.bench_function("descend", |bencher| bencher.iter(|| descend(&surface, black_box(&distance), START)));
+    criterion.bench_function("straighten", |bencher| bencher.iter(|| straighten(&surface, black_box(&path))));
+}
+
+criterion_group!(stages, building, precompute, solving, fields_and_paths);
+criterion_main!(stages);

@@ -1,0 +1,64 @@
+//! A mesh for `npm run bench`: welded, clean and perhaps subdivided, as binary PLY, so that the same numbers name the
+//! same vertices to all programs. Prints what it is, as JSON.
+//!
+//! `cargo run --release -p heatwalk --example bench_mesh -- MESH|icosphere:K|hemisphere:K OUT.ply [SUBDIVISIONS]`
+//!
+//! An icosphere has 20 · 4ᴷ triangles, a hemisphere 4 K²; a subdivision cuts each triangle into four.
+
+use std::collections::HashMap;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use heatwalk::{Soup, Surface, io, shapes};
+use serde_json::json;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [input, output, subdivisions @ ..] = arguments.as_slice() else {
+        return Err("give a mesh and a file to write".into());
+    };
+    let surface = Surface::build(&read(input)?)?;
+    let mut mesh = Soup::single(input, surface.positions.clone(), surface.faces.as_slice().to_vec());
+    for _ in 0..subdivisions.first().map_or(Ok(0), |count| count.parse())? {
+        mesh = subdivided(mesh);
+    }
+    fs::write(output, io::write::distance_ply(&mesh, &vec![0.0; mesh.positions.len()]))?;
+    println!(
+        "{}",
+        json!({
+            "vertices": mesh.positions.len(),
+            "triangles": mesh.triangles.len(),
+            "components": surface.report.components,
+            "boundary_loops": surface.report.boundary_loops,
+            "oriented_manifold": surface.is_oriented_manifold,
+        })
+    );
+    Ok(())
+}
+
+fn read(input: &str) -> Result<Soup, Box<dyn Error>> {
+    Ok(match input.split_once(':') {
+        Some(("icosphere", level)) => shapes::icosphere(level.parse()?),
+        // Part 1 is the stand.
+        Some(("hemisphere", frequency)) => shapes::hemisphere(frequency.parse()?).select(&[0])?,
+        _ => io::read(input, &fs::read(input)?, &|uri| fs::read(Path::new(input).with_file_name(uri)).ok())?,
+    })
+}
+
+/// Each triangle cut into four at the middles of its edges.
+fn subdivided(mesh: Soup) -> Soup {
+    let mut positions = mesh.positions;
+    let mut middles = HashMap::new();
+    let mut triangles = Vec::with_capacity(4 * mesh.triangles.len());
+    for [a, b, c] in mesh.triangles {
+        let [ab, bc, ca] = [[a, b], [b, c], [c, a]].map(|[p, q]| {
+            *middles.entry([p.min(q), p.max(q)]).or_insert_with(|| {
+                positions.push(0.5 * (positions[p as usize] + positions[q as usize]));
+                positions.len() as u32 - 1
+            })
+        });
+        triangles.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
+    }
+    Soup::single("subdivided", positions, triangles)
+}
