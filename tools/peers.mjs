@@ -7,6 +7,13 @@ import { fail, root, run } from './steps.mjs';
 
 export const POTPOURRI3D = 'potpourri3d==1.4.0';
 export const PYGEODESIC = 'pygeodesic==0.1.11';
+export const LIBIGL = 'libigl==2.6.3';
+export const SCIPY = 'scipy==1.17.1';
+export const SCIKIT_SPARSE = 'scikit-sparse==0.4.16';
+
+const SINGLE_THREADED = Object.fromEntries(
+  ['OMP', 'OPENBLAS', 'MKL', 'BLIS', 'RAYON'].map((library) => [`${library}_NUM_THREADS`, '1']),
+);
 
 /** A Python that has these packages. */
 export function pythonWith(...packages) {
@@ -29,14 +36,27 @@ export function pythonWith(...packages) {
   return program;
 }
 
-/** What a program prints, single-threaded; null where it fails and `mayFail`. */
-export function json(command, args, { mayFail = false } = {}) {
-  const { status, stdout, stderr } = spawnSync(command, args, {
+/** Whether a package that builds on libraries of the system could be installed. */
+export function installs(python, name) {
+  return spawnSync(python, ['-m', 'pip', 'install', '--quiet', name], { stdio: 'ignore' }).status === 0;
+}
+
+/** What a program prints, single-threaded; where it fails, `{ failed: reason }`. */
+export function attempt(command, args) {
+  const { status, signal, error, stdout, stderr } = spawnSync(command, args, {
     encoding: 'utf8',
     maxBuffer: 1 << 28,
-    env: { ...process.env, OMP_NUM_THREADS: '1' },
+    env: { ...process.env, ...SINGLE_THREADED },
   });
   if (status === 0) return JSON.parse(stdout);
-  if (!mayFail) fail(`${command} failed: ${stderr}`);
+  const reason = signal ? `ended by ${signal}` : (stderr?.trim().split('\n').at(-1) ?? error?.message);
+  return { failed: reason || `exit status ${status}` };
+}
+
+/** What a program prints, single-threaded; null where it fails and `mayFail`. */
+export function json(command, args, { mayFail = false } = {}) {
+  const answer = attempt(command, args);
+  if (!answer.failed) return answer;
+  if (!mayFail) fail(`${command} failed: ${answer.failed}`);
   return null;
 }

@@ -1,0 +1,256 @@
+// The page as it ships, in a headless Chromium: its worker alone, a source dragged on it, and what it loads.
+
+import { createReadStream, readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { brotliCompressSync, constants } from 'node:zlib';
+import { chromium } from '@playwright/test';
+import { preview } from 'vite';
+import { requireChromium, root } from '../steps.mjs';
+
+const dist = join(root, 'dist');
+const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];
+const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+const WINDOW = { width: 640, height: 400 };
+const DRAG_SECONDS = 5;
+const POINTER_HZ = 120;
+/** CSS pixels. */
+const DRAG_RADIUS = 15;
+
+/** As the page starts out. */
+const PARAMETERS = {
+  operator: 'delaunay',
+  solver: 'cholesky',
+  timeFactor: 'auto',
+  boundary: 'neumann',
+  multi: 'exact',
+  nearField: 'auto',
+};
+
+/** An empty page beside the real one, and the mesh that is measured. */
+const BLANK = '/bench/';
+const MESH = '/bench/mesh.ply';
+
+export class Page {
+  #server;
+  #browser;
+  /** What was asked of the server, and what it gives at `MESH`. */
+  #requested = [];
+  #mesh = '';
+
+  static async open() {
+    const page = new Page();
+    page.#server = await preview({ root, logLevel: 'error', plugins: [page.#plugin()] });
+    page.#browser = await chromium.launch({
+      executablePath: requireChromium(),
+      args: [...ALWAYS, ...WEBGL],
+      ignoreDefaultArgs: ['--disable-gpu'],
+    });
+    return page;
+  }
+
+  get version() {
+    return this.#browser.version();
+  }
+
+  async close() {
+    await this.#browser.close();
+    await this.#server.close();
+  }
+
+  /** Milliseconds of precompute and of a solve, and bytes of memory, of a fresh worker. */
+  async worker(mesh, sources) {
+    this.#mesh = mesh;
+    const worker = readdirSync(join(dist, 'assets')).find((name) => /^solver\.worker-.*\.js$/.test(name));
+    return this.#with(BLANK, async (tab) => {
+      await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
+      try {
+        return await tab.evaluate(measureWorker, {
+          worker: `/assets/${worker}`,
+          mesh: MESH,
+          parameters: PARAMETERS,
+          sources,
+        });
+      } catch (error) {
+        return { failed: error.message.split('\n')[0] };
+      }
+    });
+  }
+
+  /** A source dragged over a preset for some seconds: fields a second, and how long each answer kept the page busy. */
+  async drag(preset) {
+    const address = `/?gpu=webgl#v=1&m=${preset}&refine=0&kiosk=1`;
+    return this.#with(address, async (tab) => {
+      await tab.evaluate(() => window.heatwalk.ready);
+      const [x, y] = await tab.evaluate(pixelOnModel);
+      await tab.mouse.click(x, y);
+      // A second press too soon would be a double click.
+      await tab.waitForTimeout(1000);
+      await tab.mouse.move(x, y);
+      await tab.mouse.down();
+      const options = { x, y, radius: DRAG_RADIUS, seconds: DRAG_SECONDS, hertz: POINTER_HZ };
+      const dragged = await tab.evaluate(dragInCircles, options);
+      await tab.mouse.up();
+      return { preset, triangles: await tab.evaluate(() => window.heatwalk.mesh.triangles), ...dragged };
+    });
+  }
+
+  /** The files that the page loads until its first picture, with their bytes after brotli. */
+  async firstPicture() {
+    this.#requested = [];
+    return this.#with('/?gpu=webgl', async (tab) => {
+      await tab.evaluate(() => window.heatwalk.ready);
+      const paths = new Set(this.#requested.map((address) => new URL(address, 'http://host').pathname));
+      const files = [...paths]
+        .map((path) => (path === '/' ? '/index.html' : path))
+        .filter((path) => isFile(join(dist, path)));
+      const sizes = files.map((path) => [path, brotli(readFileSync(join(dist, path)))]);
+      return { bytes: sizes.reduce((sum, [, bytes]) => sum + bytes, 0), files: Object.fromEntries(sizes) };
+    });
+  }
+
+  async #with(address, work) {
+    const context = await this.#browser.newContext({ viewport: WINDOW });
+    try {
+      const tab = await context.newPage();
+      tab.setDefaultTimeout(0);
+      await tab.addInitScript(timeAnswers);
+      await tab.goto(new URL(address, this.#server.resolvedUrls.local[0]).href);
+      return await work(tab);
+    } finally {
+      await context.close();
+    }
+  }
+
+  #plugin() {
+    return {
+      name: 'bench',
+      configurePreviewServer: ({ middlewares }) => {
+        middlewares.use((request, response, next) => {
+          this.#requested.push(request.url);
+          if (request.url === BLANK) response.setHeader('content-type', 'text/html').end('<!doctype html>');
+          else if (request.url === MESH) createReadStream(this.#mesh).pipe(response);
+          else next();
+        });
+      },
+    };
+  }
+}
+
+function isFile(path) {
+  return statSync(path, { throwIfNoEntry: false })?.isFile() ?? false;
+}
+
+function brotli(bytes) {
+  return brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
+}
+
+// What follows runs in the browser.
+
+async function measureWorker({ worker, mesh, parameters, sources }) {
+  const { Comlink } = window;
+  const open = async (input) => {
+    const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
+    const buffers = input.kind === 'files' ? input.files.map(({ bytes }) => bytes.buffer) : [];
+    const progress = Comlink.proxy(() => undefined);
+    return [api, await api.open(Comlink.transfer(input, buffers), [], parameters, progress)];
+  };
+  // The page shows a preset before anything else: its worker's code is compiled by then.
+  const [first] = await open({ kind: 'shape', shape: 'icosphere' });
+  await first.solve([{ vertex: 0 }]);
+  const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
+  const [api, { timings }] = await open({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] });
+  const times = [];
+  for (const vertex of sources) times.push((await api.solve([{ vertex }])).solveMs);
+  times.sort((a, b) => a - b);
+  // The same parameters again: nothing is factored, and the answer tells the memory, which never shrinks.
+  const { memoryBytes } = await api.configure(parameters);
+  return {
+    precompute: timings.buildMs + timings.precomputeMs,
+    solve: (times[(times.length - 1) >> 1] + times[times.length >> 1]) / 2,
+    memory: memoryBytes,
+  };
+}
+
+/** Notes how long each message of a worker keeps the page's thread busy, with all that follows from it at once. */
+function timeAnswers() {
+  // Longer than the chain of promises that leads from an answer to the buffers of the renderer.
+  const MICROTASKS = 500;
+  const busy = [];
+  Object.defineProperty(window, 'busyMs', { value: busy });
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function (type, listener, options) {
+    if (type !== 'message') return listen.call(this, type, listener, options);
+    const timed = (event) => {
+      const begin = performance.now();
+      let left = MICROTASKS;
+      const follow = () => (--left > 0 ? queueMicrotask(follow) : busy.push(performance.now() - begin));
+      listener.call(this, event);
+      follow();
+    };
+    return listen.call(this, type, timed, options);
+  };
+}
+
+/** The pixel nearest to the middle of the free area that shows the model. */
+function pixelOnModel() {
+  const { heatwalk } = window;
+  const [cx, cy] = heatwalk.centre;
+  for (let radius = 0; radius < 150; radius += 5) {
+    for (let angle = 0; angle < 2 * Math.PI; angle += 0.5) {
+      const [x, y] = [cx + radius * Math.cos(angle), cy + radius * Math.sin(angle)];
+      if (heatwalk.placeAt(x, y)) return [x, y];
+    }
+  }
+  throw new Error('The model is not in the picture.');
+}
+
+async function dragInCircles({ x, y, radius, seconds, hertz }) {
+  const { heatwalk, busyMs } = window;
+  const stage = document.querySelector('.stage');
+  const move = (clientX, clientY) =>
+    stage.dispatchEvent(
+      new PointerEvent('pointermove', {
+        clientX,
+        clientY,
+        pointerId: 1,
+        pointerType: 'mouse',
+        buttons: 1,
+        bubbles: true,
+      }),
+    );
+  // Out of the reach of a click, so that the drag begins.
+  move(x + radius, y);
+  const { solves } = heatwalk;
+  busyMs.length = 0;
+  const begin = performance.now();
+  const passed = () => (performance.now() - begin) / 1000;
+  let moves = 0;
+  let frames = 0;
+  let counting = true;
+  const frame = () => {
+    frames += 1;
+    if (counting) requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+  await new Promise((resolve) => {
+    const timer = setInterval(() => {
+      const turn = 2 * Math.PI * passed();
+      move(x + radius * Math.cos(turn), y + radius * Math.sin(turn));
+      moves += 1;
+      if (passed() < seconds) return;
+      clearInterval(timer);
+      resolve();
+    }, 1000 / hertz);
+  });
+  counting = false;
+  const perSecond = (count) => count / passed();
+  busyMs.sort((a, b) => a - b);
+  return {
+    fields: perSecond(heatwalk.solves - solves),
+    frames: perSecond(frames),
+    moves: perSecond(moves),
+    usual: busyMs[busyMs.length >> 1],
+    longest: busyMs.at(-1),
+  };
+}

@@ -1,0 +1,131 @@
+// The results as Markdown.
+
+const NAMES = {
+  plain: 'pp3d heat',
+  robust: 'pp3d robust',
+  libigl: 'libigl Delaunay',
+  cholmod: 'CHOLMOD',
+  native: 'native',
+  page: 'page',
+};
+const STAGES = ['build', 'assembling', 'ordering', 'analysing', 'factoring_poisson', 'factoring_heat'];
+const MISSING = '–';
+
+export function markdown({ machine, date, commit, versions, rounds, meshes, drags, firstPicture, bars, skipped }) {
+  const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
+  return [
+    `${machine.cpu}, ${machine.cores} cores, ${machine.memory} GiB; ${date}; commit ${commit}.`,
+    `Versions: ${versionList.join(', ')}. One thread each; medians of ${counted(rounds, 'round')} in alternation.`,
+    ...Object.values(skipped),
+    blasWarning(meshes),
+    '',
+    '### Times',
+    '',
+    'Precompute / solve in ms; in brackets their ratios to pp3d robust. CHOLMOD: analysing and factoring both matrices /',
+    'one substitution with each. A star: the peer ran once.',
+    '',
+    ...timesTable(meshes),
+    '',
+    '### Stages of native precompute',
+    '',
+    ...stagesTable(meshes),
+    '',
+    '### Bars',
+    '',
+    ...barsTable(bars),
+    ...(drags.length > 0 ? ['', '### Dragging a source', '', ...dragsTable(drags)] : []),
+    '',
+    '### Bytes to the first picture, after brotli',
+    '',
+    ...table(
+      ['file', 'bytes'],
+      Object.entries(firstPicture.files).map(([path, bytes]) => [path, String(bytes)]),
+    ),
+    ...failures(meshes),
+    '',
+  ]
+    .filter((line) => line !== null)
+    .join('\n');
+}
+
+function timesTable(meshes) {
+  const names = Object.keys(NAMES);
+  const rows = meshes.map(({ name, triangles, times, isSlow }) => {
+    const cells = names.map((who) => {
+      const once = isSlow && who !== 'native' && who !== 'page' ? '*' : '';
+      return timesCell(times[who], times.robust) + (times[who]?.precompute ? once : '');
+    });
+    return [name, String(triangles), ...cells];
+  });
+  return table(['mesh', 'triangles', ...Object.values(NAMES)], rows);
+}
+
+function timesCell(times, robust) {
+  if (!times) return MISSING;
+  if (times.failed) return times.failed === 'skipped' ? MISSING : 'failed';
+  const own = `${digits(times.precompute)} / ${digits(times.solve)}`;
+  if (!robust?.precompute || times === robust) return own;
+  return `${own} (${digits(times.precompute / robust.precompute)} / ${digits(times.solve / robust.solve)})`;
+}
+
+function stagesTable(meshes) {
+  const header = ['mesh', ...STAGES.map((stage) => stage.replace('_', ' ')), 'factors / CHOLMOD', 'analysed once'];
+  const rows = meshes.map(({ name, times: { native, cholmod } }) => [
+    name,
+    ...STAGES.map((stage) => digits(native[stage])),
+    cholmod?.precompute ? digits(native.factoring / cholmod.precompute) : MISSING,
+    cholmod?.precompute ? digits(native.factoring / cholmod.analysed_once) : MISSING,
+  ]);
+  return table(header, rows);
+}
+
+function barsTable(bars) {
+  const rows = bars.map(({ row, what, mesh, reached, bar, aim, unit, verdict }) => {
+    const bounds = bar === null ? `aim ${aim}` : aim === bar ? String(bar) : `${bar}, aim ${aim}`;
+    return [row, what, mesh, bounds, reached === null ? MISSING : digits(reached) + unit, verdict];
+  });
+  return table(['row', 'what', 'on', 'bar', 'reached', ''], rows);
+}
+
+function dragsTable(drags) {
+  const rows = drags.map(({ preset, triangles, fields, frames, moves, usual, longest }) => [
+    preset,
+    String(triangles),
+    ...[fields, frames, moves].map((rate) => rate.toFixed(0)),
+    `${usual.toFixed(1)} / ${longest.toFixed(1)}`,
+  ]);
+  return table(
+    ['preset', 'triangles', 'fields/s', 'pictures/s', 'pointer events/s', 'usual / longest answer (ms)'],
+    rows,
+  );
+}
+
+function failures(meshes) {
+  const lines = meshes.flatMap(({ name, times }) =>
+    Object.entries(times)
+      .filter(([, it]) => it.failed && it.failed !== 'skipped')
+      .map(([who, { failed }]) => `- ${NAMES[who]} on ${name}: ${failed}`),
+  );
+  return lines.length > 0 ? ['', '### Failed', '', ...lines] : [];
+}
+
+function blasWarning(meshes) {
+  const isSlow = meshes.some(({ times }) => times.cholmod?.blas === 'reference BLAS');
+  return isSlow ? 'CHOLMOD ran on the reference BLAS, which is slow: apt-get install libopenblas0-serial.' : null;
+}
+
+function table(header, rows) {
+  const rule = header.map((_, column) => (column === 0 ? '---' : '---:'));
+  return [header, rule, ...rows].map((cells) => `| ${cells.join(' | ')} |`);
+}
+
+/** Three of them. */
+function digits(value) {
+  if (!Number.isFinite(value)) return MISSING;
+  const before = Math.max(1, Math.ceil(Math.log10(Math.abs(value) + Number.MIN_VALUE)));
+  return value.toFixed(Math.min(3, Math.max(0, 3 - before)));
+}
+
+function counted(count, noun) {
+  return `${count} ${noun}${count === 1 ? '' : 's'}`;
+}
