@@ -13,7 +13,7 @@ import { buildPrograms, MESH_PROGRAM, native, Peers, queries } from './bench/pro
 import { markdown } from './bench/report.mjs';
 import { buildModules, fail, npmProgram, prepare, root } from './steps.mjs';
 
-const ROUNDS = 3;
+const ROUNDS = 5;
 const SOURCES = 10;
 const PEERS = ['plain', 'robust', 'libigl', 'cholmod'];
 const DRAGGED = ['bunny', 'dragon'];
@@ -28,6 +28,7 @@ const { values } = parseArgs({
 });
 const missing = values.mesh.find((file) => !existsSync(file));
 if (missing) fail(`There is no file ${missing}.`);
+if (!/^[0-4]$/.test(values.subdivide)) fail('--subdivide takes a number from 0 to 4.');
 
 prepare();
 buildModules();

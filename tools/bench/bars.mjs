@@ -2,70 +2,72 @@
 
 const GIBIBYTE = 2 ** 30;
 
-/** `[row, what, bar, aim, unit]`; smaller is better unless `more`. A bar of null is none. */
+/** What counts as nothing: one percent. */
+const FREE = 0.01;
+
+/** Smaller is better unless `more`. Infinity is what failed; a bar of null asks no more than an answer. */
 function compare(row, what, mesh, reached, bar, aim, { more = false, unit = '' } = {}) {
   const meets = (goal) => (more ? reached >= goal : reached <= goal);
-  const known = Number.isFinite(reached);
-  const verdict = !known ? 'not measured' : meets(aim) ? 'aim' : bar === null || meets(bar) ? 'pass' : 'miss';
-  return { row, what, mesh, reached: known ? reached : null, bar, aim, unit, verdict };
+  const passes = bar === null ? reached < Infinity : meets(bar);
+  const verdict = aim !== bar && meets(aim) ? 'aim' : passes ? 'pass' : 'miss';
+  return { row, what, mesh, reached, bar, aim, unit, verdict };
 }
 
-const ratio = (own, other) => own / other;
-
 export function bars({ meshes, growth, drags, firstPicture }) {
-  return [
+  const all = [
     ...meshes.flatMap(ofMesh),
-    ...(growth ? [compare('7', 'growth of native precompute, exponent', growth.name, growth.exponent, 1.3, 1.3)] : []),
+    ...(growth ? [compare(7, 'growth of native precompute, exponent', growth.name, growth.exponent, 1.3, 1.3)] : []),
     ...meshes.filter(({ queries }) => queries).flatMap(ofQueries),
     ...drags.flatMap(({ preset, fields, longest }) => [
-      compare('9', 'fields while a source is dragged', preset, fields, 30, 60, { more: true, unit: '/s' }),
-      compare('9', "longest answer on the page's thread", preset, longest, 16, 16, { unit: ' ms' }),
+      compare(9, 'fields while a source is dragged', preset, fields, 30, 60, { more: true, unit: '/s' }),
+      compare(9, "longest answer on the page's thread", preset, longest, 16, 16, { unit: ' ms' }),
     ]),
-    compare('10', 'bytes to the first picture', 'page', firstPicture.bytes / 1e6, 1.2, 0.9, { unit: ' MB' }),
+    compare(10, 'bytes to the first picture', 'page', firstPicture.bytes / 1e6, 1.2, 0.9, { unit: ' MB' }),
   ];
+  return all.toSorted((a, b) => a.row - b.row);
 }
 
 function ofMesh({ name, isLarge, memory, times }) {
-  const { native = {}, page = {}, robust = {}, cholmod = {} } = times;
+  const { native, page, robust, cholmod } = times;
   const rows = [];
-  const add = (row, what, own, other, bar, aim) => {
-    const reached = ratio(own, other);
+  const add = (row, what, own, other, key, bar, aim) => {
     // A peer that failed or did not run leaves nothing to compare with.
-    if (Number.isFinite(reached)) rows.push(compare(row, what, name, reached, bar, aim));
+    if (own && other && !other.failed) rows.push(compare(row, what, name, of(own, key) / other[key], bar, aim));
   };
-  add('1', 'page precompute / pp3d robust', page.precompute, robust.precompute, 1.0, 0.6);
-  add('1', 'page solve / pp3d robust', page.solve, robust.solve, 0.8, 0.4);
-  add('2', 'native precompute / pp3d robust', native.precompute, robust.precompute, 0.6, 0.3);
-  add('2', 'native solve / pp3d robust', native.solve, robust.solve, 0.5, 0.25);
-  add('3', 'native factors / CHOLMOD', native.factoring, cholmod.precompute, 1.5, 1.0);
-  add('4', 'native solve / two CHOLMOD substitutions', native.solve, cholmod.solve, 2.5, 1.2);
-  if (isLarge) add('5', 'native precompute / pp3d robust, large', native.precompute, robust.precompute, 0.3, 0.2);
+  add(1, 'page precompute / pp3d robust', page, robust, 'precompute', 1.0, 0.6);
+  add(1, 'page solve / pp3d robust', page, robust, 'solve', 0.8, 0.4);
+  add(2, 'native precompute / pp3d robust', native, robust, 'precompute', 0.6, 0.3);
+  add(2, 'native solve / pp3d robust', native, robust, 'solve', 0.5, 0.25);
+  add(3, 'native factors / CHOLMOD', native, cholmod, 'factoring', 1.5, 1.0);
+  add(4, 'native solve / two CHOLMOD substitutions', native, cholmod, 'solve', 2.5, 1.2);
+  if (isLarge) add(5, 'native precompute / pp3d robust, large', native, robust, 'precompute', 0.3, 0.2);
   if (memory) {
     rows.push(
-      compare('6', 'page memory', name, page.memory / GIBIBYTE, 2, 2, { unit: ' GiB' }),
-      compare('6', 'page precompute', name, page.precompute / 1000, null, 10, { unit: ' s' }),
-      compare('6', 'page solve', name, page.solve / 1000, null, 0.35, { unit: ' s' }),
+      compare(6, 'page memory', name, of(page, 'memory') / GIBIBYTE, 2, 2, { unit: ' GiB' }),
+      compare(6, 'page precompute', name, of(page, 'precompute') / 1000, null, 10, { unit: ' s' }),
+      compare(6, 'page solve', name, of(page, 'solve') / 1000, null, 0.35, { unit: ' s' }),
     );
   }
   return rows;
 }
 
+function of(times, key) {
+  return times.failed ? Infinity : times[key];
+}
+
 function ofQueries({ name, queries }) {
   const { precompute, solve, source_added_to_20: added, line_of_100: line, time, boundary } = queries;
   const change = (what, { first, again }) => [
-    compare('8', `${what} / precompute`, name, ratio(first, precompute), 0.5, 0.5),
-    compare('8', `${what} again / precompute`, name, ratio(again, precompute), FREE, FREE),
+    compare(8, `${what} / precompute`, name, first / precompute, 0.5, 0.5),
+    compare(8, `${what} again / precompute`, name, again / precompute, FREE, FREE),
   ];
   return [
-    compare('8', 'a source added to 20 / solve', name, ratio(added, solve), 2, 1.2),
-    compare('8', 'a line of 100 sources / solve', name, ratio(line, solve), 12, 5),
+    compare(8, 'a source added to 20 / solve', name, added / solve, 2, 1.2),
+    compare(8, 'a line of 100 sources / solve', name, line / solve, 12, 5),
     ...change('another time', time),
     ...(boundary ? change('another boundary condition', boundary) : []),
   ];
 }
-
-/** What counts as nothing: one percent. */
-const FREE = 0.01;
 
 /** The exponent e of `time ~ triangles^e` over the spheres, by least squares of the logarithms. */
 export function growthOf(meshes) {

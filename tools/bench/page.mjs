@@ -79,7 +79,7 @@ export class Page {
 
   /** A source dragged over a preset for some seconds: fields a second, and how long each answer kept the page busy. */
   async drag(preset) {
-    const address = `/?gpu=webgl#v=1&m=${preset}&refine=0&kiosk=1`;
+    const address = `/?gpu=webgl#v=1&m=${preset}`;
     return this.#with(address, async (tab) => {
       await tab.evaluate(() => window.heatwalk.ready);
       const [x, y] = await tab.evaluate(pixelOnModel);

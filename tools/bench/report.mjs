@@ -53,7 +53,7 @@ function timesTable(meshes) {
   const rows = meshes.map(({ name, triangles, times, isSlow }) => {
     const cells = names.map((who) => {
       const once = isSlow && who !== 'native' && who !== 'page' ? '*' : '';
-      return timesCell(times[who], times.robust) + (times[who]?.precompute ? once : '');
+      return timesCell(times[who], times.robust) + (times[who]?.solve ? once : '');
     });
     return [name, String(triangles), ...cells];
   });
@@ -63,9 +63,10 @@ function timesTable(meshes) {
 function timesCell(times, robust) {
   if (!times) return MISSING;
   if (times.failed) return times.failed === 'skipped' ? MISSING : 'failed';
-  const own = `${digits(times.precompute)} / ${digits(times.solve)}`;
+  const precompute = times.precompute ?? times.factoring;
+  const own = `${digits(precompute)} / ${digits(times.solve)}`;
   if (!robust?.precompute || times === robust) return own;
-  return `${own} (${digits(times.precompute / robust.precompute)} / ${digits(times.solve / robust.solve)})`;
+  return `${own} (${digits(precompute / robust.precompute)} / ${digits(times.solve / robust.solve)})`;
 }
 
 function stagesTable(meshes) {
@@ -73,8 +74,8 @@ function stagesTable(meshes) {
   const rows = meshes.map(({ name, times: { native, cholmod } }) => [
     name,
     ...STAGES.map((stage) => digits(native[stage])),
-    cholmod?.precompute ? digits(native.factoring / cholmod.precompute) : MISSING,
-    cholmod?.precompute ? digits(native.factoring / cholmod.analysed_once) : MISSING,
+    digits(native.factoring / cholmod?.factoring),
+    digits(native.factoring / cholmod?.analysed_once),
   ]);
   return table(header, rows);
 }
@@ -82,7 +83,7 @@ function stagesTable(meshes) {
 function barsTable(bars) {
   const rows = bars.map(({ row, what, mesh, reached, bar, aim, unit, verdict }) => {
     const bounds = bar === null ? `aim ${aim}` : aim === bar ? String(bar) : `${bar}, aim ${aim}`;
-    return [row, what, mesh, bounds, reached === null ? MISSING : digits(reached) + unit, verdict];
+    return [String(row), what, mesh, bounds, reached === Infinity ? 'failed' : digits(reached) + unit, verdict];
   });
   return table(['row', 'what', 'on', 'bar', 'reached', ''], rows);
 }

@@ -1,5 +1,6 @@
 //! Work with the time that it takes.
 
+use std::mem;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
@@ -20,7 +21,7 @@ pub fn build(input: &Input) -> Result<(Arc<Surface>, f64)> {
 pub struct Factored {
     pub solver: HeatSolver,
     pub precompute_ms: f64,
-    /// In the order of the work.
+    /// In the order of the work; together they are all of it.
     pub stages_ms: Vec<(Stage, f64)>,
 }
 
@@ -33,7 +34,9 @@ pub fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<Factored
     })?;
     let precompute_ms = milliseconds(start);
     let ends = begun.iter().skip(1).map(|&(_, begin)| begin).chain([precompute_ms]);
-    let stages_ms = begun.iter().zip(ends).map(|(&(stage, begin), end)| (stage, end - begin)).collect();
+    let mut before = 0.0;
+    let lasted = |end: f64| end - mem::replace(&mut before, end);
+    let stages_ms = begun.iter().map(|&(stage, _)| stage).zip(ends.map(lasted)).collect();
     Ok(Factored { solver, precompute_ms, stages_ms })
 }
 
