@@ -11,11 +11,11 @@ const NAMES = {
 const STAGES = ['build', 'assembling', 'ordering', 'analysing', 'factoring_poisson', 'factoring_heat'];
 const MISSING = '–';
 
-export function markdown({ machine, date, commit, versions, rounds, meshes, drags, firstPicture, bars, skipped }) {
+export function markdown({ machine, date, commit, versions, meshes, drags, firstPicture, bars, skipped }) {
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return [
     `${machine.cpu}, ${machine.cores} cores, ${machine.memory} GiB; ${date}; commit ${commit}.`,
-    `Versions: ${versionList.join(', ')}. One thread each; medians of ${counted(rounds, 'round')} in alternation.`,
+    `Versions: ${versionList.join(', ')}. One thread each; medians of rounds in alternation.`,
     ...Object.values(skipped),
     blasWarning(meshes),
     '',
@@ -50,14 +50,14 @@ export function markdown({ machine, date, commit, versions, rounds, meshes, drag
 
 function timesTable(meshes) {
   const names = Object.keys(NAMES);
-  const rows = meshes.map(({ name, triangles, times, isSlow }) => {
+  const rows = meshes.map(({ name, triangles, rounds, times, isSlow }) => {
     const cells = names.map((who) => {
       const once = isSlow && who !== 'native' && who !== 'page' ? '*' : '';
       return timesCell(times[who], times.robust) + (times[who]?.solve ? once : '');
     });
-    return [name, String(triangles), ...cells];
+    return [name, String(triangles), String(rounds), ...cells];
   });
-  return table(['mesh', 'triangles', ...Object.values(NAMES)], rows);
+  return table(['mesh', 'triangles', 'rounds', ...Object.values(NAMES)], rows);
 }
 
 function timesCell(times, robust) {
@@ -125,8 +125,4 @@ function digits(value) {
   if (!Number.isFinite(value)) return MISSING;
   const before = Math.max(1, Math.ceil(Math.log10(Math.abs(value) + Number.MIN_VALUE)));
   return value.toFixed(Math.min(3, Math.max(0, 3 - before)));
-}
-
-function counted(count, noun) {
-  return `${count} ${noun}${count === 1 ? '' : 's'}`;
 }
