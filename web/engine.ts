@@ -5,11 +5,13 @@ import type {
   OpenedMesh,
   Parameters,
   PathKind,
+  Solved,
   Source,
-  SurfacePath,
   SurfacePoint,
+  TracedWay,
+  Way,
 } from './protocol';
-import { Cancelled, type SolverWorker, WorkerLost } from './solver-worker';
+import { Cancelled, type SolverWorker } from './solver-worker';
 
 export interface Question {
   sources: readonly Source[];
@@ -18,16 +20,16 @@ export interface Question {
   from: SurfacePoint | null;
   /** The way that is wanted in the end. The exact one takes long, so a straightened one stands in for it at first. */
   way: PathKind;
+  /** A field with a small near field will do. */
+  quick: boolean;
 }
 
-export interface Answer {
+export interface Answer extends TracedWay {
   question: Question;
   /** Null when there are no sources. */
   field: DistanceField | null;
-  path: SurfacePath | null;
   /** What `path` is. */
   pathKind: PathKind;
-  pathMs: number;
   factoring: Factoring;
 }
 
@@ -43,7 +45,7 @@ export class Engine {
   #parameters: Parameters;
   #factoring: Factoring;
   /** The field that the worker holds, and of which sources. */
-  #held: { sources: readonly Source[]; field: DistanceField } | null = null;
+  #held: { sources: readonly Source[]; quick: boolean; field: DistanceField } | null = null;
   #busy = false;
   /** Ends with the slice or exact way that was asked for last. */
   #bettering: Promise<void> = Promise.resolve();
@@ -71,20 +73,21 @@ export class Engine {
   /** An answer made better by one slice of refining. Null when a question is asked: that comes first. */
   refine(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
-      const field = await this.#worker.call(this.#worker.api.refine());
-      this.#held = { sources: answer.question.sources, field };
+      const { question, pathKind } = answer;
       // The exact way does not depend on the field.
-      if (answer.pathKind === 'exact' || this.#waiting) return { ...answer, field };
-      return { ...answer, field, ...(await this.#path(answer.question)) };
+      const way = pathKind === 'exact' ? null : wayOf(question, pathKind);
+      const { field, path, pathMs } = await this.#worker.call(this.#worker.api.refine(way));
+      this.#held = { sources: question.sources, quick: false, field };
+      return way ? { ...answer, field, path, pathMs } : { ...answer, field };
     });
   }
 
   /** An answer with the exact way home. Null when a question is asked: that comes first. */
   traceExactly(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
-      const { path, pathKind } = await this.#path(answer.question, 'exact');
+      const { path } = await this.#path(wayOf(answer.question, 'exact'));
       // The time of a way home is that of one traced while the hand moves.
-      return { ...answer, path, pathKind };
+      return { ...answer, path, pathKind: 'exact' };
     });
   }
 
@@ -145,31 +148,26 @@ export class Engine {
       this.#parameters = parameters;
       this.#held = null;
     }
-    const factoring = this.#factoring;
-    if (sources.length === 0)
-      return { question, field: null, path: null, pathKind: question.way, pathMs: 0, factoring };
+    const pathKind = question.way === 'exact' ? 'straight' : question.way;
+    const about = { question, pathKind, factoring: this.#factoring };
+    if (sources.length === 0) return { ...about, field: null, path: null, pathMs: 0 };
+    const way = wayOf(question, pathKind);
+    const held = this.#held;
     // Another way home does not undo what refining has reached.
-    if (this.#held?.sources !== sources) {
-      this.#held = null;
-      this.#held = { sources, field: await this.#worker.call(api.solve([...sources])) };
+    if (held && held.sources === sources && (question.quick || !held.quick)) {
+      return { ...about, field: held.field, ...(await this.#path(way)) };
     }
-    const { field } = this.#held;
-    return { question, field, ...(await this.#path(question)), factoring };
+    this.#held = null;
+    const solved: Solved = await this.#worker.call(api.solve([...sources], question.quick, way));
+    this.#held = { sources, quick: question.quick, field: solved.field };
+    return { ...about, ...solved };
   }
 
-  /** No way home (the start is on a part that no source reaches) is not a failure of the question. */
-  async #path(
-    { from, way }: Question,
-    kind: PathKind = way === 'exact' ? 'straight' : way,
-  ): Promise<Pick<Answer, 'path' | 'pathKind' | 'pathMs'>> {
-    if (!from) return { path: null, pathKind: kind, pathMs: 0 };
-    const before = performance.now();
-    let path: SurfacePath | null = null;
-    try {
-      path = await this.#worker.call(this.#worker.api.path(from, kind));
-    } catch (error) {
-      if (error instanceof WorkerLost || error instanceof Cancelled) throw error;
-    }
-    return { path, pathKind: kind, pathMs: performance.now() - before };
+  async #path(way: Way | null): Promise<TracedWay> {
+    return way ? this.#worker.call(this.#worker.api.path(way)) : { path: null, pathMs: 0 };
   }
+}
+
+function wayOf({ from }: Question, kind: PathKind): Way | null {
+  return from && { from, kind };
 }

@@ -13,10 +13,10 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
   if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
-  let answer = await ask(engine, { sources, parameters, from: walker, way });
+  let answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field.distance);
-    answer = await ask(engine, { sources, parameters, from: walker, way });
+    answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
   }
   const { mesh } = request.state;
   return {

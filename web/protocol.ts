@@ -145,6 +145,24 @@ export interface SurfacePath {
   length: number;
 }
 
+/** A way home that is wanted. */
+export interface Way {
+  from: SurfacePoint;
+  kind: PathKind;
+}
+
+export interface TracedWay {
+  /** Null where none was wanted, and where there is none: the start is on a part that no source reaches. */
+  path: SurfacePath | null;
+  /** Of tracing alone. */
+  pathMs: number;
+}
+
+/** A field and the way home by it, in one message: both are shown in the same frame. */
+export interface Solved extends TracedWay {
+  field: DistanceField;
+}
+
 export interface Progress {
   /** In words: "Factoring" */
   stage: string;
@@ -155,20 +173,25 @@ export interface Progress {
 
 export type ProgressListener = (progress: Progress) => void;
 
-/** Calls run one after another. A call that fails rejects with a one-sentence message and changes nothing. */
+/** Calls run one after another, none before `start`. A call that fails rejects with a one-sentence message and changes nothing. */
 export interface SolverApi {
+  /** The solver's module, compiled once by the page for all its workers. */
+  start(module: WebAssembly.Module): Promise<void>;
+  /** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
+  warmUp(): Promise<void>;
   /** Reads, welds, factors. `parts`: the indices to walk on, empty for all. The last mesh stays if this fails. */
   open(input: MeshInput, parts: number[], parameters: Parameters, progress: ProgressListener): Promise<OpenedMesh>;
   /** Factors again what the change needs. The last field is forgotten. */
   configure(parameters: Parameters): Promise<Factoring>;
-  solve(sources: Source[]): Promise<DistanceField>;
+  /** `quick`: with a small near field whatever the parameters, for a hand that drags. */
+  solve(sources: Source[], quick: boolean, way: Way | null): Promise<Solved>;
   /**
    * One slice of making the last field exact, from the sources outward: exact inside, heat beyond. Takes 100 to
    * 200 ms, or twice a solve where that is more; the next call goes on. Once all is exact, the field stays as it is.
    */
-  refine(): Promise<DistanceField>;
-  /** The way home from a place, by the last field. */
-  path(from: SurfacePoint, kind: PathKind): Promise<SurfacePath>;
+  refine(way: Way | null): Promise<Solved>;
+  /** A way home by the last field. */
+  path(way: Way): Promise<TracedWay>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

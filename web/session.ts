@@ -13,6 +13,8 @@ import { Walk } from './walk';
 
 /** A way home that takes longer is traced only when the hand rests. */
 const LIVE_PATH_MS = 8;
+/** A field that takes longer, a frame at 60 a second, has a small near field while a hand drags. */
+const LIVE_FIELD_MS = 16;
 
 export interface Loading {
   title: string;
@@ -56,6 +58,7 @@ export class Session {
   readonly #client = new SolverClient();
   #engine: Engine | null = null;
   #dragging = false;
+  #quick = false;
 
   constructor(scene: Scene, view: View) {
     this.scene = scene;
@@ -97,14 +100,16 @@ export class Session {
     this.#client.cancel();
   }
 
-  /** During a drag the way home may wait until the hand rests. */
+  /** During a drag a small near field may do, and the way home may wait until the hand rests. */
   set dragging(dragging: boolean) {
-    this.#dragging = dragging;
     const answer = this.shown.value?.answer;
+    this.#dragging = dragging;
+    // Decided once a drag: quick fields soon take less than a frame.
+    this.#quick = dragging && (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS;
     if (dragging) this.refiner.interrupt();
     if (dragging || !answer) return;
-    if (answer.question.from !== this.scene.state.walker) void this.#solve();
-    else this.#rest();
+    if (this.#isAnswered(answer)) this.#rest();
+    else void this.#solve();
   }
 
   /** Nothing is being opened, solved or refined, and no hand holds a source. */
@@ -158,7 +163,7 @@ export class Session {
     if (!shown) return;
     if (state.look !== previous.look) this.view.setLook(state.look, shown.places.diameter);
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
-    if (!isAnswered(shown.answer, state)) void this.#solve();
+    if (!this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
   }
 
@@ -170,7 +175,7 @@ export class Session {
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
     this.refiner.interrupt();
     try {
-      const answer = await engine.ask({ sources, parameters, from: wait ? null : walker, way });
+      const answer = await engine.ask({ sources, parameters, from: wait ? null : walker, way, quick: this.#quick });
       if (!answer || engine !== this.#engine) return;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
@@ -188,7 +193,19 @@ export class Session {
   #rest(): void {
     const { value: shown } = this.shown;
     const { state } = this.scene;
-    if (this.#engine && shown && isAnswered(shown.answer, state)) this.refiner.rest(this.#engine, shown.answer, state);
+    if (this.#engine && shown && this.#isAnswered(shown.answer)) this.refiner.rest(this.#engine, shown.answer, state);
+  }
+
+  /** Whether an answer is to what the scene asks. */
+  #isAnswered({ question }: Answer): boolean {
+    const { sources, parameters, walker, way } = this.scene.state;
+    return (
+      question.sources === sources &&
+      question.parameters === parameters &&
+      question.from === walker &&
+      question.way === way &&
+      (this.#quick || !question.quick)
+    );
   }
 
   #refined(answer: Answer): void {
@@ -221,16 +238,6 @@ export class Session {
       selected,
     );
   }
-}
-
-/** Whether an answer is to what the scene asks. */
-function isAnswered({ question }: Answer, { sources, parameters, walker, way }: SceneState): boolean {
-  return (
-    question.sources === sources &&
-    question.parameters === parameters &&
-    question.from === walker &&
-    question.way === way
-  );
 }
 
 export function reducedMotion(): boolean {

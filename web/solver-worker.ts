@@ -1,6 +1,7 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
 import type { SolverApi } from './protocol';
+import { isTrap } from './trap';
 
 export class Cancelled extends Error {
   constructor() {
@@ -11,6 +12,8 @@ export class Cancelled extends Error {
 /** The worker is gone: out of memory, or a defect. Nothing can be asked of this mesh until it is opened again. */
 export class WorkerLost extends Error {}
 
+const NOT_STARTED = 'The solver could not be started.';
+
 /** One worker and the calls to it. */
 export class SolverWorker {
   readonly #worker: Worker;
@@ -18,7 +21,8 @@ export class SolverWorker {
   readonly #aborted: Promise<never>;
   readonly api: Remote<SolverApi>;
 
-  constructor() {
+  /** `module`: the solver's, compiled. */
+  constructor(module: Promise<WebAssembly.Module>) {
     this.#worker = new Worker(new URL('./solver.worker.ts', import.meta.url), { type: 'module' });
     this.api = wrap<SolverApi>(this.#worker);
     const { promise, reject } = Promise.withResolvers<never>();
@@ -28,8 +32,11 @@ export class SolverWorker {
     promise.catch(() => undefined);
     this.#worker.addEventListener('error', (event) => {
       event.preventDefault();
-      this.end(new WorkerLost(event.message || 'The solver could not be started.'));
+      this.end(new WorkerLost(event.message || NOT_STARTED));
     });
+    module
+      .then((compiled) => this.api.start(compiled))
+      .catch((error: unknown) => this.end(new WorkerLost(NOT_STARTED, { cause: error })));
   }
 
   /** Comlink never settles the calls of a terminated worker, so every call races against the worker's end. */
@@ -54,11 +61,6 @@ export class SolverWorker {
 
 function toError(thrown: unknown): Error {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
-}
-
-/** A wasm module that trapped must not be called again. */
-function isTrap(error: Error): boolean {
-  return error.name === 'RuntimeError' || error instanceof RangeError;
 }
 
 function trapSentence(error: Error): string {

@@ -7,10 +7,18 @@ import { proxy, transfer } from 'comlink';
 import { Engine } from './engine';
 import type { MeshInput, Parameters, ProgressListener } from './protocol';
 import { Cancelled, SolverWorker } from './solver-worker';
+import wasmAddress from './wasm/solver/heatwalk_worker_bg.wasm?url';
 
 export class SolverClient {
+  /** All workers share one, and with it the code that the browser has optimised so far. */
+  #module: Promise<WebAssembly.Module> | null = null;
   #spare: SolverWorker | null = null;
   #opening: SolverWorker | null = null;
+
+  constructor() {
+    // The module is on its way while the page is still being built.
+    void this.#compiled().catch(() => undefined);
+  }
 
   /** `load` gives the input anew for each opening, because its buffers are handed over to the worker. */
   async open(
@@ -20,7 +28,7 @@ export class SolverClient {
     progress: ProgressListener,
   ): Promise<Engine> {
     this.cancel();
-    const worker = this.#spare ?? new SolverWorker();
+    const worker = this.#spare ?? new SolverWorker(this.#compiled());
     this.#spare = null;
     this.#opening = worker;
     try {
@@ -44,8 +52,32 @@ export class SolverClient {
 
   /** Starts the worker of the next mesh ahead of time; to be called when the page is idle. */
   warmUp(): void {
-    this.#spare ??= new SolverWorker();
+    if (this.#spare) return;
+    const spare = new SolverWorker(this.#compiled());
+    this.#spare = spare;
+    spare.call(spare.api.warmUp()).catch(() => {
+      // The worker that opens the next mesh says what is wrong, should it be wrong again.
+      spare.end(new Cancelled());
+      if (this.#spare === spare) this.#spare = null;
+    });
   }
+
+  #compiled(): Promise<WebAssembly.Module> {
+    this.#module ??= compile().catch((error: unknown) => {
+      // The next opening tries again.
+      this.#module = null;
+      throw error;
+    });
+    return this.#module;
+  }
+}
+
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(wasmAddress);
+  // Compiling while it arrives needs the right type, which not every static host gives.
+  return response.headers.get('Content-Type') === 'application/wasm'
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
 }
 
 function buffersOf(input: MeshInput): Transferable[] {

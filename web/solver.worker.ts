@@ -8,15 +8,16 @@ import type {
   MeshInput,
   OpenedMesh,
   Parameters,
-  PathKind,
+  Solved,
   SolverApi,
   Source,
   SurfacePath,
-  SurfacePoint,
   Timings,
+  TracedWay,
+  Way,
 } from './protocol';
+import { isTrap } from './trap';
 import initialise, * as wasm from './wasm/solver/heatwalk_worker.js';
-import wasmAddress from './wasm/solver/heatwalk_worker_bg.wasm?url';
 
 /** Shares of reading, building and factoring in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
@@ -29,8 +30,11 @@ const SLICE_SOLVES = 2;
 const FIRST_WORK = 20_000;
 const LEAST_WORK = 2_000;
 
+/** Ten thousand points: enough for every kernel to run often, and over before anybody opens a mesh. */
+const WARM_UP_SHAPE = 'icosphere';
+
 /** Calls that arrive while the module is still being compiled wait for it. */
-const ready = initialise({ module_or_path: wasmAddress });
+const { promise: ready, resolve: begin } = Promise.withResolvers<wasm.InitOutput>();
 
 interface Current {
   solver: wasm.Solver;
@@ -44,6 +48,20 @@ interface Current {
 let current: Current | undefined;
 
 const api: SolverApi = {
+  async start(module) {
+    begin(initialise({ module_or_path: module }));
+    await ready;
+  },
+
+  async warmUp() {
+    await ready;
+    const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
+    const surface = file.surface(Uint32Array.of(0));
+    const solver = surface.factor({}, () => undefined);
+    for (const quick of [false, true]) solver.solve([{ vertex: 0 }], quick).free();
+    for (const used of [solver, surface, file]) used.free();
+  },
+
   async open(input, parts, parameters, progress) {
     const { memory } = await ready;
     const hash = await hashOf(input);
@@ -100,16 +118,16 @@ const api: SolverApi = {
     return factoringOf(mesh, memory);
   },
 
-  solve(sources: Source[]): Promise<DistanceField> {
+  solve(sources: Source[], quick: boolean, way: Way | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
-    const field = mesh.solver.solve(sources);
+    const field = mesh.solver.solve(sources, quick);
     mesh.solveMs = clock();
     mesh.refineMs = 0;
-    return fieldOf(field, mesh);
+    return solvedOf(field, mesh, way);
   },
 
-  refine(): Promise<DistanceField> {
+  refine(way: Way | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
     const field = mesh.solver.refine(mesh.work);
@@ -121,14 +139,12 @@ const api: SolverApi = {
       const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
       mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
     }
-    return fieldOf(field, mesh);
+    return solvedOf(field, mesh, way);
   },
 
-  path(from: SurfacePoint, kind: PathKind): Promise<SurfacePath> {
-    const path = openMesh().solver.path(from, kind);
-    const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
-    path.free();
-    return Promise.resolve(transfer(answer, [answer.points.buffer, answer.normals.buffer]));
+  path(way: Way): Promise<TracedWay> {
+    const traced = trace(openMesh(), way);
+    return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
   gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
@@ -156,11 +172,15 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
   return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
 }
 
-function fieldOf(field: wasm.Field, { solveMs, refineMs }: Current): Promise<DistanceField> {
-  const distance = field.take_values();
+function solvedOf(field: wasm.Field, mesh: Current, way: Way | null): Promise<Solved> {
+  const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, way) };
+  return Promise.resolve(transfer(solved, [solved.field.distance.buffer, ...pathBuffersOf(solved)]));
+}
+
+function fieldOf(field: wasm.Field, { solveMs, refineMs }: Current): DistanceField {
   const { mean_error: mean, max_error: max } = field;
   const answer: DistanceField = {
-    distance,
+    distance: field.take_values(),
     maxDistance: field.max,
     unreachableVertices: field.unreachable,
     exactBelow: field.exact_below,
@@ -171,7 +191,28 @@ function fieldOf(field: wasm.Field, { solveMs, refineMs }: Current): Promise<Dis
     refineMs,
   };
   field.free();
-  return Promise.resolve(transfer(answer, [distance.buffer]));
+  return answer;
+}
+
+function trace({ solver }: Current, way: Way | null): TracedWay {
+  const clock = stopwatch();
+  return { path: way && pathOf(solver, way), pathMs: clock() };
+}
+
+function pathOf(solver: wasm.Solver, { from, kind }: Way): SurfacePath | null {
+  try {
+    const path = solver.path(from, kind);
+    const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
+    path.free();
+    return answer;
+  } catch (error) {
+    if (error instanceof Error && isTrap(error)) throw error;
+    return null;
+  }
+}
+
+function pathBuffersOf({ path }: TracedWay): Transferable[] {
+  return path ? [path.points.buffer, path.normals.buffer] : [];
 }
 
 function read(input: MeshInput): wasm.MeshFile {

@@ -1,15 +1,16 @@
 import { expect, test } from '@playwright/test';
 import { Engine, type Question } from '../../web/engine';
-import type { DistanceField, OpenedMesh } from '../../web/protocol';
+import type { DistanceField, OpenedMesh, Solved, Source, Way } from '../../web/protocol';
 import { DEFAULT_PARAMETERS } from '../../web/scene';
 import type { SolverWorker } from '../../web/solver-worker';
 
-const field = (refineMs: number) => ({ refineMs }) as DistanceField;
+const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
 const QUESTION: Question = {
   sources: [{ vertex: 0 }],
   parameters: DEFAULT_PARAMETERS,
   from: { vertex: 1 },
   way: 'descent',
+  quick: false,
 };
 
 /** An engine whose worker notes its calls; a slice lasts until it is let go. */
@@ -18,17 +19,17 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
   const slices: (() => void)[] = [];
   const api = {
     configure: async () => calls.push('configure'),
-    solve: async () => {
-      calls.push('solve');
-      return field(0);
+    solve: async (_: Source[], quick: boolean, way: Way | null) => {
+      calls.push(['solve', ...(quick ? ['quick'] : []), ...kinds(way)].join(' '));
+      return solved(0);
     },
-    refine: () => {
-      calls.push('refine');
-      return new Promise<DistanceField>((resolve) => slices.push(() => resolve(field(1))));
+    refine: (way: Way | null) => {
+      calls.push(['refine', ...kinds(way)].join(' '));
+      return new Promise<Solved>((resolve) => slices.push(() => resolve(solved(1))));
     },
-    path: async (_: unknown, kind: string) => {
-      calls.push(`path ${kind}`);
-      return { length: 1 };
+    path: async (way: Way) => {
+      calls.push(`path ${way.kind}`);
+      return { path: null, pathMs: 0 };
     },
   };
   const worker = { api, call: <T>(answer: Promise<T>) => answer } as unknown as SolverWorker;
@@ -36,16 +37,27 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 
+const kinds = (way: Way | null) => (way ? [way.kind] : []);
 const soon = () => new Promise((resolve) => setTimeout(resolve, 5));
 
 test('another way home over the same field is not solved again', async () => {
   const { engine: it, calls } = engine();
   const first = await it.ask(QUESTION);
   const second = await it.ask({ ...QUESTION, from: { vertex: 2 }, way: 'straight' });
-  expect(calls).toEqual(['solve', 'path descent', 'path straight']);
+  expect(calls).toEqual(['solve descent', 'path straight']);
   expect(second?.field).toBe(first?.field);
   await it.ask({ ...QUESTION, parameters: { ...DEFAULT_PARAMETERS, timeFactor: 2 } });
-  expect(calls.slice(3)).toEqual(['configure', 'solve', 'path descent']);
+  expect(calls.slice(2)).toEqual(['configure', 'solve descent']);
+});
+
+test('a quick field is solved again in full, a full one never quickly', async () => {
+  const { engine: it, calls } = engine();
+  const quick = await it.ask({ ...QUESTION, from: null, quick: true });
+  expect(quick?.path).toBeNull();
+  const full = await it.ask(QUESTION);
+  expect(full?.field).not.toBe(quick?.field);
+  expect((await it.ask({ ...QUESTION, from: null, quick: true }))?.field).toBe(full?.field);
+  expect(calls).toEqual(['solve quick', 'solve descent']);
 });
 
 test('a straightened way stands in for the exact one until that is asked for', async () => {
@@ -54,7 +66,7 @@ test('a straightened way stands in for the exact one until that is asked for', a
   expect(answer?.pathKind).toBe('straight');
   const traced = answer && (await it.traceExactly(answer));
   expect(traced?.pathKind).toBe('exact');
-  expect(calls).toEqual(['solve', 'path straight', 'path exact']);
+  expect(calls).toEqual(['solve straight', 'path exact']);
 });
 
 test('a question during a slice makes its result worthless and comes next', async () => {
@@ -67,7 +79,7 @@ test('a question during a slice makes its result worthless and comes next', asyn
   letGo();
   expect(await refined).toBeNull();
   expect((await next)?.field?.refineMs).toBe(0);
-  expect(calls).toEqual(['solve', 'path descent', 'refine', 'solve', 'path descent']);
+  expect(calls).toEqual(['solve descent', 'refine descent', 'solve descent']);
   // What was refined before is no more.
   expect(await it.refine(answer)).toBeNull();
 });
@@ -79,7 +91,7 @@ test('a slice waits for one that is still under way', async () => {
   const first = it.refine(answer);
   const second = it.refine(answer);
   await soon();
-  expect(calls.filter((call) => call === 'refine')).toHaveLength(1);
+  expect(calls.filter((call) => call.startsWith('refine'))).toHaveLength(1);
   letGo();
   expect((await first)?.field?.refineMs).toBe(1);
   await soon();

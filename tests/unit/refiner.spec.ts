@@ -20,7 +20,7 @@ function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
     solveMs: 1,
     refineMs: 0,
   };
-  const question = { sources: [{ vertex: 0 }], parameters: STATE.parameters, from: { vertex: 1 }, way };
+  const question = { sources: [{ vertex: 0 }], parameters: STATE.parameters, from: { vertex: 1 }, way, quick: false };
   const timings = { readMs: 0, buildMs: 0, precomputeMs: 0 };
   const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
   return { question, field, path: WAY, pathKind: way === 'exact' ? 'straight' : way, pathMs: 0, factoring };

@@ -19,13 +19,18 @@ pub struct Field {
 
 impl Field {
     pub(crate) fn of(drawn: &Drawn, distance: &Distance, time_factor: f64, error: Option<RelativeError>) -> Self {
-        let is_exact = |&&value: &&f64| value.is_finite() && value < distance.exact_below;
-        let reachable = distance.values.len() - distance.unreachable();
-        let exact = distance.values.iter().filter(is_exact).count();
+        let (mut max, mut reachable, mut exact) = (0.0_f64, 0, 0);
+        for &value in &distance.values {
+            if value.is_finite() {
+                max = max.max(value);
+                reachable += 1;
+                exact += usize::from(value < distance.exact_below);
+            }
+        }
         Self {
             values: drawn.spread(&distance.values),
-            max: distance.max(),
-            unreachable: distance.unreachable() as u32,
+            max,
+            unreachable: (distance.values.len() - reachable) as u32,
             exact_below: distance.exact_below,
             exact_share: exact as f64 / reachable.max(1) as f64,
             time_factor,

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{HeatSolver, Refinement, Stage};
-use heatwalk::{Distance, RelativeError, Source, Surface, descend, exact, straighten};
+use heatwalk::{Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
 use js_sys::{Array, Function};
 use wasm_bindgen::prelude::*;
 
@@ -12,6 +12,10 @@ use crate::drawn::Drawn;
 use crate::field::Field;
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
+
+/// Near field of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
+/// the rings around a source, where heat is off most, are exact.
+const QUICK_EDGES: f64 = 8.0;
 
 /// The factors of a surface, and the distance field solved last.
 #[wasm_bindgen]
@@ -46,6 +50,20 @@ impl Solver {
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None })
     }
 
+    /// The solver's parameters are the same after as before: a near field belongs to the question, no factor to it.
+    fn quick_distance(&mut self, sources: &[Source]) -> Result<Distance, JsError> {
+        let asked = self.solver.parameters();
+        let edges = match asked.near_field {
+            NearField::Edges(edges) => edges.min(QUICK_EDGES),
+            NearField::Automatic => QUICK_EDGES,
+        };
+        let quick = Parameters { near_field: NearField::Edges(edges), ..asked };
+        self.solver.set_parameters(quick, &mut |_, _| ControlFlow::Continue(()))?;
+        let distance = self.solver.distance(sources);
+        self.solver.set_parameters(asked, &mut |_, _| ControlFlow::Continue(()))?;
+        Ok(distance?)
+    }
+
     fn solved(&self) -> Result<&Solved, JsError> {
         self.solved.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
     }
@@ -65,11 +83,11 @@ impl Solver {
         self.solver.factor_nonzeros() as f64
     }
 
-    /// Distance to the nearest of `sources`.
-    pub fn solve(&mut self, sources: &Array) -> Result<Field, JsError> {
+    /// Distance to the nearest of `sources`; with a near field of at most [`QUICK_EDGES`] when `quick`.
+    pub fn solve(&mut self, sources: &Array, quick: bool) -> Result<Field, JsError> {
         let sources = sources.iter().map(|source| self.drawn.source(self.solver.surface(), &source));
         let sources = sources.collect::<Result<Vec<_>, _>>()?;
-        let distance = self.solver.distance(&sources)?;
+        let distance = if quick { self.quick_distance(&sources)? } else { self.solver.distance(&sources)? };
         let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
         self.solved = Some(Solved { sources, distance, refining: None, error: None });
         Ok(field)
