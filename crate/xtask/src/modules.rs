@@ -16,14 +16,22 @@ pub struct Module {
     file: &'static str,
     /// Compiler flags. They differ, so each module has a target folder of its own.
     flags: &'static str,
+    /// The profile of Cargo.toml that it is compiled with.
+    profile: &'static str,
 }
 
 /// The solver: float64 arithmetic that gains from SIMD.
-pub const SOLVER: Module =
-    Module { name: "solver", package: "heatwalk-worker", file: "heatwalk_worker", flags: "-Ctarget-feature=+simd128" };
+pub const SOLVER: Module = Module {
+    name: "solver",
+    package: "heatwalk-worker",
+    file: "heatwalk_worker",
+    flags: "-Ctarget-feature=+simd128",
+    profile: "release",
+};
 
 /// The viewer: its arithmetic is the GPU's.
-pub const VIEWER: Module = Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "" };
+pub const VIEWER: Module =
+    Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "", profile: "viewer" };
 
 impl Module {
     fn target_folder(&self) -> PathBuf {
@@ -33,7 +41,7 @@ impl Module {
     fn cargo(&self, toolchain: &Toolchain, command: &str) -> Command {
         let mut cargo = toolchain.cargo(command);
         cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", self.target_folder());
-        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags);
+        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags).args(["--profile", self.profile]);
         cargo
     }
 }
@@ -41,8 +49,8 @@ impl Module {
 /// Compiles a module and writes its bindings to `web/wasm/NAME`.
 pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
     eprintln!("Compiling the {} for wasm32.", module.name);
-    run(module.cargo(toolchain, "build").args(["--release", "--package", module.package]))?;
-    let compiled = module.target_folder().join(TARGET).join("release").join(format!("{}.wasm", module.file));
+    run(module.cargo(toolchain, "build").args(["--package", module.package]))?;
+    let compiled = module.target_folder().join(TARGET).join(module.profile).join(format!("{}.wasm", module.file));
     let folder = workspace().join("web/wasm").join(module.name);
     let bound = folder.join(format!("{}_bg.wasm", module.file));
     if modified(&bound).is_some_and(|bound| modified(&compiled).is_some_and(|compiled| compiled < bound)) {
@@ -52,6 +60,8 @@ pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
         .input_path(&compiled)
         .web(true)?
         .typescript(true)
+        .remove_name_section(true)
+        .remove_producers_section(true)
         .generate(&folder)
         .with_context(|| format!("The bindings of {} could not be made", compiled.display()))
 }
@@ -63,7 +73,7 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
     let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
     run(SOLVER
         .cargo(toolchain, "test")
-        .args(["--release", "--package", "heatwalk", "--tests"])
+        .args(["--package", "heatwalk", "--tests"])
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
 }
 
@@ -73,7 +83,7 @@ pub fn clippy(toolchain: &Toolchain) -> Result<()> {
         eprintln!("Linting the {} for wasm32.", module.name);
         run(module
             .cargo(toolchain, "clippy")
-            .args(["--release", "--package", module.package])
+            .args(["--package", module.package])
             .env("CARGO_ENCODED_RUSTFLAGS", [module.flags, "-Dwarnings"].join("\u{1f}").trim_start_matches('\u{1f}')))?;
     }
     Ok(())
