@@ -19,7 +19,6 @@ use crate::exact::ExactGeometry;
 use crate::linear::cholesky::Symbolic;
 use crate::linear::conjugate_gradients::Matrix;
 use crate::linear::constraints::System;
-use crate::linear::ordering::Ordering;
 use crate::linear::responses::Responses;
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
@@ -140,7 +139,7 @@ impl HeatSolver {
         let solve = match parameters.solver {
             LinearSolver::Cholesky => {
                 report(progress, Stage::Ordering, 0.1)?;
-                let permutation = Symbolic::order(Ordering::default(), &laplacian.pattern)?;
+                let permutation = Symbolic::order(&laplacian.pattern)?;
                 report(progress, Stage::Analysing, 0.2)?;
                 Solve::Factored(Arc::new(Symbolic::analyse(permutation, &laplacian.pattern)?))
             }

@@ -19,7 +19,7 @@ use crate::linear::Pattern;
 use crate::linear::factor::Factor;
 use crate::linear::front::packed_start;
 use crate::linear::multifrontal::{Factorisation, Failure};
-use crate::linear::ordering::{Ordering, Permutation};
+use crate::linear::ordering::{self, Permutation};
 use crate::linear::vector::widest;
 
 /// Two supernodes become one where they have at most so many columns together and at most this share of zeros.
@@ -72,8 +72,8 @@ impl Symbolic {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub(crate) fn order(ordering: Ordering, pattern: &Pattern) -> Result<Permutation> {
-        ordering.order(view(pattern))
+    pub(crate) fn order(pattern: &Pattern) -> Result<Permutation> {
+        ordering::order(view(pattern))
     }
 
     /// Analyses a pattern under an elimination order, which has to be a postorder of its elimination tree.

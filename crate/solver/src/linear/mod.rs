@@ -4,6 +4,7 @@ pub(crate) mod cholesky;
 pub(crate) mod columns;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod constraints;
+mod dissection;
 pub(crate) mod factor;
 mod front;
 mod multifrontal;

@@ -1,0 +1,138 @@
+//! Orders of grids: work, fill, postorder, choice.
+//!
+//! George, "Nested dissection of a regular finite element mesh" (1973), for the work of dissecting a grid.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use super::*;
+
+/// Lower triangle of the matrix of a box of `side × side × layers` points, every square of a layer cut by one diagonal.
+struct Grid {
+    column_start: Vec<u32>,
+    rows: Vec<u32>,
+}
+
+impl Grid {
+    fn new(side: u32, layers: u32) -> Self {
+        let mut grid = Self { column_start: vec![0], rows: Vec::new() };
+        let layer = side * side;
+        for vertex in 0..layer * layers {
+            let [right, up] = [vertex % side + 1 < side, vertex % layer + side < layer];
+            grid.rows.push(vertex);
+            grid.rows.extend(right.then_some(vertex + 1));
+            grid.rows.extend(up.then_some(vertex + side));
+            grid.rows.extend((right && up).then_some(vertex + side + 1));
+            grid.rows.extend((vertex + layer < layer * layers).then_some(vertex + layer));
+            grid.column_start.push(grid.rows.len() as u32);
+        }
+        grid
+    }
+
+    fn pattern(&self) -> SymbolicSparseColMatRef<'_, u32> {
+        let size = self.column_start.len() - 1;
+        SymbolicSparseColMatRef::new_checked(size, size, &self.column_start, None, &self.rows)
+    }
+
+    fn graph(&self) -> Graph {
+        Graph::of_lower_triangle(&self.column_start, &self.rows)
+    }
+
+    fn dissected(&self) -> Permutation {
+        Permutation::new(nested_dissection(&self.graph()))
+    }
+}
+
+/// Entries of each column of the factor, found row by row: those of a row are the ways from the matrix's entries to
+/// the diagonal in the elimination tree.
+fn column_counts(graph: &Graph, permutation: &Permutation) -> Vec<usize> {
+    let parent = elimination_tree(graph, permutation);
+    let mut counts = vec![1; graph.size()];
+    let mut met_by = vec![NONE; graph.size()];
+    for (new, &old) in (0..).zip(&permutation.old_of_new) {
+        met_by[new as usize] = new;
+        for &neighbour in graph.neighbours(old) {
+            let mut vertex = permutation.new_of_old[neighbour as usize];
+            while vertex < new && met_by[vertex as usize] != new {
+                met_by[vertex as usize] = new;
+                counts[vertex as usize] += 1;
+                vertex = parent[vertex as usize];
+            }
+        }
+    }
+    counts
+}
+
+fn fill(graph: &Graph, permutation: &Permutation) -> usize {
+    column_counts(graph, permutation).iter().sum()
+}
+
+fn multiplications(graph: &Graph, permutation: &Permutation) -> usize {
+    column_counts(graph, permutation).iter().map(|count| count * count).sum()
+}
+
+fn is_postordered(graph: &Graph, permutation: &Permutation) -> bool {
+    let parent = elimination_tree(graph, permutation);
+    let mut size = vec![1; parent.len()];
+    let mut first: Vec<usize> = (0..parent.len()).collect();
+    for vertex in 0..parent.len() {
+        if parent[vertex] != NONE {
+            let parent = parent[vertex] as usize;
+            size[parent] += size[vertex];
+            first[parent] = first[parent].min(first[vertex]);
+        }
+    }
+    (0..parent.len()).all(|vertex| first[vertex] + size[vertex] == vertex + 1)
+}
+
+#[test]
+fn the_elimination_tree_of_a_path_and_of_its_reverse_is_the_path() {
+    // Of the order 0 2 1, eliminating both ends leaves the middle, their parent.
+    let graph = Graph::of_lower_triangle(&[0, 2, 4, 5], &[0, 1, 1, 2, 2]);
+    let parents = |order: &[u32]| elimination_tree(&graph, &Permutation::new(order.to_vec()));
+    assert_eq!(parents(&[0, 1, 2]), [1, 2, NONE]);
+    assert_eq!(parents(&[2, 1, 0]), [1, 2, NONE]);
+    assert_eq!(parents(&[0, 2, 1]), [2, 2, NONE]);
+}
+
+#[test]
+fn postordering_keeps_the_fill() {
+    let grid = Grid::new(60, 1);
+    let graph = grid.graph();
+    let dissected = grid.dissected();
+    assert!(!is_postordered(&graph, &dissected), "else the test shows nothing");
+    let postordered = postordered(&graph, &dissected);
+    assert!(is_postordered(&graph, &postordered));
+    assert_eq!(fill(&graph, &postordered), fill(&graph, &dissected));
+}
+
+#[test]
+fn dissecting_a_grid_takes_little_more_than_the_ideal_work() {
+    for side in [120, 250] {
+        let grid = Grid::new(side, 1);
+        let work = 0.5 * multiplications(&grid.graph(), &grid.dissected()) as f64;
+        // George's straight crosses, to leading order. Separators that are found, not known, and leaves that are
+        // ordered by degree have cost 1.2 times as much.
+        let ideal = 829.0 / 84.0 * f64::from(side).powi(3);
+        assert!(work < 1.4 * ideal, "{work:e} multiplications against {ideal:e} at side {side}");
+    }
+}
+
+#[test]
+fn the_choice_follows_the_work() {
+    for (side, layers, dissects) in [(60, 1, false), (30, 30, true)] {
+        let grid = Grid::new(side, layers);
+        let graph = grid.graph();
+        let chosen = order(grid.pattern()).expect("memory");
+        assert!(is_postordered(&graph, &chosen));
+        let (minimum_degree, _) = minimum_degree(grid.pattern()).expect("memory");
+        let minimum_degree = postordered(&graph, &minimum_degree);
+        assert_eq!(chosen.old_of_new != minimum_degree.old_of_new, dissects, "side {side}, {layers} layers");
+    }
+}
+
+#[test]
+fn an_empty_matrix_is_ordered() {
+    let pattern = SymbolicSparseColMatRef::new_checked(0, 0, &[0], None, &[]);
+    assert!(order(pattern).expect("memory").old_of_new.is_empty());
+}
