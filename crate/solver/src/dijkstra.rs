@@ -96,9 +96,9 @@ fn way(surface: &Surface, start: u32, goal: impl Fn(u32) -> bool, ahead: impl Fn
 /// The largest extent of a connected piece along edges, found by two sweeps over each; at least half the true one.
 pub(crate) fn extent(surface: &Surface) -> f64 {
     let mut sweep = Sweep::new(surface);
-    let mut first = vec![f64::INFINITY; surface.point_count()];
+    let mut first = vec![f32::INFINITY; surface.point_count()];
     let mut second = first.clone();
-    let mut extent: f64 = 0.0;
+    let mut extent: f32 = 0.0;
     let mut pieces = 0;
     for point in 0..surface.point_count() as u32 {
         if surface.component_of_point[point as usize] == pieces {
@@ -107,68 +107,72 @@ pub(crate) fn extent(surface: &Surface) -> f64 {
             extent = extent.max(sweep.farthest(end, &mut second).1);
         }
     }
-    extent
+    f64::from(extent) * surface.mean_edge
 }
 
-/// Distances along edges from a point to all of its piece. Points are taken from buckets of distance in any order and
-/// again when they got nearer (delta-stepping: Meyer and Sanders 2003), which is cheaper than a heap and ends at the
-/// same distances.
+/// Distances along edges from a point to all of its piece, in mean edges and single precision, which an extent needs no
+/// better. Points are taken from buckets of distance in any order and again when they got nearer (delta-stepping: Meyer
+/// and Sanders 2003), which is cheaper than a heap and ends at the same distances.
 struct Sweep {
     /// `#P + 1`, where each point's edges begin.
     start: Vec<u32>,
     /// The point at the other end, and the length.
-    edges: Vec<(u32, f64)>,
+    edges: Vec<(u32, f32)>,
     /// Those of the piece.
     reached: Vec<u32>,
-    /// Points to take, by distance in units of `width`, in a circle longer than any edge.
-    buckets: Vec<Vec<(u32, f64)>>,
-    width: f64,
+    /// Points to take, by distance, in a circle longer than any edge. Their number is a power of two.
+    buckets: Vec<Vec<(u32, f32)>>,
+    /// Buckets in a mean edge.
+    density: f32,
 }
 
 impl Sweep {
     /// Width of a bucket in mean edges. Narrower ones are empty, in wider ones points are taken in vain.
-    const WIDTH: f64 = 0.5;
+    const WIDTH: f32 = 0.5;
     /// Most buckets, for meshes with edges far longer than the mean.
-    const MOST: f64 = 4096.0;
+    const MOST: f32 = 4096.0;
 
     fn new(surface: &Surface) -> Self {
-        // Each edge in both directions: from the face on each side, or from its boundary.
-        let inner = surface.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let outer = (3 * surface.face_count() as u32..surface.mesh.halfedge_count() as u32).map(Halfedge);
-        let both = || inner.clone().chain(outer.clone().map(|halfedge| surface.ends(halfedge)));
-        let mut start = vec![0; surface.point_count() + 1];
-        for [tail, _] in both() {
-            start[tail as usize + 1] += 1;
+        let mut start = Vec::with_capacity(surface.point_count() + 1);
+        let mut edges = Vec::with_capacity(surface.mesh.halfedge_count());
+        let mut longest: f32 = 0.0;
+        let faces = surface.faces.as_slice();
+        start.push(0);
+        for point in 0..surface.point_count() as u32 {
+            let position = surface.position(point);
+            let mut add = |tip: u32| {
+                let length = triangle::length(surface.position(tip) - position) / surface.mean_edge;
+                longest = longest.max(length as f32);
+                edges.push((tip, length as f32));
+            };
+            for (face, k) in surface.corners_of_point(point) {
+                let before = (k + 2) % 3;
+                add(faces[face.0 as usize][(k + 1) % 3]);
+                // An inner edge leaves the point in the face on its left, but one with nothing there in none.
+                let twin = surface.mesh.twin(Halfedge(3 * face.0 + before as u32));
+                if twin.0 as usize >= 3 * faces.len() {
+                    add(faces[face.0 as usize][before]);
+                }
+            }
+            start.push(edges.len() as u32);
         }
-        for point in 0..surface.point_count() {
-            start[point + 1] += start[point];
-        }
-        let mut free = start.clone();
-        let mut edges = vec![(0, 0.0); surface.mesh.halfedge_count()];
-        for [tail, tip] in both() {
-            let slot = &mut free[tail as usize];
-            let length = triangle::length(surface.position(tip) - surface.position(tail));
-            edges[*slot as usize] = (tip, length);
-            *slot += 1;
-        }
-        let longest = edges.iter().fold(0.0, |longest: f64, edge| longest.max(edge.1));
-        let width = (Self::WIDTH * surface.mean_edge).max(longest / Self::MOST);
+        let width = Self::WIDTH.max(longest / Self::MOST);
         // One bucket more for the one at work, one for rounding.
-        let circle = (longest / width) as usize + 3;
-        Self { start, edges, reached: Vec::new(), buckets: vec![Vec::new(); circle], width }
+        let circle = ((longest / width) as usize + 3).next_power_of_two();
+        Self { start, edges, reached: Vec::new(), buckets: vec![Vec::new(); circle], density: width.recip() }
     }
 
     /// The farthest point of the piece from `start`, the last one of several, with its distance. `best` holds infinity
     /// at every point of the piece before, the distances after.
-    fn farthest(&mut self, start: u32, best: &mut [f64]) -> (u32, f64) {
-        let circle = self.buckets.len();
+    fn farthest(&mut self, start: u32, best: &mut [f32]) -> (u32, f32) {
+        let mask = self.buckets.len() - 1;
         best[start as usize] = 0.0;
         self.reached.clear();
         self.reached.push(start);
         self.buckets[0].push((start, 0.0));
         let (mut waiting, mut at) = (1, 0);
         while waiting > 0 {
-            while let Some((point, distance)) = self.buckets[at % circle].pop() {
+            while let Some((point, distance)) = self.buckets[at & mask].pop() {
                 waiting -= 1;
                 if distance > best[point as usize] {
                     continue;
@@ -182,7 +186,7 @@ impl Sweep {
                             self.reached.push(tip);
                         }
                         *known = candidate;
-                        self.buckets[(candidate / self.width) as usize % circle].push((tip, candidate));
+                        self.buckets[(candidate * self.density) as usize & mask].push((tip, candidate));
                         waiting += 1;
                     }
                 }
