@@ -4,7 +4,6 @@
 
 use std::sync::Arc;
 
-use crate::csr::Csr;
 use crate::linear::Pattern;
 use crate::operator::Operator;
 use crate::operator::elements::Elements;
@@ -28,37 +27,42 @@ impl Laplacian {
     }
 
     pub(crate) fn of_elements(points: usize, elements: &Elements) -> Self {
-        let corners_of_point = Csr::group(points, elements.faces.iter().flatten().copied());
-        let cotans: Vec<[f64; 3]> = elements.shapes.iter().map(|shape| shape.cotans()).collect();
-        let capacity = elements.faces.len() * 3 / 2 + 2 * points;
+        // Each side of a triangle is an entry first, in the column of its lower point; those of an edge are added up
+        // in the end. An edge from a point to itself stores nothing: its ends have one value.
+        let ends = |[a, b, c]: [u32; 3]| [[b, c], [c, a], [a, b]];
+        let mut start = vec![0; points + 1];
+        for [i, j] in elements.faces.iter().flat_map(|&face| ends(face)).filter(|[i, j]| i != j) {
+            start[i.min(j) as usize + 1] += 1;
+        }
+        for point in 0..points {
+            start[point + 1] += start[point];
+        }
+        let mut free: Vec<u32> = start.clone();
+        let mut sides = vec![(0, 0.0); start[points] as usize];
+        let mut diagonal = vec![0.0; points];
+        let mut mass = vec![0.0; points];
+        for (&face, shape) in elements.faces.iter().zip(&elements.shapes) {
+            let area = elements.share * shape.area() / 3.0;
+            for ((point, [i, j]), cotan) in face.into_iter().zip(ends(face)).zip(shape.cotans()) {
+                mass[point as usize] += area;
+                if i != j {
+                    let weight = 0.5 * elements.share * cotan;
+                    diagonal[i as usize] += weight;
+                    diagonal[j as usize] += weight;
+                    let slot = &mut free[i.min(j) as usize];
+                    sides[*slot as usize] = (i.max(j), -weight);
+                    *slot += 1;
+                }
+            }
+        }
+        let capacity = points + sides.len() / 2 + sides.len() / 8;
         let mut pattern = Pattern { column_start: Vec::with_capacity(points + 1), rows: Vec::with_capacity(capacity) };
         let mut stiffness = Vec::with_capacity(capacity);
-        let mut mass = Vec::with_capacity(points);
         pattern.column_start.push(0);
-        let mut below: Vec<(u32, f64)> = Vec::new();
-        for point in 0..points as u32 {
-            below.clear();
-            let mut diagonal = 0.0;
-            let mut area = 0.0;
-            for &corner in corners_of_point.row(point) {
-                let (face, k) = (corner as usize / 3, corner as usize % 3);
-                let corners = elements.faces[face];
-                let [i, j] = [(k + 1) % 3, (k + 2) % 3];
-                for (other, opposite) in [(i, j), (j, i)] {
-                    // An edge from a point to itself stores nothing: its ends have one value.
-                    if corners[other] != point {
-                        let weight = 0.5 * elements.share * cotans[face][opposite];
-                        diagonal += weight;
-                        if corners[other] > point {
-                            below.push((corners[other], -weight));
-                        }
-                    }
-                }
-                area += elements.shapes[face].area();
-            }
-            mass.push(elements.share * area / 3.0);
-            pattern.rows.push(point);
-            stiffness.push(diagonal);
+        for point in 0..points {
+            pattern.rows.push(point as u32);
+            stiffness.push(diagonal[point]);
+            let below = &mut sides[start[point] as usize..start[point + 1] as usize];
             below.sort_unstable_by_key(|entry| entry.0);
             for entries in below.chunk_by(|a, b| a.0 == b.0) {
                 pattern.rows.push(entries[0].0);
@@ -87,19 +91,20 @@ impl Laplacian {
     /// `L + mass_scale · M` with the held rows and columns replaced by those of the identity, whose 1 is of the order
     /// of the other diagonal entries. Zeros are stored, so that every such matrix has the same pattern.
     pub(crate) fn combine(&self, mass_scale: f64, held: impl Fn(usize) -> bool) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.stiffness.len());
+        let mut values = self.stiffness.clone();
+        let is_held: Vec<bool> = (0..self.size()).map(held).collect();
         for point in 0..self.size() {
-            let mut column = self.column(point);
-            let diagonal = column.next().map_or(0.0, |entry| self.stiffness[entry]);
-            let is_held = held(point);
-            values.push(if is_held { 1.0 } else { diagonal + mass_scale * self.mass[point] });
-            values.extend(
-                column.map(
-                    |entry| {
-                        if is_held || held(self.rows()[entry] as usize) { 0.0 } else { self.stiffness[entry] }
-                    },
-                ),
-            );
+            let diagonal = self.column(point).start;
+            values[diagonal] = if is_held[point] { 1.0 } else { values[diagonal] + mass_scale * self.mass[point] };
+        }
+        if is_held.contains(&true) {
+            for point in 0..self.size() {
+                for entry in self.column(point).skip(1) {
+                    if is_held[point] || is_held[self.rows()[entry] as usize] {
+                        values[entry] = 0.0;
+                    }
+                }
+            }
         }
         values
     }
