@@ -14,20 +14,22 @@ pub(crate) struct Csr {
 impl Csr {
     /// Groups the indices `0..keys.len()` by their key, ascending inside a group. Items of key [`NONE`] are left out.
     pub(crate) fn group(rows: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
-        let mut start = vec![0; rows + 1];
+        // Counted two places ahead, so that one place ahead is where a list's next item goes, and in the end where the
+        // list after it begins.
+        let mut start = vec![0; rows + 2];
         for key in keys.clone().filter(|&key| key != NONE) {
-            start[key as usize + 1] += 1;
+            start[key as usize + 2] += 1;
         }
-        for row in 0..rows {
-            start[row + 1] += start[row];
+        for row in 2..rows + 2 {
+            start[row] += start[row - 1];
         }
-        let mut free = start.clone();
-        let mut items = vec![0; start[rows] as usize];
+        let mut items = vec![0; start[rows + 1] as usize];
         for (index, key) in keys.enumerate().filter(|&(_, key)| key != NONE) {
-            let slot = &mut free[key as usize];
+            let slot = &mut start[key as usize + 1];
             items[*slot as usize] = index as u32;
             *slot += 1;
         }
+        start.pop();
         Self { start, items }
     }
 
@@ -38,7 +40,12 @@ impl Csr {
     }
 
     /// The lists in order.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = &[u32]> {
+    pub(crate) fn rows(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.start.windows(2).map(|bounds| &self.items[bounds[0] as usize..bounds[1] as usize])
+    }
+
+    /// All items, list after list.
+    pub(crate) fn items_mut(&mut self) -> &mut [u32] {
+        &mut self.items
     }
 }

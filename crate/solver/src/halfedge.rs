@@ -135,44 +135,42 @@ impl HalfedgeMesh {
     /// Builds the mesh from oriented triangles over points and the twin of each of their half-edges ([`NONE`]: no
     /// twin, so boundary or cut). Returns it with the point of each vertex. The first fan of triangles around point
     /// `p` becomes vertex `p`; further fans become vertices after the last point.
-    pub(crate) fn from_pairs(points: usize, faces: &[[u32; 3]], twins: &[u32]) -> (Self, VertexData<u32>) {
+    pub(crate) fn from_twins(points: usize, faces: &[[u32; 3]], mut twin: Vec<Halfedge>) -> (Self, VertexData<u32>) {
         let triangles = faces.len() as u32;
         let interior = faces.len() * 3;
         let mut vertex = vec![Vertex(NONE); interior];
         let mut outgoing = vec![Halfedge(NONE); points];
         let mut point_of_vertex: Vec<u32> = (0..points as u32).collect();
-        for corner in 0..interior as u32 {
+        for (corner, &point) in (0..).zip(faces.iter().flatten()) {
             if vertex[corner as usize].0 != NONE {
                 continue;
             }
-            let point = faces[corner as usize / 3][corner as usize % 3];
-            // Turn clockwise to the fan's first half-edge, or once around.
-            let mut first = corner;
-            while twins[first as usize] != NONE {
-                first = next_in_triangle(twins[first as usize]);
-                if first == corner {
-                    break;
-                }
-            }
             let fan = if outgoing[point as usize].0 == NONE {
-                outgoing[point as usize] = Halfedge(first);
                 Vertex(point)
             } else {
-                outgoing.push(Halfedge(first));
+                outgoing.push(Halfedge(NONE));
                 point_of_vertex.push(point);
                 Vertex(outgoing.len() as u32 - 1)
             };
-            let mut halfedge = first;
-            loop {
+            let mut halfedge = corner;
+            let is_closed = loop {
                 vertex[halfedge as usize] = fan;
-                halfedge = twins[previous_in_triangle(halfedge) as usize];
-                if halfedge == NONE || halfedge == first {
-                    break;
+                halfedge = twin[previous_in_triangle(halfedge) as usize].0;
+                if halfedge == NONE || halfedge == corner {
+                    break halfedge == corner;
                 }
+            };
+            let mut first = corner;
+            while !is_closed && twin[first as usize].0 != NONE {
+                first = next_in_triangle(twin[first as usize].0);
+                vertex[first as usize] = fan;
             }
+            outgoing[fan.index()] = Halfedge(first);
         }
-        let mut twin: Vec<Halfedge> = twins.iter().map(|&twin| Halfedge(twin)).collect();
-        for halfedge in (0..interior).filter(|&halfedge| twins[halfedge] == NONE) {
+        for halfedge in 0..interior {
+            if twin[halfedge].0 != NONE {
+                continue;
+            }
             let boundary = Halfedge(vertex.len() as u32);
             let origin = vertex[next_in_triangle(halfedge as u32) as usize];
             twin[halfedge] = boundary;

@@ -7,11 +7,12 @@
 use glam::DVec3;
 
 use crate::csr::{Csr, NONE};
+use crate::edges::Edges;
 use crate::error::Result;
 use crate::halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
-use crate::pairing::{Pairing, for_each_edge};
 use crate::soup::Soup;
 use crate::triangle;
+use crate::union_find::UnionFind;
 use crate::weld::weld;
 
 /// What was found and done while a [`Surface`] was built.
@@ -72,6 +73,7 @@ pub struct Surface {
     pub mean_edge: f64,
     /// What was found and done.
     pub report: BuildReport,
+    pub(crate) edges: Edges,
     inputs_of_point: Csr,
     corners_of_point: Csr,
 }
@@ -85,37 +87,46 @@ impl Surface {
     pub fn build(soup: &Soup) -> Result<Self> {
         let welded = weld(soup)?;
         let (positions, mut faces) = (welded.positions, welded.faces);
+        let (mut edges, mut corners_of_point) = (welded.edges, welded.corners_of_point);
         let points = positions.len();
         let mut inputs_of_face: Vec<[u32; 3]> =
             welded.triangle_of_face.iter().map(|&triangle| soup.triangles[triangle as usize]).collect();
 
-        let mut corners_of_point = Csr::group(points, faces.iter().flatten().copied());
-        let mut pairing = Pairing::new(&faces, &corners_of_point);
-        let turned = pairing.faces_to_turn(&faces);
-        for &face in &turned {
-            faces[face as usize].swap(1, 2);
-            inputs_of_face[face as usize].swap(1, 2);
-        }
+        let turned = edges.faces_to_turn(&faces);
         if !turned.is_empty() {
-            corners_of_point = Csr::group(points, faces.iter().flatten().copied());
-            pairing = Pairing::new(&faces, &corners_of_point);
+            let mut is_turned = vec![false; faces.len()];
+            for &face in &turned {
+                faces[face as usize].swap(1, 2);
+                inputs_of_face[face as usize].swap(1, 2);
+                is_turned[face as usize] = true;
+            }
+            edges = edges.turned(|face| is_turned[face as usize]);
+            for corner in corners_of_point.items_mut() {
+                let k = *corner % 3;
+                if k > 0 && is_turned[*corner as usize / 3] {
+                    *corner = *corner - k + (3 - k);
+                }
+            }
         }
-        let (mesh, point_of_vertex) = HalfedgeMesh::from_pairs(points, &faces, &pairing.twins(&faces));
+        let (mesh, point_of_vertex) = HalfedgeMesh::from_twins(points, &faces, edges.twins(&faces));
 
         let mut is_boundary_point = vec![false; points];
-        for (halfedge, _) in pairing.single.iter().enumerate().filter(|&(_, &single)| single) {
-            let face = faces[halfedge / 3];
-            is_boundary_point[face[halfedge % 3] as usize] = true;
-            is_boundary_point[face[(halfedge + 1) % 3] as usize] = true;
+        let mut is_oriented_manifold = true;
+        for outer in (3 * faces.len() as u32..mesh.halfedge_count() as u32).map(Halfedge) {
+            if edges.is_single(mesh.twin(outer).0) {
+                for vertex in [mesh.vertex(outer), mesh.tip(outer)] {
+                    is_boundary_point[point_of_vertex[vertex] as usize] = true;
+                }
+            } else {
+                is_oriented_manifold = false;
+            }
         }
-        let is_true_boundary = |halfedge: Halfedge| pairing.single[mesh.twin(halfedge).0 as usize];
-        let cut_or_boundary =
-            (0..faces.len() * 3).filter(|&slot| mesh.twin(Halfedge(slot as u32)).0 as usize >= faces.len() * 3);
-        let is_oriented_manifold = cut_or_boundary.into_iter().all(|slot| pairing.single[slot]);
+        let is_true_boundary = |halfedge: Halfedge| edges.is_single(mesh.twin(halfedge).0);
         let boundary_loops =
             mesh.boundary_loops().filter(|&cap| mesh.halfedges_of_face(cap).any(is_true_boundary)).count();
 
-        let (component_of_point, components) = components(&faces, &corners_of_point, points);
+        let (component_of_point, components) = components(&faces, points);
+        let (mean_edge, edge_count) = mean_edge(&edges, &faces, &positions);
         let unreferenced = welded.point_of_input.iter().filter(|&&point| point == NONE).count();
         let report = BuildReport {
             input_vertices: soup.positions.len(),
@@ -126,10 +137,10 @@ impl Surface {
             degenerate_faces: welded.degenerate_faces,
             duplicate_faces: welded.duplicate_faces,
             turned_faces: turned.len(),
-            non_manifold_edges: pairing.non_manifold_edges,
+            non_manifold_edges: edges.lasts().filter(|&last| edges.is_branching(last)).count(),
             components,
             boundary_loops,
-            euler_characteristic: points as i64 - pairing.edges.len() as i64 + faces.len() as i64,
+            euler_characteristic: points as i64 - edge_count as i64 + faces.len() as i64,
         };
         let mut face_of_triangle = vec![None; soup.triangles.len()];
         for (face, &triangle) in welded.triangle_of_face.iter().enumerate() {
@@ -137,7 +148,7 @@ impl Surface {
         }
         let inputs_of_point = Csr::group(points, welded.point_of_input.iter().copied());
         Ok(Self {
-            mean_edge: mean_edge(&pairing.edges, &faces, &positions),
+            mean_edge,
             is_oriented_manifold,
             mesh,
             point_of_vertex,
@@ -150,6 +161,7 @@ impl Surface {
             component_of_point,
             is_boundary_point,
             report,
+            edges,
             inputs_of_point,
             corners_of_point,
         })
@@ -188,11 +200,6 @@ impl Surface {
         self.corners_of_point(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
     }
 
-    /// Visits each edge with its lower point and all half-edges `3 f + k` along it, of either direction.
-    pub(crate) fn for_each_edge(&self, visit: impl FnMut(u32, &[u32])) {
-        for_each_edge(self.faces.as_slice(), &self.corners_of_point, visit);
-    }
-
     /// The same connectivity in another place: `#P` positions. Reports and the mean edge stay.
     pub(crate) fn with_positions(&self, positions: Vec<DVec3>) -> Self {
         Self { positions, ..self.clone() }
@@ -206,6 +213,16 @@ impl Surface {
     /// Positions of a face's corners.
     pub fn corners(&self, face: Face) -> [DVec3; 3] {
         self.faces[face].map(|point| self.positions[point as usize])
+    }
+
+    /// `3 #F`, length of the side that leaves each corner.
+    pub(crate) fn side_lengths(&self) -> Vec<f64> {
+        let mut lengths = Vec::with_capacity(3 * self.face_count());
+        for face in self.mesh.faces() {
+            let [p, q, r] = self.corners(face);
+            lengths.extend([q - p, r - q, p - r].map(triangle::length));
+        }
+        lengths
     }
 
     /// Points at the ends of a half-edge.
@@ -235,36 +252,29 @@ impl Surface {
 }
 
 /// Connected piece of each point, and their number.
-fn components(faces: &[[u32; 3]], corners_of_point: &Csr, points: usize) -> (Vec<u32>, usize) {
-    let mut component = vec![NONE; points];
-    let mut stack = Vec::new();
+fn components(faces: &[[u32; 3]], points: usize) -> (Vec<u32>, usize) {
+    let mut pieces = UnionFind::new(points);
+    for &[a, b, c] in faces {
+        pieces.join(a, b);
+        pieces.join(b, c);
+    }
+    let mut component: Vec<u32> = Vec::with_capacity(points);
     let mut count = 0;
-    for start in 0..points as u32 {
-        if component[start as usize] != NONE {
-            continue;
-        }
-        component[start as usize] = count;
-        stack.push(start);
-        while let Some(point) = stack.pop() {
-            for &corner in corners_of_point.row(point) {
-                for other in faces[corner as usize / 3] {
-                    if component[other as usize] == NONE {
-                        component[other as usize] = count;
-                        stack.push(other);
-                    }
-                }
-            }
-        }
-        count += 1;
+    for point in 0..points as u32 {
+        let least = pieces.least(point);
+        component.push(if least == point { count } else { component[least as usize] });
+        count += u32::from(least == point);
     }
     (component, count as usize)
 }
 
-/// Mean length of edges, each given by one half-edge. A cut edge counts once, wherever the cut may run.
-fn mean_edge(edges: &[u32], faces: &[[u32; 3]], positions: &[DVec3]) -> f64 {
-    let length = |halfedge: u32| {
+/// Mean length of edges, and their number. A cut edge counts once, wherever the cut may run.
+fn mean_edge(edges: &Edges, faces: &[[u32; 3]], positions: &[DVec3]) -> (f64, usize) {
+    let (mut sum, mut count) = (0.0, 0);
+    for halfedge in edges.lasts() {
         let (face, k) = (faces[halfedge as usize / 3], halfedge as usize % 3);
-        triangle::length(positions[face[(k + 1) % 3] as usize] - positions[face[k] as usize])
-    };
-    edges.iter().map(|&halfedge| length(halfedge)).sum::<f64>() / edges.len() as f64
+        sum += triangle::length(positions[face[(k + 1) % 3] as usize] - positions[face[k] as usize]);
+        count += 1;
+    }
+    (sum / count as f64, count)
 }

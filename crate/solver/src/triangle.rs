@@ -22,17 +22,27 @@ pub(crate) fn length(vector: DVec3) -> f64 {
     if scale > 0.0 { scale * (vector / scale).length() } else { 0.0 }
 }
 
+/// Length of a plane vector, safe where its square would under- or overflow.
+pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
+    let squared = x * x + y * y;
+    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { x.hypot(y) }
+}
+
 /// Area of the triangle with these side lengths, 0 where they violate the triangle inequality. W. Kahan,
 /// "Miscalculating area and angles of a needle-like triangle" (2014): accurate for any shape.
-pub(crate) fn area_of_lengths(mut lengths: [f64; 3]) -> f64 {
-    lengths.sort_unstable_by(|a, b| b.total_cmp(a));
-    let [a, b, c] = lengths;
-    if a == 0.0 {
-        return 0.0;
+pub(crate) fn area_of_lengths([a, b, c]: [f64; 3]) -> f64 {
+    let (long, short) = if a > b { (a, b) } else { (b, a) };
+    let (a, middle) = if c > long { (c, long) } else { (long, c) };
+    let (b, c) = if middle > short { (middle, short) } else { (short, middle) };
+    let product = |a: f64, b: f64, c: f64| ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).max(0.0);
+    // Lengths whose fourth powers are no numbers are measured by the longest.
+    if (1e-60..1e60).contains(&a) {
+        0.25 * product(a, b, c).sqrt()
+    } else if a > 0.0 {
+        0.25 * a * a * product(1.0, b / a, c / a).sqrt()
+    } else {
+        0.0
     }
-    let [b, c] = [b / a, c / a];
-    let product = (1.0 + (b + c)) * (c - (1.0 - b)) * (c + (1.0 - b)) * (1.0 + (b - c));
-    0.25 * a * a * product.max(0.0).sqrt()
 }
 
 /// The edges opposite each corner.

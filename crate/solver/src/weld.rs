@@ -4,9 +4,10 @@
 use glam::DVec3;
 
 use crate::csr::{Csr, NONE};
+use crate::edges::Edges;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
-use crate::touching::part_touching;
+use crate::touching::Sheets;
 
 /// Welded triangles over points, each used by a triangle.
 pub(crate) struct Welded {
@@ -18,6 +19,9 @@ pub(crate) struct Welded {
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, the soup's triangle.
     pub(crate) triangle_of_face: Vec<u32>,
+    pub(crate) edges: Edges,
+    /// The corners `3 f + k` at each point.
+    pub(crate) corners_of_point: Csr,
     pub(crate) degenerate_faces: usize,
     pub(crate) duplicate_faces: usize,
 }
@@ -31,8 +35,10 @@ pub(crate) fn weld(soup: &Soup) -> Result<Welded> {
     let mut used = vec![false; vertices];
     for (triangle, corners) in soup.triangles.iter().enumerate() {
         for &vertex in corners {
-            let out_of_range = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
-            *used.get_mut(vertex as usize).ok_or(out_of_range)? = true;
+            let Some(is_used) = used.get_mut(vertex as usize) else {
+                return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices });
+            };
+            *is_used = true;
         }
     }
     if let Some(vertex) = (0..vertices).find(|&vertex| used[vertex] && !soup.positions[vertex].is_finite()) {
@@ -52,13 +58,6 @@ pub(crate) fn weld(soup: &Soup) -> Result<Welded> {
     }
     let degenerate_faces = soup.triangles.len() - faces.len();
 
-    let duplicate = duplicates(positions.len(), &faces);
-    let duplicate_faces = duplicate.iter().filter(|&&duplicate| duplicate).count();
-    if duplicate_faces > 0 {
-        let (mut of_faces, mut of_triangles) = (duplicate.iter(), duplicate.iter());
-        faces.retain(|_| of_faces.next() == Some(&false));
-        triangle_of_face.retain(|_| of_triangles.next() == Some(&false));
-    }
     if faces.is_empty() {
         let reason = if soup.triangles.is_empty() {
             "the file holds none; export the surface as triangles".to_owned()
@@ -67,9 +66,44 @@ pub(crate) fn weld(soup: &Soup) -> Result<Welded> {
         };
         return Err(Error::Empty { reason });
     }
-    part_touching(soup, &triangle_of_face, &mut faces, &mut positions, &mut point_of_input);
-    drop_unused(&mut faces, &mut positions, &mut point_of_input);
-    Ok(Welded { positions, point_of_input, faces, triangle_of_face, degenerate_faces, duplicate_faces })
+    let group = |points: usize, faces: &[[u32; 3]]| Csr::group(points, faces.iter().flatten().copied());
+    let mut corners_of_point = group(positions.len(), &faces);
+    let mut edges = Edges::new(&faces, &corners_of_point);
+    let duplicates = edges.duplicates(&faces);
+    if !duplicates.is_empty() {
+        let mut is_kept = vec![true; faces.len()];
+        for &face in &duplicates {
+            is_kept[face as usize] = false;
+        }
+        edges = edges.kept(&is_kept);
+        let (mut of_faces, mut of_triangles) = (is_kept.iter(), is_kept.iter());
+        faces.retain(|_| of_faces.next() == Some(&true));
+        triangle_of_face.retain(|_| of_triangles.next() == Some(&true));
+        corners_of_point = group(positions.len(), &faces);
+    }
+    // Sheets part at whole edges, so that half-edges of an edge stay together; only points get other numbers.
+    let is_merged = positions.len() < used.iter().filter(|&&used| used).count();
+    let mut is_renumbered = is_merged && {
+        let input = |corner: u32| soup.triangles[triangle_of_face[corner as usize / 3] as usize][corner as usize % 3];
+        let sheets = Sheets { corners_of_point: &corners_of_point, edges: &edges, input };
+        sheets.part_touching(&mut faces, &mut positions, &mut point_of_input)
+    };
+    if degenerate_faces > 0 {
+        is_renumbered |= drop_unused(&mut faces, &mut positions, &mut point_of_input);
+    }
+    if is_renumbered {
+        corners_of_point = group(positions.len(), &faces);
+    }
+    Ok(Welded {
+        positions,
+        point_of_input,
+        faces,
+        triangle_of_face,
+        edges,
+        corners_of_point,
+        degenerate_faces,
+        duplicate_faces: duplicates.len(),
+    })
 }
 
 /// Point of each used vertex and position of each point, by an open-addressing hash table of the coordinates' bits.
@@ -100,29 +134,8 @@ fn merge(vertices: &[DVec3], used: &[bool]) -> (Vec<u32>, Vec<DVec3>) {
     (point_of_input, positions)
 }
 
-/// Marks each face whose three points an earlier face has, in any order.
-fn duplicates(points: usize, faces: &[[u32; 3]]) -> Vec<bool> {
-    let sorted = |face: u32| {
-        let mut points = faces[face as usize];
-        points.sort_unstable();
-        points
-    };
-    let by_lowest = Csr::group(points, faces.iter().map(|&[a, b, c]| a.min(b).min(c)));
-    let mut duplicate = vec![false; faces.len()];
-    let mut row: Vec<([u32; 3], u32)> = Vec::new();
-    for candidates in by_lowest.rows().filter(|candidates| candidates.len() > 1) {
-        row.clear();
-        row.extend(candidates.iter().map(|&face| (sorted(face), face)));
-        row.sort_unstable();
-        for pair in row.windows(2) {
-            duplicate[pair[1].1 as usize] = pair[0].0 == pair[1].0;
-        }
-    }
-    duplicate
-}
-
-/// Drops points that no face uses, keeping the order of the others.
-fn drop_unused(faces: &mut [[u32; 3]], positions: &mut Vec<DVec3>, point_of_input: &mut [u32]) {
+/// Drops points that no face uses, keeping the order of the others. Returns whether there were any.
+fn drop_unused(faces: &mut [[u32; 3]], positions: &mut Vec<DVec3>, point_of_input: &mut [u32]) -> bool {
     let mut renumbered = vec![NONE; positions.len()];
     for &point in faces.iter().flatten() {
         renumbered[point as usize] = 0;
@@ -134,10 +147,11 @@ fn drop_unused(faces: &mut [[u32; 3]], positions: &mut Vec<DVec3>, point_of_inpu
         kept += 1;
     }
     if kept as usize == positions.len() {
-        return;
+        return false;
     }
     positions.truncate(kept as usize);
     for point in faces.iter_mut().flatten().chain(point_of_input.iter_mut().filter(|point| **point != NONE)) {
         *point = renumbered[*point as usize];
     }
+    true
 }

@@ -1,6 +1,6 @@
 //! What the wavefront needs of a surface: triangles laid in the plane, what lies across each edge, pseudo-sources.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use super::window::GRAZE;
 use crate::halfedge::Face;
@@ -43,6 +43,40 @@ pub(super) fn after(k: usize) -> usize {
 }
 
 impl Frame {
+    fn new(surface: &Surface, face: Face) -> Self {
+        let corners = surface.corners(face);
+        let edges: [_; 3] = std::array::from_fn(|k| corners[after(k)] - corners[k]);
+        let length = edges.map(triangle::length);
+        let before = |k: usize| after(after(k));
+        let [cos, sin]: [[f64; 3]; 2] = if length.iter().all(|length| PLAIN_LENGTHS.contains(length)) {
+            // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.
+            let longest =
+                if length[0] >= length[1].max(length[2]) { 0 } else { 1 + usize::from(length[2] > length[1]) };
+            let area = edges[after(longest)].cross(edges[before(longest)]).length();
+            let inverse = length.map(f64::recip);
+            let inverses: [f64; 3] = std::array::from_fn(|k| inverse[k] * inverse[before(k)]);
+            [
+                std::array::from_fn(|k| -edges[k].dot(edges[before(k)]) * inverses[k]),
+                inverses.map(|inverse| area * inverse),
+            ]
+        } else {
+            let units = edges.map(triangle::unit);
+            [
+                std::array::from_fn(|k| -units[k].dot(units[before(k)])),
+                std::array::from_fn(|k| triangle::length(units[k].cross(units[before(k)]))),
+            ]
+        };
+        let points = surface.faces[face];
+        let beside = std::array::from_fn(|k| {
+            let slot = 3 * face.0 + k as u32;
+            let next = surface.edges.beside(slot);
+            let ends = &surface.faces.as_slice()[next as usize / 3];
+            let ascends = ends[next as usize % 3] < ends[after(next as usize % 3)];
+            4 * next + 2 * u32::from(!surface.edges.is_branching(slot)) + u32::from(ascends)
+        });
+        Self { length, cos, sin, points, beside }
+    }
+
     /// Corner opposite slot `k`, where that slot lies on the x axis from the origin and the triangle above it.
     pub fn opposite(&self, k: usize) -> [f64; 2] {
         let length = self.length[after(after(k))];
@@ -67,6 +101,53 @@ impl Frame {
     }
 }
 
+/// Lengths whose fourth powers, as in the square of an area, neither under- nor overflow, however thin the triangle.
+const PLAIN_LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
+
+/// A sum of angles between 0 and π, kept as a direction and the half turns passed on the way, so that adding one needs
+/// no inverse tangent.
+#[derive(Debug, Clone, Copy)]
+struct AngleSum {
+    cos: f64,
+    sin: f64,
+    half_turns: u32,
+}
+
+impl Default for AngleSum {
+    fn default() -> Self {
+        Self { cos: 1.0, sin: 0.0, half_turns: 0 }
+    }
+}
+
+impl AngleSum {
+    fn add(&mut self, cos: f64, sin: f64) {
+        // Odd half turns are where the sine is negative.
+        [self.cos, self.sin] = [self.cos * cos - self.sin * sin, self.cos * sin + self.sin * cos];
+        self.half_turns += u32::from((self.sin < 0.0) != (self.half_turns % 2 == 1));
+    }
+
+    fn radians(&self) -> f64 {
+        let cos = if self.half_turns.is_multiple_of(2) { self.cos } else { -self.cos };
+        f64::from(self.half_turns) * PI + self.sin.abs().atan2(cos)
+    }
+
+    /// Whether the sum is more than so many half turns, by more than `GRAZE`.
+    fn exceeds(&self, half_turns: u32) -> bool {
+        self.half_turns >= half_turns && self.radians() > f64::from(half_turns) * PI + GRAZE
+    }
+}
+
+/// `#P`, whether the faces around each point form one closed fan of the half-edge mesh.
+fn points_of_closed_fans(surface: &Surface) -> Vec<bool> {
+    let mesh = &surface.mesh;
+    let mut is_closed: Vec<bool> =
+        mesh.vertices().take(surface.point_count()).map(|vertex| !mesh.is_boundary_vertex(vertex)).collect();
+    for vertex in mesh.vertices().skip(surface.point_count()) {
+        is_closed[surface.point_of_vertex[vertex] as usize] = false;
+    }
+    is_closed
+}
+
 /// What a [`Wavefront`](super::Wavefront) needs of a surface, made once and shared by all wavefronts on it.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
@@ -79,68 +160,37 @@ pub struct ExactGeometry {
 impl ExactGeometry {
     /// Lays out the triangles and finds the pseudo-sources of a surface.
     pub fn new(surface: &Surface) -> Self {
-        let faces = surface.faces.as_slice();
-        let frame = |face: usize| {
-            let corners = surface.corners(Face(face as u32));
-            let edges: [_; 3] = std::array::from_fn(|k| corners[after(k)] - corners[k]);
-            let units = edges.map(triangle::unit);
-            let before = |k: usize| after(after(k));
-            Frame {
-                length: edges.map(triangle::length),
-                cos: std::array::from_fn(|k| -units[k].dot(units[before(k)])),
-                sin: std::array::from_fn(|k| triangle::length(units[k].cross(units[before(k)]))),
-                points: faces[face],
-                beside: [0; 3],
+        let mut frames = Vec::with_capacity(surface.face_count());
+        let mut angles = vec![AngleSum::default(); surface.point_count()];
+        for face in surface.mesh.faces() {
+            let frame = Frame::new(surface, face);
+            for (k, point) in frame.points.into_iter().enumerate() {
+                angles[point as usize].add(frame.cos[k], frame.sin[k]);
+            }
+            frames.push(frame);
+        }
+        let mut geometry = Self { frames, bends: Vec::new() };
+        let is_plain = points_of_closed_fans(surface);
+        let bend = |(point, angle): (usize, &AngleSum)| {
+            if !is_plain[point] {
+                geometry.bend(surface, point as u32, angle)
+            } else if angle.exceeds(2) {
+                Bend::Saddle(angle.radians())
+            } else {
+                Bend::Never
             }
         };
-        let mut geometry =
-            Self { frames: (0..faces.len()).map(frame).collect(), bends: vec![Bend::Never; surface.point_count()] };
-        let is_branching = geometry.link(surface);
-        for point in 0..surface.point_count() as u32 {
-            geometry.bends[point as usize] =
-                if is_branching[point as usize] { Bend::Anywhere } else { geometry.bend(surface, point) };
-        }
+        geometry.bends = angles.iter().enumerate().map(bend).collect();
         geometry
     }
 
-    /// Links the slots of each edge in a cycle; returns which points have an edge of three faces or more.
-    fn link(&mut self, surface: &Surface) -> Vec<bool> {
-        let mut is_branching = vec![false; surface.point_count()];
-        // Slots between the point and higher ones, as (other point, slot) in one sortable word.
-        let mut around: Vec<u64> = Vec::new();
-        for point in 0..surface.point_count() as u32 {
-            around.clear();
-            for (face, k) in surface.corners_of_point(point) {
-                let corners = self.frames[face.0 as usize].points;
-                let before = after(after(k));
-                for (other, slot) in [(corners[after(k)], k), (corners[before], before)] {
-                    if other > point {
-                        around.push(u64::from(other) << 32 | u64::from(face.0 * 3 + slot as u32));
-                    }
-                }
-            }
-            around.sort_unstable();
-            for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
-                for (index, &entry) in edge.iter().enumerate() {
-                    let next = edge[(index + 1) % edge.len()] as u32;
-                    let ascends = self.frames[next as usize / 3].ascends(next as usize % 3);
-                    let slot = entry as u32 as usize;
-                    self.frames[slot / 3].beside[slot % 3] =
-                        4 * next + 2 * u32::from(edge.len() <= 2) + u32::from(ascends);
-                }
-                if edge.len() > 2 {
-                    is_branching[point as usize] = true;
-                    is_branching[(edge[0] >> 32) as usize] = true;
-                }
-            }
+    /// How paths bend at a point where edges may have one face, or several.
+    fn bend(&self, surface: &Surface, point: u32, angle: &AngleSum) -> Bend {
+        let slots = |(face, k): (Face, usize)| [k, after(after(k))].map(|k| 3 * face.0 + k as u32);
+        if surface.corners_of_point(point).flat_map(slots).any(|slot| surface.edges.is_branching(slot)) {
+            return Bend::Anywhere;
         }
-        is_branching
-    }
-
-    /// How paths bend at a point whose edges have at most two faces.
-    fn bend(&self, surface: &Surface, point: u32) -> Bend {
-        let angles = surface.corners_of_point(point).map(|(face, k)| self.frames[face.0 as usize].angle(k));
-        let (faces, angle) = angles.fold((0, 0.0), |(count, sum), angle| (count + 1, sum + angle));
+        let faces = surface.corners_of_point(point).count();
         let Some((face, k)) = surface.corners_of_point(point).next() else { return Bend::Never };
         let start = Turn { face: face.0, corner: k, is_reversed: false };
         let mut fan = 1;
@@ -162,8 +212,8 @@ impl ExactGeometry {
         }
         match (fan == faces, is_open) {
             (false, _) => Bend::Anywhere,
-            (true, false) if angle > TAU + GRAZE => Bend::Saddle(angle),
-            (true, true) if angle > PI + GRAZE => Bend::Reflex,
+            (true, false) if angle.exceeds(2) => Bend::Saddle(angle.radians()),
+            (true, true) if angle.exceeds(1) => Bend::Reflex,
             (true, _) => Bend::Never,
         }
     }

@@ -134,8 +134,8 @@ impl HeatSolver {
     ) -> Result<Self> {
         let elements = parameters.operator.elements(&surface);
         let laplacian = Laplacian::of_elements(surface.point_count(), &elements);
-        let (mean_edge, deviation) = elements.edge_statistics();
-        let suited_factor = suited_factor(deviation / mean_edge, extent / mean_edge);
+        let mean_edge = elements.mean_edge;
+        let suited_factor = suited_factor(elements.deviation, extent / mean_edge);
         let solve = match parameters.solver {
             LinearSolver::Cholesky => {
                 report(progress, Stage::Ordering, 0.1)?;

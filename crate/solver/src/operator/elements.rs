@@ -26,11 +26,6 @@ impl Element {
         Self { x1, x2: along.dot(r - p), y2: triangle::length(along.cross(r - p)) }
     }
 
-    /// Lengths of the sides that leave corners 0, 1 and 2.
-    fn sides(&self) -> [f64; 3] {
-        [self.x1, (self.x1 - self.x2).hypot(self.y2), self.x2.hypot(self.y2)]
-    }
-
     /// Area, in the file's unit squared.
     pub(crate) fn area(&self) -> f64 {
         0.5 * self.x1 * self.y2
@@ -62,10 +57,12 @@ pub(crate) struct Elements {
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, in the same order of corners.
     pub(crate) shapes: Vec<Element>,
-    /// `3 #F`, whether nothing is glued to the side that leaves each corner.
-    pub(crate) is_boundary: Vec<bool>,
     /// What each triangle counts for: 1 over the number of sheets that cover the surface.
     pub(crate) share: f64,
+    /// Mean length of the edges, in the file's unit.
+    pub(crate) mean_edge: f64,
+    /// Root-mean-square deviation of the edges' lengths, as a share of their mean.
+    pub(crate) deviation: f64,
 }
 
 impl Elements {
@@ -74,20 +71,21 @@ impl Elements {
         let shapes = surface.mesh.faces().map(|face| Element::of_face(surface, face)).collect();
         let sides = 3 * surface.face_count();
         let is_boundary = |side: usize| surface.mesh.twin(Halfedge(side as u32)).0 as usize >= sides;
-        let is_boundary = (0..sides).map(is_boundary).collect();
-        Self { faces: surface.faces.as_slice().to_vec(), shapes, is_boundary, share: 1.0 }
+        let (mean_edge, deviation) = edge_statistics(&surface.side_lengths(), is_boundary);
+        Self { faces: surface.faces.as_slice().to_vec(), shapes, share: 1.0, mean_edge, deviation }
     }
+}
 
-    /// Mean length of the edges and its root-mean-square deviation, in the file's unit.
-    pub(crate) fn edge_statistics(&self) -> (f64, f64) {
-        // A side shared by two triangles is half an edge.
-        let sides = || {
-            let sides = self.shapes.iter().flat_map(Element::sides);
-            sides.zip(&self.is_boundary).map(|(side, &is_boundary)| (side, if is_boundary { 2.0 } else { 1.0 }))
-        };
-        let count: f64 = sides().map(|(_, weight)| weight).sum();
-        let mean = sides().map(|(side, weight)| weight * side).sum::<f64>() / count;
-        let deviation = sides().map(|(side, weight)| weight * (side / mean - 1.0).powi(2)).sum::<f64>() / count;
-        (mean, mean * deviation.sqrt())
-    }
+/// Mean length of the edges and its root-mean-square deviation, as a share of the mean. `lengths` are those of the
+/// triangles' sides, of which two make an edge, or one that is a boundary.
+pub(crate) fn edge_statistics(lengths: &[f64], is_boundary: impl Fn(usize) -> bool) -> (f64, f64) {
+    let sides = || {
+        let sides = lengths.iter().enumerate();
+        sides.map(|(side, &length)| (length, if is_boundary(side) { 2.0 } else { 1.0 }))
+    };
+    let (sum, count) =
+        sides().fold((0.0, 0.0), |(sum, count), (length, weight)| (sum + weight * length, count + weight));
+    let mean = sum / count;
+    let deviation = |(length, weight): (f64, f64)| weight * (length / mean - 1.0).powi(2);
+    (mean, (sides().map(deviation).sum::<f64>() / count).sqrt())
 }

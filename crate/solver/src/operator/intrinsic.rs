@@ -4,7 +4,8 @@
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
 use crate::csr::NONE;
-use crate::operator::elements::{Element, Elements};
+use crate::halfedge::Halfedge;
+use crate::operator::elements::{Element, Elements, edge_statistics};
 use crate::surface::Surface;
 use crate::triangle;
 
@@ -22,7 +23,9 @@ pub struct IntrinsicTriangulation {
     faces: Vec<[u32; 3]>,
     /// `3 #F`, length of each side, in the file's unit.
     lengths: Vec<f64>,
-    /// `3 #F`, the slot glued to each; [`NONE`] on the boundary.
+    /// `3 #F`, cotangent of the angle opposite each side.
+    cotans: Vec<f64>,
+    /// `3 #F`, the slot glued to each; of an open side, a number of its own from `3 #F` on.
     twins: Vec<u32>,
     /// How often the surface is covered: 1, or 2 by the tufted cover.
     sheets: u32,
@@ -34,64 +37,81 @@ impl IntrinsicTriangulation {
     /// no boundary edge lies opposite an obtuse angle; otherwise it lives on the tufted cover, where every edge has two
     /// sides and can be flipped, so that no cotan weight is negative in either case.
     pub fn delaunay(surface: &Surface) -> Self {
-        if surface.is_oriented_manifold {
-            let mut single = Self::single_sheet(surface);
-            single.mollify(surface.mean_edge);
-            single.flip_to_delaunay();
-            if single.has_sharp_boundary() {
-                return single;
-            }
+        let slots = 3 * surface.face_count() as u32;
+        let mut triangulation = Self {
+            faces: surface.faces.as_slice().to_vec(),
+            lengths: surface.side_lengths(),
+            cotans: Vec::with_capacity(slots as usize),
+            twins: (0..slots).map(|slot| surface.mesh.twin(Halfedge(slot)).0).collect(),
+            sheets: 1,
+            flips: 0,
+        };
+        triangulation.mollify(surface.mean_edge);
+        let cotans = triangulation.lengths.as_chunks().0.iter().flat_map(|&sides| cotans_opposite(sides));
+        triangulation.cotans.extend(cotans);
+        triangulation.flip_to_delaunay(0..slots);
+        if surface.is_oriented_manifold && triangulation.has_sharp_boundary() {
+            return triangulation;
         }
-        let mut double = Self::tufted(surface);
-        double.mollify(surface.mean_edge);
-        double.flip_to_delaunay();
-        double
+        // Inside its sheets the cover is Delaunay already.
+        let seams = triangulation.cover(surface);
+        triangulation.flip_to_delaunay(seams.into_iter());
+        triangulation
     }
 
-    /// The faces as they are; cuts are boundary.
-    fn single_sheet(surface: &Surface) -> Self {
-        let slots = surface.face_count() as u32 * 3;
-        let twins = (0..slots).map(|slot| surface.mesh.twin(crate::halfedge::Halfedge(slot)).0);
-        let twins = twins.map(|twin| if twin < slots { twin } else { NONE }).collect();
-        Self { faces: surface.faces.as_slice().to_vec(), lengths: side_lengths(surface), twins, sheets: 1, flips: 0 }
-    }
-
-    /// The tufted cover: each face twice, the copy reversed, glued in pairs around every edge.
-    fn tufted(surface: &Surface) -> Self {
-        let count = surface.face_count();
-        let mut faces = surface.faces.as_slice().to_vec();
-        faces.extend(surface.faces.iter().map(|&[a, b, c]| [a, c, b]));
-        let mut lengths = side_lengths(surface);
-        lengths.reserve(3 * count);
-        for face in 0..count {
-            let [ab, bc, ca] = [0, 1, 2].map(|k| lengths[3 * face + k]);
-            lengths.extend([ca, bc, ab]);
+    /// Makes the tufted cover: adds a reversed copy of each face and glues open sides in pairs around their edges.
+    /// Returns one slot of each pair.
+    fn cover(&mut self, surface: &Surface) -> Vec<u32> {
+        let count = self.faces.len() as u32;
+        // The side of the other copy of its face along the same edge.
+        let reversed = |slot: u32| 3 * ((slot / 3 + count) % (2 * count)) + 2 - slot % 3;
+        self.faces.extend_from_within(..);
+        self.lengths.extend_from_within(..);
+        self.cotans.extend_from_within(..);
+        for face in count as usize..2 * count as usize {
+            self.faces[face].swap(1, 2);
+            self.lengths.swap(3 * face, 3 * face + 2);
+            self.cotans.swap(3 * face, 3 * face + 2);
         }
-        // The side of the reversed copy along the same edge.
-        let reversed = |slot: u32| 3 * (count as u32 + slot / 3) + 2 - slot % 3;
-        let mut twins = vec![NONE; 6 * count];
-        let mut ring = Vec::new();
-        surface.for_each_edge(|low, sides| {
-            ring.clear();
-            ring.extend_from_slice(sides);
-            sort_around(surface, &mut ring);
-            let sides = &ring;
-            for (index, &side) in sides.iter().enumerate() {
-                let next = sides[(index + 1) % sides.len()];
-                let upward = |slot: u32| {
-                    if surface.faces.as_slice()[slot as usize / 3][slot as usize % 3] == low {
-                        slot
-                    } else {
-                        reversed(slot)
-                    }
-                };
-                let downward = |slot: u32| if upward(slot) == slot { reversed(slot) } else { slot };
-                let (a, b) = (upward(side), downward(next));
-                twins[a as usize] = b;
-                twins[b as usize] = a;
+        let mut open = vec![NONE; surface.mesh.halfedge_count() - 3 * count as usize];
+        for slot in 0..3 * count {
+            let twin = self.twins[slot as usize];
+            if twin >= 3 * count {
+                open[(twin - 3 * count) as usize] = slot;
             }
+        }
+        let copies = (3 * count..6 * count).map(|slot| {
+            let twin = self.twins[reversed(slot) as usize];
+            if twin < 3 * count { reversed(twin) } else { NONE }
         });
-        Self { faces, lengths, twins, sheets: 2, flips: 0 }
+        let copies: Vec<u32> = copies.collect();
+        self.twins.extend(copies);
+        self.sheets = 2;
+        let origin = |slot: u32| self.faces[slot as usize / 3][slot as usize % 3];
+        let mut seams = Vec::with_capacity(open.len());
+        let mut ring = Vec::new();
+        for last in surface.edges.lasts() {
+            let outer = |side: u32| surface.mesh.twin(Halfedge(side)).0;
+            if outer(last) < 3 * count {
+                continue;
+            }
+            ring.clear();
+            ring.extend(surface.edges.around(last));
+            sort_around(surface, &mut ring);
+            for side in &mut ring {
+                *side = open[(outer(*side) - 3 * count) as usize];
+            }
+            let is_upward = |slot: u32| origin(slot) == origin(ring[0]);
+            for (index, &side) in ring.iter().enumerate() {
+                let next = ring[(index + 1) % ring.len()];
+                let up = if is_upward(side) { side } else { reversed(side) };
+                let down = if is_upward(next) { reversed(next) } else { next };
+                self.twins[up as usize] = down;
+                self.twins[down as usize] = up;
+                seams.push(up);
+            }
+        }
+        seams
     }
 
     /// Adds one length to every side, the least that leaves no triangle flatter than `MOLLIFICATION`.
@@ -110,35 +130,40 @@ impl IntrinsicTriangulation {
         }
     }
 
-    fn flip_to_delaunay(&mut self) {
-        let slots = self.faces.len() as u32 * 3;
-        let mut is_queued: Vec<bool> = (0..slots).map(|slot| slot < self.twins[slot as usize]).collect();
-        let mut queue: Vec<u32> = (0..slots).rev().filter(|&slot| is_queued[slot as usize]).collect();
+    /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay.
+    fn flip_to_delaunay(&mut self, sides: impl DoubleEndedIterator<Item = u32>) {
+        let mut is_queued = vec![false; self.twins.len()];
+        let mut queue: Vec<u32> = sides.rev().filter(|&slot| self.is_to_flip(slot)).collect();
+        // Of the two slots of an edge, the lower one stands for it.
+        queue.retain_mut(|slot| {
+            *slot = self.twins[*slot as usize].min(*slot);
+            !std::mem::replace(&mut is_queued[*slot as usize], true)
+        });
         while let Some(slot) = queue.pop() {
             is_queued[slot as usize] = false;
+            if !self.is_to_flip(slot) {
+                continue;
+            }
             let twin = self.twins[slot as usize];
-            if twin == NONE || twin / 3 == slot / 3 {
-                continue;
-            }
-            let cotans = self.cotan_opposite(slot) + self.cotan_opposite(twin);
-            if cotans >= -FLIP_TOLERANCE {
-                continue;
-            }
             self.flip(slot);
             self.flips += 1;
             for side in [next(slot), previous(slot), next(twin), previous(twin)] {
                 let low = side.min(self.twins[side as usize]);
-                if !std::mem::replace(&mut is_queued[low as usize], true) {
+                if self.is_to_flip(low) && !std::mem::replace(&mut is_queued[low as usize], true) {
                     queue.push(low);
                 }
             }
         }
     }
 
-    /// Cotangent of the angle opposite a side, from the three lengths.
-    fn cotan_opposite(&self, slot: u32) -> f64 {
-        let [a, b, c] = [slot, next(slot), previous(slot)].map(|side| self.lengths[side as usize]);
-        (b * b + c * c - a * a) / (4.0 * triangle::area_of_lengths([a, b, c]))
+    fn is_open(&self, slot: usize) -> bool {
+        self.twins[slot] as usize >= self.twins.len()
+    }
+
+    /// Whether a side has two triangles and is not Delaunay.
+    fn is_to_flip(&self, slot: u32) -> bool {
+        let (slot, twin) = (slot as usize, self.twins[slot as usize] as usize);
+        !self.is_open(slot) && twin / 3 != slot / 3 && self.cotans[slot] + self.cotans[twin] < -FLIP_TOLERANCE
     }
 
     /// Replaces a side by the other diagonal of the two triangles beside it.
@@ -154,7 +179,7 @@ impl IntrinsicTriangulation {
             (x, 2.0 * triangle::area_of_lengths([base, from_a, from_b]) / base)
         };
         let (c, d) = (place(length(ca), length(bc)), place(length(ad), length(db)));
-        let diagonal = (c.0 - d.0).hypot(c.1 + d.1);
+        let diagonal = triangle::hypotenuse(c.0 - d.0, c.1 + d.1);
         let origin = |side: u32| self.faces[side as usize / 3][side as usize % 3];
         let corners = [origin(slot), origin(twin), origin(ca), origin(db)];
         let outside = [db, bc, ca, ad].map(|side| (self.lengths[side as usize], self.twins[side as usize], side));
@@ -170,18 +195,22 @@ impl IntrinsicTriangulation {
         // A side that was glued to another of the four follows it to its new slot.
         let new_slot = |old: u32| outside.iter().position(|side| side.2 == old).map_or(old, |index| moved[index]);
         for (side, (_, old_twin, _)) in moved.into_iter().zip(outside) {
-            let partner = if old_twin == NONE { NONE } else { new_slot(old_twin) };
+            let partner = new_slot(old_twin);
             self.twins[side as usize] = partner;
-            if partner != NONE {
-                self.twins[partner as usize] = side;
+            if let Some(back) = self.twins.get_mut(partner as usize) {
+                *back = side;
             }
+        }
+        for face in [slot / 3, twin / 3].map(|face| face as usize) {
+            let sides = [3 * face, 3 * face + 1, 3 * face + 2];
+            let cotans = cotans_opposite(sides.map(|side| self.lengths[side]));
+            self.cotans[3 * face..3 * face + 3].copy_from_slice(&cotans);
         }
     }
 
-    /// Whether no boundary side lies opposite an obtuse angle.
+    /// Whether no open side lies opposite an obtuse angle.
     fn has_sharp_boundary(&self) -> bool {
-        let boundary = (0..self.twins.len()).filter(|&slot| self.twins[slot] == NONE);
-        boundary.into_iter().all(|slot| self.cotan_opposite(slot as u32) >= -FLIP_TOLERANCE)
+        (0..self.twins.len()).all(|slot| !self.is_open(slot) || self.cotans[slot] >= -FLIP_TOLERANCE)
     }
 
     /// Number of edges flipped.
@@ -197,18 +226,16 @@ impl IntrinsicTriangulation {
     /// The triangles laid out in the plane.
     pub(crate) fn elements(self) -> Elements {
         let shapes = self.lengths.as_chunks().0.iter().map(|&lengths| Element::of_lengths(lengths)).collect();
-        let is_boundary = self.twins.iter().map(|&twin| twin == NONE).collect();
-        Elements { faces: self.faces, shapes, is_boundary, share: 1.0 / f64::from(self.sheets) }
+        let (mean_edge, deviation) = edge_statistics(&self.lengths, |slot| self.is_open(slot));
+        Elements { faces: self.faces, shapes, share: 1.0 / f64::from(self.sheets), mean_edge, deviation }
     }
 }
 
-/// `3 #F`, length of each face's sides.
-fn side_lengths(surface: &Surface) -> Vec<f64> {
-    let sides = surface.mesh.faces().flat_map(|face| {
-        let [p, q, r] = surface.corners(face);
-        [q - p, r - q, p - r].map(triangle::length)
-    });
-    sides.collect()
+/// Cotangents of the angles opposite the sides of these lengths.
+fn cotans_opposite([a, b, c]: [f64; 3]) -> [f64; 3] {
+    let inverse = 0.25 / triangle::area_of_lengths([a, b, c]);
+    let [a, b, c] = [a * a, b * b, c * c];
+    [(b + c - a) * inverse, (c + a - b) * inverse, (a + b - c) * inverse]
 }
 
 /// Sorts the sides that share an edge by the angle of their faces around it.
