@@ -6,7 +6,7 @@ import { cargo, root } from '../steps.mjs';
 
 const release = join(root, 'target', 'release');
 export const MESH_PROGRAM = join(release, 'examples', 'bench_mesh');
-const FACTORING = ['ordering', 'analysing', 'factoring_poisson', 'factoring_heat'];
+const FACTORING = ['ordering', 'analysing', 'factoring'];
 const CHOLMOD_REMEDY = 'apt-get install libsuitesparse-dev libopenblas0-serial, and a C compiler';
 
 export function buildPrograms() {

@@ -8,7 +8,7 @@ const NAMES = {
   native: 'native',
   page: 'page',
 };
-const STAGES = ['build', 'assembling', 'ordering', 'analysing', 'factoring_poisson', 'factoring_heat'];
+const STAGES = ['build', 'assembling', 'ordering', 'analysing', 'factoring'];
 const MISSING = '–';
 
 export function markdown({ machine, date, commit, versions, meshes, drags, firstPicture, bars, skipped }) {

@@ -17,8 +17,7 @@ use heatwalk::{
 };
 
 const LEVEL: u32 = 5;
-const STAGES: [Stage; 5] =
-    [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::FactoringPoisson, Stage::FactoringHeat];
+const STAGES: [Stage; 4] = [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::Factoring];
 const SOURCE: SurfacePoint = SurfacePoint::Vertex(4321);
 const START: SurfacePoint = SurfacePoint::Vertex(0);
 

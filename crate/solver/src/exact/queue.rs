@@ -37,6 +37,16 @@ impl Buckets {
         }
     }
 
+    /// Takes all items out, with a word on each to `forget`, to begin again at `base`.
+    pub fn clear(&mut self, base: f64, mut forget: impl FnMut(u32)) {
+        let later = self.later.drain(..).map(|(_, item)| item);
+        for item in self.ring.iter_mut().flat_map(|bucket| bucket.drain(..)).chain(later) {
+            self.bucket[item as usize] = 0;
+            forget(item);
+        }
+        (self.base, self.current, self.waiting) = (base, 0, 0);
+    }
+
     /// Every waiting item is at least this far.
     pub fn floor(&self) -> f64 {
         if self.waiting == 0 { f64::INFINITY } else { self.base + f64::from(self.current) * self.width }

@@ -34,6 +34,8 @@ pub struct Wavefront {
     pub(super) values: Vec<f64>,
     /// `#P`.
     pub(super) origins: Vec<Origin>,
+    /// Points with a finite value.
+    reached: Vec<u32>,
     /// All windows; those not in use form a list from `free`. Number 0 is none.
     pub(super) windows: Vec<Window>,
     pub(super) free: u32,
@@ -59,17 +61,18 @@ impl Wavefront {
     ) -> Self {
         let (slots, points) = (3 * surface.face_count(), surface.point_count());
         let sources: Vec<Source> = sources.iter().map(|&source| source.into()).collect();
-        let first = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
+        let base = base(&sources);
         let none = Window::new(0.0, 0.0, [0.0; 2], 0.0, 0);
         let mut wavefront = Self {
             targets: Targets::new(&surface, &geometry, targets),
             sources,
             values: vec![f64::INFINITY; points],
             origins: vec![Origin::None; points],
+            reached: Vec::new(),
             windows: vec![none],
             free: 0,
             heads: vec![0; slots],
-            queue: Buckets::new(slots + points, first.min(f64::MAX), BUCKET * surface.mean_edge),
+            queue: Buckets::new(slots + points, base, BUCKET * surface.mean_edge),
             propagated: 0,
             crossing: Vec::new(),
             leaving: Vec::new(),
@@ -78,6 +81,27 @@ impl Wavefront {
         };
         wavefront.start();
         wavefront
+    }
+
+    /// Starts anew at other sources, without targets, in the memory held: clears only what has been touched.
+    pub(crate) fn restart(&mut self, sources: &[Source]) {
+        self.sources = sources.to_vec();
+        self.targets = Targets::new(&self.surface, &self.geometry, &[]);
+        for point in self.reached.drain(..) {
+            self.values[point as usize] = f64::INFINITY;
+            self.origins[point as usize] = Origin::None;
+        }
+        self.windows.truncate(1);
+        self.free = 0;
+        let heads = &mut self.heads;
+        self.queue.clear(base(sources), |item| {
+            // A slot where windows wait is in the queue.
+            if let Some(head) = heads.get_mut(item as usize) {
+                *head = 0;
+            }
+        });
+        self.propagated = 0;
+        self.start();
     }
 
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face. Returns whether
@@ -110,6 +134,11 @@ impl Wavefront {
         &self.values
     }
 
+    /// The points with a finite value.
+    pub(crate) fn reached(&self) -> &[u32] {
+        &self.reached
+    }
+
     /// The values, without what else is held.
     pub fn into_values(self) -> Vec<f64> {
         self.values
@@ -132,7 +161,11 @@ impl Wavefront {
 
     /// Offers a vertex a shorter path.
     pub(super) fn offer(&mut self, point: u32, value: f64, origin: Origin) {
-        if value < self.values[point as usize] {
+        let before = self.values[point as usize];
+        if value < before {
+            if before == f64::INFINITY {
+                self.reached.push(point);
+            }
             self.values[point as usize] = value;
             self.origins[point as usize] = origin;
             if self.geometry.can_bend(point) {
@@ -205,6 +238,11 @@ impl Wavefront {
         self.leaving = leaving;
         self.crossing = crossing;
     }
+}
+
+/// Where the queue begins.
+fn base(sources: &[Source]) -> f64 {
+    sources.iter().map(|source| source.offset).fold(f64::MAX, f64::min)
 }
 
 /// A window that crosses a face.

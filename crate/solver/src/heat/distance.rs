@@ -47,7 +47,7 @@ impl HeatSolver {
     pub fn distance<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Distance> {
         let sources = self.validated(sources)?;
         let (heat, is_active) = self.heat(&sources)?;
-        self.distance_beyond(&self.near_field(&sources), heat, &sources, &is_active)
+        self.with_near_field(&sources, |near| self.distance_beyond(near, heat, &sources, &is_active))
     }
 
     /// Begins to make a distance exact, from the sources outward.
@@ -76,30 +76,34 @@ impl HeatSolver {
     }
 
     /// Distance where some of it is known to be exact. `is_active` tells the sources that heat comes from.
-    fn distance_beyond(&self, near: &Near, heat: Vec<f64>, sources: &[Source], is_active: &[bool]) -> Result<Distance> {
+    fn distance_beyond(
+        &self,
+        near: &Near<'_>,
+        heat: Vec<f64>,
+        sources: &[Source],
+        is_active: &[bool],
+    ) -> Result<Distance> {
         let surface = &*self.surface;
         let mut has_source = vec![false; surface.report.components];
         for source in sources {
             has_source[source.point.component(surface) as usize] = true;
         }
         let is_reachable = |point: usize| has_source[surface.component_of_point[point] as usize];
-        let is_known = |point: usize| near.values[point].is_finite() || !is_reachable(point);
-        let points = 0..surface.point_count();
-        let mut values = if points.clone().all(is_known) {
-            near.values.clone()
+        let is_known = |point: usize| near.at(point as u32).is_some() || !is_reachable(point);
+        let mut values = if (0..surface.point_count()).all(is_known) {
+            vec![0.0; surface.point_count()]
         } else {
             let mut mixed = Vec::new();
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            let divergence = divergence(&self.elements, &heat, &near.values, |face, whole| mixed.push((face, whole)));
-            self.poisson(&divergence, near, &self.known(near, &mixed, &active))?
+            let divergence = divergence(&self.elements, &heat, near, |face, whole| mixed.push((face, whole)));
+            self.poisson(divergence, near, &self.known(near, &mixed, &active))?
         };
-        for point in points {
-            values[point] = match near.values[point] {
-                exact if exact.is_finite() => exact,
-                _ if is_reachable(point) => values[point].max(near.radius),
-                _ => f64::INFINITY,
-            };
+        for (value, &component) in values.iter_mut().zip(&surface.component_of_point) {
+            *value = if has_source[component as usize] { value.max(near.radius) } else { f64::INFINITY };
+        }
+        for (point, exact) in near.points() {
+            values[point as usize] = exact;
         }
         let is_source = |source: &Source, value: f64| value >= source.offset * (1.0 - ROUNDING);
         if self.parameters().sources == MultiSource::Exact {

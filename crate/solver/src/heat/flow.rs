@@ -66,6 +66,18 @@ impl HeatSolver {
         levels: &[(Source, f64)],
     ) -> Result<(Vec<f64>, Vec<f64>)> {
         let surface = &*self.surface;
+        if let [(source, _)] = levels {
+            // The level of a single source is arbitrary.
+            let supply: Vec<(u32, f64)> = source
+                .point
+                .support(surface)
+                .filter(|&(point, _)| !held(point as usize))
+                .map(|(point, weight)| (point, weight * SOURCE_HEAT))
+                .collect();
+            if !supply.is_empty() {
+                return Ok((heat.system.solve_sparse(&supply)?, vec![SOURCE_HEAT]));
+            }
+        }
         let vertices: Vec<u32> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
         let mut is_fixed: Vec<bool> = (0..surface.point_count()).map(held).collect();
         let constrained;
@@ -106,12 +118,6 @@ impl HeatSolver {
         }
         let mut values = match constraints.as_slice() {
             [] => system.solve(&right)?,
-            [(index, functional)] if !any_prescribed => {
-                // The level of a single source is arbitrary.
-                supplies[*index] = SOURCE_HEAT;
-                let right = functional.iter().map(|&(point, weight)| (point, weight * SOURCE_HEAT)).collect();
-                system.solve_sparse(&right)?
-            }
             _ => {
                 let functionals: Vec<Functional> = constraints.iter().map(|(_, free)| free.clone()).collect();
                 let responses = if is_constrained {

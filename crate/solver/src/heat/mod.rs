@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex};
 
 use crate::dijkstra;
 use crate::error::Result;
-use crate::exact::ExactGeometry;
+use crate::exact::{ExactGeometry, Wavefront};
 use crate::linear::cholesky::Symbolic;
 use crate::linear::conjugate_gradients::Matrix;
 use crate::linear::constraints::System;
@@ -70,6 +70,8 @@ pub struct HeatSolver {
     /// Largest distance along edges, in the file's unit.
     extent: f64,
     exact: Arc<ExactGeometry>,
+    /// The wavefront of the last near field, kept for its memory.
+    front: Mutex<Option<Wavefront>>,
 }
 
 /// How systems of the surface's pattern are made ready.
@@ -175,6 +177,7 @@ impl HeatSolver {
             suited_factor,
             extent,
             exact,
+            front: Mutex::default(),
         };
         solver.factor_heat(parameters, 0.75, progress)?;
         Ok(solver)

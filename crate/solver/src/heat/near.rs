@@ -10,25 +10,33 @@ use crate::sources::Source;
 /// source mostly leaves it, and with it the responses kept from before.
 const RADIUS_STEP: f64 = 1.189_207_115_002_721; // the fourth root of 2
 
-/// Windows that the near field may propagate, per point and doubling of the points: a solve passes twice over some six
-/// entries of the factors for each, and a window costs as much as sixty of them. Counted so, and not by the entries
-/// there are, because these change with the numbering of the points.
-const WINDOWS: f64 = 0.1;
+/// Windows that the near field may propagate, times the square root of the number of points: beyond some rings it
+/// gains little, and the finer the mesh, the less it may take of a solve.
+const WINDOWS: f64 = 60.0;
 
-/// Exact distances around the sources.
-pub(super) struct Near {
-    /// `#P`; infinite outside.
-    pub(super) values: Vec<f64>,
-    /// Every distance below it is in `values`; infinite when all are.
+/// Exact distances around the sources: those of a wavefront that are below a radius.
+pub(super) struct Near<'a> {
+    values: &'a [f64],
+    reached: &'a [u32],
+    /// Every distance below it is known; infinite when all are.
     pub(super) radius: f64,
 }
 
-impl Near {
+impl<'a> Near<'a> {
     /// What a wavefront knows for certain: all where it is done, else what is below a radius.
-    pub(super) fn of(front: &Wavefront, radius: f64) -> Self {
+    pub(super) fn of(front: &'a Wavefront, radius: f64) -> Self {
         let radius = if front.is_done() { f64::INFINITY } else { radius.min(front.radius()) };
-        let is_final = |&value: &f64| if value < radius { value } else { f64::INFINITY };
-        Self { values: front.values().iter().map(is_final).collect(), radius }
+        Self { values: front.values(), reached: front.reached(), radius }
+    }
+
+    /// The distance of a point, if it is known.
+    pub(super) fn at(&self, point: u32) -> Option<f64> {
+        Some(self.values[point as usize]).filter(|&value| value < self.radius)
+    }
+
+    /// The points whose distance is known, with it.
+    pub(super) fn points(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
+        self.reached.iter().filter_map(|&point| Some((point, self.at(point)?)))
     }
 }
 
@@ -38,24 +46,35 @@ impl HeatSolver {
         Wavefront::new(Arc::clone(&self.surface), Arc::clone(&self.exact), sources, &[])
     }
 
-    /// The near field that the parameters ask for.
-    pub(super) fn near_field(&self, sources: &[Source]) -> Near {
+    /// What `answer` makes of the near field that the parameters ask for.
+    pub(super) fn with_near_field<T>(&self, sources: &[Source], answer: impl FnOnce(&Near<'_>) -> T) -> T {
+        let kept = self.front.lock().expect("no holder of the lock panics").take();
+        let mut front = match kept {
+            Some(mut front) => {
+                front.restart(sources);
+                front
+            }
+            None => self.wavefront(sources),
+        };
+        let answer = answer(&self.near_field(sources, &mut front));
+        *self.front.lock().expect("no holder of the lock panics") = Some(front);
+        answer
+    }
+
+    fn near_field<'a>(&self, sources: &[Source], front: &'a mut Wavefront) -> Near<'a> {
         let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
         match self.parameters.near_field {
-            NearField::Edges(0.0) => Near { values: vec![f64::INFINITY; self.surface.point_count()], radius: least },
+            NearField::Edges(0.0) => Near { values: front.values(), reached: front.reached(), radius: least },
             NearField::Edges(edges) => {
-                let mut front = self.wavefront(sources);
                 let radius = least + edges * self.mean_edge;
                 front.advance(radius, usize::MAX);
-                Near::of(&front, radius)
+                Near::of(front, radius)
             }
             NearField::Automatic => {
-                let mut front = self.wavefront(sources);
-                let points = self.surface.point_count() as f64;
-                let windows = (WINDOWS * points * points.log2()) as usize;
-                front.advance(f64::INFINITY, windows);
+                let windows = WINDOWS * (self.surface.point_count() as f64).sqrt();
+                front.advance(f64::INFINITY, windows as usize);
                 let steps = ((front.radius() - least) / self.mean_edge).log(RADIUS_STEP).floor();
-                Near::of(&front, least + self.mean_edge * RADIUS_STEP.powf(steps))
+                Near::of(front, least + self.mean_edge * RADIUS_STEP.powf(steps))
             }
         }
     }

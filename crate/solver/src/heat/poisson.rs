@@ -25,41 +25,39 @@ impl HeatSolver {
     /// What is known of the distance: on the rim of each patch of the near field the mean of the exact distances, and
     /// the starting values of sources that no patch contains. `mixed` are the triangles of which some corners are
     /// near, with whether all are.
-    pub(super) fn known(&self, near: &Near, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
-        let is_near = |point: u32| near.values[point as usize].is_finite();
-        let points = self.surface.point_count();
-        let (mut patches, mut is_rim) = (UnionFind::new(points), vec![false; points]);
+    pub(super) fn known(&self, near: &Near<'_>, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
+        let mut patches = UnionFind::new(self.surface.point_count());
+        let mut rim: Vec<(u32, f64)> = Vec::new();
         for &(face, whole) in mixed {
             if whole {
                 patches.join(face[0], face[1]);
                 patches.join(face[1], face[2]);
             } else {
-                for point in face.into_iter().filter(|&point| is_near(point)) {
-                    is_rim[point as usize] = true;
-                }
+                rim.extend(face.into_iter().filter_map(|point| Some((point, near.at(point)?))));
             }
         }
         // A patch that covers its whole piece has no rim, and nothing there is left to be known.
-        let mut rims: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        for point in (0..points as u32).filter(|&point| is_rim[point as usize]) {
-            rims.entry(patches.least(point)).or_default().push(point);
+        rim.sort_unstable_by_key(|&(point, _)| point);
+        rim.dedup_by_key(|&mut (point, _)| point);
+        let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
+        for (point, value) in rim {
+            rims.entry(patches.least(point)).or_default().push((point, value));
         }
         let component = |point: u32| self.surface.component_of_point[point as usize];
         let mut known: Vec<Known> = rims
             .into_values()
             .map(|rim| {
                 let weight = 1.0 / rim.len() as f64;
-                let value = rim.iter().map(|&point| weight * near.values[point as usize]).sum();
                 Known {
-                    component: component(rim[0]),
-                    functional: rim.iter().map(|&point| (point, weight)).collect(),
-                    value,
+                    component: component(rim[0].0),
+                    functional: rim.iter().map(|&(point, _)| (point, weight)).collect(),
+                    value: rim.iter().map(|&(_, value)| weight * value).sum(),
                 }
             })
             .collect();
         for source in sources {
             let functional: Functional = source.point.support(&self.surface).collect();
-            if !functional.iter().all(|&(point, _)| is_near(point)) {
+            if !functional.iter().all(|&(point, _)| near.at(point).is_some()) {
                 known.push(Known { component: component(functional[0].0), functional, value: source.offset });
             }
         }
@@ -67,11 +65,15 @@ impl HeatSolver {
     }
 
     /// The solution of `L φ = right` (`#P`, sums to 0 on each piece) with what is known of it.
-    pub(super) fn poisson(&self, right: &[f64], near: &Near, known: &[Known]) -> Result<Vec<f64>> {
+    pub(super) fn poisson(&self, right: Vec<f64>, near: &Near<'_>, known: &[Known]) -> Result<Vec<f64>> {
         let is_exact = self.parameters.sources == MultiSource::Exact;
         if is_exact && self.is_cheaper_to_factor(&self.poisson, known.len()) {
             let fixed = self.fixed_by(near, known);
-            let matrix = self.laplacian.combine(0.0, |point| fixed.values[point].is_some());
+            let mut is_fixed = vec![false; self.surface.point_count()];
+            for &point in fixed.values.keys() {
+                is_fixed[point as usize] = true;
+            }
+            let matrix = self.laplacian.combine(0.0, |point| is_fixed[point]);
             let system = self.solve.system(&self.laplacian, matrix, "Poisson")?;
             let wanted = self.wanted(known, &fixed);
             let responses = system.responses(&functionals(&wanted))?;
@@ -101,7 +103,7 @@ impl HeatSolver {
     fn joined(
         &self,
         system: &System,
-        right: &[f64],
+        right: Vec<f64>,
         fixed: &Fixed,
         wanted: &BTreeMap<u32, Vec<Wanted>>,
         responses: &[Arc<Response>],
@@ -137,30 +139,25 @@ impl HeatSolver {
 
     /// One point held at 0 on each piece.
     fn pins(&self) -> Fixed {
-        let mut values = vec![None; self.surface.point_count()];
-        for &point in &self.pinned {
-            values[point as usize] = Some(0.0);
-        }
+        let values = self.pinned.iter().map(|&point| (point, 0.0)).collect();
         Fixed { values, floats: vec![true; self.pinned.len()] }
     }
 
     /// The near field and sources at vertices held, and the pin of each piece that has none of these.
-    fn fixed_by(&self, near: &Near, known: &[Known]) -> Fixed {
-        let near_value = |&value: &f64| Some(value).filter(|value| value.is_finite());
-        let mut values: Vec<Option<f64>> = near.values.iter().map(near_value).collect();
+    fn fixed_by(&self, near: &Near<'_>, known: &[Known]) -> Fixed {
+        let mut values: BTreeMap<u32, f64> = near.points().collect();
         for known in known {
             if let [(point, _)] = known.functional[..] {
-                let value = values[point as usize].map_or(known.value, |value| value.min(known.value));
-                values[point as usize] = Some(value);
+                let value = values.entry(point).or_insert(known.value);
+                *value = value.min(known.value);
             }
         }
         let mut floats = vec![true; self.pinned.len()];
-        for (value, &component) in values.iter().zip(&self.surface.component_of_point) {
-            floats[component as usize] &= value.is_none();
+        for &point in values.keys() {
+            floats[self.surface.component_of_point[point as usize] as usize] = false;
         }
-        for (&point, _) in self.pinned.iter().zip(&floats).filter(|&(_, &floats)| floats) {
-            values[point as usize] = Some(0.0);
-        }
+        let floating = self.pinned.iter().zip(&floats).filter(|&(_, &floats)| floats);
+        values.extend(floating.map(|(&point, _)| (point, 0.0)));
         Fixed { values, floats }
     }
 
@@ -168,7 +165,7 @@ impl HeatSolver {
     fn wanted(&self, known: &[Known], fixed: &Fixed) -> BTreeMap<u32, Vec<Wanted>> {
         let mut wanted: BTreeMap<u32, Vec<Wanted>> = BTreeMap::new();
         for Known { functional, value, component } in known {
-            let given = |point: u32| fixed.values[point as usize];
+            let given = |point: u32| fixed.values.get(&point).copied();
             let free: Functional = functional.iter().copied().filter(|&(point, _)| given(point).is_none()).collect();
             if fixed.floats[*component as usize] || !free.is_empty() {
                 let given: f64 = functional.iter().filter_map(|&(point, weight)| Some(weight * given(point)?)).sum();
@@ -179,29 +176,37 @@ impl HeatSolver {
     }
 
     /// The right side of the free points when the fixed ones have their values.
-    fn freed(&self, right: &[f64], fixed: &Fixed) -> Vec<f64> {
-        let prescribed: Vec<f64> = fixed.values.iter().map(|value| value.unwrap_or(0.0)).collect();
-        let mut outflow = vec![0.0; right.len()];
-        if prescribed.iter().any(|&value| value != 0.0) {
-            outflow = self.laplacian.apply(0.0, &prescribed);
+    fn freed(&self, mut right: Vec<f64>, fixed: &Fixed) -> Vec<f64> {
+        if fixed.values.values().any(|&value| value != 0.0) {
+            let mut prescribed = vec![0.0; right.len()];
+            for (&point, &value) in &fixed.values {
+                prescribed[point as usize] = value;
+            }
+            for (right, outflow) in right.iter_mut().zip(self.laplacian.apply(0.0, &prescribed)) {
+                *right -= outflow;
+            }
         }
-        let free = |point: usize| if fixed.values[point].is_some() { 0.0 } else { right[point] - outflow[point] };
-        (0..right.len()).map(free).collect()
+        for &point in fixed.values.keys() {
+            right[point as usize] = 0.0;
+        }
+        right
     }
 
     /// Adds the fixed values and the constants of pieces that float.
     fn complete(&self, values: &mut [f64], fixed: &Fixed, constants: &[f64]) {
-        for (point, value) in values.iter_mut().enumerate() {
-            let component = self.surface.component_of_point[point] as usize;
-            *value += fixed.values[point].unwrap_or(0.0) + constants[component];
+        for (value, &component) in values.iter_mut().zip(&self.surface.component_of_point) {
+            *value += constants[component as usize];
+        }
+        for (&point, &value) in &fixed.values {
+            values[point as usize] += value;
         }
     }
 }
 
 /// Values at which points are held while the others are solved for.
 struct Fixed {
-    /// `#P`.
-    values: Vec<Option<f64>>,
+    /// By point.
+    values: BTreeMap<u32, f64>,
     /// Per component whether it is held at its pin only, so that a constant is still free.
     floats: Vec<bool>,
 }

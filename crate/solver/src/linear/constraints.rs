@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::linear::columns::Column;
 use crate::linear::conjugate_gradients::Matrix;
-use crate::linear::factor::Factor;
 use crate::linear::dot;
+use crate::linear::factor::Factor;
 
 /// A weighted sum of unknowns, as `(unknown, weight)`.
 pub(crate) type Functional = Vec<(u32, f64)>;

@@ -68,10 +68,9 @@ impl<const N: usize> Work for Factorisation<'_, N> {
                 bottom -= packed_start(child.len(), child.len()) * N;
                 add(&mut front, &children[bottom..end], &relative);
             }
-            front.eliminate::<FUSED>(&mut packed).map_err(|NotPositive { column, lane }| Failure::NotPositive {
-                unknown: start + column,
-                lane,
-            })?;
+            front
+                .eliminate::<FUSED>(&mut packed)
+                .map_err(|NotPositive { column, lane }| Failure::NotPositive { unknown: start + column, lane })?;
             for (lane, factor) in factors.iter_mut().enumerate() {
                 factor.extend(eliminated.as_chunks::<N>().0.iter().map(|entry| entry[lane]));
             }
