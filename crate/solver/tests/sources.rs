@@ -263,16 +263,16 @@ fn boundary_conditions_change_at_no_cost_the_second_time() {
     let soup = square(30);
     let mut solver = solver_with(&soup, heat_only(1.0, Boundary::Neumann));
     let mut factored = |boundary| {
-        let mut stages = 0;
-        let mut count = |_, _| {
-            stages += 1;
+        let mut any = false;
+        let mut tell = |_, _| {
+            any = true;
             ControlFlow::Continue(())
         };
-        solver.set_parameters(heat_only(1.0, boundary), &mut count).expect("factors");
-        stages
+        solver.set_parameters(heat_only(1.0, boundary), &mut tell).expect("factors");
+        any
     };
     assert_eq!(
         [Boundary::Dirichlet, Boundary::Average, Boundary::Neumann, Boundary::Dirichlet].map(&mut factored),
-        [1, 0, 0, 0]
+        [true, false, false, false]
     );
 }

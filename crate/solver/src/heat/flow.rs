@@ -1,7 +1,7 @@
 //! Heat after time t.
 
 use crate::error::Result;
-use crate::heat::{Heat, HeatSolver, MultiSource, Solve, conditions};
+use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
 use crate::linear::constraints::{Functional, Gram, System};
 use crate::sources::Source;
 
@@ -13,31 +13,24 @@ impl HeatSolver {
     /// Heat `u` (`#P`) under the boundary condition, to an arbitrary scale near 10²⁹⁰, and per source whether it is
     /// the nearest one to any point: those that are not would have to take heat out.
     pub(super) fn heat(&self, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
-        let [wants_neumann, wants_dirichlet] = conditions(self.parameters.boundary, &self.held);
-        let free = |_: usize| false;
-        let held = |point: usize| self.held[point];
-        let neumann = self.neumann.as_ref().filter(|_| wants_neumann).map(|heat| self.heat_of(heat, &free, sources));
-        let dirichlet =
-            self.dirichlet.as_ref().filter(|_| wants_dirichlet).map(|heat| self.heat_of(heat, &held, sources));
-        match (neumann.transpose()?, dirichlet.transpose()?) {
-            (Some((mut heat, mut is_active)), Some((other, is_active_there))) => {
-                for (heat, other) in heat.iter_mut().zip(&other) {
-                    *heat = 0.5 * (*heat + other);
-                }
-                for (active, there) in is_active.iter_mut().zip(is_active_there) {
-                    *active |= there;
-                }
-                Ok((heat, is_active))
+        let mut answers = self.needed_heats().map(|heat| self.heat_of(heat, sources));
+        let (mut heat, mut is_active) = answers.next().expect("some heat system is always there")?;
+        for answer in answers {
+            let (other, is_active_there) = answer?;
+            for (heat, other) in heat.iter_mut().zip(&other) {
+                *heat = 0.5 * (*heat + other);
             }
-            (Some(answer), None) | (None, Some(answer)) => Ok(answer),
-            (None, None) => unreachable!("factor_heat leaves at least one heat system"),
+            for (active, there) in is_active.iter_mut().zip(is_active_there) {
+                *active |= there;
+            }
         }
+        Ok((heat, is_active))
     }
 
-    fn heat_of(&self, heat: &Heat, held: &dyn Fn(usize) -> bool, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
+    fn heat_of(&self, heat: &Heat, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
         let mut is_active = vec![true; sources.len()];
         if self.parameters.sources == MultiSource::Superposed {
-            return Ok((self.superposed(heat, held, sources)?, is_active));
+            return Ok((self.superposed(heat, sources)?, is_active));
         }
         let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
         let level = |source: &Source| ((least - source.offset) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
@@ -45,7 +38,7 @@ impl HeatSolver {
             let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
             let levels: Vec<(Source, f64)> =
                 active.iter().map(|&index| (sources[index], level(&sources[index]))).collect();
-            let (values, supplies) = self.prescribed(heat, held, &levels)?;
+            let (values, supplies) = self.prescribed(heat, &levels)?;
             // Sources of the least starting value always give heat; rounding must not drop one of them.
             let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].offset > least;
             let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
@@ -59,19 +52,14 @@ impl HeatSolver {
     }
 
     /// Heat that is at these levels at the sources, and the supply that each needs for it.
-    fn prescribed(
-        &self,
-        heat: &Heat,
-        held: &dyn Fn(usize) -> bool,
-        levels: &[(Source, f64)],
-    ) -> Result<(Vec<f64>, Vec<f64>)> {
+    fn prescribed(&self, heat: &Heat, levels: &[(Source, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
         let surface = &*self.surface;
         if let [(source, _)] = levels {
             // The level of a single source is arbitrary.
             let supply: Vec<(u32, f64)> = source
                 .point
                 .support(surface)
-                .filter(|&(point, _)| !held(point as usize))
+                .filter(|&(point, _)| !self.is_held(heat, point as usize))
                 .map(|(point, weight)| (point, weight * SOURCE_HEAT))
                 .collect();
             if !supply.is_empty() {
@@ -79,7 +67,7 @@ impl HeatSolver {
             }
         }
         let vertices: Vec<u32> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
-        let mut is_fixed: Vec<bool> = (0..surface.point_count()).map(held).collect();
+        let mut is_fixed: Vec<bool> = (0..surface.point_count()).map(|point| self.is_held(heat, point)).collect();
         let constrained;
         let is_constrained = vertices.len() > 1 && self.is_cheaper_to_factor(&heat.system, vertices.len());
         let system = if is_constrained {
@@ -159,25 +147,30 @@ impl HeatSolver {
 
     /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
     /// entry makes of it.
-    fn superposed(&self, heat: &Heat, held: &dyn Fn(usize) -> bool, sources: &[Source]) -> Result<Vec<f64>> {
+    fn superposed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
         let mut supply = vec![0.0; self.surface.point_count()];
         for (point, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
             supply[point as usize] += weight * SOURCE_HEAT;
         }
         let mut prescribed = vec![0.0; supply.len()];
-        for point in (0..supply.len()).filter(|&point| held(point) && supply[point] > 0.0) {
+        for point in (0..supply.len()).filter(|&point| self.is_held(heat, point) && supply[point] > 0.0) {
             let diagonal = self.laplacian.stiffness[self.laplacian.column(point).start];
             prescribed[point] = supply[point] / (diagonal + self.laplacian.mass[point] / heat.time);
         }
         let outflow = self.laplacian.apply(1.0 / heat.time, &prescribed);
         for (point, supply) in supply.iter_mut().enumerate() {
-            *supply = if held(point) { 0.0 } else { *supply - outflow[point] };
+            *supply = if self.is_held(heat, point) { 0.0 } else { *supply - outflow[point] };
         }
         let mut values = heat.system.solve(&supply)?;
         for (value, level) in values.iter_mut().zip(&prescribed) {
             *value += level;
         }
         Ok(values)
+    }
+
+    /// Whether a point is held at 0.
+    fn is_held(&self, heat: &Heat, point: usize) -> bool {
+        heat.condition == Condition::Held && self.held[point]
     }
 
     /// Whether so many constraints cost more than factoring the matrix with their points held.

@@ -40,6 +40,13 @@ const EVENNESS: [f64; 2] = [0.15, 0.25];
 /// Measured on forty cases; the near field takes the first rings, where a short time is too coarse on any mesh.
 const SUITED_FACTORS: [f64; 2] = [0.3, 1.0];
 
+/// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
+/// boundary condition is free: 256 MiB.
+const SPARE_NUMBERS: usize = 1 << 25;
+
+/// Share of the progress before factoring, and of that, with the first heat matrix, in all.
+const FACTORING_SHARES: [f64; 2] = [0.3, 0.75];
+
 /// Extents in mean edges up to which these hold. Beyond, m grows with the power of 2/3: what heat errs by for following
 /// the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls with the
 /// size of the edges.
@@ -56,10 +63,8 @@ pub struct HeatSolver {
     /// `L`, with `pinned` held.
     poisson: System,
     poisson_responses: Mutex<Responses>,
-    /// Heat that does not leave; absent until a boundary condition needs it.
-    neumann: Option<Heat>,
-    /// Heat held at 0 where `held`; absent until a boundary condition needs it.
-    dirichlet: Option<Heat>,
+    /// Those that the parameters need, after others that were needed before.
+    heats: Vec<Heat>,
     /// Per point whether Dirichlet holds it: the boundary of pieces that also have an inside.
     held: Vec<bool>,
     /// Any point of each piece, where the Poisson solution is held at 0.
@@ -84,22 +89,34 @@ enum Solve {
 /// `M / t + L` for one boundary condition.
 #[derive(Debug)]
 struct Heat {
-    system: System,
+    condition: Condition,
     time: f64,
+    system: System,
     responses: Mutex<Responses>,
 }
 
+/// What becomes of heat at the boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Condition {
+    /// It does not leave: Neumann.
+    Insulated,
+    /// It is held at 0 where the solver's `held` says: Dirichlet.
+    Held,
+}
+
 impl Solve {
-    /// Makes matrices ready, side by side. Each has a name for errors.
+    /// Makes matrices ready, side by side. Each has a name for errors. `progress` is told the share of the work done.
     fn systems<const N: usize>(
         &self,
         laplacian: &Laplacian,
         matrices: [(Vec<f64>, &'static str); N],
+        progress: &mut dyn FnMut(f64) -> Result<()>,
     ) -> Result<[System; N]> {
+        progress(0.0)?;
         Ok(match self {
             Self::Factored(symbolic) => {
                 let matrices = matrices.each_ref().map(|(values, name)| (values.as_slice(), *name));
-                symbolic.factor(matrices)?.map(System::Cholesky)
+                symbolic.factor(matrices, progress)?.map(System::Cholesky)
             }
             Self::Iterated => matrices
                 .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
@@ -107,7 +124,7 @@ impl Solve {
     }
 
     fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
-        let [system] = self.systems(laplacian, [(values, name)])?;
+        let [system] = self.systems(laplacian, [(values, name)], &mut |_| Ok(()))?;
         Ok(system)
     }
 }
@@ -152,15 +169,15 @@ impl HeatSolver {
         for &point in &pinned {
             is_pinned[point as usize] = true;
         }
-        report(progress, Stage::Factoring, 0.3)?;
         let held = dirichlet_points(&surface);
         let time = time(parameters, suited_factor, mean_edge, extent);
-        let [wants_neumann, _] = conditions(parameters.boundary, &held);
+        let condition = conditions(parameters.boundary, &held)[0];
         let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
-        let values = laplacian.combine(1.0 / time, |point| !wants_neumann && held[point]);
-        let [poisson, system] = solve.systems(&laplacian, [(grounded, "Poisson"), (values, "heat")])?;
-        let heat = Some(Heat { system, time, responses: Mutex::default() });
-        let (neumann, dirichlet) = if wants_neumann { (heat, None) } else { (None, heat) };
+        let values = laplacian.combine(1.0 / time, |point| condition == Condition::Held && held[point]);
+        let [from, to] = FACTORING_SHARES;
+        let [poisson, system] = solve.systems(&laplacian, [(grounded, "Poisson"), (values, "heat")], &mut |share| {
+            report(progress, Stage::Factoring, from + (to - from) * share)
+        })?;
         let mut solver = Self {
             surface,
             parameters,
@@ -169,8 +186,7 @@ impl HeatSolver {
             solve,
             poisson,
             poisson_responses: Mutex::default(),
-            neumann,
-            dirichlet,
+            heats: vec![Heat { condition, time, system, responses: Mutex::default() }],
             held,
             pinned,
             mean_edge,
@@ -179,12 +195,12 @@ impl HeatSolver {
             exact,
             front: Mutex::default(),
         };
-        solver.factor_heat(parameters, 0.75, progress)?;
+        solver.factor_heat(parameters, to, progress)?;
         Ok(solver)
     }
 
     /// Changes parameters; factors the matrices that this touches, with the order found before where the operator
-    /// stays. Going back to a boundary condition factors nothing while the time stays.
+    /// stays. Going back to a boundary condition and time of late factors nothing.
     ///
     /// # Errors
     /// As [`HeatSolver::new`]. After an error the solver still answers, with the old parameters: the old factors go
@@ -200,30 +216,40 @@ impl HeatSolver {
         Ok(())
     }
 
-    /// Factors the heat matrices that are needed and absent, and drops those of another time.
+    /// Factors the heat matrices that are needed and absent, and drops those longest unneeded where there are many.
     fn factor_heat(&mut self, parameters: Parameters, done: f64, progress: Progress<'_>) -> Result<()> {
-        let [wants_neumann, wants_dirichlet] = conditions(parameters.boundary, &self.held);
         let time = self.time_with(parameters);
-        let is_absent = |heat: &Option<Heat>| heat.as_ref().is_none_or(|heat| heat.time != time);
-        let mut neumann = None;
-        if wants_neumann && is_absent(&self.neumann) {
-            report(progress, Stage::Factoring, done)?;
-            neumann = Some(self.heat_system(time, |_| false)?);
+        let needed = conditions(parameters.boundary, &self.held);
+        let is_kept =
+            |condition: &&Condition| self.heats.iter().any(|heat| (heat.condition, heat.time) == (**condition, time));
+        let absent: Vec<Condition> = needed.iter().filter(|condition| !is_kept(condition)).copied().collect();
+        let mut made = Vec::with_capacity(absent.len());
+        for (index, &condition) in absent.iter().enumerate() {
+            let values = self.laplacian.combine(1.0 / time, |point| condition == Condition::Held && self.held[point]);
+            let [system] = self.solve.systems(&self.laplacian, [(values, "heat")], &mut |share| {
+                let share = (index as f64 + share) / absent.len() as f64;
+                report(progress, Stage::Factoring, done + (1.0 - done) * share)
+            })?;
+            made.push(Heat { condition, time, system, responses: Mutex::default() });
         }
-        if wants_dirichlet && is_absent(&self.dirichlet) {
-            report(progress, Stage::Factoring, if wants_neumann { 0.5 * (done + 1.0) } else { done })?;
-            self.dirichlet = Some(self.heat_system(time, |point| self.held[point])?);
-        }
-        self.neumann = neumann.or_else(|| self.neumann.take().filter(|heat| heat.time == time));
-        self.dirichlet = self.dirichlet.take().filter(|heat| heat.time == time);
         self.parameters = parameters;
+        let is_needed = |heat: &Heat| heat.time == time && needed.contains(&heat.condition);
+        let (kept, mut spare): (Vec<Heat>, Vec<Heat>) =
+            std::mem::take(&mut self.heats).into_iter().partition(is_needed);
+        let mut numbers = 0;
+        let first = spare.iter().rposition(|heat| {
+            numbers += heat.system.nonzeros();
+            numbers > SPARE_NUMBERS
+        });
+        spare.drain(..first.map_or(0, |index| index + 1));
+        self.heats = spare.into_iter().chain(kept).chain(made).collect();
         Ok(())
     }
 
-    fn heat_system(&self, time: f64, held: impl Fn(usize) -> bool) -> Result<Heat> {
-        let values = self.laplacian.combine(1.0 / time, held);
-        let system = self.solve.system(&self.laplacian, values, "heat")?;
-        Ok(Heat { system, time, responses: Mutex::default() })
+    /// The heat systems that the parameters need.
+    fn needed_heats(&self) -> impl Iterator<Item = &Heat> {
+        let (time, needed) = (self.time(), conditions(self.parameters.boundary, &self.held));
+        self.heats.iter().filter(move |heat| heat.time == time && needed.contains(&heat.condition))
     }
 
     /// The surface.
@@ -255,18 +281,19 @@ impl HeatSolver {
         time(parameters, self.suited_factor, self.mean_edge, self.extent)
     }
 
-    /// Stored entries of all factors together, zeros inside supernodes counted; 0 for conjugate gradients.
+    /// Stored entries of all factors that the parameters need, zeros inside supernodes counted; 0 for conjugate gradients.
     pub fn factor_nonzeros(&self) -> usize {
-        let heat = [&self.neumann, &self.dirichlet];
-        let nonzeros = heat.into_iter().flatten().map(|heat| heat.system.nonzeros());
-        self.poisson.nonzeros() + nonzeros.sum::<usize>()
+        self.poisson.nonzeros() + self.needed_heats().map(|heat| heat.system.nonzeros()).sum::<usize>()
     }
 }
 
-/// Whether a boundary condition needs heat that does not leave, and heat held at 0.
-fn conditions(boundary: Boundary, held: &[bool]) -> [bool; 2] {
-    let boundary = if held.contains(&true) { boundary } else { Boundary::Neumann };
-    [boundary != Boundary::Dirichlet, boundary != Boundary::Neumann]
+/// What becomes of heat at the boundary in the systems that a boundary condition needs.
+fn conditions(boundary: Boundary, held: &[bool]) -> &'static [Condition] {
+    match boundary {
+        Boundary::Dirichlet if held.contains(&true) => &[Condition::Held],
+        Boundary::Average if held.contains(&true) => &[Condition::Insulated, Condition::Held],
+        _ => &[Condition::Insulated],
+    }
 }
 
 /// m in t = m h².

@@ -269,25 +269,29 @@ impl Symbolic {
 
     /// Multiplications and additions of one factorisation, roughly.
     pub(crate) fn factor_work(&self) -> f64 {
-        let work = |index| {
-            let Supernode { width, below, .. } = self.supernode(index);
-            width as f64 * ((width + below.len()) as f64).powi(2)
-        };
-        (0..self.supernode_count()).map(work).sum()
+        (0..self.supernode_count()).map(|index| self.work(index)).sum()
+    }
+
+    /// The part of a supernode in [`Symbolic::factor_work`].
+    pub(crate) fn work(&self, index: usize) -> f64 {
+        let Supernode { width, below, .. } = self.supernode(index);
+        width as f64 * ((width + below.len()) as f64).powi(2)
     }
 
     /// Factors matrices of the pattern side by side, which takes less time than one after another. Each is given by
-    /// the values of its lower triangle and a name for errors.
+    /// the values of its lower triangle and a name for errors. `progress` is told the share of the work done.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] with the vertex of the failing pivot; [`Error::OutOfMemory`].
+    /// [`Error::NotPositiveDefinite`] with the vertex of the failing pivot; [`Error::OutOfMemory`]; that of `progress`.
     pub(crate) fn factor<const N: usize>(
         self: &Arc<Self>,
         matrices: [(&[f64], &'static str); N],
+        progress: &mut dyn FnMut(f64) -> Result<()>,
     ) -> Result<[Factor; N]> {
-        let factorisation = Factorisation { symbolic: self, matrices: matrices.map(|(values, _)| values) };
+        let factorisation = Factorisation { symbolic: self, matrices: matrices.map(|(values, _)| values), progress };
         match widest(factorisation) {
             Ok(factors) => Ok(factors.map(|values| Factor::new(Arc::clone(self), values))),
+            Err(Failure::Stopped(error)) => Err(error),
             Err(Failure::OutOfMemory) => Err(Error::OutOfMemory { stage: "factoring" }),
             Err(Failure::NotPositive { unknown, lane }) => Err(Error::NotPositiveDefinite {
                 matrix: matrices[lane].1,

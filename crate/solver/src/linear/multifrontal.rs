@@ -5,29 +5,40 @@
 //! children in the elimination tree left over for it, eliminates its own unknowns in a dense front, and leaves the
 //! Schur complement on a stack.
 
+use crate::error::{Error, Result};
 use crate::linear::cholesky::{Supernode, Symbolic};
 use crate::linear::front::{Front, NotPositive, packed_start};
 use crate::linear::vector::Work;
 
+/// Share of the work after which progress is told.
+const TELLING: f64 = 1.0 / 64.0;
+
 /// Why there are no factors.
 pub(crate) enum Failure {
-    NotPositive { unknown: usize, lane: usize },
+    NotPositive {
+        unknown: usize,
+        lane: usize,
+    },
     OutOfMemory,
+    /// By whom progress is told.
+    Stopped(Error),
 }
 
 /// Factors the `N` matrices with these values of the lower triangle.
 pub(crate) struct Factorisation<'a, const N: usize> {
     pub(crate) symbolic: &'a Symbolic,
     pub(crate) matrices: [&'a [f64]; N],
+    /// Told the share of the work done, now and then.
+    pub(crate) progress: &'a mut dyn FnMut(f64) -> Result<()>,
 }
 
 impl<const N: usize> Work for Factorisation<'_, N> {
     /// Values of the factors: supernodes one after another, each a dense column-major block.
-    type Output = Result<[Vec<f64>; N], Failure>;
+    type Output = std::result::Result<[Vec<f64>; N], Failure>;
 
     #[inline(always)]
     fn run<const FUSED: bool>(self) -> Self::Output {
-        let Self { symbolic, matrices } = self;
+        let Self { symbolic, matrices, progress } = self;
         let mut factors: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
         for factor in &mut factors {
             factor.try_reserve_exact(symbolic.factor_length()).map_err(|_| Failure::OutOfMemory)?;
@@ -39,7 +50,14 @@ impl<const N: usize> Work for Factorisation<'_, N> {
         let mut packed = Vec::new();
         let mut places = vec![0; symbolic.size()];
         let mut relative = Vec::new();
+        let whole = symbolic.factor_work();
+        let (mut done, mut told) = (0.0, 0.0);
         for index in 0..symbolic.supernode_count() {
+            if done > told + TELLING * whole {
+                told = done;
+                progress(done / whole).map_err(Failure::Stopped)?;
+            }
+            done += symbolic.work(index);
             let Supernode { start, width, below, .. } = symbolic.supernode(index);
             let rows = width + below.len();
             eliminated.clear();
