@@ -2,7 +2,7 @@
 //! below.
 
 use crate::linear::cholesky::Supernode;
-use crate::linear::vector::multiply_add;
+use crate::linear::vector::{Pair, multiply_add};
 
 /// Columns that are gone through side by side. Most supernodes have no more.
 const GROUP: usize = 4;
@@ -172,12 +172,13 @@ fn subtract<const FUSED: bool, const W: usize>(columns: [&[f64]; W], values: &[f
 #[inline(always)]
 fn product<const FUSED: bool>(a: &[f64], b: &[f64]) -> f64 {
     let ((a_blocks, a_rest), (b_blocks, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
-    let mut sums = [0.0; 8];
+    let mut sums = [Pair::new([0.0; 2]); 4];
     for (a, b) in a_blocks.iter().zip(b_blocks) {
-        for lane in 0..8 {
-            sums[lane] = multiply_add::<FUSED>(a[lane], b[lane], sums[lane]);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            let [a, b] = [a, b].map(|block| Pair::new([block[2 * i], block[2 * i + 1]]));
+            *sum = sum.plus_product::<FUSED>(a, b);
         }
     }
     let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    sums.iter().sum::<f64>() + rest
+    sums.iter().flat_map(|sum| sum.numbers()).sum::<f64>() + rest
 }
