@@ -2,6 +2,7 @@
 
 import { createReadStream, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { chromium } from '@playwright/test';
 import { preview } from 'vite';
@@ -10,6 +11,8 @@ import { requireChromium, root } from '../steps.mjs';
 const dist = join(root, 'dist');
 const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+const SILENCE_MS = 300_000;
 
 const WINDOW = { width: 640, height: 400 };
 const DRAG_SECONDS = 5;
@@ -61,16 +64,18 @@ export class Page {
   /** Milliseconds of precompute and of a solve, and bytes of memory, of a fresh worker. */
   async worker(mesh, sources) {
     this.#mesh = mesh;
-    const worker = readdirSync(join(dist, 'assets')).find((name) => /^solver\.worker-.*\.js$/.test(name));
+    const asset = (pattern) => `/assets/${readdirSync(join(dist, 'assets')).find((name) => pattern.test(name))}`;
     return this.#with(BLANK, async (tab) => {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
       try {
-        return await tab.evaluate(measureWorker, {
-          worker: `/assets/${worker}`,
+        const measured = tab.evaluate(measureWorker, {
+          worker: asset(/^solver\.worker-.*\.js$/),
+          module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
           mesh: MESH,
           parameters: PARAMETERS,
           sources,
         });
+        return await Promise.race([measured, silence()]);
       } catch (error) {
         return { failed: error.message.split('\n')[0] };
       }
@@ -137,6 +142,12 @@ export class Page {
   }
 }
 
+/** A worker that ends without a word answers nothing. */
+async function silence() {
+  await setTimeout(SILENCE_MS, undefined, { ref: false });
+  throw new Error(`no answer in ${SILENCE_MS / 60_000} minutes`);
+}
+
 function isFile(path) {
   return statSync(path, { throwIfNoEntry: false })?.isFile() ?? false;
 }
@@ -147,21 +158,26 @@ function brotli(bytes) {
 
 // What follows runs in the browser.
 
-async function measureWorker({ worker, mesh, parameters, sources }) {
+async function measureWorker({ worker, module, mesh, parameters, sources }) {
   const { Comlink } = window;
-  const open = async (input) => {
+  const compiled = await WebAssembly.compileStreaming(fetch(module));
+  const started = async () => {
     const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
-    const buffers = input.kind === 'files' ? input.files.map(({ bytes }) => bytes.buffer) : [];
-    const progress = Comlink.proxy(() => undefined);
-    return [api, await api.open(Comlink.transfer(input, buffers), [], parameters, progress)];
+    await api.start(compiled);
+    return api;
   };
-  // The page shows a preset before anything else: its worker's code is compiled by then.
-  const [first] = await open({ kind: 'shape', shape: 'icosphere' });
-  await first.solve([{ vertex: 0 }]);
+  // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
+  const progress = () => Comlink.proxy(() => undefined);
+  const first = await started();
+  await first.open({ kind: 'shape', shape: 'icosphere' }, [], parameters, progress());
+  await first.solve([{ vertex: 0 }], false, null);
+  const api = await started();
+  await api.warmUp();
   const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
-  const [api, { timings }] = await open({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] });
+  const input = Comlink.transfer({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] }, [bytes.buffer]);
+  const { timings } = await api.open(input, [], parameters, progress());
   const times = [];
-  for (const vertex of sources) times.push((await api.solve([{ vertex }])).solveMs);
+  for (const vertex of sources) times.push((await api.solve([{ vertex }], false, null)).field.solveMs);
   times.sort((a, b) => a - b);
   // The same parameters again: nothing is factored, and the answer tells the memory, which never shrinks.
   const { memoryBytes } = await api.configure(parameters);
