@@ -38,7 +38,7 @@ function ofMesh({ name, isLarge, memory, times }) {
   add(1, 'page solve / pp3d robust', page, robust, 'solve', 0.8, 0.4);
   add(2, 'native precompute / pp3d robust', native, robust, 'precompute', 0.6, 0.3);
   add(2, 'native solve / pp3d robust', native, robust, 'solve', 0.5, 0.25);
-  add(3, 'native factors / CHOLMOD', native, cholmod, 'factoring', 1.5, 1.0);
+  add(3, 'native factors / CHOLMOD', native, cholmod, 'factors', 1.5, 1.0);
   add(4, 'native solve / two CHOLMOD substitutions', native, cholmod, 'solve', 2.5, 1.2);
   if (isLarge) add(5, 'native precompute / pp3d robust, large', native, robust, 'precompute', 0.3, 0.2);
   if (memory) {

@@ -111,7 +111,7 @@ def cholmod(positions, triangles, sources):
         return [factor(right) for factor in factors]
 
     return {
-        "factoring": sum(analyses) + sum(factorings),
+        "factors": sum(analyses) + sum(factorings),
         "analysed_once": min(analyses) + sum(factorings),
         "solve": solves(solve, sources),
         "blas": loaded_blas(),

@@ -37,7 +37,7 @@ export function native(mesh, count) {
   return {
     precompute: timings.build + timings.precompute,
     solve: timings.solve,
-    factoring: FACTORING.reduce((sum, stage) => sum + stages[stage], 0),
+    factors: FACTORING.reduce((sum, stage) => sum + stages[stage], 0),
     build: timings.build,
     ...stages,
     sources: answer.timed_sources,

@@ -63,7 +63,7 @@ function timesTable(meshes) {
 function timesCell(times, robust) {
   if (!times) return MISSING;
   if (times.failed) return times.failed === 'skipped' ? MISSING : 'failed';
-  const precompute = times.precompute ?? times.factoring;
+  const precompute = times.precompute ?? times.factors;
   const own = `${digits(precompute)} / ${digits(times.solve)}`;
   if (!robust?.precompute || times === robust) return own;
   return `${own} (${digits(precompute / robust.precompute)} / ${digits(times.solve / robust.solve)})`;
@@ -74,8 +74,8 @@ function stagesTable(meshes) {
   const rows = meshes.map(({ name, times: { native, cholmod } }) => [
     name,
     ...STAGES.map((stage) => digits(native[stage])),
-    digits(native.factoring / cholmod?.factoring),
-    digits(native.factoring / cholmod?.analysed_once),
+    digits(native.factors / cholmod?.factors),
+    digits(native.factors / cholmod?.analysed_once),
   ]);
   return table(header, rows);
 }
