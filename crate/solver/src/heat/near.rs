@@ -10,9 +10,9 @@ use crate::sources::Source;
 /// source mostly leaves it, and with it the responses kept from before.
 const RADIUS_STEP: f64 = 1.189_207_115_002_721; // the fourth root of 2
 
-/// Windows that the near field may propagate, times the square root of the number of points: beyond some rings it
-/// gains little, and the finer the mesh, the less it may take of a solve.
-const WINDOWS: f64 = 60.0;
+/// Windows that the near field may propagate, times the fourth root of the number of points: beyond some rings it gains
+/// little, and the finer the mesh, the less it may take of a solve.
+const WINDOWS: f64 = 600.0;
 
 /// Exact distances around the sources: those of a wavefront that are below a radius.
 pub(super) struct Near<'a> {
@@ -71,7 +71,7 @@ impl HeatSolver {
                 Near::of(front, radius)
             }
             NearField::Automatic => {
-                let windows = WINDOWS * (self.surface.point_count() as f64).sqrt();
+                let windows = WINDOWS * (self.surface.point_count() as f64).powf(0.25);
                 front.advance(f64::INFINITY, windows as usize);
                 let steps = ((front.radius() - least) / self.mean_edge).log(RADIUS_STEP).floor();
                 Near::of(front, least + self.mean_edge * RADIUS_STEP.powf(steps))
