@@ -22,16 +22,17 @@ pub(super) fn divergence(
 ) -> Vec<f64> {
     let mut divergence = vec![0.0; heat.len()];
     let mut add = |face: [u32; 3], [at_b, at_c]: [f64; 2]| {
-        let [a, b, c] = face.map(|point| point as usize);
-        divergence[a] -= elements.share * (at_b + at_c);
-        divergence[b] += elements.share * at_b;
-        divergence[c] += elements.share * at_c;
+        let [a, b, c] = face;
+        divergence[a as usize] -= elements.share * (at_b + at_c);
+        divergence[b as usize] += elements.share * at_b;
+        divergence[c as usize] += elements.share * at_c;
     };
     // A triangle where all heat is less than at every near point has none of them: no need to look.
     let least_near = near.points().map(|(point, _)| heat[point as usize].abs()).fold(f64::INFINITY, f64::min);
     let mut around = Vec::new();
     for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
-        let values = face.map(|point| heat[point as usize]);
+        let [a, b, c] = face;
+        let values = [heat[a as usize], heat[b as usize], heat[c as usize]];
         let largest = values[0].abs().max(values[1].abs()).max(values[2].abs());
         if largest < least_near {
             add(face, against_gradient(shape, values, largest));
@@ -63,11 +64,13 @@ fn against_gradient(shape: &Element, heat: [f64; 3], largest: f64) -> [f64; 2] {
     // two takes no division.
     let exponent = largest.to_bits() >> MANTISSA_BITS;
     let scale = f64::from_bits(TWICE_BIAS.saturating_sub(exponent) << MANTISSA_BITS);
-    let circulation = shape.circulation(heat.map(|value| value * scale));
+    let [a, b, c] = heat;
+    let circulation = shape.circulation([a * scale, b * scale, c * scale]);
     let [x, y] = circulation;
     let length = (x * x + y * y).sqrt();
     let factor = if length > 0.0 { -0.5 / length } else { 0.0 };
-    shape.edge_products(circulation).map(|product| factor * product)
+    let [at_b, at_c] = shape.edge_products(circulation);
+    [factor * at_b, factor * at_c]
 }
 
 /// Divergence at corners 1 and 2 of the gradient of distance; that at corner 0 is minus their sum.

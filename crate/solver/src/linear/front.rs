@@ -3,7 +3,7 @@
 //! All arrays hold the entries of `N` matrices interleaved: the lanes of one entry lie next to each other, so that fronts
 //! of a few rows, which are most of them, still fill vector registers, and every index is computed once for all.
 
-use crate::linear::vector::{Pair, multiply_add};
+use crate::linear::vector::{Pair, array, multiply_add};
 
 /// Numbers of a packed block: rows of the front times lanes.
 const BLOCK: usize = 8;
@@ -89,7 +89,7 @@ impl<const N: usize> Front<'_, N> {
             let column = &mut here[j * N..rows * N];
             for k in from..j {
                 let other = &before[(k * rows + j) * N..(k + 1) * rows * N];
-                let factors: [f64; 2] = std::array::from_fn(|lane| -other[lane % N]);
+                let factors: [f64; 2] = array(|lane| -other[lane % N]);
                 let ((pairs, last), (other_pairs, other_last)) = (column.as_chunks_mut(), other.as_chunks());
                 for (pair, other) in pairs.iter_mut().zip(other_pairs) {
                     let sum = Pair::new(*pair).plus_product::<FUSED>(Pair::new(*other), Pair::new(factors));
@@ -171,15 +171,15 @@ fn tile_products<const N: usize, const FUSED: bool>(
     let mut sums = [[Pair::new([0.0; 2]); BLOCK / 2]; TILE_COLUMNS];
     for (left, right) in left.as_chunks::<BLOCK>().0.iter().zip(right.as_chunks::<BLOCK>().0) {
         let right = &right[offset * N..(offset + TILE_COLUMNS) * N];
-        let left: [Pair; BLOCK / 2] = std::array::from_fn(|i| Pair::new([left[2 * i], left[2 * i + 1]]));
+        let left: [Pair; BLOCK / 2] = array(|i| Pair::new([left[2 * i], left[2 * i + 1]]));
         for (j, sums) in sums.iter_mut().enumerate() {
-            let right = Pair::new(std::array::from_fn(|lane| right[j * N + lane % N]));
+            let right = Pair::new(array(|lane| right[j * N + lane % N]));
             for (sum, left) in sums.iter_mut().zip(left) {
                 *sum = sum.plus_product::<FUSED>(left, right);
             }
         }
     }
-    sums.map(|sums| std::array::from_fn(|i| sums[i / 2].numbers()[i % 2]))
+    array(|j| array(|i| sums[j][i / 2].numbers()[i % 2]))
 }
 
 /// Subtracts a block of rows from row `row` on from a column that begins at row `start`.

@@ -8,7 +8,7 @@
 use crate::error::{Error, Result};
 use crate::linear::cholesky::{Supernode, Symbolic};
 use crate::linear::front::{Front, NotPositive, packed_start};
-use crate::linear::vector::Work;
+use crate::linear::vector::{Work, array};
 
 /// Share of the work after which progress is told.
 const TELLING: f64 = 1.0 / 64.0;
@@ -64,7 +64,7 @@ impl<const N: usize> Work for Factorisation<'_, N> {
             eliminated.resize(rows * width * N, 0.0);
             for &(source, place) in symbolic.entries(index) {
                 let target = &mut eliminated.as_chunks_mut::<N>().0[place as usize];
-                *target = matrices.map(|values| values[source as usize]);
+                *target = array(|lane| matrices[lane][source as usize]);
             }
             for (place, &row) in below.iter().enumerate() {
                 places[row as usize] = (width + place) as u32;

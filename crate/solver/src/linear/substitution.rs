@@ -2,130 +2,147 @@
 //! below.
 
 use crate::linear::cholesky::Supernode;
-use crate::linear::vector::{Pair, multiply_add};
+use crate::linear::vector::{Pair, array, multiply_add};
 
 /// Columns that are gone through side by side. Most supernodes have no more.
 const GROUP: usize = 4;
 
-/// `x ← C⁻¹ x` as far as the supernode goes. `change` is scratch.
+/// Rows that are gone through side by side.
+const ROWS: usize = 4;
+
+/// `x ← C⁻¹ x` as far as the supernode goes. `scratch` may hold anything.
 #[inline(always)]
 pub(crate) fn forward<const FUSED: bool>(
     supernode: &Supernode<'_>,
     block: &[f64],
     x: &mut [f64],
-    change: &mut Vec<f64>,
+    scratch: &mut Vec<f64>,
 ) {
     let &Supernode { start, width, below, .. } = supernode;
     let offset = start + width;
     let (own, beyond) = x.split_at_mut(offset);
     let own = &mut own[start..];
-    match width {
-        1 => return forward_narrow::<1, FUSED>(block, own, below, beyond, offset),
-        2 => return forward_narrow::<2, FUSED>(block, own, below, beyond, offset),
-        3 => return forward_narrow::<3, FUSED>(block, own, below, beyond, offset),
-        4 => return forward_narrow::<4, FUSED>(block, own, below, beyond, offset),
+    let height = width + below.len();
+    scratch.clear();
+    scratch.extend_from_slice(own);
+    scratch.resize(height, 0.0);
+    let groups = width / GROUP * GROUP;
+    for first in (0..groups).step_by(GROUP) {
+        forward_group::<GROUP, FUSED>(&block[first * height..], first, scratch);
+    }
+    let rest = &block[groups * height..];
+    match width - groups {
+        1 => forward_group::<1, FUSED>(rest, groups, scratch),
+        2 => forward_group::<2, FUSED>(rest, groups, scratch),
+        3 => forward_group::<3, FUSED>(rest, groups, scratch),
         _ => {}
     }
-    let height = width + below.len();
-    for (j, column) in block.chunks_exact(height).enumerate() {
-        let value = own[j] / column[j];
-        own[j] = value;
-        subtract::<FUSED, 1>([&column[j + 1..width]], &[value], &mut own[j + 1..]);
-    }
-    change.clear();
-    change.resize(below.len(), 0.0);
-    let groups = block.chunks_exact(GROUP * height);
-    let (values, rest) = own.as_chunks::<GROUP>();
-    for (column, value) in groups.remainder().chunks_exact(height).zip(rest) {
-        subtract::<FUSED, 1>([&column[width..]], &[*value], change);
-    }
-    for (group, values) in groups.zip(values) {
-        let columns = std::array::from_fn(|j| &group[j * height + width..(j + 1) * height]);
-        subtract::<FUSED, GROUP>(columns, values, change);
-    }
-    for (&row, change) in below.iter().zip(change) {
-        beyond[row as usize - offset] += *change;
+    let (values, changes) = scratch.split_at(width);
+    own.copy_from_slice(values);
+    for (&row, change) in below.iter().zip(changes) {
+        beyond[row as usize - offset] += change;
     }
 }
 
-/// [`forward`] for a supernode of `W` columns.
+/// [`forward`] for columns `first..first + W`, which `block` begins with, of a supernode whose rows are `x`.
 #[inline(always)]
-fn forward_narrow<const W: usize, const FUSED: bool>(
-    block: &[f64],
-    own: &mut [f64],
-    below: &[u32],
-    beyond: &mut [f64],
-    offset: usize,
-) {
-    let height = W + below.len();
-    let columns: [&[f64]; W] = std::array::from_fn(|j| &block[j * height..(j + 1) * height]);
-    let mut values = [0.0; W];
+fn forward_group<const W: usize, const FUSED: bool>(block: &[f64], first: usize, x: &mut [f64]) {
+    let height = x.len();
+    let columns: [&[f64]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
+    let (own, beyond) = x[first..].split_at_mut(W);
     for j in 0..W {
-        let known: f64 = (0..j).map(|k| columns[k][j] * values[k]).sum();
-        values[j] = (own[j] - known) / columns[j][j];
-    }
-    own.copy_from_slice(&values);
-    let columns = columns.map(|column| &column[W..]);
-    for (i, &row) in below.iter().enumerate() {
-        let mut sum = columns[0][i] * values[0];
-        for j in 1..W {
-            sum = multiply_add::<FUSED>(columns[j][i], values[j], sum);
+        own[j] /= columns[j][j];
+        for k in j + 1..W {
+            own[k] = multiply_add::<FUSED>(-columns[j][k], own[j], own[k]);
         }
-        beyond[row as usize - offset] -= sum;
+    }
+    let values: [f64; W] = array(|j| -own[j]);
+    let columns: [(&[[f64; ROWS]], &[f64]); W] = array(|j| columns[j][W..].as_chunks());
+    let (blocks, last) = beyond.as_chunks_mut::<ROWS>();
+    let all: [&[[f64; ROWS]]; W] = array(|j| &columns[j].0[..blocks.len()]);
+    for (i, target) in blocks.iter_mut().enumerate() {
+        let mut pairs = pairs_of(target);
+        for j in 0..W {
+            let (entries, value) = (pairs_of(&all[j][i]), Pair::new([values[j]; 2]));
+            for (pair, entries) in pairs.iter_mut().zip(entries) {
+                *pair = pair.plus_product::<FUSED>(entries, value);
+            }
+        }
+        *target = array(|row| pairs[row / 2].numbers()[row % 2]);
+    }
+    for (i, target) in last.iter_mut().enumerate() {
+        for j in 0..W {
+            *target = multiply_add::<FUSED>(columns[j].1[i], values[j], *target);
+        }
     }
 }
 
-/// `x ← C⁻ᵀ x` as far as the supernode goes. `known` is scratch.
+/// `x ← C⁻ᵀ x` as far as the supernode goes. `scratch` may hold anything.
 #[inline(always)]
 pub(crate) fn backward<const FUSED: bool>(
     supernode: &Supernode<'_>,
     block: &[f64],
     x: &mut [f64],
-    known: &mut Vec<f64>,
+    scratch: &mut Vec<f64>,
 ) {
     let &Supernode { start, width, below, .. } = supernode;
     let offset = start + width;
     let (own, beyond) = x.split_at_mut(offset);
     let own = &mut own[start..];
-    match width {
-        1 => return backward_narrow::<1, FUSED>(block, own, below, beyond, offset),
-        2 => return backward_narrow::<2, FUSED>(block, own, below, beyond, offset),
-        3 => return backward_narrow::<3, FUSED>(block, own, below, beyond, offset),
-        4 => return backward_narrow::<4, FUSED>(block, own, below, beyond, offset),
+    let height = width + below.len();
+    scratch.clear();
+    scratch.extend_from_slice(own);
+    scratch.extend(below.iter().map(|&row| beyond[row as usize - offset]));
+    let groups = width / GROUP * GROUP;
+    let rest = &block[groups * height..];
+    match width - groups {
+        1 => backward_group::<1, FUSED>(rest, groups, scratch),
+        2 => backward_group::<2, FUSED>(rest, groups, scratch),
+        3 => backward_group::<3, FUSED>(rest, groups, scratch),
         _ => {}
     }
-    known.clear();
-    known.extend(below.iter().map(|&row| beyond[row as usize - offset]));
-    for (j, column) in block.chunks_exact(width + below.len()).enumerate().rev() {
-        let (within, beneath) = column.split_at(width);
-        let sum = product::<FUSED>(&within[j + 1..], &own[j + 1..]) + product::<FUSED>(beneath, known);
-        own[j] = (own[j] - sum) / within[j];
+    for first in (0..groups).step_by(GROUP).rev() {
+        backward_group::<GROUP, FUSED>(&block[first * height..], first, scratch);
     }
+    own.copy_from_slice(&scratch[..width]);
 }
 
-/// [`backward`] for a supernode of `W` columns.
+/// [`backward`] for columns `first..first + W`, which `block` begins with, of a supernode whose rows are `x`.
 #[inline(always)]
-fn backward_narrow<const W: usize, const FUSED: bool>(
-    block: &[f64],
-    own: &mut [f64],
-    below: &[u32],
-    beyond: &[f64],
-    offset: usize,
-) {
-    let height = W + below.len();
-    let columns: [&[f64]; W] = std::array::from_fn(|j| &block[j * height..(j + 1) * height]);
-    let beneath = columns.map(|column| &column[W..]);
-    let mut sums = [0.0; W];
-    for (i, &row) in below.iter().enumerate() {
-        let known = beyond[row as usize - offset];
+fn backward_group<const W: usize, const FUSED: bool>(block: &[f64], first: usize, x: &mut [f64]) {
+    let height = x.len();
+    let columns: [&[f64]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
+    let (own, beyond) = x[first..].split_at_mut(W);
+    let below: [(&[[f64; ROWS]], &[f64]); W] = array(|j| columns[j][W..].as_chunks());
+    let (blocks, last) = beyond.as_chunks::<ROWS>();
+    let all: [&[[f64; ROWS]]; W] = array(|j| &below[j].0[..blocks.len()]);
+    let mut sums = [[Pair::default(); ROWS / 2]; W];
+    for (i, known) in blocks.iter().enumerate() {
+        let known = pairs_of(known);
         for j in 0..W {
-            sums[j] = multiply_add::<FUSED>(beneath[j][i], known, sums[j]);
+            let entries = pairs_of(&all[j][i]);
+            for row in 0..ROWS / 2 {
+                sums[j][row] = sums[j][row].plus_product::<FUSED>(entries[row], known[row]);
+            }
+        }
+    }
+    let mut products: [f64; W] = array(|j| sums[j].iter().flat_map(|sum| sum.numbers()).sum());
+    for (i, known) in last.iter().enumerate() {
+        for j in 0..W {
+            products[j] = multiply_add::<FUSED>(below[j].1[i], *known, products[j]);
         }
     }
     for j in (0..W).rev() {
-        let within: f64 = (j + 1..W).map(|k| columns[j][k] * own[k]).sum();
-        own[j] = (own[j] - sums[j] - within) / columns[j][j];
+        own[j] = (own[j] - products[j]) / columns[j][j];
+        for k in 0..j {
+            products[k] = multiply_add::<FUSED>(columns[k][j], own[j], products[k]);
+        }
     }
+}
+
+#[inline(always)]
+fn pairs_of(numbers: &[f64; ROWS]) -> [Pair; ROWS / 2] {
+    array(|pair| Pair::new([numbers[2 * pair], numbers[2 * pair + 1]]))
 }
 
 /// [`forward`] for `L` vectors at a time. `change` is scratch.
@@ -156,29 +173,4 @@ pub(crate) fn forward_lanes<const L: usize, const FUSED: bool>(
             *target += *change;
         }
     }
-}
-
-/// Takes multiples of `W` columns out of a vector.
-#[inline(always)]
-fn subtract<const FUSED: bool, const W: usize>(columns: [&[f64]; W], values: &[f64; W], target: &mut [f64]) {
-    for (i, target) in target.iter_mut().enumerate() {
-        for j in 0..W {
-            *target = multiply_add::<FUSED>(-columns[j][i], values[j], *target);
-        }
-    }
-}
-
-/// Inner product in eight running sums, which lie in vector registers.
-#[inline(always)]
-fn product<const FUSED: bool>(a: &[f64], b: &[f64]) -> f64 {
-    let ((a_blocks, a_rest), (b_blocks, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
-    let mut sums = [Pair::new([0.0; 2]); 4];
-    for (a, b) in a_blocks.iter().zip(b_blocks) {
-        for (i, sum) in sums.iter_mut().enumerate() {
-            let [a, b] = [a, b].map(|block| Pair::new([block[2 * i], block[2 * i + 1]]));
-            *sum = sum.plus_product::<FUSED>(a, b);
-        }
-    }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    sums.iter().flat_map(|sum| sum.numbers()).sum::<f64>() + rest
 }

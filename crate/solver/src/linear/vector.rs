@@ -28,6 +28,17 @@ pub(crate) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
+/// The array of `entry(0)`, `entry(1)`... That of the standard library may end up as a function of its own, compiled for
+/// the oldest machine.
+#[inline(always)]
+pub(crate) fn array<T: Copy + Default, const N: usize>(mut entry: impl FnMut(usize) -> T) -> [T; N] {
+    let mut array = [T::default(); N];
+    for (index, place) in array.iter_mut().enumerate() {
+        *place = entry(index);
+    }
+    array
+}
+
 /// Two numbers in one vector register. On wasm32 the compiler does not find pairs by itself as it does elsewhere.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pair(Register);
@@ -36,6 +47,13 @@ pub(crate) struct Pair(Register);
 type Register = core::arch::wasm32::v128;
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
 type Register = [f64; 2];
+
+impl Default for Pair {
+    #[inline(always)]
+    fn default() -> Self {
+        Self::new([0.0; 2])
+    }
+}
 
 impl Pair {
     #[inline(always)]
@@ -54,6 +72,6 @@ impl Pair {
         #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
         return Self(core::arch::wasm32::f64x2_add(self.0, core::arch::wasm32::f64x2_mul(a.0, b.0)));
         #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-        Self(std::array::from_fn(|i| multiply_add::<FUSED>(a.0[i], b.0[i], self.0[i])))
+        Self(array(|i| multiply_add::<FUSED>(a.0[i], b.0[i], self.0[i])))
     }
 }
