@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use heatwalk::{Boundary, LinearSolver, MultiSource, NearField, Operator, Parameters, TimeStep};
+use heatwalk::{Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters, TimeStep};
 
 type Named<T, const N: usize> = [(&'static str, T); N];
 
@@ -38,7 +38,7 @@ pub struct Dials {
 impl Dials {
     pub fn parameters(&self, solver: LinearSolver, sources: MultiSource) -> Parameters {
         let Self { operator, time_step, boundary, near_field } = *self;
-        Parameters { operator, solver, time_step, boundary, sources, near_field }
+        Parameters { operator, solver, time_step, boundary, sources, near_field, memory: MemoryLimit::Automatic }
     }
 }
 

@@ -118,8 +118,17 @@ pub enum Error {
         /// Steps done.
         iterations: usize,
     },
-    /// The factors do not fit into memory.
-    #[error("out of memory while {stage}; use a mesh with fewer triangles")]
+    /// The factors do not fit into memory, or not into the [`MemoryLimit`](crate::MemoryLimit) given.
+    #[error(
+        "factoring takes {} of memory, more than there is; choose conjugate gradients, which need no factors, or the native program on a larger machine",
+        memory_size(*.needed_bytes)
+    )]
+    TooLarge {
+        /// Most bytes that are in use at once while the matrices are factored or solved.
+        needed_bytes: u64,
+    },
+    /// Something other than the factors does not fit into memory.
+    #[error("out of memory while {stage}; use a mesh with fewer triangles, or the native program on a larger machine")]
     OutOfMemory {
         /// What was being done.
         stage: &'static str,
@@ -130,4 +139,10 @@ pub enum Error {
     /// The work was stopped by the caller's progress callback.
     #[error("cancelled")]
     Cancelled,
+}
+
+/// In the unit that suits.
+fn memory_size(bytes: u64) -> String {
+    let mebibytes = bytes as f64 / f64::from(1 << 20);
+    if mebibytes < 1000.0 { format!("{mebibytes:.1} MiB") } else { format!("{:.2} GiB", mebibytes / 1024.0) }
 }

@@ -34,6 +34,7 @@ pub mod halfedge;
 pub mod heat;
 pub mod io;
 mod linear;
+mod memory;
 pub mod operator;
 pub mod path;
 pub mod shapes;
@@ -51,8 +52,8 @@ pub use drawing::{DrawMesh, draw_mesh};
 pub use error::{Error, Result};
 pub use halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
 pub use heat::{
-    Boundary, Distance, HeatSolver, LinearSolver, MultiSource, NearField, Parameters, Progress, Refinement, Stage,
-    TimeStep,
+    Boundary, Distance, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress,
+    Refinement, Stage, TimeStep,
 };
 pub use operator::Operator;
 pub use path::{Path, PathPoint, Straightest, descend, straighten, straightest};

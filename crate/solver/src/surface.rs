@@ -10,10 +10,14 @@ use crate::csr::{Csr, NONE};
 use crate::edges::Edges;
 use crate::error::Result;
 use crate::halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
+use crate::memory;
 use crate::soup::Soup;
 use crate::triangle;
 use crate::union_find::UnionFind;
 use crate::weld::weld;
+
+/// Bytes that welding, edges and half-edges take at once, a triangle of the soup: about as many as are kept.
+const BYTES_PER_TRIANGLE: u64 = 128;
 
 /// What was found and done while a [`Surface`] was built.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -83,8 +87,9 @@ impl Surface {
     ///
     /// # Errors
     /// [`IndexOutOfRange`](crate::Error::IndexOutOfRange); [`NotFinite`](crate::Error::NotFinite) for a used vertex;
-    /// [`Empty`](crate::Error::Empty) where no triangle of non-zero area is left.
+    /// [`Empty`](crate::Error::Empty) where no triangle of non-zero area is left; [`OutOfMemory`](crate::Error::OutOfMemory).
     pub fn build(soup: &Soup) -> Result<Self> {
+        memory::require(BYTES_PER_TRIANGLE * soup.triangles.len() as u64, "building the surface")?;
         let welded = weld(soup)?;
         let (positions, mut faces) = (welded.positions, welded.faces);
         let (mut edges, mut corners_of_point) = (welded.edges, welded.corners_of_point);

@@ -8,8 +8,8 @@ mod common;
 use common::{solver_with, soup};
 use glam::DVec3;
 use heatwalk::{
-    Boundary, Distance, Error, HeatSolver, LinearSolver, MultiSource, NearField, Operator, Parameters, Soup, Surface,
-    SurfacePoint, TimeStep, shapes,
+    Boundary, Distance, Error, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters,
+    Soup, Surface, SurfacePoint, TimeStep, shapes,
 };
 
 /// Far from the defect and from the poles of numbering.
@@ -27,6 +27,7 @@ const DIALS: Parameters = Parameters {
     boundary: Boundary::Neumann,
     sources: MultiSource::Exact,
     near_field: NearField::Edges(4.0),
+    memory: MemoryLimit::Automatic,
 };
 
 fn distance(soup: &Soup, operator: Operator) -> (HeatSolver, Distance) {

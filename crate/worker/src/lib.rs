@@ -6,6 +6,7 @@
 #![cfg(target_arch = "wasm32")]
 
 mod drawn;
+mod failure;
 mod field;
 mod parameters;
 mod results;
@@ -23,10 +24,10 @@ use crate::drawn::Drawn;
 use crate::results::{DrawMesh, Report};
 use crate::solver::Solver;
 
-/// Makes a panic readable in the browser's console.
+/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
 #[wasm_bindgen(start)]
 pub fn start() {
-    console_error_panic_hook::set_once();
+    std::panic::set_hook(Box::new(|panic| failure::end(&panic.to_string())));
 }
 
 /// Names that [`MeshFile::shape`] takes.
@@ -77,10 +78,10 @@ impl MeshFile {
     }
 
     /// The surface formed by the parts `walked`.
-    pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsError> {
+    pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsValue> {
         let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen)?;
-        let surface = Surface::build(&soup)?;
+        let soup = self.soup.select(&chosen).map_err(failure::thrown)?;
+        let surface = Surface::build(&soup).map_err(failure::thrown)?;
         Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
     }
 
@@ -130,7 +131,7 @@ impl WalkedSurface {
     }
 
     /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
-    pub fn factor(&self, parameters: &JsValue, progress: &Function) -> Result<Solver, JsError> {
+    pub fn factor(&self, parameters: &JsValue, progress: &Function) -> Result<Solver, JsValue> {
         Solver::new(&self.surface, &self.drawn, parameters, progress)
     }
 }

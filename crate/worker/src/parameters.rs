@@ -1,10 +1,10 @@
 //! The page's words for the solver's parameters.
 
-use heatwalk::{Boundary, LinearSolver, MultiSource, NearField, Operator, Parameters, TimeStep};
+use heatwalk::{Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters, TimeStep};
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
-/// Reads `{ operator, solver, timeFactor, boundary, multi, nearField }`; what is absent is as the solver has it.
+/// Reads `{ operator, solver, timeFactor, boundary, multi, nearField, memory }`; what is absent is as the solver has it.
 pub fn parameters(given: &JsValue) -> Result<Parameters, JsError> {
     let given = Given(given);
     let default = Parameters::default();
@@ -33,6 +33,9 @@ pub fn parameters(given: &JsValue) -> Result<Parameters, JsError> {
             _ => None,
         })?,
         near_field: given.dial("nearField", NearField::Automatic, NearField::Edges)?,
+        memory: given.dial("memory", MemoryLimit::Automatic, |mebibytes| {
+            MemoryLimit::Bytes((mebibytes * f64::from(1 << 20)) as u64)
+        })?,
     })
 }
 

@@ -9,6 +9,7 @@ use js_sys::{Array, Function};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
+use crate::failure::thrown;
 use crate::field::Field;
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
@@ -45,8 +46,9 @@ impl Solver {
         drawn: &Arc<Drawn>,
         given: &JsValue,
         progress: &Function,
-    ) -> Result<Self, JsError> {
-        let solver = HeatSolver::new(Arc::clone(surface), parameters(given)?, &mut reporter(progress))?;
+    ) -> Result<Self, JsValue> {
+        let parameters = parameters(given)?;
+        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress)).map_err(thrown)?;
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None })
     }
 
@@ -72,8 +74,8 @@ impl Solver {
 #[wasm_bindgen]
 impl Solver {
     /// Factors again what the change needs, and forgets the field.
-    pub fn configure(&mut self, given: &JsValue, progress: &Function) -> Result<(), JsError> {
-        self.solver.set_parameters(parameters(given)?, &mut reporter(progress))?;
+    pub fn configure(&mut self, given: &JsValue, progress: &Function) -> Result<(), JsValue> {
+        self.solver.set_parameters(parameters(given)?, &mut reporter(progress)).map_err(thrown)?;
         self.solved = None;
         Ok(())
     }

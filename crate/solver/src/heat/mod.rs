@@ -10,6 +10,7 @@ mod flow;
 mod near;
 mod parameters;
 mod poisson;
+mod systems;
 
 use std::sync::{Arc, Mutex};
 
@@ -17,20 +18,27 @@ use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::linear::cholesky::Symbolic;
-use crate::linear::conjugate_gradients::Matrix;
 use crate::linear::constraints::System;
 use crate::linear::responses::Responses;
+use crate::memory;
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
 use crate::surface::Surface;
 
 pub use distance::{Distance, Refinement};
 use parameters::report;
-pub use parameters::{Boundary, LinearSolver, MultiSource, NearField, Parameters, Progress, Stage, TimeStep};
+use systems::Solve;
+pub use parameters::{
+    Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress, Stage, TimeStep,
+};
 
 /// Heat falls by about one e-fold per √t of distance. √t is at least the surface's extent over this: the e-folds that
 /// `SOURCE_HEAT` leaves room for, less an eighth for triangles that slow heat down.
 const EFOLDS: f64 = 1200.0;
+
+/// The same where the time is chosen and conjugate gradients leave noise below about e⁻⁴⁰ of the largest heat, by
+/// measurement on seven models: at 40 the far field was in order on all, at 50 lost on three.
+const ITERATED_EFOLDS: f64 = 36.0;
 
 /// Root-mean-square deviation of edge lengths, as a share of their mean, up to which a mesh is even and from which on
 /// it is not.
@@ -51,6 +59,9 @@ const FACTORING_SHARES: [f64; 2] = [0.3, 0.75];
 /// the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls with the
 /// size of the edges.
 const RESOLUTIONS: [f64; 2] = [80.0, 120.0];
+
+/// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.
+const BYTES_PER_FACE: u64 = 256;
 
 /// A surface ready to be asked: expensive to make, cheap to ask.
 #[derive(Debug)]
@@ -79,13 +90,6 @@ pub struct HeatSolver {
     front: Mutex<Option<Wavefront>>,
 }
 
-/// How systems of the surface's pattern are made ready.
-#[derive(Debug, Clone)]
-enum Solve {
-    Factored(Arc<Symbolic>),
-    Iterated,
-}
-
 /// `M / t + L` for one boundary condition.
 #[derive(Debug)]
 struct Heat {
@@ -104,41 +108,18 @@ enum Condition {
     Held,
 }
 
-impl Solve {
-    /// Makes matrices ready, side by side. Each has a name for errors. `progress` is told the share of the work done.
-    fn systems<const N: usize>(
-        &self,
-        laplacian: &Laplacian,
-        matrices: [(Vec<f64>, &'static str); N],
-        progress: &mut dyn FnMut(f64) -> Result<()>,
-    ) -> Result<[System; N]> {
-        progress(0.0)?;
-        Ok(match self {
-            Self::Factored(symbolic) => {
-                let matrices = matrices.each_ref().map(|(values, name)| (values.as_slice(), *name));
-                symbolic.factor(matrices, progress)?.map(System::Cholesky)
-            }
-            Self::Iterated => matrices
-                .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
-        })
-    }
-
-    fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
-        let [system] = self.systems(laplacian, [(values, name)], &mut |_| Ok(()))?;
-        Ok(system)
-    }
-}
-
 impl HeatSolver {
     /// Factors a surface.
     ///
     /// # Errors
     /// [`BadParameter`](crate::Error::BadParameter); [`Cancelled`](crate::Error::Cancelled);
-    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite); [`OutOfMemory`](crate::Error::OutOfMemory).
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite); [`TooLarge`](crate::Error::TooLarge) where the factors
+    /// do not fit, before any is made; [`OutOfMemory`](crate::Error::OutOfMemory).
     pub fn new(surface: impl Into<Arc<Surface>>, parameters: Parameters, progress: Progress<'_>) -> Result<Self> {
         let surface = surface.into();
         parameters.check()?;
         report(progress, Stage::Assembling, 0.0)?;
+        memory::require(BYTES_PER_FACE * surface.face_count() as u64, "assembling the matrices")?;
         let extent = dijkstra::extent(&surface);
         let exact = Arc::new(ExactGeometry::new(&surface));
         Self::assemble(surface, parameters, extent, exact, progress)
@@ -171,7 +152,9 @@ impl HeatSolver {
         }
         let held = dirichlet_points(&surface);
         let time = time(parameters, suited_factor, mean_edge, extent);
-        let condition = conditions(parameters.boundary, &held)[0];
+        let needed = conditions(parameters.boundary, &held);
+        solve.check_memory(0, 1 + needed.len(), parameters.memory)?;
+        let condition = needed[0];
         let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
         let values = laplacian.combine(1.0 / time, |point| condition == Condition::Held && held[point]);
         let [from, to] = FACTORING_SHARES;
@@ -223,6 +206,7 @@ impl HeatSolver {
         let is_kept =
             |condition: &&Condition| self.heats.iter().any(|heat| (heat.condition, heat.time) == (**condition, time));
         let absent: Vec<Condition> = needed.iter().filter(|condition| !is_kept(condition)).copied().collect();
+        self.make_room(absent.len(), parameters.memory)?;
         let mut made = Vec::with_capacity(absent.len());
         for (index, &condition) in absent.iter().enumerate() {
             let values = self.laplacian.combine(1.0 / time, |point| condition == Condition::Held && self.held[point]);
@@ -244,6 +228,21 @@ impl HeatSolver {
         spare.drain(..first.map_or(0, |index| index + 1));
         self.heats = spare.into_iter().chain(kept).chain(made).collect();
         Ok(())
+    }
+
+    /// Sees to room for the factors of so many more matrices. Spare ones go where it is short.
+    fn make_room(&mut self, matrices: usize, limit: MemoryLimit) -> Result<()> {
+        if self.check_memory(matrices, limit).is_ok() {
+            return Ok(());
+        }
+        let (time, needed) = (self.time(), conditions(self.parameters.boundary, &self.held));
+        self.heats.retain(|heat| heat.time == time && needed.contains(&heat.condition));
+        self.check_memory(matrices, limit)
+    }
+
+    fn check_memory(&self, matrices: usize, limit: MemoryLimit) -> Result<()> {
+        let heats = self.heats.iter().map(|heat| heat.system.nonzeros());
+        self.solve.check_memory(self.poisson.nonzeros() + heats.sum::<usize>(), matrices, limit)
     }
 
     /// The heat systems that the parameters need.
@@ -272,9 +271,9 @@ impl HeatSolver {
         self.time_with(self.parameters)
     }
 
-    /// m in t = m h², as asked for or chosen.
+    /// m in t = m h², with the t that holds.
     pub fn time_factor(&self) -> f64 {
-        time_factor(self.parameters, self.suited_factor)
+        (self.time().sqrt() / self.mean_edge).powi(2)
     }
 
     fn time_with(&self, parameters: Parameters) -> f64 {
@@ -296,18 +295,14 @@ fn conditions(boundary: Boundary, held: &[bool]) -> &'static [Condition] {
     }
 }
 
-/// m in t = m h².
-fn time_factor(parameters: Parameters, suited_factor: f64) -> f64 {
-    match parameters.time_step {
-        TimeStep::Automatic => suited_factor,
-        TimeStep::Factor(factor) => factor,
-    }
-}
-
-/// The diffusion time t.
+/// The diffusion time t = m h².
 fn time(parameters: Parameters, suited_factor: f64, mean_edge: f64, extent: f64) -> f64 {
-    let root = time_factor(parameters, suited_factor).sqrt() * mean_edge;
-    root.max(extent / EFOLDS).powi(2)
+    let (factor, efolds) = match (parameters.time_step, parameters.solver) {
+        (TimeStep::Automatic, LinearSolver::ConjugateGradients) => (suited_factor, ITERATED_EFOLDS),
+        (TimeStep::Automatic, LinearSolver::Cholesky) => (suited_factor, EFOLDS),
+        (TimeStep::Factor(factor), _) => (factor, EFOLDS),
+    };
+    (factor.sqrt() * mean_edge).max(extent / efolds).powi(2)
 }
 
 /// m by the deviation of edge lengths as a share of their mean, and the extent in mean edges.

@@ -24,14 +24,14 @@ pub enum LinearSolver {
     /// Sparse factorisation: once, then every source is quick and heat is right however far it has fallen.
     #[default]
     Cholesky,
-    /// Conjugate gradients: nothing to prepare, each source slow, and heat below 10⁻¹² of its maximum is noise.
+    /// Conjugate gradients: nothing to keep in memory, each source slow, and heat below 10⁻¹² of its maximum is noise.
     ConjugateGradients,
 }
 
 /// The diffusion time t = m h², h the mean edge length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum TimeStep {
-    /// m chosen by how even the edge lengths are.
+    /// m chosen by how even the edge lengths are; with conjugate gradients so large that all heat is above their noise.
     #[default]
     Automatic,
     /// This m; positive, no unit. Larger is smoother.
@@ -60,6 +60,17 @@ pub enum NearField {
     Edges(f64),
 }
 
+/// Most memory that factors may take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MemoryLimit {
+    /// What there is.
+    #[default]
+    Automatic,
+    /// So many bytes for the factors, made and kept, and for the work on them. The surface, its matrices and what
+    /// solves keep are not counted.
+    Bytes(u64),
+}
+
 /// The dials of the method.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Parameters {
@@ -75,6 +86,8 @@ pub struct Parameters {
     pub sources: MultiSource,
     /// How far around the sources distances are exact.
     pub near_field: NearField,
+    /// Most memory that factors may take.
+    pub memory: MemoryLimit,
 }
 
 impl Parameters {

@@ -238,6 +238,12 @@ impl Symbolic {
         self.stack_length
     }
 
+    /// Most numbers in use beside the factors while matrices are factored side by side: the stack and the widest front.
+    pub(crate) fn work_length(&self, matrices: usize) -> usize {
+        let widest = self.value_start.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap_or(0);
+        matrices * (self.stack_length + widest)
+    }
+
     /// The supernodes that a forward solve touches when the right side is non-zero at `unknowns` (in the elimination
     /// order) only: theirs and all ancestors in the elimination tree, ascending.
     pub(crate) fn reach(&self, unknowns: impl Iterator<Item = usize>) -> Vec<u32> {

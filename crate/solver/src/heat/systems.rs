@@ -1,0 +1,74 @@
+//! How the heat and Poisson systems of one surface are made ready, and whether there is room for it.
+
+use std::sync::Arc;
+
+use super::parameters::MemoryLimit;
+use crate::error::{Error, Result};
+use crate::linear::cholesky::Symbolic;
+use crate::linear::conjugate_gradients::Matrix;
+use crate::linear::constraints::System;
+use crate::memory;
+use crate::operator::laplacian::Laplacian;
+
+/// Matrices that are factored at the same time, at most.
+const SIDE_BY_SIDE: usize = 2;
+
+/// Numbers a point that a solve has in use at once, beside the factors: heat, the field of the faces (three numbers each,
+/// and twice as many faces as points), distance, their right sides and what is answered.
+const SOLVE_NUMBERS: usize = 32;
+
+const BYTES_PER_NUMBER: u64 = size_of::<f64>() as u64;
+
+/// How systems of the surface's pattern are made ready.
+#[derive(Debug, Clone)]
+pub(super) enum Solve {
+    Factored(Arc<Symbolic>),
+    Iterated,
+}
+
+impl Solve {
+    /// Refuses to make so many matrices ready where their factors do not fit beside those kept, which have `kept` numbers.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    pub(super) fn check_memory(&self, kept: usize, matrices: usize, limit: MemoryLimit) -> Result<()> {
+        let Self::Factored(symbolic) = self else { return Ok(()) };
+        if matrices == 0 {
+            return Ok(());
+        }
+        let work = symbolic.work_length(matrices.min(SIDE_BY_SIDE));
+        let mut blocks = vec![symbolic.factor_length(); matrices];
+        // Work on the factors ends before the first solve begins.
+        blocks.push(work.max(SOLVE_NUMBERS * symbolic.size()));
+        let blocks: Vec<u64> = blocks.into_iter().map(|numbers| BYTES_PER_NUMBER * numbers as u64).collect();
+        let needed_bytes = BYTES_PER_NUMBER * kept as u64 + blocks.iter().sum::<u64>();
+        let fits = match limit {
+            MemoryLimit::Automatic => memory::has_room(&blocks),
+            MemoryLimit::Bytes(most) => needed_bytes <= most,
+        };
+        if fits { Ok(()) } else { Err(Error::TooLarge { needed_bytes }) }
+    }
+
+    /// Makes matrices ready, side by side. Each has a name for errors. `progress` is told the share of the work done.
+    pub(super) fn systems<const N: usize>(
+        &self,
+        laplacian: &Laplacian,
+        matrices: [(Vec<f64>, &'static str); N],
+        progress: &mut dyn FnMut(f64) -> Result<()>,
+    ) -> Result<[System; N]> {
+        progress(0.0)?;
+        Ok(match self {
+            Self::Factored(symbolic) => {
+                let matrices = matrices.each_ref().map(|(values, name)| (values.as_slice(), *name));
+                symbolic.factor(matrices, progress)?.map(System::Cholesky)
+            }
+            Self::Iterated => matrices
+                .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
+        })
+    }
+
+    pub(super) fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
+        let [system] = self.systems(laplacian, [(values, name)], &mut |_| Ok(()))?;
+        Ok(system)
+    }
+}

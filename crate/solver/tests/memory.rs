@@ -1,0 +1,104 @@
+//! Surfaces whose factors do not fit into memory.
+
+mod common;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::solver_with;
+use heatwalk::{
+    Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Result, Surface, SurfacePoint, TimeStep, shapes,
+};
+
+const NUMBER: u64 = size_of::<f64>() as u64;
+
+fn disc() -> Arc<Surface> {
+    Arc::new(Surface::build(&shapes::terrain(48)).expect("a surface"))
+}
+
+fn limited(bytes: u64) -> Parameters {
+    Parameters { memory: MemoryLimit::Bytes(bytes), ..Parameters::default() }
+}
+
+fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<HeatSolver> {
+    HeatSolver::new(Arc::clone(surface), parameters, &mut |_, _| ControlFlow::Continue(()))
+}
+
+fn needed(surface: &Arc<Surface>, parameters: Parameters) -> u64 {
+    match factor(surface, parameters) {
+        Err(Error::TooLarge { needed_bytes }) => needed_bytes,
+        other => panic!("not refused: {:?}", other.map(|solver| solver.factor_nonzeros())),
+    }
+}
+
+#[test]
+fn factors_beyond_the_limit_are_refused_before_they_are_made() {
+    let surface = disc();
+    let needed = needed(&surface, limited(1));
+    assert!(factor(&surface, limited(needed - 1)).is_err());
+    let solver = factor(&surface, limited(needed)).expect("as much as is needed");
+    let kept = NUMBER * solver.factor_nonzeros() as u64;
+    assert!(kept < needed, "{kept} bytes kept of {needed}");
+}
+
+#[test]
+fn a_third_matrix_needs_room_for_another_factor() {
+    let surface = disc();
+    let two = needed(&surface, limited(1));
+    let three = needed(&surface, Parameters { boundary: Boundary::Average, ..limited(1) });
+    let factors = factor(&surface, Parameters::default()).expect("factors").factor_nonzeros() as u64;
+    assert_eq!(three - two, NUMBER * factors / 2);
+}
+
+#[test]
+fn conjugate_gradients_answer_where_factors_do_not_fit() {
+    let surface = disc();
+    let iterated = Parameters { solver: LinearSolver::ConjugateGradients, ..limited(1) };
+    let source = [SurfacePoint::Vertex(0)];
+    let answers = [factor(&surface, iterated), factor(&surface, Parameters::default())]
+        .map(|solver| solver.expect("a solver").distance(&source).expect("a source"));
+    let most = answers[1].values.iter().copied().fold(0.0, f64::max);
+    for (a, b) in answers[0].values.iter().zip(&answers[1].values) {
+        assert!((a - b).abs() < 1e-3 * most, "{a} by conjugate gradients, {b} by factors");
+    }
+}
+
+#[test]
+fn factors_that_are_kept_count() {
+    let surface = disc();
+    let mut solver = factor(&surface, limited(needed(&surface, limited(1)))).expect("as much as is needed");
+    let change = Parameters { boundary: Boundary::Average, ..solver.parameters() };
+    let refused = solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(()));
+    assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
+}
+
+#[test]
+fn spare_factors_go_where_memory_is_short() {
+    let surface = disc();
+    let three = needed(&surface, Parameters { boundary: Boundary::Average, ..limited(1) });
+    let mut solver = factor(&surface, limited(three)).expect("a third of it to spare");
+    for time in [4.0, 8.0, 16.0] {
+        let change = Parameters { time_step: TimeStep::Factor(time), ..solver.parameters() };
+        solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(())).expect("room beside the factors in use");
+    }
+}
+
+#[test]
+fn a_solver_that_is_refused_new_factors_answers_with_the_old_ones() {
+    let mut solver = solver_with(&shapes::terrain(48), Parameters::default());
+    let before = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    let change = Parameters { time_step: TimeStep::Factor(4.0), ..limited(1) };
+    let refused = solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(()));
+    assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
+    assert_eq!(solver.parameters(), Parameters::default());
+    let after = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    assert_eq!(before.values, after.values);
+}
+
+#[test]
+fn the_refusal_names_both_ways_out() {
+    let sentence = Error::TooLarge { needed_bytes: 5 << 30 }.to_string();
+    for part in ["5.00 GiB", "conjugate gradients", "native program"] {
+        assert!(sentence.contains(part), "{sentence}");
+    }
+}
