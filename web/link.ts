@@ -13,6 +13,8 @@ const WAYS: readonly PathKind[] = ['descent', 'straight', 'exact'];
 export const TIME_FACTOR_RANGE: readonly [number, number] = [0.1, 1000];
 /** In mean edges. */
 export const NEAR_FIELD_RANGE: readonly [number, number] = [0, 64];
+/** In MiB; wasm32 has 4 GiB. */
+const MEMORY_RANGE: readonly [number, number] = [0, 4096];
 
 export interface Decoded {
   state: SceneState;
@@ -41,6 +43,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('b', parameters.boundary, start.parameters.boundary);
   add('multi', parameters.multi, start.parameters.multi);
   add('near', dial(parameters.nearField), dial(start.parameters.nearField));
+  add('memory', dial(parameters.memory), dial(start.parameters.memory));
   add('op', parameters.operator, start.parameters.operator);
   add('solver', parameters.solver, start.parameters.solver);
   add('way', state.way, start.way);
@@ -86,6 +89,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('b', oneOf(BOUNDARIES), (boundary) => (parameters.boundary = boundary));
   read('multi', oneOf(MULTI_SOURCES), (multi) => (parameters.multi = multi));
   read('near', automaticOr(within(...NEAR_FIELD_RANGE)), (radius) => (parameters.nearField = radius));
+  read('memory', automaticOr(within(...MEMORY_RANGE)), (most) => (parameters.memory = most));
   read('op', oneOf(OPERATORS), (operator) => (parameters.operator = operator));
   read('solver', oneOf(SOLVERS), (solver) => (parameters.solver = solver));
   read('way', oneOf(WAYS), (way) => (state.way = way));

@@ -28,7 +28,6 @@ import { Scene } from './scene';
 import { expose } from './scripting';
 import { Session } from './session';
 import { Signal } from './signal';
-import { WorkerLost } from './solver-worker';
 import { followTheme } from './theme';
 import { View } from './view';
 
@@ -99,8 +98,7 @@ followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 session.failure.watch((failure) => {
   if (!failure) return;
-  const again = { name: 'Open the mesh again', run: () => void opener.again() };
-  messages.fail(failure.message, failure.stack ?? '', failure instanceof WorkerLost ? again : undefined);
+  messages.fail(failure.message, failure.stack ?? '', opener.remedy(failure));
 });
 
 frames.start();

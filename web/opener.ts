@@ -4,13 +4,19 @@ import { LANDING_VIEW, findPreset, FIRST_PRESET } from './presets';
 import type { MeshInput, NamedBytes } from './protocol';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
 import type { OpenRequest, Session, Shown } from './session';
-import { Cancelled } from './solver-worker';
+import { Cancelled, WorkerLost } from './solver-worker';
+import { isOutOfMemory } from './trap';
 import { openingSentence } from './words';
+
+export interface Action {
+  name: string;
+  run: () => void;
+}
 
 export interface Voice {
   tell(text: string): void;
   notice(text: string): void;
-  fail(text: string, details: string): void;
+  fail(text: string, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
   /** The file that was asked for is no longer wanted. */
@@ -24,6 +30,8 @@ export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin';
 export function startOf(mesh: MeshReference): SceneState | null {
   return mesh.kind === 'file' ? emptyScene(mesh) : (findPreset(mesh.id)?.start ?? null);
 }
+
+const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
 
 export class Opener {
   readonly #session: Session;
@@ -63,13 +71,14 @@ export class Opener {
     const load = () => readFiles([main, ...companions]);
     const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
     const state = awaited ?? emptyScene({ kind: 'file', name: main.name, hash: '' });
-    const shown = await this.#open({ title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW });
-    if (!shown) return;
-    const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
-    this.#forget();
-    if (wanted && wanted !== shown.opened.hash) {
-      this.#voice.notice(`This ${main.name} is not the file the link was made with; the places may not fit.`);
-    }
+    const request = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
+    await this.#open(request, ({ opened }) => {
+      const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
+      this.#forget();
+      if (wanted && wanted !== opened.hash) {
+        this.#voice.notice(`This ${main.name} is not the file the link was made with; the places may not fit.`);
+      }
+    });
   }
 
   /** A shared scene, or the first preset when the fragment names none. */
@@ -101,16 +110,24 @@ export class Opener {
     await this.#open({ title, load: this.#load, state: next, choosePlaces: true, view: null });
   }
 
-  /** The same mesh once more, after its worker was lost. */
-  async again(): Promise<void> {
+  /** What can be done when a question to the mesh on screen has failed. */
+  remedy(failure: Error): Action | undefined {
     const { state } = this.#session.scene;
+    const iterated = isOutOfMemory(failure) ? iteratively(state) : null;
+    if (iterated) return { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#again(iterated) };
+    if (failure instanceof WorkerLost) return { name: 'Open the mesh again', run: () => void this.#again(state) };
+    return undefined;
+  }
+
+  /** The same mesh once more, in a worker of its own. */
+  async #again(state: SceneState): Promise<void> {
     const title = this.#session.shown.value?.opened.name;
     if (!this.#load || !title) return;
     await this.#open({ title, load: this.#load, state, choosePlaces: true, view: null });
   }
 
-  /** Null when nothing was opened; the reason has been told. */
-  async #open(request: OpenRequest): Promise<Shown | null> {
+  /** When nothing is opened, the reason is told. */
+  async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
     try {
       const shown = await this.#session.open(request);
       this.#load = request.load;
@@ -118,13 +135,17 @@ export class Opener {
         this.#voice.notice('Some sources of the link do not lie on this mesh and were left out.');
       }
       this.#voice.tell(openingSentence(shown.opened));
-      return shown;
+      done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        const { message, stack } = error instanceof Error ? error : new Error(String(error));
-        this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message);
+        const failure = error instanceof Error ? error : new Error(String(error));
+        const { message, stack } = failure;
+        const iterated = isOutOfMemory(failure) ? iteratively(request.state) : null;
+        const remedy = iterated
+          ? { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#open({ ...request, state: iterated }, done) }
+          : undefined;
+        this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message, remedy);
       }
-      return null;
     }
   }
 
@@ -133,6 +154,12 @@ export class Opener {
     this.#awaited = null;
     this.#voice.forgetFile();
   }
+}
+
+/** The same with conjugate gradients, which need no factors; null where it has them already. */
+function iteratively(state: SceneState): SceneState | null {
+  const { parameters } = state;
+  return parameters.solver === 'cg' ? null : { ...state, parameters: { ...parameters, solver: 'cg' } };
 }
 
 async function readFiles(files: readonly File[]): Promise<MeshInput> {

@@ -43,7 +43,12 @@ export interface Parameters {
   multi: MultiSource;
   /** Radius around the sources in which distances are exact at once, in mean edges; 0: none; "auto": what is cheap. */
   nearField: number | 'auto';
+  /** Most memory that factors may take, in MiB; "auto": what the browser gives. */
+  memory: number | 'auto';
 }
+
+/** Name of the error of a call that memory did not suffice for. */
+export const OUT_OF_MEMORY = 'OutOfMemory';
 
 export interface PartInfo {
   name: string;

@@ -34,6 +34,7 @@ export const DEFAULT_PARAMETERS: Parameters = {
   boundary: 'neumann',
   multi: 'exact',
   nearField: 'auto',
+  memory: 'auto',
 };
 
 export function emptyScene(mesh: MeshReference): SceneState {

@@ -1,7 +1,7 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
-import type { SolverApi } from './protocol';
-import { isTrap } from './trap';
+import { OUT_OF_MEMORY, type SolverApi } from './protocol';
+import { isOutOfMemory, isTrap } from './trap';
 
 export class Cancelled extends Error {
   constructor() {
@@ -47,7 +47,7 @@ export class SolverWorker {
       const wrapped = toError(error);
       if (isTrap(wrapped)) {
         this.end(wrapped);
-        throw new WorkerLost(trapSentence(wrapped), { cause: error });
+        throw lost(wrapped);
       }
       throw wrapped;
     }
@@ -63,8 +63,14 @@ function toError(thrown: unknown): Error {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
-function trapSentence(error: Error): string {
-  return /memory|allocation/i.test(error.message)
-    ? 'The mesh needs more memory than the browser gives; try one with fewer triangles.'
-    : `The solver stopped unexpectedly (${error.message}).`;
+function lost(trap: Error): WorkerLost {
+  if (!isOutOfMemory(trap)) {
+    return new WorkerLost(`The solver stopped unexpectedly (${trap.message}).`, { cause: trap });
+  }
+  const error = new WorkerLost(
+    'The mesh needs more memory than the browser gives; use one with fewer triangles, or the native program.',
+    { cause: trap },
+  );
+  error.name = OUT_OF_MEMORY;
+  return error;
 }

@@ -48,6 +48,7 @@ test('everything that was changed survives the link', () => {
       boundary: 'average',
       multi: 'superposed',
       nearField: 12.5,
+      memory: 500,
     },
     way: 'descent',
     refine: false,
@@ -56,7 +57,7 @@ test('everything that was changed survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=superposed&near=12.5&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=superposed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -72,6 +73,8 @@ const CHANGES: readonly Partial<Parameters>[] = [
   { multi: 'superposed' },
   { nearField: 0 },
   { nearField: 64 },
+  { memory: 0 },
+  { memory: 4096 },
 ];
 
 for (const change of CHANGES) {

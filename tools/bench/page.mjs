@@ -28,6 +28,7 @@ const PARAMETERS = {
   boundary: 'neumann',
   multi: 'exact',
   nearField: 'auto',
+  memory: 'auto',
 };
 
 /** An empty page beside the real one, and the mesh that is measured. */

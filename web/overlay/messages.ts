@@ -1,13 +1,8 @@
 /** Messages at the bottom left. Errors stay until closed and can be copied. */
-import type { Voice } from '../opener';
+import type { Action, Voice } from '../opener';
 import { h } from '../panel/dom';
 
 const SHOWN_MS = 8000;
-
-interface Action {
-  name: string;
-  run: () => void;
-}
 
 export class Messages implements Voice {
   readonly element = h('div', { class: 'messages' });

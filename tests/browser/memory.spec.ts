@@ -1,0 +1,48 @@
+import { grid, off } from '../fixtures';
+import { expect, test } from '../page';
+
+const NAME = 'grid.off';
+const CONTENT = off(grid(100));
+
+const REFUSED = /grid\.off was not opened: factoring takes ([\d.]+) MiB of memory/;
+
+test('a mesh whose factors do not fit is refused, and opens with conjugate gradients', async ({ heatwalk, page }) => {
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&memory=1`);
+  const before = await heatwalk.mesh();
+  await heatwalk.drop([[NAME, CONTENT]]);
+  const message = page.getByRole('alert');
+  await expect(message).toContainText(REFUSED);
+  expect(await heatwalk.mesh()).toEqual(before);
+  expect((await heatwalk.scene()).mesh).toMatchObject({ kind: 'preset' });
+  expect(await heatwalk.distanceAt({ vertex: 0 })).toBeGreaterThanOrEqual(0);
+
+  await message.getByRole('button', { name: 'Use conjugate gradients' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe(NAME);
+  await expect(message).toBeEmpty();
+  expect((await heatwalk.scene()).parameters).toMatchObject({ solver: 'cg', memory: 1 });
+  expect((await heatwalk.field()).maxDistance).toBeGreaterThan(1);
+  await expect(page).toHaveURL(/[&]solver=cg/);
+  await expect(page).toHaveURL(/[&]hash=[0-9a-f]{64}/);
+});
+
+test('a choice whose factors do not fit leaves the field, and can be had with conjugate gradients', async ({
+  heatwalk,
+  page,
+}) => {
+  const message = page.getByRole('alert');
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&memory=1`);
+  await heatwalk.drop([[NAME, CONTENT]]);
+  await expect(message).toContainText(REFUSED);
+  const needed = Number(REFUSED.exec(await message.innerText())?.[1]);
+
+  await heatwalk.openFile(NAME, CONTENT, `s=3&refine=0&memory=${(needed + 0.1).toFixed(1)}`);
+  const before = await heatwalk.distanceAt({ vertex: 600 });
+  await page.locator('#section-solver > summary').click();
+  await page.getByLabel('Boundary').selectOption('average');
+  await expect(message).toContainText(/factoring takes .* of memory/);
+  expect(await heatwalk.distanceAt({ vertex: 600 })).toBe(before);
+  await message.getByRole('button', { name: 'Use conjugate gradients' }).click();
+  await expect.poll(async () => (await heatwalk.scene()).parameters.solver).toBe('cg');
+  await expect(message).toBeEmpty();
+  expect((await heatwalk.scene()).parameters.boundary).toBe('average');
+});

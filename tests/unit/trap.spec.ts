@@ -1,0 +1,20 @@
+import { expect, test } from '@playwright/test';
+import { OUT_OF_MEMORY } from '../../web/protocol';
+import { isOutOfMemory } from '../../web/trap';
+
+const named = (name: string, message: string) => Object.assign(new Error(message), { name });
+
+test('a refusal and a trap without a word are want of memory', () => {
+  expect(isOutOfMemory(named(OUT_OF_MEMORY, 'factoring takes 5.00 GiB of memory'))).toBe(true);
+  for (const message of ['unreachable', 'unreachable executed', 'Unreachable code should not be executed']) {
+    expect(isOutOfMemory(new WebAssembly.RuntimeError(message)), message).toBe(true);
+  }
+  expect(isOutOfMemory(new RangeError('Array buffer allocation failed'))).toBe(true);
+});
+
+test('a panic, a deep recursion and an error of the solver are not', () => {
+  expect(isOutOfMemory(named('RuntimeError', 'panicked at crate/solver/src/csr.rs:9:5: index out of bounds'))).toBe(false);
+  expect(isOutOfMemory(new RangeError('Maximum call stack size exceeded'))).toBe(false);
+  expect(isOutOfMemory(new WebAssembly.RuntimeError('integer divide by zero'))).toBe(false);
+  expect(isOutOfMemory(new Error('vertex 3 has no memory of it'))).toBe(false);
+});
