@@ -179,8 +179,9 @@ impl HeatSolver {
             (Solve::Factored(symbolic), System::Cholesky(_)) => {
                 symbolic.constraint_work(constraints) > symbolic.factor_work()
             }
-            // Each constraint is a solve of its own; holding points costs nothing.
-            _ => true,
+            // Each constraint is a solve of its own; holding points takes new grids, which is a fraction of one. A single
+            // value is reached by adding a constant or by scaling.
+            _ => constraints > 1,
         }
     }
 

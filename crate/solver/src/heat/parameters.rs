@@ -24,7 +24,8 @@ pub enum LinearSolver {
     /// Sparse factorisation: once, then every source is quick and heat is right however far it has fallen.
     #[default]
     Cholesky,
-    /// Conjugate gradients: nothing to keep in memory, each source slow, and heat below 10⁻¹² of its maximum is noise.
+    /// Conjugate gradients with multigrid: little to prepare, memory in proportion to the mesh, each source slow, and heat
+    /// below 10⁻¹² of its maximum is noise.
     ConjugateGradients,
 }
 

@@ -1,4 +1,5 @@
-//! Linear systems of one pattern: ordering, Cholesky factors, conjugate gradients, and solutions under constraints.
+//! Linear systems of one pattern: ordering, Cholesky factors, conjugate gradients with multigrid, and solutions
+//! under constraints.
 
 pub(crate) mod cholesky;
 pub(crate) mod columns;
@@ -8,6 +9,7 @@ mod dissection;
 pub(crate) mod factor;
 mod front;
 mod multifrontal;
+mod multigrid;
 pub(crate) mod ordering;
 pub(crate) mod responses;
 mod substitution;
@@ -24,6 +26,29 @@ pub(crate) struct Pattern {
 }
 
 impl Pattern {
+    /// A matrix of this diagonal and these entries below it, in `sides` from `start[column]` on to the next column's, as
+    /// `(row, value)` in any order. Entries of one place are added up.
+    pub(crate) fn of_sides(diagonal: &[f64], start: &[u32], sides: &mut [(u32, f64)]) -> (Self, Vec<f64>) {
+        let size = diagonal.len();
+        // Meshes have two entries for each edge, but at boundaries.
+        let capacity = size + sides.len() / 2 + sides.len() / 8;
+        let mut pattern = Self { column_start: Vec::with_capacity(size + 1), rows: Vec::with_capacity(capacity) };
+        let mut values = Vec::with_capacity(capacity);
+        pattern.column_start.push(0);
+        for column in 0..size {
+            pattern.rows.push(column as u32);
+            values.push(diagonal[column]);
+            let below = &mut sides[start[column] as usize..start[column + 1] as usize];
+            below.sort_unstable_by_key(|entry| entry.0);
+            for entries in below.chunk_by(|a, b| a.0 == b.0) {
+                pattern.rows.push(entries[0].0);
+                values.push(entries.iter().map(|entry| entry.1).sum());
+            }
+            pattern.column_start.push(pattern.rows.len() as u32);
+        }
+        (pattern, values)
+    }
+
     /// Number of rows.
     pub(crate) fn size(&self) -> usize {
         self.column_start.len() - 1

@@ -55,21 +55,7 @@ impl Laplacian {
                 }
             }
         }
-        let capacity = points + sides.len() / 2 + sides.len() / 8;
-        let mut pattern = Pattern { column_start: Vec::with_capacity(points + 1), rows: Vec::with_capacity(capacity) };
-        let mut stiffness = Vec::with_capacity(capacity);
-        pattern.column_start.push(0);
-        for point in 0..points {
-            pattern.rows.push(point as u32);
-            stiffness.push(diagonal[point]);
-            let below = &mut sides[start[point] as usize..start[point + 1] as usize];
-            below.sort_unstable_by_key(|entry| entry.0);
-            for entries in below.chunk_by(|a, b| a.0 == b.0) {
-                pattern.rows.push(entries[0].0);
-                stiffness.push(entries.iter().map(|entry| entry.1).sum());
-            }
-            pattern.column_start.push(pattern.rows.len() as u32);
-        }
+        let (pattern, stiffness) = Pattern::of_sides(&diagonal, &start, &mut sides);
         Self { pattern: Arc::new(pattern), stiffness, mass }
     }
 
