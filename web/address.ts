@@ -17,7 +17,7 @@ export class Address {
     this.#opener = opener;
     this.kiosk = new URLSearchParams(location.hash.slice(1)).get('kiosk') === '1';
     scene.subscribe((state, previous) => {
-      if (state === previous || opener.waiting) return;
+      if (state === previous) return;
       clearTimeout(this.#timer);
       this.#timer = window.setTimeout(() => this.#write(), REST_MS);
     });

@@ -27,10 +27,10 @@ use crate::surface::Surface;
 
 pub use distance::{Distance, Refinement};
 use parameters::report;
-use systems::Solve;
 pub use parameters::{
     Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress, Stage, TimeStep,
 };
+use systems::Solve;
 
 /// Heat falls by about one e-fold per √t of distance. √t is at least the surface's extent over this: the e-folds that
 /// `SOURCE_HEAT` leaves room for, less an eighth for triangles that slow heat down.
@@ -151,7 +151,7 @@ impl HeatSolver {
             is_pinned[point as usize] = true;
         }
         let held = dirichlet_points(&surface);
-        let time = time(parameters, suited_factor, mean_edge, extent);
+        let time = time_factor(parameters, suited_factor, mean_edge, extent) * mean_edge * mean_edge;
         let needed = conditions(parameters.boundary, &held);
         solve.check_memory(0, 1 + needed.len(), parameters.memory)?;
         let condition = needed[0];
@@ -273,11 +273,15 @@ impl HeatSolver {
 
     /// m in t = m h², with the t that holds.
     pub fn time_factor(&self) -> f64 {
-        (self.time().sqrt() / self.mean_edge).powi(2)
+        self.time_factor_with(self.parameters)
+    }
+
+    fn time_factor_with(&self, parameters: Parameters) -> f64 {
+        time_factor(parameters, self.suited_factor, self.mean_edge, self.extent)
     }
 
     fn time_with(&self, parameters: Parameters) -> f64 {
-        time(parameters, self.suited_factor, self.mean_edge, self.extent)
+        self.time_factor_with(parameters) * self.mean_edge * self.mean_edge
     }
 
     /// Stored entries of all factors that the parameters need, zeros inside supernodes counted; 0 for conjugate gradients.
@@ -295,14 +299,14 @@ fn conditions(boundary: Boundary, held: &[bool]) -> &'static [Condition] {
     }
 }
 
-/// The diffusion time t = m h².
-fn time(parameters: Parameters, suited_factor: f64, mean_edge: f64, extent: f64) -> f64 {
+/// m in t = m h², as given or chosen, but large enough for heat to reach everywhere.
+fn time_factor(parameters: Parameters, suited_factor: f64, mean_edge: f64, extent: f64) -> f64 {
     let (factor, efolds) = match (parameters.time_step, parameters.solver) {
         (TimeStep::Automatic, LinearSolver::ConjugateGradients) => (suited_factor, ITERATED_EFOLDS),
         (TimeStep::Automatic, LinearSolver::Cholesky) => (suited_factor, EFOLDS),
         (TimeStep::Factor(factor), _) => (factor, EFOLDS),
     };
-    (factor.sqrt() * mean_edge).max(extent / efolds).powi(2)
+    factor.max((extent / (efolds * mean_edge)).powi(2))
 }
 
 /// m by the deviation of edge lengths as a share of their mean, and the extent in mean edges.
