@@ -65,7 +65,6 @@ export class Page {
   /** Milliseconds of precompute and of a solve, and bytes of memory, of a fresh worker. */
   async worker(mesh, sources) {
     this.#mesh = mesh;
-    const asset = (pattern) => `/assets/${readdirSync(join(dist, 'assets')).find((name) => pattern.test(name))}`;
     return this.#with(BLANK, async (tab) => {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
       try {
@@ -147,6 +146,11 @@ export class Page {
 async function silence() {
   await setTimeout(SILENCE_MS, undefined, { ref: false });
   throw new Error(`no answer in ${SILENCE_MS / 60_000} minutes`);
+}
+
+/** Where the server has the built file with such a name. */
+function asset(pattern) {
+  return `/assets/${readdirSync(join(dist, 'assets')).find((name) => pattern.test(name))}`;
 }
 
 function isFile(path) {

@@ -10,7 +10,7 @@ const OUT_OF_MEMORY: &str = "OutOfMemory";
 const TRAP: &str = "RuntimeError";
 
 /// The solver's error, to be thrown.
-pub fn thrown(error: heatwalk::Error) -> JsValue {
+pub fn thrown(error: &heatwalk::Error) -> JsValue {
     let thrown = Error::new(&error.to_string());
     if matches!(error, heatwalk::Error::TooLarge { .. } | heatwalk::Error::OutOfMemory { .. }) {
         thrown.set_name(OUT_OF_MEMORY);

@@ -80,8 +80,8 @@ impl MeshFile {
     /// The surface formed by the parts `walked`.
     pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsValue> {
         let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen).map_err(failure::thrown)?;
-        let surface = Surface::build(&soup).map_err(failure::thrown)?;
+        let soup = self.soup.select(&chosen).map_err(|error| failure::thrown(&error))?;
+        let surface = Surface::build(&soup).map_err(|error| failure::thrown(&error))?;
         Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
     }
 

@@ -48,7 +48,8 @@ impl Solver {
         progress: &Function,
     ) -> Result<Self, JsValue> {
         let parameters = parameters(given)?;
-        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress)).map_err(thrown)?;
+        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress))
+            .map_err(|error| thrown(&error))?;
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None })
     }
 
@@ -75,7 +76,7 @@ impl Solver {
 impl Solver {
     /// Factors again what the change needs, and forgets the field.
     pub fn configure(&mut self, given: &JsValue, progress: &Function) -> Result<(), JsValue> {
-        self.solver.set_parameters(parameters(given)?, &mut reporter(progress)).map_err(thrown)?;
+        self.solver.set_parameters(parameters(given)?, &mut reporter(progress)).map_err(|error| thrown(&error))?;
         self.solved = None;
         Ok(())
     }
