@@ -13,7 +13,9 @@ test('a refusal and a trap without a word are want of memory', () => {
 });
 
 test('a panic, a deep recursion and an error of the solver are not', () => {
-  expect(isOutOfMemory(named('RuntimeError', 'panicked at crate/solver/src/csr.rs:9:5: index out of bounds'))).toBe(false);
+  expect(isOutOfMemory(named('RuntimeError', 'panicked at crate/solver/src/csr.rs:9:5: index out of bounds'))).toBe(
+    false,
+  );
   expect(isOutOfMemory(new RangeError('Maximum call stack size exceeded'))).toBe(false);
   expect(isOutOfMemory(new WebAssembly.RuntimeError('integer divide by zero'))).toBe(false);
   expect(isOutOfMemory(new Error('vertex 3 has no memory of it'))).toBe(false);
