@@ -21,11 +21,11 @@ pub(super) fn divergence(
     mut mixed: impl FnMut([u32; 3], bool),
 ) -> Vec<f64> {
     let mut divergence = vec![0.0; heat.len()];
-    let mut add = |face: [u32; 3], [at_b, at_c]: [f64; 2]| {
-        let [a, b, c] = face;
-        divergence[a as usize] -= elements.share * (at_b + at_c);
-        divergence[b as usize] += elements.share * at_b;
-        divergence[c as usize] += elements.share * at_c;
+    let mut add = |index: usize, [at_b, at_c]: [f64; 2]| {
+        let ([a, b, c], share) = (elements.faces[index], elements.share(index));
+        divergence[a as usize] -= share * (at_b + at_c);
+        divergence[b as usize] += share * at_b;
+        divergence[c as usize] += share * at_c;
     };
     // A triangle where all heat is less than at every near point has none of them: no need to look.
     let least_near = near.points().map(|(point, _)| heat[point as usize].abs()).fold(f64::INFINITY, f64::min);
@@ -35,7 +35,7 @@ pub(super) fn divergence(
         let values = [heat[a as usize], heat[b as usize], heat[c as usize]];
         let largest = values[0].abs().max(values[1].abs()).max(values[2].abs());
         if largest < least_near {
-            add(face, against_gradient(shape, values, largest));
+            add(index, against_gradient(shape, values, largest));
         } else {
             around.push((index, largest));
         }
@@ -47,7 +47,7 @@ pub(super) fn divergence(
             mixed(face, known.iter().all(Option::is_some));
         }
         add(
-            face,
+            index,
             match known {
                 [Some(a), Some(b), Some(c)] => along_distance(shape, [a, b, c]),
                 _ => against_gradient(shape, face.map(|point| heat[point as usize]), largest),

@@ -54,7 +54,8 @@ pub enum MultiSource {
 /// How far around the sources distances are exact polyhedral ones.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum NearField {
-    /// As far as costs a fraction of a solve on large meshes, and about one solve on meshes of some thousand points.
+    /// As far as costs a fraction of a solve on large meshes, and a few solves, well below a millisecond each, on meshes of
+    /// some thousand points.
     #[default]
     Automatic,
     /// So many mean edges, whatever it costs: 0 is the heat method alone, infinity is exact everywhere.

@@ -57,8 +57,8 @@ pub(crate) struct Elements {
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, in the same order of corners.
     pub(crate) shapes: Vec<Element>,
-    /// What each triangle counts for: 1 over the number of sheets that cover the surface.
-    pub(crate) share: f64,
+    /// Triangles that count for 1 and come first; those after them count for a half, being of one of two sheets.
+    pub(crate) whole: usize,
     /// Mean length of the edges, in the file's unit.
     pub(crate) mean_edge: f64,
     /// Root-mean-square deviation of the edges' lengths, as a share of their mean.
@@ -66,13 +66,19 @@ pub(crate) struct Elements {
 }
 
 impl Elements {
+    /// What a triangle counts for.
+    pub(crate) fn share(&self, index: usize) -> f64 {
+        if index < self.whole { 1.0 } else { 0.5 }
+    }
+
     /// The faces of a surface as they are.
     pub(crate) fn of_surface(surface: &Surface) -> Self {
         let shapes = surface.mesh.faces().map(|face| Element::of_face(surface, face)).collect();
         let sides = 3 * surface.face_count();
         let is_boundary = |side: usize| surface.mesh.twin(Halfedge(side as u32)).0 as usize >= sides;
         let (mean_edge, deviation) = edge_statistics(&surface.side_lengths(), is_boundary);
-        Self { faces: surface.faces.as_slice().to_vec(), shapes, share: 1.0, mean_edge, deviation }
+        let faces = surface.faces.as_slice().to_vec();
+        Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
     }
 }
 

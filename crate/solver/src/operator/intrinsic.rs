@@ -223,11 +223,22 @@ impl IntrinsicTriangulation {
         self.sheets
     }
 
-    /// The triangles laid out in the plane.
+    /// The triangles laid out in the plane. Where both sheets have the same one, it is there once.
     pub(crate) fn elements(self) -> Elements {
-        let shapes = self.lengths.as_chunks().0.iter().map(|&lengths| Element::of_lengths(lengths)).collect();
         let (mean_edge, deviation) = edge_statistics(&self.lengths, |slot| self.is_open(slot));
-        Elements { faces: self.faces, shapes, share: 1.0 / f64::from(self.sheets), mean_edge, deviation }
+        let lengths = self.lengths.as_chunks().0;
+        let sheet = self.faces.len() / self.sheets as usize;
+        let is_alone = |face: usize| {
+            let ([a, b, c], [ab, bc, ca]) = (self.faces[face], lengths[face]);
+            let copy = face + sheet;
+            self.sheets == 2 && (self.faces[copy], lengths[copy]) != ([a, c, b], [ca, bc, ab])
+        };
+        let (alone, mut order): (Vec<usize>, Vec<usize>) = (0..sheet).partition(|&face| is_alone(face));
+        let whole = order.len();
+        order.extend(alone.into_iter().flat_map(|face| [face, face + sheet]));
+        let faces = order.iter().map(|&face| self.faces[face]).collect();
+        let shapes = order.iter().map(|&face| Element::of_lengths(lengths[face])).collect();
+        Elements { faces, shapes, whole, mean_edge, deviation }
     }
 }
 

@@ -41,12 +41,13 @@ impl Laplacian {
         let mut sides = vec![(0, 0.0); start[points] as usize];
         let mut diagonal = vec![0.0; points];
         let mut mass = vec![0.0; points];
-        for (&face, shape) in elements.faces.iter().zip(&elements.shapes) {
-            let area = elements.share * shape.area() / 3.0;
+        for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
+            let share = elements.share(index);
+            let area = share * shape.area() / 3.0;
             for ((point, [i, j]), cotan) in face.into_iter().zip(ends(face)).zip(shape.cotans()) {
                 mass[point as usize] += area;
                 if i != j {
-                    let weight = 0.5 * elements.share * cotan;
+                    let weight = 0.5 * share * cotan;
                     diagonal[i as usize] += weight;
                     diagonal[j as usize] += weight;
                     let slot = &mut free[i.min(j) as usize];
