@@ -6,7 +6,17 @@ import time
 
 import numpy as np
 import potpourri3d as pp3d
-from bench_peers import read_off
+
+
+def read_off(path):
+    """Positions and triangles of a text file without comments; potpourri3d reads other formats only."""
+    with open(path) as file:
+        numbers = file.read().split()[1:]
+    vertices, faces = int(numbers[0]), int(numbers[1])
+    rows = 3 + 3 * vertices
+    positions = np.array(numbers[3:rows], dtype=float).reshape(-1, 3)
+    triangles = np.array(numbers[rows : rows + 4 * faces], dtype=int).reshape(-1, 4)[:, 1:]
+    return positions, triangles
 
 
 def robust(positions, triangles, source, exact):
