@@ -29,6 +29,7 @@ pub mod drawing;
 mod edges;
 pub mod error;
 pub mod exact;
+mod extremum;
 pub mod gradient;
 pub mod halfedge;
 pub mod heat;

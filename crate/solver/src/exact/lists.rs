@@ -4,6 +4,7 @@ use super::geometry::ExactGeometry;
 use super::overlap::Overlap;
 use super::wavefront::Wavefront;
 use super::window::Window;
+use crate::extremum::smaller;
 
 /// Where in the list of a slot the next window is looked for.
 struct Place {
@@ -53,7 +54,7 @@ impl Wavefront {
         loop {
             if current == 0 || self.windows[current as usize].begin >= window.end {
                 if window.is_wide() {
-                    nearest = nearest.min(window.nearest());
+                    nearest = smaller(nearest, window.nearest());
                     self.link(place.slot, before, current, window);
                 }
                 break;
@@ -96,7 +97,7 @@ impl Wavefront {
                     rest = Some(share);
                 } else if share.is_wide() {
                     if is_new {
-                        nearest = nearest.min(share.nearest());
+                        nearest = smaller(nearest, share.nearest());
                     }
                     before = self.link(place.slot, before, current, share);
                 }

@@ -1,6 +1,7 @@
 //! Two windows that overlap: each keeps what it reaches sooner.
 
 use super::window::Window;
+use crate::extremum::{larger, smaller};
 
 /// Two overlapping windows of one slot, and the first's distance less the second's where their overlap begins and
 /// ends. A tie is the second's.
@@ -99,7 +100,8 @@ impl<'a> Overlap<'a> {
         let (first, second) = (self.first, self.second);
         // Rounding of a lead, and a share of the leads around that moves the zero by as much of the overlap: a
         // sliver in which the slower ray is kept meets the faster one within as little.
-        let enough = (4.0 * f64::EPSILON * second.at_begin.max(second.at_end)).max(1e-11 * (high.1 - low.1).abs());
+        let enough =
+            larger(4.0 * f64::EPSILON * larger(second.at_begin, second.at_end), 1e-11 * (high.1 - low.1).abs());
         // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`.
         let (a, b) = (first.x - low.0, second.x - low.0);
         let delta = second.offset - first.offset;
@@ -109,13 +111,13 @@ impl<'a> Overlap<'a> {
         let square = p * p - four;
         let half = p * q + four * b;
         let under = (q + p * b) * (q + p * b) + second.depth * second.depth * square;
-        let root = -(half + (2.0 * delta.abs() * under.max(0.0).sqrt()).copysign(half));
+        let root = -(half + (2.0 * delta.abs() * larger(under, 0.0).sqrt()).copysign(half));
         let constant = q * q - four * (b * b + second.depth * second.depth);
         let (mut low, mut high) = (low, high);
         let width = high.0 - low.0;
         for x in [root / square, constant / root] {
             if x >= 0.0 && x <= width {
-                let x = (low.0 + x).min(high.0);
+                let x = smaller(low.0 + x, high.0);
                 let lead = self.lead(x);
                 if lead.abs() <= enough {
                     return x;

@@ -1,5 +1,7 @@
 //! A monotone queue of items by distance: a ring of buckets of one width, in order between buckets, not inside.
 
+use crate::extremum::smaller;
+
 /// Buckets of the ring. Most items are pushed a few edges ahead; the rest wait in a list of their own.
 const RING: u32 = 1024;
 
@@ -61,7 +63,7 @@ impl Buckets {
 
     /// Lets the item wait at `distance`, unless it waits at a lower one.
     pub fn push(&mut self, item: u32, distance: f64) {
-        let number = ((distance - self.base) * self.per_distance).min(f64::from(LAST)) as u32;
+        let number = smaller((distance - self.base) * self.per_distance, f64::from(LAST)) as u32;
         let number = number.max(self.current);
         let bucket = &mut self.bucket[item as usize];
         if *bucket != 0 && *bucket <= number + 1 {

@@ -1,5 +1,6 @@
 //! The wavefront: windows that wait at edges, and their way across faces.
 
+use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
 use super::geometry::{ExactGeometry, Frame, after};
@@ -200,7 +201,7 @@ impl Wavefront {
             let splits = window.x + x * window.depth / height;
             let distance = length(x, height);
             crossing.push(Crossing { window, splits });
-            let at = splits.max(window.begin).min(window.end);
+            let at = smaller(larger(splits, window.begin), window.end);
             if (splits - at).abs() > GRAZE * distance {
                 continue;
             }
@@ -288,5 +289,5 @@ impl Crossing {
 /// is the slot's first.
 fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
     let towards = cos * up + sin * forward;
-    if towards > 0.0 { (at * up / towards).min(along) } else { along }
+    if towards > 0.0 { smaller(at * up / towards, along) } else { along }
 }

@@ -1,5 +1,7 @@
 //! Windows: the part of an edge that sees one (pseudo-)source along straight lines, unfolded into the plane.
 
+use crate::extremum::{larger, smaller};
+
 /// A window reaches vertices that its rays miss by at most this share of their distance from it, and an angle sum
 /// counts as a turn within this. Rounding of positions unfolded through thousands of faces stays below; a path
 /// bent at the window's end to reach such a vertex is longer by no more than twice this share.
@@ -60,7 +62,7 @@ impl Window {
     /// The least distance in the interval.
     pub fn nearest(&self) -> f64 {
         let is_below = self.begin < self.x && self.x < self.end;
-        if is_below { self.offset + self.depth } else { self.at_begin.min(self.at_end) }
+        if is_below { self.offset + self.depth } else { smaller(self.at_begin, self.at_end) }
     }
 
     /// Whether the interval is worth following. Also false where something is not a number.
@@ -99,7 +101,7 @@ impl Window {
                 return false;
             }
             let begin = tie(self.x, self.depth, limit - self.offset);
-            *self = self.part(self.begin.max(begin).min(self.end), self.end);
+            *self = self.part(smaller(larger(begin, self.begin), self.end), self.end);
         }
         let limit = values[1] + MARGIN * values[1];
         if self.at_end > limit + (length - self.end) {
@@ -107,7 +109,7 @@ impl Window {
                 return false;
             }
             let end = length - tie(length - self.x, self.depth, limit - self.offset);
-            *self = self.part(self.begin, self.end.min(end).max(self.begin));
+            *self = self.part(self.begin, larger(smaller(end, self.end), self.begin));
         }
         self.is_wide()
     }

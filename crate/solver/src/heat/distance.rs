@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::exact::Wavefront;
+use crate::extremum::larger;
 use crate::heat::field::divergence;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
@@ -100,7 +101,7 @@ impl HeatSolver {
             self.poisson(divergence, near, &self.known(near, &mixed, &active))?
         };
         for (value, &component) in values.iter_mut().zip(&surface.component_of_point) {
-            *value = if has_source[component as usize] { value.max(near.radius) } else { f64::INFINITY };
+            *value = if has_source[component as usize] { larger(*value, near.radius) } else { f64::INFINITY };
         }
         for (point, exact) in near.points() {
             values[point as usize] = exact;

@@ -1,6 +1,7 @@
 //! From heat to the right side of the Poisson equation: the unit field against the gradient of heat, and the gradient
 //! of exact distance where that is known.
 
+use crate::extremum::larger;
 use crate::heat::near::Near;
 use crate::operator::elements::{Element, Elements};
 
@@ -33,7 +34,7 @@ pub(super) fn divergence(
     for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
         let [a, b, c] = face;
         let values = [heat[a as usize], heat[b as usize], heat[c as usize]];
-        let largest = values[0].abs().max(values[1].abs()).max(values[2].abs());
+        let largest = larger(larger(values[0].abs(), values[1].abs()), values[2].abs());
         if largest < least_near {
             add(index, against_gradient(shape, values, largest));
         } else {
