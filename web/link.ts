@@ -1,5 +1,6 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
-import { findLook, isRamp, type Look } from './looks';
+import { findLook, isRamp, LOOK_NUMBERS, LOOK_RANGES, MAPS, STYLES, SURROUNDINGS } from './looks';
+import type { Finish, Look, MapName } from './looks';
 import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from './protocol';
 import { type MeshReference, type SceneState, withOffset } from './scene';
 
@@ -52,9 +53,13 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('look', state.look.name, start.look.name);
   const look = baseLook(state.look.name, start.look);
   add('ramp', state.look.ramp, look.ramp);
-  add('stripe', state.look.stripe.slice(1), look.stripe.slice(1));
-  add('width', number(state.look.width), number(look.width));
-  add('period', number(state.look.period), number(look.period));
+  add('stripe', state.look.stripe.replace('#', ''), look.stripe.replace('#', ''));
+  add('style', state.look.style, look.style);
+  for (const key of LOOK_NUMBERS) add(key, number(state.look[key]), number(look[key]));
+  add('surface', encodeFinish(state.look.surface), encodeFinish(look.surface));
+  add('stripes', encodeFinish(state.look.stripes), encodeFinish(look.stripes));
+  add('maps', encodeMaps(state.look.maps), encodeMaps(look.maps));
+  add('around', state.look.surroundings, look.surroundings);
   return entries.map(([key, value]) => `${key}=${value}`).join('&');
 }
 
@@ -108,11 +113,18 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   );
   read(
     'stripe',
-    (text) => (/^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
+    (text) => (isRamp(text) ? text : /^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
     (stripe) => change({ stripe }),
   );
-  read('width', within(0, 1), (width) => change({ width }));
-  read('period', within(0.001, 1), (period) => change({ period }));
+  read('style', oneOf(STYLES), (style) => change({ style }));
+  for (const key of LOOK_NUMBERS) {
+    const [low, high] = LOOK_RANGES[key];
+    read(key, within(low, high), (value) => change({ [key]: value }));
+  }
+  read('surface', parseFinish, (surface) => change({ surface }));
+  read('stripes', parseFinish, (stripes) => change({ stripes }));
+  read('maps', parseMaps, (maps) => change({ maps }));
+  read('around', oneOf(SURROUNDINGS), (surroundings) => change({ surroundings }));
   return { state, notices };
 }
 
@@ -145,6 +157,30 @@ function encodePoints(points: readonly Source[]): string {
 function encodePoint(point: Source): string {
   const place = 'vertex' in point ? String(point.vertex) : `${point.face}:${point.weights.map(number).join('/')}`;
   return point.offset ? `${place}@${amount(point.offset)}` : place;
+}
+
+function encodeFinish({ metalness, roughness, glow }: Finish): string {
+  return [metalness, roughness, glow].map(number).join('/');
+}
+
+/** A letter each: colour, normal, emission, specular. */
+function encodeMaps(maps: readonly MapName[]): string {
+  return (
+    MAPS.filter((map) => maps.includes(map))
+      .map((map) => map[0])
+      .join('') || 'none'
+  );
+}
+
+function parseFinish(text: string): Finish | null {
+  const [metalness, roughness, glow, ...more] = text.split('/').map(Number);
+  const [least, most] = [Math.min(metalness, roughness, glow), Math.max(metalness, roughness, glow / 3)];
+  return more.length === 0 && least >= 0 && most <= 1 ? { metalness, roughness, glow } : null;
+}
+
+function parseMaps(text: string): MapName[] | null {
+  if (text === 'none') return [];
+  return /^[cnes]+$/.test(text) ? MAPS.filter((map) => text.includes(map.charAt(0))) : null;
 }
 
 function listOf<T>(parse: (text: string) => T | null): (text: string) => T[] | null {

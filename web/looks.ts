@@ -1,4 +1,4 @@
-/** Named looks: a colour ramp over the distance and stripes upon it. */
+/** Named looks: what the surface is made of, the pattern of distance upon it, and the light around it. */
 import {
   interpolateBlues,
   interpolateInferno,
@@ -14,8 +14,20 @@ type Interpolator = (t: number) => string;
 const RAMPS = {
   chalk: stops('#fffdf8', '#f3ecdf', '#e3d8c6'),
   paper: stops('#ffffff', '#e9eef2', '#cfd9e2'),
+  bone: stops('#fbf7ec', '#f1e8d5', '#e2d3b8'),
+  porcelain: stops('#ffffff', '#f2f5fa', '#e4eaf4'),
   candy: stops('#fff6ee', '#ffd9cf', '#ff9f92'),
-  gold: stops('#fff3c4', '#f2cd63', '#c9922e', '#8a5a17'),
+  citrus: stops('#f4541d', '#ffab1f', '#ffee3d', '#ffffff'),
+  gold: stops('#ffd978', '#f4bf58', '#e0a040'),
+  copper: stops('#f7b08c', '#d98663', '#b8623f'),
+  coal: stops('#55514d', '#413e3c', '#302e2f'),
+  slate: stops('#4e5a5a', '#3d4a4b', '#2f3c3f'),
+  ink: stops('#1c1830', '#17162b', '#101423'),
+  ember: stops('#fff04a', '#ffb01e', '#f2501d', '#b3181f', '#3c0f14', '#190d10'),
+  magma: stops('#ffd84a', '#ff8a24', '#ff3b1f', '#c31628', '#6d1026'),
+  amethyst: stops('#b52ee6', '#8f24cf', '#6b1fa8', '#c3b5cf'),
+  ocean: stops('#ffffff', '#bfeaf5', '#7fb2f2', '#4a63ee', '#2a2fc4'),
+  glow: stops('#37ffd0', '#3fa8ff', '#a45cff', '#ff4fb4'),
   lava: (t: number) => interpolateInferno(0.95 - 0.75 * t),
   water: (t: number) => interpolateBlues(0.12 + 0.78 * t),
   lagoon: (t: number) => interpolateYlGnBu(0.08 + 0.8 * t),
@@ -29,37 +41,148 @@ export type RampName = keyof typeof RAMPS;
 
 export const RAMP_NAMES = Object.keys(RAMPS) as RampName[];
 
+/** What light makes of a material beside its colour, each 0 to 1; the glow is a factor on the colour, 0 to 3. */
+export interface Finish {
+  /** 0 is a dielectric, 1 a metal. */
+  metalness: number;
+  /** 0 is a mirror, 1 is matt. */
+  roughness: number;
+  /** Light given off. */
+  glow: number;
+}
+
+export const STYLES = ['bands', 'lines'] as const;
+/** Stripes that cover a share of the period, or thin lines with thinner ones between them. */
+export type Style = (typeof STYLES)[number];
+
+export const SURROUNDINGS = ['studio', 'sky', 'night'] as const;
+export type Surroundings = (typeof SURROUNDINGS)[number];
+
+/** What stripes change: the colour, the normal, the light given off, the reflection. */
+export const MAPS = ['colour', 'normal', 'emission', 'specular'] as const;
+export type MapName = (typeof MAPS)[number];
+
 export interface Look {
   name: string;
+  /** Colours of the surface over the distance. */
   ramp: RampName;
-  /** Stripe colour, `#rrggbb`. */
+  /** Colour of the stripes, `#rrggbb`, or the name of a ramp. */
   stripe: string;
-  /** Share of a period that the stripe paints, 0 (none) to 1. */
+  style: Style;
+  /** Share of a period that the stripe paints, 0 (none) to 1; lines are this share of `WIDEST_LINE`. */
   width: number;
   /** Distance from stripe to stripe, as a share of the model's diameter. */
   period: number;
+  /** 0: stripes fade over their whole width; 1: hard edges. */
+  sharpness: number;
+  /** Height of the stripes, in periods; negative: grooves. */
+  relief: number;
+  surface: Finish;
+  stripes: Finish;
+  /** Those in use. */
+  maps: readonly MapName[];
+  surroundings: Surroundings;
+  /** By how much the surroundings are turned, degrees. */
+  light: number;
+  /** Periods a second by which the stripes move away from the sources. */
+  flow: number;
 }
 
-const look = (name: string, ramp: RampName, stripe: string, width: number, period: number): Look => ({
+/** Lowest and highest of the numbers of a look. */
+export const LOOK_RANGES = {
+  period: [0.001, 1],
+  width: [0, 1],
+  sharpness: [0, 1],
+  relief: [-0.2, 0.2],
+  light: [-180, 180],
+  flow: [-2, 2],
+} as const satisfies Partial<Record<keyof Look, readonly [number, number]>>;
+export const LOOK_NUMBERS = Object.keys(LOOK_RANGES) as (keyof typeof LOOK_RANGES)[];
+
+/** CSS pixels. */
+export const WIDEST_LINE = 8;
+
+const finish = (metalness: number, roughness: number, glow = 0): Finish => ({ metalness, roughness, glow });
+
+const PLAIN: Omit<Look, 'name'> = {
+  ramp: 'chalk',
+  stripe: '#1c1d20',
+  style: 'bands',
+  width: 0.5,
+  period: 0.05,
+  sharpness: 0.92,
+  relief: 0.02,
+  surface: finish(0, 0.32),
+  stripes: finish(0, 0.22),
+  maps: MAPS,
+  surroundings: 'studio',
+  light: 0,
+  flow: 0,
+};
+
+const look = (name: string, ramp: RampName, stripe: string, change: Partial<Look>): Look => ({
+  ...PLAIN,
+  ...change,
   name,
   ramp,
   stripe,
+});
+
+/** Groove or ridge of a given shape. */
+const cut = (width: number, period: number, relief: number, sharpness = 0.45): Partial<Look> => ({
   width,
   period,
+  relief,
+  sharpness,
 });
 
 export const LOOKS: readonly Look[] = [
-  look('zebra', 'chalk', '#1c1d20', 0.5, 0.05),
-  look('candy', 'candy', '#c8102e', 0.5, 0.05),
-  look('lava', 'lava', '#2a0d08', 0.22, 0.045),
-  look('water', 'water', '#ffffff', 0.3, 0.04),
-  look('gold', 'gold', '#4d2a0b', 0.4, 0.04),
-  look('lagoon', 'lagoon', '#0b2f3a', 0.14, 0.05),
-  look('scientific', 'viridis', '#ffffff', 0.1, 0.05),
-  look('turbo', 'turbo', '#101114', 0.1, 0.04),
-  look('dusk', 'dusk', '#fff1d6', 0.16, 0.045),
-  look('contour', 'paper', '#23303b', 0.12, 0.03),
-  look('neon', 'neon', '#58ffb0', 0.2, 0.05),
+  look('zebra', 'chalk', '#17181b', {}),
+  look('gold', 'gold', '#5a3a0e', { ...cut(0.16, 0.05, -0.05), surface: finish(1, 0.2), stripes: finish(1, 0.45) }),
+  look('lava', 'coal', 'magma', { ...cut(0.17, 0.05, -0.05), surface: finish(0, 0.6), stripes: finish(0, 0.4, 0.9) }),
+  look('bone', 'bone', '#2a3340', { ...cut(0.3, 0.05, -0.045), surface: finish(0, 0.55), stripes: finish(0, 0.14) }),
+  look('water', 'ocean', '#3c4a78', { ...cut(0.14, 0.04, 0.035), surface: finish(0, 0.1), stripes: finish(0, 0.3) }),
+  look('neon', 'ink', 'glow', {
+    ...cut(0.16, 0.05, 0.03, 0.5),
+    surface: finish(0.4, 0.28),
+    stripes: finish(0, 0.4, 1.1),
+    surroundings: 'night',
+  }),
+  look('porcelain', 'porcelain', '#1f46ae', {
+    width: 0.2,
+    relief: 0,
+    surface: finish(0, 0.09),
+    stripes: finish(0, 0.09),
+  }),
+  look('scientific', 'viridis', '#ffffff', { style: 'lines', width: 0.25, relief: 0, surface: finish(0, 0.6) }),
+  look('candy', 'candy', '#c8102e', { surface: finish(0, 0.2), stripes: finish(0, 0.14) }),
+  look('citrus', 'citrus', '#2b3138', { ...cut(0.14, 0.05, -0.04), surface: finish(0, 0.35), stripes: finish(0, 0.3) }),
+  look('ember', 'ember', '#ffe9b0', {
+    ...cut(0.07, 0.05, 0.02),
+    surface: finish(0, 0.25),
+    stripes: finish(0, 0.3, 0.3),
+  }),
+  look('amethyst', 'amethyst', '#fff3b8', {
+    ...cut(0.1, 0.045, 0.03),
+    surface: finish(0.35, 0.2),
+    stripes: finish(0, 0.3, 0.2),
+  }),
+  look('jade', 'slate', '#8dff5a', {
+    ...cut(0.12, 0.05, 0.04),
+    surface: finish(0.3, 0.3),
+    stripes: finish(0, 0.35, 0.35),
+  }),
+  look('copper', 'copper', '#3d1f16', { ...cut(0.3, 0.045, -0.05), surface: finish(1, 0.3), stripes: finish(1, 0.6) }),
+  look('lagoon', 'lagoon', '#0b2f3a', { ...cut(0.14, 0.05, -0.03), surface: finish(0, 0.25) }),
+  look('dusk', 'dusk', '#fff1d6', { ...cut(0.16, 0.045, 0.03), surface: finish(0, 0.3) }),
+  look('turbo', 'turbo', '#101114', { style: 'lines', width: 0.2, period: 0.05, relief: 0, surface: finish(0, 0.6) }),
+  look('contour', 'paper', '#23303b', {
+    style: 'lines',
+    width: 0.22,
+    period: 0.05,
+    relief: 0,
+    surface: finish(0, 0.7),
+  }),
 ];
 
 export const DEFAULT_LOOK = LOOKS[0];
@@ -72,25 +195,33 @@ export function isRamp(name: string): name is RampName {
   return Object.hasOwn(RAMPS, name);
 }
 
-/** 256 × 4 sRGB bytes over distance / largest distance. */
-export function rampBytes(name: RampName): Uint8Array {
-  const bytes = new Uint8Array(256 * 4);
-  for (let i = 0; i < 256; i++) {
-    bytes.set([...parseColour(RAMPS[name](i / 255)), 255], 4 * i);
+/** 0 to 1 to a CSS colour, for `#rrggbb` or the name of a ramp. */
+function paint(colour: string): Interpolator {
+  return isRamp(colour) ? RAMPS[colour] : () => colour;
+}
+
+/** 256 × 4 sRGB bytes over distance / largest distance, of the surface and then of the stripes. */
+export function rampBytes({ ramp, stripe }: Pick<Look, 'ramp' | 'stripe'>): Uint8Array {
+  const bytes = new Uint8Array(2 * 256 * 4);
+  for (const [row, colour] of [RAMPS[ramp], paint(stripe)].entries()) {
+    for (let i = 0; i < 256; i++) {
+      bytes.set([...parseColour(colour(i / 255)), 255], 4 * (256 * row + i));
+    }
   }
   return bytes;
 }
 
 /** The look as a CSS background, for its button in the gallery. */
-export function lookGradient({ ramp, stripe, width }: Look): string {
+export function lookGradient({ ramp, stripe, style, width }: Look): string {
   const bands = 6;
+  const painted = style === 'lines' ? 0.08 : Math.max(0.1, width);
   const parts: string[] = [];
   for (let i = 0; i < bands; i++) {
     const from = (100 * i) / bands;
-    const middle = from + ((1 - width) * 100) / bands;
+    const middle = from + ((1 - painted) * 100) / bands;
     const to = (100 * (i + 1)) / bands;
-    const colour = RAMPS[ramp]((i + 0.5) / bands);
-    parts.push(`${colour} ${from}% ${middle}%`, `${stripe} ${middle}% ${to}%`);
+    const along = (i + 0.5) / bands;
+    parts.push(`${RAMPS[ramp](along)} ${from}% ${middle}%`, `${paint(stripe)(along)} ${middle}% ${to}%`);
   }
   return `linear-gradient(100deg, ${parts.join(', ')})`;
 }

@@ -118,6 +118,8 @@ export interface OpenedMesh extends Factoring {
 export interface DistanceField {
   /** One value a drawn vertex of the surface; Infinity where no source can be reached. */
   distance: Float32Array;
+  /** #D × 4: the direction in which distance grows at each drawn vertex, 127 for a unit; the fourth number is 0. */
+  tangents: Int8Array;
   /** Largest finite distance. */
   maxDistance: number;
   /** Welded vertices that no source reaches. */

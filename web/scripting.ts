@@ -30,7 +30,7 @@ export interface Heatwalk {
     diameter: number;
   } | null;
   /** Of the field that is shown. */
-  readonly field: Omit<DistanceField, 'distance'> | null;
+  readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
   /** What is being done about exactness: see `Phase`. */
   readonly refining: Phase;
   /** Fields solved and shown since the page was opened; the slices of refining are not counted. */
@@ -91,7 +91,7 @@ export function expose(session: Session, ready: Promise<void>): void {
     get field() {
       const field = session.shown.value?.answer.field;
       if (!field) return null;
-      const { distance: _, ...figures } = field;
+      const { distance: _distance, tangents: _tangents, ...figures } = field;
       return figures;
     },
     get refining() {

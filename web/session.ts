@@ -57,6 +57,10 @@ export class Session {
   );
   readonly #client = new SolverClient();
   #engine: Engine | null = null;
+  /** Yaw that the light is set up for, radians. */
+  #facing = 0;
+  /** How far the stripes have moved, in periods. */
+  #flow = 0;
   #dragging = false;
   #quick = false;
 
@@ -134,7 +138,14 @@ export class Session {
   /** To be called once a frame; true if something was drawn. */
   frame(seconds: number): boolean {
     const diameter = this.shown.value?.places.diameter ?? 1;
-    if (!reducedMotion() && this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
+    if (!reducedMotion()) {
+      if (this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
+      const { flow } = this.scene.state.look;
+      if (flow !== 0 && !this.paused.value) {
+        this.#flow = (this.#flow + seconds * flow) % 1;
+        this.view.setFlow(this.#flow);
+      }
+    }
     return this.view.render(seconds);
   }
 
@@ -143,7 +154,8 @@ export class Session {
     this.#engine = engine;
     this.failure.value = null;
     this.view.setMesh(shown.opened);
-    this.view.setLook(state.look, shown.places.diameter);
+    if (view) this.#facing = view[0];
+    this.view.setLook(state.look, shown.places.diameter, this.#facing);
     if (state.camera) {
       this.view.camera = state.camera;
     } else if (view) {
@@ -161,7 +173,10 @@ export class Session {
   #follow(state: SceneState, previous: SceneState): void {
     const { value: shown } = this.shown;
     if (!shown) return;
-    if (state.look !== previous.look) this.view.setLook(state.look, shown.places.diameter);
+    if (state.look !== previous.look) {
+      this.view.setLook(state.look, shown.places.diameter, this.#facing);
+      if (state.look.flow === 0) this.view.setFlow((this.#flow = 0));
+    }
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     if (!this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
@@ -219,7 +234,7 @@ export class Session {
 
   #show(shown: Shown, fromStart: boolean): void {
     const { field, path, question } = shown.answer;
-    this.view.setDistance(field?.distance ?? new Float32Array(), field?.maxDistance ?? 0);
+    this.view.setField(field);
     if (question.from || !this.#dragging) {
       this.view.setPath(path);
       this.walk.follow(path?.length ?? 0, fromStart);

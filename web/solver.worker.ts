@@ -174,13 +174,16 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
 
 function solvedOf(field: wasm.Field, mesh: Current, way: Way | null): Promise<Solved> {
   const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, way) };
-  return Promise.resolve(transfer(solved, [solved.field.distance.buffer, ...pathBuffersOf(solved)]));
+  return Promise.resolve(
+    transfer(solved, [solved.field.distance.buffer, solved.field.tangents.buffer, ...pathBuffersOf(solved)]),
+  );
 }
 
-function fieldOf(field: wasm.Field, { solveMs, refineMs }: Current): DistanceField {
+function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): DistanceField {
   const { mean_error: mean, max_error: max } = field;
   const answer: DistanceField = {
     distance: field.take_values(),
+    tangents: solver.tangents(),
     maxDistance: field.max,
     unreachableVertices: field.unreachable,
     exactBelow: field.exact_below,

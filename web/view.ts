@@ -1,7 +1,7 @@
 /** The canvas and the renderer on it. What is shown is kept, so that a lost renderer can be made again with the scene intact. */
-import { parseColour, rampBytes, type Look } from './looks';
+import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from './looks';
 import type { Place, Vector } from './places';
-import type { OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
+import type { DistanceField, OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
 import { Signal } from './signal';
 import init, { Viewer } from './wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from './wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -12,9 +12,21 @@ export interface PointHit {
 }
 
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
-const ORDER = ['background', 'surface', 'scenery', 'ramp', 'stripes', 'distance', 'pins', 'path', 'walker'] as const;
+const ORDER = [
+  'background',
+  'surface',
+  'scenery',
+  'surroundings',
+  'look',
+  'flow',
+  'field',
+  'pins',
+  'path',
+  'walker',
+  'spin',
+] as const;
 type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['distance', 'pins', 'path', 'walker'];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker'];
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
 export interface Insets {
@@ -24,6 +36,10 @@ export interface Insets {
   bottom: number;
 }
 
+/** A picture that takes longer never comes. */
+const CAPTURE_MS = 30_000;
+
+const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
 export class View {
@@ -90,14 +106,32 @@ export class View {
     this.#show('scenery', (viewer) => viewer.set_scenery(scenery.positions, scenery.normals, scenery.triangles));
   }
 
-  setDistance(values: Float32Array, max: number): void {
-    this.#show('distance', (viewer) => viewer.set_distance(values, max));
+  /** Null where there is none. */
+  setField(field: Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'> | null): void {
+    const { distance, tangents, maxDistance } = field ?? NO_FIELD;
+    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
   }
 
-  setLook(look: Look, diameter: number): void {
-    const [red, green, blue] = unitColour(look.stripe);
-    this.#show('ramp', (viewer) => viewer.set_ramp(rampBytes(look.ramp)));
-    this.#show('stripes', (viewer) => viewer.set_stripes(look.period * diameter, look.width, red, green, blue));
+  /** `facing`: the camera's yaw that the surroundings are made for. */
+  setLook(look: Look, diameter: number, facing: number): void {
+    const period = look.period * diameter;
+    const uses = (map: MapName) => look.maps.includes(map);
+    const { metalness, roughness } = uses('specular') ? look.stripes : look.surface;
+    const { glow } = uses('emission') ? look.stripes : look.surface;
+    this.#show('surroundings', (viewer) =>
+      viewer.set_environment(look.surroundings, facing + (look.light * Math.PI) / 180),
+    );
+    this.#show('look', (viewer) => {
+      viewer.set_ramps(rampBytes(look));
+      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(look.surface), finishOf({ metalness, roughness, glow }));
+      if (look.style === 'lines') viewer.set_lines(period, look.width * WIDEST_LINE);
+      else viewer.set_bands(period, look.width, look.sharpness, uses('normal') ? look.relief : 0);
+    });
+  }
+
+  /** Moves the pattern away from the sources, in periods. */
+  setFlow(periods: number): void {
+    this.#show('flow', (viewer) => viewer.set_offset(periods));
   }
 
   setPins(places: readonly Place[], selected: number): void {
@@ -137,6 +171,21 @@ export class View {
 
   orbit(dx: number, dy: number): void {
     this.#viewer?.orbit(dx, dy);
+  }
+
+  /** A hand takes hold to turn. */
+  hold(): void {
+    this.#viewer?.hold();
+  }
+
+  /** The hand lets go; the camera glides on or stops. */
+  letGo(glides: boolean): void {
+    this.#viewer?.let_go(glides);
+  }
+
+  /** Turns by itself, in radians a second; 0 stops. */
+  set spin(spin: number) {
+    this.#show('spin', (viewer) => viewer.set_spin(spin));
   }
 
   pan(dx: number, dy: number): void {
@@ -200,6 +249,19 @@ export class View {
     return true;
   }
 
+  /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
+  async capture(scale: number, clear: boolean): Promise<ImageData> {
+    if (!this.#viewer) throw new Error('There is nothing to draw a picture of yet.');
+    const picture = this.#viewer.capture(scale, clear);
+    const { width, height } = picture;
+    for (const since = performance.now(); !picture.is_ready();) {
+      if (performance.now() - since > CAPTURE_MS)
+        throw new Error('The graphics device did not give the picture back. Try a smaller one.');
+      await new Promise((resolve) => setTimeout(resolve, 5));
+    }
+    return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);
+  }
+
   #show(layer: Layer, apply: (viewer: Viewer) => void): void {
     this.#layers.set(layer, apply);
     if (this.#viewer) apply(this.#viewer);
@@ -233,6 +295,10 @@ export class View {
 function pixels(length: number, exact: number | undefined): number {
   const product = Math.max(1, Math.round(length * devicePixelRatio));
   return exact !== undefined && Math.abs(exact - product) <= 1 ? Math.max(1, exact) : product;
+}
+
+function finishOf({ metalness, roughness, glow }: Finish): Float32Array {
+  return Float32Array.of(metalness, roughness, glow);
 }
 
 function unitColour(css: string): Float32Array {

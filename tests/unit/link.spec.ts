@@ -53,7 +53,19 @@ test('everything that was changed survives the link', () => {
     way: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
-    look: { ...neon, width: 0.35, ramp: 'viridis', stripe: '#12ab9f' },
+    look: {
+      ...neon,
+      width: 0.35,
+      ramp: 'viridis',
+      stripe: '#12ab9f',
+      style: 'lines',
+      relief: -0.05,
+      light: -35,
+      flow: 0.5,
+      surface: { metalness: 0.5, roughness: 0.25, glow: 1.5 },
+      maps: ['colour', 'specular'],
+      surroundings: 'sky',
+    },
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(

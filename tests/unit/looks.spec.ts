@@ -1,13 +1,15 @@
 import { expect, test } from '@playwright/test';
-import { LOOKS, parseColour, RAMP_NAMES, rampBytes } from '../../web/looks';
+import { LOOKS, RAMP_NAMES, rampBytes } from '../../web/looks';
 import { PRESETS } from '../../web/presets';
 
 test('every ramp is 256 opaque colours that change from end to end', () => {
   for (const name of RAMP_NAMES) {
-    const bytes = rampBytes(name);
-    expect(bytes).toHaveLength(1024);
+    const bytes = rampBytes({ ramp: name, stripe: '#123456' });
+    expect(bytes).toHaveLength(2048);
     expect(bytes.filter((_, i) => i % 4 === 3).every((alpha) => alpha === 255)).toBe(true);
     expect([...bytes.subarray(0, 3)]).not.toEqual([...bytes.subarray(1020, 1023)]);
+    expect([...bytes.subarray(1024, 1027)]).toEqual([0x12, 0x34, 0x56]);
+    expect([...rampBytes({ ramp: 'paper', stripe: name }).subarray(1024)]).toEqual([...bytes.subarray(0, 1024)]);
   }
 });
 
@@ -18,12 +20,13 @@ function luminance(colour: readonly number[]): number {
 }
 
 test('stripes stand out from their ramp on most of the model', () => {
-  for (const { name, ramp, stripe } of LOOKS) {
-    const bytes = rampBytes(ramp);
-    const paint = luminance(parseColour(stripe));
+  for (const look of LOOKS) {
+    const { name } = look;
+    const bytes = rampBytes(look);
+    const luminanceAt = (texel: number) => luminance([...bytes.subarray(4 * texel, 4 * texel + 3)]);
     let clear = 0;
     for (let i = 0; i < 256; i++) {
-      const ground = luminance([...bytes.subarray(4 * i, 4 * i + 3)]);
+      const [ground, paint] = [luminanceAt(i), luminanceAt(256 + i)];
       const contrast = (Math.max(paint, ground) + 0.05) / (Math.min(paint, ground) + 0.05);
       if (contrast >= 1.5) clear += 1;
     }

@@ -11,6 +11,7 @@ const WAY: SurfacePath = { points: new Float32Array(), normals: new Float32Array
 function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
   const field: DistanceField = {
     distance: new Float32Array(),
+    tangents: new Int8Array(),
     maxDistance: 1,
     unreachableVertices: 0,
     exactBelow,

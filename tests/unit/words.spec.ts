@@ -4,6 +4,7 @@ import { errorWords, exactnessWords, refiningSentence } from '../../web/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),
+  tangents: new Int8Array(),
   maxDistance: 1,
   unreachableVertices: 0,
   exactBelow: 0.5,

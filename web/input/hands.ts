@@ -2,7 +2,7 @@
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
 import type { SurfacePoint } from '../protocol';
-import type { Session } from '../session';
+import { reducedMotion, type Session } from '../session';
 import type { Signal } from '../signal';
 import { addSource, moveSource, sendWalker, setSource } from './edit';
 import { type Finger, listenToWheel, pinch } from './orbit';
@@ -132,6 +132,7 @@ export class Hands {
     const plain = (event.buttons & 1) === 1 && !event.shiftKey;
     press.mode = !plain ? 'pan' : press.target.kind === 'source' ? 'move' : 'orbit';
     if (press.mode === 'move') session.dragging = true;
+    if (press.mode === 'orbit') session.view.hold();
     this.#stage.dataset.cursor = press.mode === 'move' ? 'grabbing' : 'moving';
     readout.hide();
     acted();
@@ -176,7 +177,12 @@ export class Hands {
   }
 
   #endMove(press: Press): void {
-    if (press.mode === 'move') this.#o.session.dragging = false;
+    const { session, cameraMoved } = this.#o;
+    if (press.mode === 'move') session.dragging = false;
+    if (press.mode === 'orbit') {
+      session.view.letGo(!reducedMotion());
+      cameraMoved();
+    }
   }
 
   #click(press: Press, event: PointerEvent): void {

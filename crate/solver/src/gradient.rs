@@ -31,15 +31,39 @@ pub fn face_directions(surface: &Surface, values: &[f64]) -> FaceData<DVec3> {
     surface.mesh.faces().map(direction).collect::<Vec<_>>().into()
 }
 
-/// `#P × 3`, unit tangents at the points: the mean over the faces around each, by area, laid into the plane of its
-/// normal; zero where they cancel.
-pub fn point_tangents(surface: &Surface, fields: &FaceData<DVec3>) -> Vec<DVec3> {
-    let tangent = |point| {
-        let sum: DVec3 = surface.corners_of_point(point).map(|(face, _)| fields[face] * surface.face_area(face)).sum();
+/// `#P × 3`, unit vectors at the points along the mean, by area, of the gradients of `values` (`#P`) on the faces around;
+/// zero where they cancel or are not finite.
+pub fn point_directions(surface: &Surface, values: &[f64]) -> Vec<DVec3> {
+    let mut directions = vec![DVec3::ZERO; surface.point_count()];
+    for face in surface.mesh.faces() {
+        let points = surface.faces[face];
+        let corners = surface.corners(face);
+        // The gradient times twice the area.
+        let area = triangle::area_vector(corners);
+        let [_, b, c] = triangle::edges(corners);
+        let [from, to_b, to_c] = points.map(|point| values[point as usize]);
+        let along = b * (to_b - from) + c * (to_c - from);
+        let length_squared = area.length_squared();
+        let sum = area.cross(along) / length_squared.sqrt();
+        if sum.is_finite() {
+            for point in points {
+                directions[point as usize] += sum;
+            }
+        }
+    }
+    for direction in &mut directions {
+        *direction = triangle::unit(*direction);
+    }
+    directions
+}
+
+/// `#P × 3`, unit tangents at the points: directions laid into the plane of each point's normal; zero where they cancel.
+pub fn point_tangents(surface: &Surface, directions: &[DVec3]) -> Vec<DVec3> {
+    let tangent = |(point, direction): (u32, &DVec3)| {
         let normal = surface.point_normal(point);
-        triangle::unit(sum - normal * sum.dot(normal))
+        triangle::unit(direction - normal * direction.dot(normal))
     };
-    (0..surface.point_count() as u32).map(tangent).collect()
+    (0..).zip(directions).map(tangent).collect()
 }
 
 impl Distance {
@@ -54,8 +78,13 @@ impl Distance {
         face_directions(surface, &self.heat)
     }
 
+    /// `#P × 3`, unit vectors away from the sources, not quite in the surface where it is curved.
+    pub fn directions(&self, surface: &Surface) -> Vec<DVec3> {
+        point_directions(surface, &self.values)
+    }
+
     /// `#P × 3`, unit tangents away from the sources.
     pub fn tangents(&self, surface: &Surface) -> Vec<DVec3> {
-        point_tangents(surface, &self.gradients(surface))
+        point_tangents(surface, &self.directions(surface))
     }
 }

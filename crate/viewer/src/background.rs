@@ -1,7 +1,7 @@
 use glam::{Vec3, Vec4};
 
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Shared, shader, uniform, uniform_layout};
+use crate::shared::{PipelineRecipe, Place, Shared, shader, uniform, uniform_layout};
 
 /// The gradient behind the surface.
 pub(crate) struct Background {
@@ -16,13 +16,13 @@ impl Background {
         let (buffer, group) = uniform(context, &layout, "background uniform", 2);
         let pipeline = PipelineRecipe {
             label: "background",
-            layouts: &[Some(&shared.layout), Some(&layout)],
+            layouts: &[Some(&shared.frame_layout), None, Some(&layout)],
             module: &shader(context, "background.wgsl", include_str!("background.wgsl")),
             vertex: "vs_background",
             fragment: "fs_background",
             buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
-            depth: false,
+            place: Place::Behind,
         }
         .build(context);
         let background = Self { pipeline, buffer, group };
@@ -38,7 +38,7 @@ impl Background {
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(1, &self.group, &[]);
+        pass.set_bind_group(2, &self.group, &[]);
         pass.draw(0..3, 0..1);
     }
 }

@@ -6,7 +6,7 @@ struct Background {
     bottom: vec4f,
 }
 
-@group(1) @binding(0) var<uniform> background: Background;
+@group(2) @binding(0) var<uniform> background: Background;
 
 struct Corner {
     @builtin(position) clip: vec4f,

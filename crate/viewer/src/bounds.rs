@@ -7,11 +7,13 @@ pub struct Bounds {
     pub center: Vec3,
     /// Greatest distance of a point from the centre; positive.
     pub radius: f32,
+    /// Height of the lowest point.
+    pub lowest: f32,
 }
 
 impl Bounds {
     /// Stands in while nothing is shown, so that the camera always has a scale.
-    pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0 };
+    pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0, lowest: -1.0 };
 
     /// Bounds of points, or None when there are none.
     #[must_use]
@@ -21,7 +23,7 @@ impl Bounds {
         let center = 0.5 * (low + high);
         let radius = points.map(|point| point.distance_squared(center)).fold(0.0, f32::max).sqrt();
         // A single point still needs a scale to be looked at.
-        Some(Self { center, radius: if radius > 0.0 { radius } else { 1.0 } })
+        Some(Self { center, radius: if radius > 0.0 { radius } else { 1.0 }, lowest: low.y })
     }
 }
 
@@ -41,7 +43,7 @@ mod tests {
     #[test]
     fn a_single_point_has_a_scale() {
         let bounds = Bounds::of_points([Vec3::splat(3.0)].iter()).expect("one point");
-        assert_eq!((bounds.center, bounds.radius), (Vec3::splat(3.0), 1.0));
+        assert_eq!((bounds.center, bounds.radius, bounds.lowest), (Vec3::splat(3.0), 1.0, 3.0));
         assert_eq!(Bounds::of_points([].iter()), None);
     }
 }

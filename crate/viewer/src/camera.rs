@@ -18,6 +18,12 @@ const TARGET_RANGE: f64 = 20.0;
 const NEAREST_NEAR: f64 = 1e-3;
 /// Pins and the walker stand out from the surface: the depth range covers this factor on the scene's radius.
 const DEPTH_MARGIN: f64 = 1.3;
+/// After a hand lets go, the camera glides on and loses speed by a factor e in this time; seconds.
+const GLIDE_SECONDS: f64 = 0.18;
+/// Time over which a hand's speed is taken; seconds.
+const HAND_SECONDS: f64 = 0.04;
+/// A slower glide is none; radians a second.
+const LEAST_GLIDE: f64 = 0.02;
 /// Length of a smooth move; seconds.
 const FLIGHT_SECONDS: f64 = 0.3;
 
@@ -81,11 +87,25 @@ struct Flight {
     seconds: f64,
 }
 
+/// Turning by hand: yaw and pitch, radians.
+#[derive(Clone, Copy, Debug, Default)]
+struct Turning {
+    /// True while a hand holds on.
+    is_held: bool,
+    /// Turned since the last frame.
+    turned: DVec2,
+    /// A second.
+    speed: DVec2,
+}
+
 /// A turntable camera: yaw about the vertical, pitch, and a target to look at.
 #[derive(Clone, Debug)]
 pub struct Camera {
     view: View,
     flight: Option<Flight>,
+    turning: Turning,
+    /// Of the turntable; radians a second.
+    spin: f64,
     surface: Bounds,
     scene: Bounds,
     /// Physical pixels.
@@ -117,6 +137,8 @@ impl Camera {
         Self {
             view,
             flight: None,
+            turning: Turning::default(),
+            spin: 0.0,
             surface: Bounds::UNIT,
             scene: Bounds::UNIT,
             size: DVec2::ONE,
@@ -135,6 +157,14 @@ impl Camera {
     pub fn set_size(&mut self, width: u32, height: u32, pixel_ratio: f32) {
         self.size = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
         self.pixel_ratio = f64::from(pixel_ratio);
+    }
+
+    /// The same view in a picture so many times as large, without insets.
+    #[must_use]
+    pub fn scaled(&self, scale: f32) -> Self {
+        let scale = f64::from(scale);
+        let (size, pixel_ratio) = ((scale * self.size).round(), scale * self.pixel_ratio);
+        Self { size, pixel_ratio, insets: Insets::default(), ..self.clone() }
     }
 
     /// Centres the view on what the insets leave free.
@@ -168,13 +198,38 @@ impl Camera {
     /// Jumps to a view; out-of-range values are clamped.
     pub fn set_view(&mut self, view: View) {
         self.flight = None;
+        self.turning.speed = DVec2::ZERO;
         self.view = view.clamped();
     }
 
     /// Turns around the target by a drag in CSS pixels; a drag over the window's height is a full turn.
     pub fn orbit(&mut self, dx: f64, dy: f64) {
-        let turn = TAU * self.pixel_ratio / self.size.y;
-        self.set_view(View { yaw: self.view.yaw - turn * dx, pitch: self.view.pitch + turn * dy, ..self.view });
+        let turn = TAU * self.pixel_ratio / self.size.y * DVec2::new(-dx, dy);
+        self.flight = None;
+        self.turn(turn);
+        if self.turning.is_held {
+            self.turning.turned += turn;
+        }
+    }
+
+    fn turn(&mut self, turn: DVec2) {
+        self.view = View { yaw: self.view.yaw + turn.x, pitch: self.view.pitch + turn.y, ..self.view }.clamped();
+    }
+
+    /// A hand takes hold to turn.
+    pub fn hold(&mut self) {
+        self.turning = Turning { is_held: true, ..Turning::default() };
+    }
+
+    /// The hand lets go; the camera glides on as fast as the hand was, or not at all.
+    pub fn let_go(&mut self, glides: bool) {
+        let speed = if glides && self.turning.is_held { self.turning.speed } else { DVec2::ZERO };
+        self.turning = Turning { speed, ..Turning::default() };
+    }
+
+    /// Turns by itself, in radians a second, until that is 0 again.
+    pub fn set_spin(&mut self, spin: f64) {
+        self.spin = spin;
     }
 
     /// Moves the target so that what is at its depth follows a drag in CSS pixels.
@@ -207,23 +262,43 @@ impl Camera {
     }
 
     fn fly_to(&mut self, to: View) {
+        self.turning = Turning::default();
         self.flight = Some(Flight { from: self.view, to: to.clamped(), seconds: 0.0 });
     }
 
-    /// True while a smooth move is under way.
+    /// True while the camera moves by itself, or a hand's speed is being taken.
     #[must_use]
     pub fn is_moving(&self) -> bool {
-        self.flight.is_some()
+        let Turning { turned, speed, .. } = self.turning;
+        self.flight.is_some() || turned != DVec2::ZERO || speed.length() > LEAST_GLIDE || self.spin != 0.0
     }
 
-    /// Takes a smooth move further.
+    /// Takes what moves by itself further.
     pub fn advance(&mut self, seconds: f64) {
+        let seconds = seconds.max(0.0);
+        if self.spin != 0.0 && !self.turning.is_held {
+            self.turn(DVec2::new(self.spin * seconds, 0.0));
+        }
+        self.advance_turning(seconds);
         let Some(flight) = &mut self.flight else { return };
-        flight.seconds += seconds.max(0.0);
+        flight.seconds += seconds;
         let time = (flight.seconds / FLIGHT_SECONDS).min(1.0);
-        self.view = View::between(flight.from, flight.to, time * time * (3.0 - 2.0 * time));
+        let view = View::between(flight.from, flight.to, time * time * (3.0 - 2.0 * time));
+        self.view = if self.spin == 0.0 { view } else { View { yaw: self.view.yaw, ..view } };
         if time >= 1.0 {
             self.flight = None;
+        }
+    }
+
+    fn advance_turning(&mut self, seconds: f64) {
+        let Turning { is_held, turned, speed } = self.turning;
+        if is_held && seconds > 0.0 {
+            let share = 1.0 - (-seconds / HAND_SECONDS).exp();
+            self.turning = Turning { is_held, turned: DVec2::ZERO, speed: speed.lerp(turned / seconds, share) };
+        } else if !is_held && speed.length() > LEAST_GLIDE {
+            let kept = (-seconds / GLIDE_SECONDS).exp();
+            self.turn(GLIDE_SECONDS * (1.0 - kept) * speed);
+            self.turning.speed = kept * speed;
         }
     }
 
@@ -293,7 +368,7 @@ mod tests {
 
     fn camera() -> Camera {
         let mut camera = Camera::new();
-        let surface = Bounds { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0 };
+        let surface = Bounds { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0, lowest: -5.0 };
         camera.set_bounds(surface, surface);
         camera.set_size(1600, 900, 2.0);
         camera
@@ -405,11 +480,49 @@ mod tests {
     }
 
     #[test]
+    fn the_camera_glides_on_when_a_moving_hand_lets_go_and_comes_to_rest() {
+        let turned = |pause: usize, glides: bool| {
+            let mut camera = camera();
+            camera.hold();
+            for _ in 0..10 {
+                camera.orbit(12.0, 0.0);
+                camera.advance(0.016);
+            }
+            for _ in 0..pause {
+                camera.advance(0.016);
+            }
+            let before = camera.view().yaw;
+            camera.let_go(glides);
+            settle(&mut camera);
+            before - camera.view().yaw
+        };
+        // Twelve pixels in 16 ms over a window 450 CSS pixels high, for the time of the glide.
+        let expected = TAU * 12.0 / 450.0 / 0.016 * GLIDE_SECONDS;
+        assert!((turned(0, true) / expected - 1.0).abs() < 0.05, "{} of {expected}", turned(0, true));
+        assert_eq!(turned(0, false), 0.0);
+        assert!(turned(20, true).abs() < 1e-3, "a hand that has come to rest lets go of a camera at rest");
+    }
+
+    #[test]
+    fn the_turntable_turns_evenly_and_a_frame_does_not_stop_it() {
+        let mut camera = camera();
+        let yaw = camera.view().yaw;
+        camera.set_spin(0.5);
+        camera.frame();
+        for _ in 0..100 {
+            camera.advance(0.01);
+        }
+        assert!((camera.view().yaw - yaw - 0.5).abs() < 1e-9);
+        camera.set_spin(0.0);
+        assert!(!camera.is_moving());
+    }
+
+    #[test]
     fn a_view_survives_a_change_of_scale() {
         let mut camera = camera();
         let point = Vec3::new(6.0, -1.0, 2.0);
         let before = camera.project(point).expect("in front");
-        let scaled = Bounds { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0 };
+        let scaled = Bounds { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0, lowest: -50.0 };
         camera.set_bounds(scaled, scaled);
         let after = camera.project(10.0 * point).expect("in front");
         assert!((after - before).length() < PIXEL_TOLERANCE);

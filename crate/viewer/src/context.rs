@@ -41,14 +41,14 @@ pub struct Context {
     lost: Arc<AtomicBool>,
 }
 
-/// Multisampled attachments of the canvas's size.
-struct Targets {
+/// Multisampled attachments of a picture's size.
+pub(crate) struct Targets {
     color: wgpu::TextureView,
     depth: wgpu::TextureView,
 }
 
 impl Targets {
-    fn new(device: &wgpu::Device, format: wgpu::TextureFormat, width: u32, height: u32) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, format: wgpu::TextureFormat, (width, height): (u32, u32)) -> Self {
         let attachment = |label, format| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -63,6 +63,34 @@ impl Targets {
             texture.create_view(&wgpu::TextureViewDescriptor { label: Some(label), ..Default::default() })
         };
         Self { color: attachment("multisampled color", format), depth: attachment("multisampled depth", DEPTH_FORMAT) }
+    }
+
+    /// Records one pass and resolves it into a view.
+    pub(crate) fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        resolved: &wgpu::TextureView,
+        record: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("frame"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.color,
+                depth_slice: None,
+                resolve_target: Some(resolved),
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Discard,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        record(&mut pass);
     }
 }
 
@@ -125,7 +153,7 @@ impl Context {
         let format = configuration.format.remove_srgb_suffix();
         configuration.format = format;
         surface.configure(&device, &configuration);
-        let targets = Targets::new(&device, format, width, height);
+        let targets = Targets::new(&device, format, (width, height));
         Ok(Self { device, queue, format, surface, configuration, targets, backend, lost })
     }
 
@@ -151,7 +179,7 @@ impl Context {
         self.configuration.width = width;
         self.configuration.height = height;
         self.surface.configure(&self.device, &self.configuration);
-        self.targets = Targets::new(&self.device, self.format, width, height);
+        self.targets = Targets::new(&self.device, self.format, (width, height));
         true
     }
 
@@ -178,33 +206,20 @@ impl Context {
         }
     }
 
+    pub(crate) fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame encoder") })
+    }
+
     /// Records one pass into the frame and presents it.
-    pub(crate) fn draw(&self, frame: wgpu::SurfaceTexture, record: impl FnOnce(&mut wgpu::RenderPass<'_>)) {
+    pub(crate) fn present(
+        &self,
+        frame: wgpu::SurfaceTexture,
+        mut encoder: wgpu::CommandEncoder,
+        record: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
         let view =
             frame.texture.create_view(&wgpu::TextureViewDescriptor { label: Some("canvas"), ..Default::default() });
-        let mut encoder =
-            self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame encoder") });
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("frame"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &self.targets.color,
-                    depth_slice: None,
-                    resolve_target: Some(&view),
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                        store: wgpu::StoreOp::Discard,
-                    },
-                })],
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &self.targets.depth,
-                    depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
-                    stencil_ops: None,
-                }),
-                ..Default::default()
-            });
-            record(&mut pass);
-        }
+        self.targets.draw(&mut encoder, &view, record);
         self.queue.submit([encoder.finish()]);
         self.queue.present(frame);
     }

@@ -2,7 +2,7 @@ use glam::Vec3;
 
 use crate::buffer::Growing;
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Shared, shader};
+use crate::shared::{PipelineRecipe, Place, Shared, shader};
 
 const POINT_SIZE: u64 = size_of::<Vec3>() as u64;
 
@@ -23,7 +23,7 @@ impl Curve {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
         let pipeline = PipelineRecipe {
             label: "curve",
-            layouts: &[Some(&shared.layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
             module: &shader(context, "curve.wgsl", include_str!("curve.wgsl")),
             vertex: "vs_curve",
             fragment: "fs_curve",
@@ -34,7 +34,7 @@ impl Curve {
                 Some(shifted(&wgpu::vertex_attr_array![3 => Float32x3])),
             ],
             topology: wgpu::PrimitiveTopology::TriangleStrip,
-            depth: true,
+            place: Place::Solid,
         }
         .build(context);
         Self { pipeline, buffer: Growing::new("curve points"), points: Vec::new() }

@@ -38,6 +38,18 @@ pub enum Error {
         /// Bytes allowed in one buffer.
         limit: u64,
     },
+    /// A picture is larger than the device can draw.
+    #[error(
+        "A picture of {width} × {height} pixels is too large for this graphics device: {limit} along a side are allowed. Choose a smaller one."
+    )]
+    PictureTooLarge {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// Pixels allowed along a side.
+        limit: u32,
+    },
     /// Arrays that belong together differ in length.
     #[error("The {what} hold {found} numbers where {expected} were expected.")]
     WrongLength {

@@ -5,32 +5,44 @@
 //! `shared.wgsl`. Colours are linear light in the shading and sRGB outside. On wasm32 the class `Viewer` is the face
 //! towards JavaScript.
 
+mod arrow;
 mod background;
 mod bounds;
 mod buffer;
 mod camera;
+mod capture;
+mod contact;
 mod context;
 mod curve;
+mod environment;
 mod error;
+mod gait;
+mod ground;
+mod look;
 mod pick;
 mod pin;
 mod pose;
 mod renderer;
+mod shadow;
 mod shared;
 mod solid;
 mod surface;
 mod walker;
 #[cfg(target_arch = "wasm32")]
 mod web;
+mod wire;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Eye, View};
+pub use capture::Capture;
 pub use context::{Backend, Context};
+pub use environment::Surroundings;
 pub use error::Error;
+pub use look::{Finish, Look, Pattern, RAMP_SIZE};
 pub use pick::{Hit, Picker, Ray};
 pub use pose::{Pose, Track};
 pub use renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
-pub use surface::RAMP_SIZE;
+pub use surface::RAMP_BYTES;
 
 #[cfg(test)]
 mod shader_tests {
@@ -42,11 +54,14 @@ mod shader_tests {
     #[test]
     fn every_shader_is_valid() {
         for (name, source) in [
+            ("arrow", include_str!("arrow.wgsl")),
             ("background", include_str!("background.wgsl")),
+            ("ground", include_str!("ground.wgsl")),
             ("surface", include_str!("surface.wgsl")),
             ("curve", include_str!("curve.wgsl")),
             ("pin", include_str!("pin.wgsl")),
             ("walker", include_str!("walker.wgsl")),
+            ("wire", include_str!("wire.wgsl")),
         ] {
             let source = format!("{SHARED_WGSL}\n{source}");
             let module = wgsl::parse_str(&source)

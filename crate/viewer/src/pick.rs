@@ -125,6 +125,18 @@ impl Picker {
         &self.positions
     }
 
+    /// The triangles, `#F × 3`, indices of vertices.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The triangles in an order in which neighbours in it are neighbours in space.
+    #[must_use]
+    pub fn along_curve(&self) -> &[u32] {
+        &self.order
+    }
+
     /// The three corners of a triangle, as vertex indices.
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [u32; 3] {

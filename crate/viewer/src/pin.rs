@@ -3,7 +3,7 @@ use glam::Vec3;
 use crate::buffer::Growing;
 use crate::context::Context;
 use crate::error::Error;
-use crate::shared::{PipelineRecipe, Shared, shader};
+use crate::shared::{PipelineRecipe, Place, Shared, shader};
 use crate::solid::{Solid, SolidBuffers};
 
 /// Foot, direction, selected.
@@ -24,6 +24,7 @@ const BALL: [f32; 2] = [1.0, 0.0];
 /// Draws the sources.
 pub(crate) struct Pins {
     pipeline: wgpu::RenderPipeline,
+    shadow: wgpu::RenderPipeline,
     solid: SolidBuffers,
     buffer: Growing,
     instances: Vec<Instance>,
@@ -35,19 +36,20 @@ impl Pins {
         // The tip starts below the surface, so that it never hovers over a coarse triangle.
         solid.turned(Vec3::NEG_Y * 0.08, Vec3::Y, &[(0.0, 0.3 * NEEDLE_RADIUS), (0.9, NEEDLE_RADIUS)], NEEDLE);
         solid.ball(Vec3::Y * (1.0 - BALL_RADIUS), Vec3::Y, BALL_RADIUS, BALL_RADIUS, BALL);
-        let pipeline = PipelineRecipe {
+        let recipe = PipelineRecipe {
             label: "pin",
-            layouts: &[Some(&shared.layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
             module: &shader(context, "pin.wgsl", include_str!("pin.wgsl")),
             vertex: "vs_pin",
             fragment: "fs_pin",
             buffers: &[Some(SolidBuffers::LAYOUT), Some(INSTANCE)],
             topology: wgpu::PrimitiveTopology::TriangleList,
-            depth: true,
-        }
-        .build(context);
+            place: Place::Solid,
+        };
+        let casting = PipelineRecipe { layouts: &[Some(&shared.frame_layout)], ..recipe.clone() };
         Ok(Self {
-            pipeline,
+            pipeline: recipe.build(context),
+            shadow: casting.build_shadow(context),
             solid: solid.upload(context)?,
             buffer: Growing::new("pin instances"),
             instances: Vec::new(),
@@ -66,8 +68,21 @@ impl Pins {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(buffer) = self.buffer.get().filter(|_| !self.instances.is_empty()) else { return };
-        pass.set_pipeline(&self.pipeline);
+        self.draw_with(pass, &self.pipeline);
+    }
+
+    pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(pass, &self.shadow);
+    }
+
+    /// Whether there are any.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.instances.is_empty()
+    }
+
+    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        let Some(buffer) = self.buffer.get().filter(|_| !self.is_empty()) else { return };
+        pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(1, buffer.slice(..));
         self.solid.draw(pass, self.instances.len() as u32);
     }

@@ -7,7 +7,7 @@ const SIZE = 0.15;
 
 const GREEN = vec3f(0.22, 0.80, 0.02);
 const GREEN_SELECTED = vec3f(0.50, 1.0, 0.10);
-const STEEL = vec3f(0.11, 0.12, 0.14);
+const STEEL = vec3f(0.36, 0.37, 0.39);
 
 struct Fragment {
     @builtin(position) clip: vec4f,
@@ -28,20 +28,18 @@ fn vs_pin(
     @location(4) up: vec3f,
     @location(5) selected: f32,
 ) -> Fragment {
-    // Duff et al., "Building an orthonormal basis, revisited" (2017).
-    let turn = select(-1.0, 1.0, up.z >= 0.0);
-    let a = -1.0 / (turn + up.z);
-    let b = up.x * up.y * a;
-    let right = vec3f(1.0 + turn * up.x * up.x * a, turn * b, -turn * up.x);
-    let ahead = vec3f(b, turn + up.y * up.y * a, -up.y);
+    let axes = basis(up);
     let size = min(SIZE * frame.eye.w, MAX_PIXELS * css_pixel(foot)) * mix(1.0, 1.22, selected);
-    let position = foot + size * (solid.x * right + solid.y * up + solid.z * ahead);
-    let normal = solid_normal.x * right + solid_normal.y * up + solid_normal.z * ahead;
+    let position = foot + size * (axes * solid);
+    let normal = axes * solid_normal;
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, tags.x, selected);
 }
 
 @fragment
 fn fs_pin(fragment: Fragment) -> @location(0) vec4f {
-    let albedo = mix(STEEL, mix(GREEN, GREEN_SELECTED, fragment.selected), fragment.ball);
-    return encode(shade(albedo, fragment.position, normalize(fragment.normal), 1.0));
+    let green = mix(GREEN, GREEN_SELECTED, fragment.selected);
+    let glow = 0.08 * green * fragment.ball;
+    let material = Material(mix(STEEL, green, fragment.ball), 1.0 - fragment.ball, mix(0.35, 0.22, fragment.ball), glow);
+    let normal = normalize(fragment.normal);
+    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
 }

@@ -1,8 +1,16 @@
 use glam::{DVec3, Vec2, Vec3};
 
+use crate::capture::Capture;
+use crate::contact::{Contact, Floor};
+use crate::environment::{Environment, Surroundings};
+use crate::ground::Ground;
+use crate::look::Look;
+use crate::shadow::{Casters, ShadowView};
+
+use crate::arrow::Arrows;
 use crate::background::Background;
 use crate::bounds::Bounds;
-use crate::camera::{Camera, Insets, View};
+use crate::camera::{Camera, Eye, Insets, View};
 use crate::context::{Backend, Context, NextFrame};
 use crate::curve::Curve;
 use crate::error::Error;
@@ -10,8 +18,9 @@ use crate::pick::Picker;
 use crate::pin::Pins;
 use crate::pose::Track;
 use crate::shared::{FrameUniform, Shared};
-use crate::surface::{DistanceBuffer, Look, MeshBuffers, RAMP_SIZE, SurfaceRenderer};
+use crate::surface::{FieldBuffers, MeshBuffers, RAMP_BYTES, SurfaceRenderer};
 use crate::walker::Walker;
+use crate::wire::Wires;
 
 /// A triangle mesh as the page hands it over; world space.
 pub struct MeshArrays {
@@ -88,16 +97,27 @@ pub struct Renderer {
     context: Context,
     shared: Shared,
     background: Background,
+    ground: Ground,
     surfaces: SurfaceRenderer,
     curve: Curve,
     pins: Pins,
     walker: Walker,
+    arrows: Arrows,
+    wires: Wires,
     camera: Camera,
+    environment: Environment,
     look: Look,
-    surface: Option<(Mesh, DistanceBuffer)>,
+    /// The distance at the ramps' end; world units.
+    max: f32,
+    surface: Option<(Mesh, FieldBuffers)>,
     scenery: Option<Mesh>,
+    /// Of surface and scenery together.
+    scene: Bounds,
     track: Option<Track>,
+    /// The last frame is out of date.
     dirty: bool,
+    /// And so are the shadows of what stands still.
+    shadows_dirty: bool,
 }
 
 impl Renderer {
@@ -109,20 +129,27 @@ impl Renderer {
         let shared = Shared::new(&context);
         let renderer = Self {
             background: Background::new(&context, &shared),
+            ground: Ground::new(&context, &shared),
             surfaces: SurfaceRenderer::new(&context, &shared),
             curve: Curve::new(&context, &shared),
             pins: Pins::new(&context, &shared)?,
             walker: Walker::new(&context, &shared)?,
+            arrows: Arrows::new(&context, &shared)?,
+            wires: Wires::new(&context, &shared),
             camera: Camera::new(),
-            look: Look { period: 1.0, width: 0.0, stripe: Vec3::ZERO, max: 1.0 },
+            environment: Environment::default(),
+            look: Look::default(),
+            max: 1.0,
             surface: None,
             scenery: None,
+            scene: Bounds::UNIT,
             track: None,
             dirty: true,
+            shadows_dirty: true,
             shared,
             context,
         };
-        renderer.surfaces.set_look(&renderer.context, &renderer.look);
+        renderer.surfaces.set_look(&renderer.context, &renderer.look, renderer.max);
         Ok(renderer)
     }
 
@@ -144,18 +171,20 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// Replaces the surface; clears distance, pins, path and walker. The view stays the same relative to the bounds.
+    /// Replaces the surface; clears field, pins, path, walker, arrows and edges. The view stays the same relative to the bounds.
     ///
     /// # Errors
     /// When the arrays do not fit together or the device; the old surface then stays.
     pub fn set_surface(&mut self, arrays: MeshArrays) -> Result<(), Error> {
         let vertex_count = arrays.positions.len();
         self.surface = match Mesh::new(&self.context, arrays)? {
-            Some(mesh) => Some((mesh, DistanceBuffer::new(&self.context, vertex_count)?)),
+            Some(mesh) => Some((mesh, FieldBuffers::new(&self.context, vertex_count)?)),
             None => None,
         };
         self.pins.set(&self.context, &[], &[], None);
         self.set_path(&[], &[])?;
+        self.arrows.clear();
+        self.wires.clear();
         self.update_bounds();
         Ok(())
     }
@@ -171,30 +200,34 @@ impl Renderer {
     }
 
     fn update_bounds(&mut self) {
+        let meshes = || self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery);
         let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
-        let scene = match (&self.surface, &self.scenery) {
-            (Some((mesh, _)), Some(scenery)) => Bounds::of_points(mesh.positions().chain(scenery.positions())),
-            (None, Some(scenery)) => Some(scenery.bounds),
-            _ => None,
-        };
-        let scene = scene.unwrap_or(surface);
-        self.camera.set_bounds(surface, scene);
-        self.dirty = true;
+        let all = if self.scenery.is_some() { Bounds::of_points(meshes().flat_map(Mesh::positions)) } else { None };
+        self.scene = all.unwrap_or(surface);
+        self.camera.set_bounds(surface, self.scene);
+        let floor = Floor::new(self.scene);
+        let mut contact = Contact::new(floor, self.scene);
+        for mesh in meshes() {
+            contact.add(mesh.picker.positions(), mesh.picker.triangles());
+        }
+        let texels = contact.into_texels();
+        self.ground.set(&self.context, (meshes().count() > 0).then_some((floor, &texels)));
+        (self.dirty, self.shadows_dirty) = (true, true);
     }
 
     fn radius(&self) -> f32 {
         self.surface.as_ref().map_or(Bounds::UNIT.radius, |(mesh, _)| mesh.bounds.radius)
     }
 
-    /// Replaces the distance: `fill` writes one value a vertex, infinite where unreachable. `count` values come; none
-    /// removes the field.
+    /// Replaces the distance: `fill` writes one value a vertex, infinite where unreachable, and the direction in which it
+    /// grows, four numbers a vertex, 127 for a unit. `count` values come; none removes the field.
     ///
     /// # Errors
     /// When the count is not the surface's number of vertices.
-    pub fn set_distance(&mut self, count: usize, max: f32, fill: impl FnOnce(&mut [f32])) -> Result<(), Error> {
+    pub fn set_field(&mut self, count: usize, max: f32, fill: impl FnOnce(&mut [f32], &mut [i8])) -> Result<(), Error> {
         self.dirty = true;
-        let expected = self.surface.as_ref().map_or(0, |(_, distance)| distance.vertex_count());
-        let Some((_, distance)) = &mut self.surface else {
+        let expected = self.surface.as_ref().map_or(0, |(_, field)| field.vertex_count());
+        let Some((_, field)) = &mut self.surface else {
             return if count == 0 {
                 Ok(())
             } else {
@@ -202,36 +235,50 @@ impl Renderer {
             };
         };
         if count == 0 {
-            distance.clear();
+            field.clear();
             return Ok(());
         }
         if count != expected {
             return Err(Error::WrongLength { what: "distances", expected, found: count });
         }
-        distance.write(&self.context, fill);
-        self.look.max = max;
-        self.surfaces.set_look(&self.context, &self.look);
+        field.write(&self.context, fill);
+        self.max = max;
+        self.surfaces.set_look(&self.context, &self.look, self.max);
         Ok(())
     }
 
-    /// Stripes of a period (world units), covering a share of it (0 = none) with a colour (sRGB, 0..1).
-    pub fn set_stripes(&mut self, period: f32, width: f32, color: Vec3) {
-        self.look = Look { period, width, stripe: color, ..self.look };
-        self.surfaces.set_look(&self.context, &self.look);
+    /// How the distance is painted.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        self.look
+    }
+
+    /// Paints the distance another way.
+    pub fn set_look(&mut self, look: Look) {
+        self.look = look;
+        self.surfaces.set_look(&self.context, &self.look, self.max);
         self.dirty = true;
     }
 
-    /// Colours over distance / max: 256 RGBA texels, sRGB bytes.
+    /// Colours over distance / max: 256 RGBA texels of the surface and as many of the stripes, sRGB bytes.
     ///
     /// # Errors
     /// When there are more or fewer.
-    pub fn set_ramp(&mut self, texels: &[u8]) -> Result<(), Error> {
-        let expected = 4 * RAMP_SIZE;
-        let texels =
-            texels.try_into().map_err(|_| Error::WrongLength { what: "ramp texels", expected, found: texels.len() })?;
-        self.surfaces.set_ramp(&self.context, texels);
+    pub fn set_ramps(&mut self, texels: &[u8]) -> Result<(), Error> {
+        let texels = texels.try_into().map_err(|_| Error::WrongLength {
+            what: "ramp texels",
+            expected: RAMP_BYTES,
+            found: texels.len(),
+        })?;
+        self.surfaces.set_ramps(&self.context, texels);
         self.dirty = true;
         Ok(())
+    }
+
+    /// What lights the scene, facing a camera of this yaw; radians.
+    pub fn set_environment(&mut self, surroundings: Surroundings, yaw: f32) {
+        self.environment = Environment { surroundings, yaw };
+        (self.dirty, self.shadows_dirty) = (true, true);
     }
 
     /// Colours of the background's upper and lower edge; sRGB, 0..1.
@@ -262,6 +309,34 @@ impl Renderer {
         self.walker.hide();
         self.dirty = true;
         Ok(())
+    }
+
+    /// Replaces the arrows: one vector a triangle of the surface, of any length; empty for none.
+    ///
+    /// # Errors
+    /// When there are more or fewer.
+    pub fn set_arrows(&mut self, vectors: &[Vec3]) -> Result<(), Error> {
+        self.dirty = true;
+        self.arrows.clear();
+        let Some((mesh, _)) = self.surface.as_ref().filter(|_| !vectors.is_empty()) else { return Ok(()) };
+        let (expected, found) = (3 * mesh.picker.triangles().len(), 3 * vectors.len());
+        if found != expected {
+            return Err(Error::WrongLength { what: "arrows", expected, found });
+        }
+        self.arrows.set(&self.context, &mesh.picker, vectors, mesh.bounds.radius);
+        Ok(())
+    }
+
+    /// Takes all edges away.
+    pub fn clear_edges(&mut self) {
+        self.wires.clear();
+        self.dirty = true;
+    }
+
+    /// Adds edges, two ends each, of one colour; sRGB, 0..1.
+    pub fn add_edges(&mut self, ends: &[[Vec3; 2]], color: Vec3) {
+        self.wires.add(&self.context, ends, color);
+        self.dirty = true;
     }
 
     /// Stands the walker on the path at an arc length from its start; nothing happens without a path.
@@ -332,31 +407,87 @@ impl Renderer {
             NextFrame::Later => return true,
             NextFrame::Lost => return false,
         };
+        let encoder = self.prepare(&self.camera, self.context.size());
+        self.context.present(frame, encoder, |pass| self.draw(pass, self.camera.eye(), false));
+        (self.dirty, self.shadows_dirty) = (false, false);
+        true
+    }
+
+    /// Draws the same beside the canvas, `scale` times as large. `is_clear` leaves the background out.
+    ///
+    /// # Errors
+    /// [`Error::PictureTooLarge`].
+    pub fn capture(&mut self, scale: f32, is_clear: bool) -> Result<Capture, Error> {
+        let limit = self.context.device.limits().max_texture_dimension_2d;
+        let (width, height) = self.context.size();
+        let [width, height] = [width, height].map(|side| ((side as f32 * scale).round() as u32).max(1));
+        if width.max(height) > limit {
+            return Err(Error::PictureTooLarge { width, height, limit });
+        }
+        let camera = self.camera.scaled(scale);
+        let encoder = self.prepare(&camera, (width, height));
+        let capture =
+            Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, camera.eye(), is_clear))?;
+        self.shadows_dirty = false;
+        // The frame's uniform is now that of the picture.
+        self.dirty = true;
+        Ok(capture)
+    }
+
+    /// Writes the frame's uniform and draws the shadows that have changed.
+    fn prepare(&self, camera: &Camera, size: (u32, u32)) -> wgpu::CommandEncoder {
+        let shadows = ShadowView::new(self.scene, self.environment.key());
+        let moves = self.walker.is_out() || !self.pins.is_empty();
         self.shared.write(
             &self.context,
             &FrameUniform {
-                eye: self.camera.eye(),
+                eye: camera.eye(),
                 radius: self.radius(),
-                size: self.context.size(),
-                pixel_ratio: self.camera.pixel_ratio(),
-                shadow: self.walker.shadow(self.radius()),
+                size,
+                pixel_ratio: camera.pixel_ratio(),
+                shadow_from_world: shadows.clip_from_world,
+                shadow_texel: shadows.texel,
+                has_moving_shadows: moves,
+                environment: self.environment,
             },
         );
-        self.context.draw(frame, |pass| {
-            pass.set_bind_group(0, &self.shared.group, &[]);
+        let mut encoder = self.context.encoder();
+        if self.shadows_dirty {
+            self.shared.maps.draw(&mut encoder, Casters::Still, |pass| {
+                pass.set_bind_group(0, &self.shared.shadow_group, &[]);
+                for mesh in self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery) {
+                    self.surfaces.draw_shadow(pass, &mesh.buffers);
+                }
+            });
+        }
+        if moves {
+            self.shared.maps.draw(&mut encoder, Casters::Moving, |pass| {
+                pass.set_bind_group(0, &self.shared.shadow_group, &[]);
+                self.walker.draw_shadow(pass);
+                self.pins.draw_shadow(pass);
+            });
+        }
+        encoder
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye: Eye, is_clear: bool) {
+        pass.set_bind_group(0, &self.shared.camera_group, &[]);
+        pass.set_bind_group(1, &self.shared.light_group, &[]);
+        if !is_clear {
             self.background.draw(pass);
-            if let Some((mesh, distance)) = &self.surface {
-                self.surfaces.draw(pass, &mesh.buffers, distance);
-            }
-            if let Some(mesh) = &self.scenery {
-                self.surfaces.draw_scenery(pass, &mesh.buffers);
-            }
-            self.walker.draw(pass);
-            self.pins.draw(pass);
-            self.curve.draw(pass);
-        });
-        self.dirty = false;
-        true
+        }
+        self.ground.draw(pass, eye.position.y as f32);
+        if let Some((mesh, field)) = &self.surface {
+            self.surfaces.draw(pass, &mesh.buffers, field);
+        }
+        if let Some(mesh) = &self.scenery {
+            self.surfaces.draw_scenery(pass, &mesh.buffers);
+        }
+        self.walker.draw(pass);
+        self.pins.draw(pass);
+        self.arrows.draw(pass);
+        self.curve.draw(pass);
+        self.wires.draw(pass);
     }
 }
 

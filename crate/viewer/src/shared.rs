@@ -2,12 +2,14 @@ use glam::{Mat4, Vec3, Vec4};
 
 use crate::camera::Eye;
 use crate::context::{Context, DEPTH_FORMAT, SAMPLE_COUNT};
+use crate::environment::{ENVIRONMENT_VECTORS, Environment};
+use crate::shadow::ShadowMaps;
 
 /// Declarations that every shader starts with.
 pub(crate) const SHARED_WGSL: &str = include_str!("shared.wgsl");
 
 /// Vec4s in the uniform; see `Frame` in shared.wgsl.
-const FRAME_VECTORS: usize = 10;
+const FRAME_VECTORS: usize = 14 + ENVIRONMENT_VECTORS;
 
 /// What all primitives of one frame have in common.
 pub(crate) struct FrameUniform {
@@ -16,46 +18,68 @@ pub(crate) struct FrameUniform {
     pub(crate) radius: f32,
     pub(crate) size: (u32, u32),
     pub(crate) pixel_ratio: f32,
-    /// The walker's foot point and the reach of its shadow.
-    pub(crate) shadow: Option<(Vec3, f32)>,
+    /// Clip space of the shadow maps.
+    pub(crate) shadow_from_world: Mat4,
+    /// World units.
+    pub(crate) shadow_texel: f32,
+    pub(crate) has_moving_shadows: bool,
+    pub(crate) environment: Environment,
 }
 
 impl FrameUniform {
-    fn vectors(&self) -> [Vec4; FRAME_VECTORS] {
-        let clip_from_world: Mat4 = self.eye.clip_from_world.as_mat4();
+    fn vectors(&self, clip_from_world: Mat4) -> [Vec4; FRAME_VECTORS] {
+        let flag = |on: bool| f32::from(u8::from(on));
         let axes = self.eye.world_from_view.as_mat3();
         let (width, height) = self.size;
-        [
-            clip_from_world.x_axis,
-            clip_from_world.y_axis,
-            clip_from_world.z_axis,
-            clip_from_world.w_axis,
+        let mut vectors = [Vec4::ZERO; FRAME_VECTORS];
+        vectors[..4].copy_from_slice(&columns(clip_from_world));
+        vectors[4..10].copy_from_slice(&[
             axes.x_axis.extend(0.0),
             axes.y_axis.extend(0.0),
             axes.z_axis.extend(0.0),
             self.eye.position.as_vec3().extend(self.radius),
             Vec4::new(width as f32, height as f32, self.pixel_ratio, self.eye.pixel_slope as f32),
-            self.shadow.map_or(Vec4::ZERO, |(foot, reach)| foot.extend(reach)),
-        ]
+            Vec4::new(self.shadow_texel, flag(self.has_moving_shadows), 0.0, 0.0),
+        ]);
+        vectors[10..14].copy_from_slice(&columns(self.shadow_from_world));
+        vectors[14..].copy_from_slice(&self.environment.vectors());
+        vectors
     }
 }
 
-/// The frame uniform's buffer and bind group (group 0 of every pipeline).
+fn columns(matrix: Mat4) -> [Vec4; 4] {
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis, matrix.w_axis]
+}
+
+/// What all pipelines share: the frame's uniform as the camera sees it and as the key light does (group 0), and the shadow
+/// maps (group 1).
 pub(crate) struct Shared {
-    pub(crate) layout: wgpu::BindGroupLayout,
-    pub(crate) group: wgpu::BindGroup,
-    buffer: wgpu::Buffer,
+    pub(crate) frame_layout: wgpu::BindGroupLayout,
+    pub(crate) light_layout: wgpu::BindGroupLayout,
+    pub(crate) camera_group: wgpu::BindGroup,
+    pub(crate) shadow_group: wgpu::BindGroup,
+    pub(crate) light_group: wgpu::BindGroup,
+    pub(crate) maps: ShadowMaps,
+    camera: wgpu::Buffer,
+    shadow: wgpu::Buffer,
 }
 
 impl Shared {
     pub(crate) fn new(context: &Context) -> Self {
-        let layout = uniform_layout(context, "frame layout");
-        let (buffer, group) = uniform(context, &layout, "frame uniform", FRAME_VECTORS);
-        Self { layout, group, buffer }
+        let frame_layout = uniform_layout(context, "frame layout");
+        let (camera, camera_group) = uniform(context, &frame_layout, "frame uniform", FRAME_VECTORS);
+        let (shadow, shadow_group) = uniform(context, &frame_layout, "shadow uniform", FRAME_VECTORS);
+        let maps = ShadowMaps::new(context);
+        let (light_layout, light_group) = maps.group(context);
+        Self { frame_layout, light_layout, camera_group, shadow_group, light_group, maps, camera, shadow }
     }
 
     pub(crate) fn write(&self, context: &Context, frame: &FrameUniform) {
-        context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&frame.vectors()));
+        let write = |buffer, clip_from_world| {
+            context.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&frame.vectors(clip_from_world)));
+        };
+        write(&self.camera, frame.eye.clip_from_world.as_mat4());
+        write(&self.shadow, frame.shadow_from_world);
     }
 }
 
@@ -77,6 +101,18 @@ pub(crate) fn uniform_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
         },
         count: None,
     }
+}
+
+/// A texture or sampler that fragment shaders read.
+pub(crate) fn fragment_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
+}
+
+/// A plain texture, read between its texels.
+pub(crate) const FILTERED_TEXTURE: wgpu::BindingType = texture(wgpu::TextureSampleType::Float { filterable: true });
+
+pub(crate) const fn texture(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
+    wgpu::BindingType::Texture { sample_type, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }
 }
 
 /// A uniform buffer of so many Vec4s.
@@ -114,6 +150,7 @@ pub(crate) fn shader(context: &Context, label: &str, wgsl: &str) -> wgpu::Shader
 }
 
 /// What tells one pipeline from another; the rest is common to all.
+#[derive(Clone)]
 pub(crate) struct PipelineRecipe<'a> {
     pub(crate) label: &'a str,
     pub(crate) layouts: &'a [Option<&'a wgpu::BindGroupLayout>],
@@ -122,18 +159,53 @@ pub(crate) struct PipelineRecipe<'a> {
     pub(crate) fragment: &'a str,
     pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(crate) topology: wgpu::PrimitiveTopology,
-    /// False for what lies behind everything.
-    pub(crate) depth: bool,
+    pub(crate) place: Place,
+}
+
+/// How what a pipeline draws goes together with what is there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Behind everything.
+    Behind,
+    /// Over what is behind, premultiplied; hides nothing.
+    Over,
+    /// Hides what is farther away.
+    Solid,
 }
 
 impl PipelineRecipe<'_> {
     pub(crate) fn build(&self, context: &Context) -> wgpu::RenderPipeline {
+        let blend = (self.place == Place::Over).then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        let target = wgpu::ColorTargetState { format: context.format, blend, write_mask: wgpu::ColorWrites::ALL };
+        let fragment = wgpu::FragmentState {
+            module: self.module,
+            entry_point: Some(self.fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(target)],
+        };
+        self.create(context, SAMPLE_COUNT, Some(fragment))
+    }
+
+    /// Of what casts a shadow: depth alone, into a shadow map.
+    pub(crate) fn build_shadow(&self, context: &Context) -> wgpu::RenderPipeline {
+        self.create(context, 1, None)
+    }
+
+    fn create(
+        &self,
+        context: &Context,
+        sample_count: u32,
+        fragment: Option<wgpu::FragmentState<'_>>,
+    ) -> wgpu::RenderPipeline {
         let layout = context.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(self.label),
             bind_group_layouts: self.layouts,
             immediate_size: 0,
         });
-        let compare = if self.depth { wgpu::CompareFunction::Less } else { wgpu::CompareFunction::Always };
+        let compare = match self.place {
+            Place::Behind => wgpu::CompareFunction::Always,
+            Place::Over | Place::Solid => wgpu::CompareFunction::Less,
+        };
         context.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
             layout: Some(&layout),
@@ -146,18 +218,13 @@ impl PipelineRecipe<'_> {
             primitive: wgpu::PrimitiveState { topology: self.topology, ..Default::default() },
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
-                depth_write_enabled: Some(self.depth),
+                depth_write_enabled: Some(self.place == Place::Solid),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
-            multisample: wgpu::MultisampleState { count: SAMPLE_COUNT, ..Default::default() },
-            fragment: Some(wgpu::FragmentState {
-                module: self.module,
-                entry_point: Some(self.fragment),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(context.format.into())],
-            }),
+            multisample: wgpu::MultisampleState { count: sample_count, ..Default::default() },
+            fragment,
             multiview_mask: None,
             cache: None,
         })

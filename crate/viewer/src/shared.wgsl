@@ -1,6 +1,18 @@
 // Shared by all shaders: the frame's uniform, the lights and a few helpers. Colours are linear
 // light until `encode`.
 
+struct Light {
+    // Direction to its middle, unit length; w: half its width over its distance.
+    towards: vec4f,
+    // Direction along its width, unit length; w: half its height over its distance.
+    right: vec4f,
+    // Linear colour; w: solid angle over π.
+    radiance: vec4f,
+}
+
+// The number is that of environment.rs.
+const LIGHT_COUNT = 4;
+
 struct Frame {
     clip_from_world: mat4x4f,
     // The camera's axes in world space; w unused.
@@ -11,22 +23,31 @@ struct Frame {
     eye: vec4f,
     // Width and height in physical pixels, physical pixels a CSS pixel, world size of a pixel at unit distance.
     screen: vec4f,
-    // The walker's foot point; w: reach of its shadow, 0 without a walker.
+    // Size of a texel of the shadow maps; 1 where something that moves casts shadows; unused.
     shadow: vec4f,
+    // From world space to the shadow maps: clip space seen from the key light.
+    shadow_from_world: mat4x4f,
+    zenith: vec4f,
+    horizon: vec4f,
+    nadir: vec4f,
+    // The first casts the shadows.
+    lights: array<Light, LIGHT_COUNT>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
-const SKY = vec3f(0.66, 0.69, 0.74);
-const GROUND = vec3f(0.13, 0.125, 0.135);
-const KEY = vec3f(1.02, 0.98, 0.92);
-// Where the key light stands, along the camera's axes: it turns with the camera, so that every view reads well.
-const KEY_RIGHT = -0.46;
-const KEY_UP = 0.70;
-const KEY_BACK = 0.55;
+@group(1) @binding(0) var still_shadows: texture_depth_2d;
+@group(1) @binding(1) var moving_shadows: texture_depth_2d;
+@group(1) @binding(2) var shadow_sampler: sampler_comparison;
 
-fn key_direction() -> vec3f {
-    return normalize(KEY_RIGHT * frame.right.xyz + KEY_UP * frame.up.xyz + KEY_BACK * frame.back.xyz);
+// What light meets.
+struct Material {
+    albedo: vec3f,
+    // 0 is a dielectric, 1 a metal.
+    metalness: f32,
+    // 0 is a mirror, 1 is matt.
+    roughness: f32,
+    emission: vec3f,
 }
 
 // World size of a CSS pixel at a world position.
@@ -34,16 +55,91 @@ fn css_pixel(position: vec3f) -> f32 {
     return frame.screen.w * frame.screen.z * dot(frame.eye.xyz - position, frame.back.xyz);
 }
 
-// Light that comes from a direction in an imagined studio: bright above, dark below, a soft horizon.
-fn studio(direction: vec3f) -> vec3f {
-    return mix(GROUND, SKY, smoothstep(-0.35, 0.65, direction.y));
+// Axes at right angles, the second along a unit vector. Duff et al., "Building an orthonormal basis, revisited" (2017).
+fn basis(up: vec3f) -> mat3x3f {
+    let turn = select(-1.0, 1.0, up.z >= 0.0);
+    let a = -1.0 / (turn + up.z);
+    let b = up.x * up.y * a;
+    let right = vec3f(1.0 + turn * up.x * up.x * a, turn * b, -turn * up.x);
+    let ahead = vec3f(b, turn + up.y * up.y * a, -up.y);
+    return mat3x3f(right, up, ahead);
 }
 
-// Keeps highlights from clipping hard: the identity up to the knee, then a smooth approach to 1.
-fn shoulder(light: vec3f) -> vec3f {
-    let knee = 0.72;
-    let excess = max(light - knee, vec3f(0.0)) / (1.0 - knee);
-    return min(light, vec3f(knee)) + (1.0 - knee) * (1.0 - exp(-excess));
+// From 0 far below zero to 1 far above: a step blurred over about a unit.
+fn blurred_step(x: f32) -> f32 {
+    return 0.5 + 0.5 * x * inverseSqrt(1.0 + x * x);
+}
+
+// Share of a light that a mirror shows in a direction, where `blur` is the tangent of the angle that it is blurred over.
+fn light_share(light: Light, direction: vec3f, blur: f32) -> f32 {
+    let ahead = dot(direction, light.towards.xyz);
+    let up = cross(light.towards.xyz, light.right.xyz);
+    let at = vec2f(dot(direction, light.right.xyz), dot(direction, up)) / max(ahead, 0.05);
+    let half = vec2f(light.towards.w, light.right.w);
+    let low = (at + half) / blur;
+    let high = (at - half) / blur;
+    let inside = (blurred_step(low.x) - blurred_step(high.x)) * (blurred_step(low.y) - blurred_step(high.y));
+    return inside * smoothstep(0.0, 0.3, ahead);
+}
+
+// Sky and floor in a direction, blurred likewise.
+fn surroundings(direction: vec3f, blur: f32) -> vec3f {
+    let height = direction.y;
+    let sky = mix(frame.horizon.rgb, frame.zenith.rgb, smoothstep(0.0, 0.9, max(height, 0.0)));
+    let floor = mix(frame.horizon.rgb, frame.nadir.rgb, smoothstep(-0.1, 0.5 + 0.4 * blur, -height));
+    return mix(floor, sky, blurred_step(height / (0.08 + 0.7 * blur)));
+}
+
+// Share of a large light's rays that a tilted surface gets: those beyond the terminator still get some.
+fn wrapped(cosine: f32) -> f32 {
+    let softness = 0.2;
+    let share = clamp((cosine + softness) / (1.0 + softness), 0.0, 1.0);
+    return share * mix(share, 1.0, 0.75);
+}
+
+// Share of the key light that comes through to a point whose normal faces the eye.
+fn key_visibility(position: vec3f, normal: vec3f) -> f32 {
+    let facing = dot(normal, frame.lights[0].towards.xyz);
+    // Triangles seen edge on by the light would speckle: there the light itself fades instead.
+    let certain = smoothstep(0.02, 0.3, facing);
+    if certain <= 0.0 {
+        return 1.0;
+    }
+    let texel = frame.shadow.x;
+    let lifted = position + normal * (2.5 * texel);
+    let clip = (frame.shadow_from_world * vec4f(lifted, 1.0)).xyz;
+    let place = vec2f(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y);
+    // The floor reaches beyond the map: what is behind the scene is as far as nothing.
+    let depth = min(clip.z, 1.0);
+    let step = 1.0 / vec2f(textureDimensions(still_shadows));
+    var lit = 0.0;
+    for (var y = -1; y <= 1; y++) {
+        for (var x = -1; x <= 1; x++) {
+            let tap = place + 1.6 * step * vec2f(f32(x), f32(y));
+            var through = textureSampleCompareLevel(still_shadows, shadow_sampler, tap, depth);
+            if frame.shadow.y > 0.0 {
+                through *= textureSampleCompareLevel(moving_shadows, shadow_sampler, tap, depth);
+            }
+            lit += through;
+        }
+    }
+    return mix(1.0, lit / 9.0, certain);
+}
+
+// The Khronos PBR neutral tone mapper (2024): colours below the shoulder stay as they are, highlights pale towards white.
+fn tone(light: vec3f) -> vec3f {
+    let start = 0.76;
+    let least = min(light.r, min(light.g, light.b));
+    let offset = select(0.04, least - 6.25 * least * least, least < 0.08);
+    let lowered = light - offset;
+    let peak = max(lowered.r, max(lowered.g, lowered.b));
+    if peak < start {
+        return lowered;
+    }
+    let room = 1.0 - start;
+    let pressed = 1.0 - room * room / (peak + room - start);
+    let pale = 1.0 - 1.0 / (0.15 * (peak - pressed) + 1.0);
+    return mix(lowered * (pressed / peak), vec3f(pressed), pale);
 }
 
 // Linear light to sRGB (IEC 61966-2-1), as an opaque pixel.
@@ -53,21 +149,29 @@ fn encode(light: vec3f) -> vec4f {
     return vec4f(select(curved, 12.92 * clamped, clamped <= vec3f(0.0031308)), 1.0);
 }
 
-// Lambert under sky and key light, a tight and a broad highlight, and a Fresnel rim that mirrors the studio.
-// `normal` faces the eye; `gloss` 0 is matt, 1 is glazed.
-fn shade(albedo: vec3f, position: vec3f, normal: vec3f, gloss: f32) -> vec3f {
+// Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
+// roughness. `normal` faces the eye; `key` is the share of the key light that comes through.
+fn shade(material: Material, position: vec3f, normal: vec3f, key: f32) -> vec3f {
     let to_eye = normalize(frame.eye.xyz - position);
-    let key = key_direction();
-    let facing = clamp(dot(normal, to_eye), 0.0, 1.0);
-    let sky_share = 0.5 + 0.5 * normal.y;
-    // Wrapped a little past the terminator, which softens the edge of the shadow side.
-    let lit = clamp((dot(normal, key) + 0.12) / 1.12, 0.0, 1.0);
-    let diffuse = 0.50 * mix(GROUND, SKY, sky_share) + 0.74 * KEY * lit + 0.06 * facing;
-    let halfway = max(dot(normal, normalize(key + to_eye)), 0.0);
-    let highlight = 0.42 * pow(halfway, 90.0) + 0.07 * pow(halfway, 14.0);
-    let fresnel = 0.035 + 0.5 * pow(1.0 - facing, 4.0);
-    let mirrored = studio(reflect(-to_eye, normal));
-    return shoulder(albedo * diffuse + gloss * (highlight * KEY + fresnel * mirrored));
+    let facing = clamp(dot(normal, to_eye), 0.02, 1.0);
+    let mirrored = reflect(-to_eye, normal);
+    let blur = 0.012 + 1.1 * material.roughness * material.roughness;
+    var diffuse = surroundings(normal, 1.0);
+    var specular = surroundings(mirrored, blur);
+    for (var i = 0; i < LIGHT_COUNT; i++) {
+        let light = frame.lights[i];
+        let through = select(1.0, key, i == 0);
+        diffuse += light.radiance.rgb * (light.radiance.w * through * wrapped(dot(normal, light.towards.xyz)));
+        specular += light.radiance.rgb * (through * light_share(light, mirrored, blur));
+    }
+    // Karis, "Physically based shading on mobile" (2014): the reflection's share of a rough surface, fitted.
+    let fit = material.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
+    let rim = min(fit.x * fit.x, exp2(-9.28 * facing)) * fit.x + fit.y;
+    let scale = vec2f(-1.04, 1.04) * rim + fit.zw;
+    let straight_on = mix(vec3f(0.04), material.albedo, material.metalness);
+    let reflected = straight_on * scale.x + scale.y;
+    let body = material.albedo * (1.0 - material.metalness);
+    return tone(body * diffuse + reflected * specular + material.emission);
 }
 
 // The shading normal turned towards the eye. The side is read from the triangle itself: vertex normals of an open or

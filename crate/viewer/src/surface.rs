@@ -1,12 +1,15 @@
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
-use crate::shared::{PipelineRecipe, Shared, linear_from_srgb, shader, uniform_buffer, uniform_entry};
+use crate::look::{LOOK_VECTORS, Look, RAMP_SIZE};
+use crate::shared::{
+    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, uniform_buffer, uniform_entry,
+};
 
-/// Texels of the colour ramp.
-pub const RAMP_SIZE: usize = 256;
+/// Bytes of the ramp of the surface and that of the stripes: RGBA.
+pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
 /// Stands for "unreachable" in a vertex buffer: interpolating an infinity gives NaN on some devices.
 const UNREACHABLE: f32 = -1.0;
 
@@ -24,6 +27,11 @@ const DISTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: size_of::<f32>() as u64,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![2 => Float32],
+};
+const TANGENT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<[i8; 4]>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![3 => Snorm8x4],
 };
 
 /// A triangle mesh on the device.
@@ -60,28 +68,36 @@ impl MeshBuffers {
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_vertex_buffer(1, self.normals.slice(..));
+        self.draw_positions(pass);
+    }
+
+    fn draw_positions(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_index_buffer(self.triangles.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
 }
 
-/// One distance a vertex, rewritten with every solve.
-pub(crate) struct DistanceBuffer {
-    buffer: wgpu::Buffer,
+/// The distance field, one value and one direction a vertex, rewritten with every solve.
+pub(crate) struct FieldBuffers {
+    distances: wgpu::Buffer,
+    tangents: wgpu::Buffer,
     /// What goes to the device; kept, so that a new field allocates nothing.
     values: Vec<f32>,
+    directions: Vec<[i8; 4]>,
     /// False until a field was written.
     has_field: bool,
 }
 
-impl DistanceBuffer {
+impl FieldBuffers {
     pub(crate) fn new(context: &Context, vertex_count: usize) -> Result<Self, Error> {
         let values = vec![UNREACHABLE; vertex_count];
+        let directions = vec![[0; 4]; vertex_count];
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
-        let buffer = mesh_buffer(context, "vertex distances", bytemuck::cast_slice(&values), usage)?;
-        Ok(Self { buffer, values, has_field: false })
+        let distances = mesh_buffer(context, "vertex distances", bytemuck::cast_slice(&values), usage)?;
+        let tangents = mesh_buffer(context, "vertex tangents", bytemuck::cast_slice(&directions), usage)?;
+        Ok(Self { distances, tangents, values, directions, has_field: false })
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
@@ -92,40 +108,18 @@ impl DistanceBuffer {
         self.has_field = false;
     }
 
-    /// Lets `fill` write one distance a vertex (infinite or NaN = unreachable) and uploads them.
-    pub(crate) fn write(&mut self, context: &Context, fill: impl FnOnce(&mut [f32])) {
-        fill(&mut self.values);
+    /// Lets `fill` write one distance a vertex (infinite or NaN = unreachable) and the direction in which it grows (127 for
+    /// a unit, the fourth number unused), and uploads them.
+    pub(crate) fn write(&mut self, context: &Context, fill: impl FnOnce(&mut [f32], &mut [i8])) {
+        fill(&mut self.values, bytemuck::cast_slice_mut(&mut self.directions));
         for value in &mut self.values {
             if !value.is_finite() {
                 *value = UNREACHABLE;
             }
         }
-        context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&self.values));
+        context.queue.write_buffer(&self.distances, 0, bytemuck::cast_slice(&self.values));
+        context.queue.write_buffer(&self.tangents, 0, bytemuck::cast_slice(&self.directions));
         self.has_field = true;
-    }
-}
-
-/// How the distance is painted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Look {
-    /// World units.
-    pub(crate) period: f32,
-    /// Share of the period that the stripe covers, 0..1.
-    pub(crate) width: f32,
-    /// sRGB, 0..1.
-    pub(crate) stripe: Vec3,
-    /// The distance at the ramp's end; world units.
-    pub(crate) max: f32,
-}
-
-impl Look {
-    fn vectors(&self) -> [Vec4; 2] {
-        let reciprocal = |value: f32| if value > 0.0 { value.recip() } else { 0.0 };
-        let width = if self.period > 0.0 { self.width.clamp(0.0, 1.0) } else { 0.0 };
-        [
-            linear_from_srgb(self.stripe).extend(width),
-            Vec4::new(reciprocal(self.period), reciprocal(self.max), 0.0, 0.0),
-        ]
     }
 }
 
@@ -134,18 +128,19 @@ pub(crate) struct SurfaceRenderer {
     field: wgpu::RenderPipeline,
     plain: wgpu::RenderPipeline,
     scenery: wgpu::RenderPipeline,
+    shadow: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
     look: wgpu::Buffer,
-    ramp: wgpu::Texture,
+    ramps: wgpu::Texture,
 }
 
 impl SurfaceRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
         let layout = look_layout(context);
-        let look = uniform_buffer(context, "look uniform", 2);
-        let ramp = context.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("ramp"),
-            size: wgpu::Extent3d { width: RAMP_SIZE as u32, height: 1, depth_or_array_layers: 1 },
+        let look = uniform_buffer(context, "look uniform", LOOK_VECTORS);
+        let ramps = context.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("ramps"),
+            size: wgpu::Extent3d { width: RAMP_SIZE as u32, height: 2, depth_or_array_layers: 1 },
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
@@ -159,7 +154,7 @@ impl SurfaceRenderer {
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
         });
-        let view = ramp.create_view(&wgpu::TextureViewDescriptor { label: Some("ramp"), ..Default::default() });
+        let view = ramps.create_view(&wgpu::TextureViewDescriptor { label: Some("ramps"), ..Default::default() });
         let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("look"),
             layout: &layout,
@@ -170,50 +165,54 @@ impl SurfaceRenderer {
             ],
         });
         let module = shader(context, "surface.wgsl", include_str!("surface.wgsl"));
-        let layouts = [Some(&shared.layout), Some(&layout)];
-        let pipeline = |label, vertex, fragment, buffers| {
-            PipelineRecipe {
-                label,
-                layouts: &layouts,
-                module: &module,
-                vertex,
-                fragment,
-                buffers,
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                depth: true,
-            }
-            .build(context)
+        let layouts = [Some(&shared.frame_layout), Some(&shared.light_layout), Some(&layout)];
+        let pipeline = |label, vertex, fragment, buffers| PipelineRecipe {
+            label,
+            layouts: &layouts,
+            module: &module,
+            vertex,
+            fragment,
+            buffers,
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            place: Place::Solid,
         };
         let bare = [Some(POSITION), Some(NORMAL)];
-        let with_distance = [Some(POSITION), Some(NORMAL), Some(DISTANCE)];
+        let with_field = [Some(POSITION), Some(NORMAL), Some(DISTANCE), Some(TANGENT)];
         let renderer = Self {
-            field: pipeline("surface with field", "vs_field", "fs_field", &with_distance),
-            plain: pipeline("surface without field", "vs_plain", "fs_plain", &bare),
-            scenery: pipeline("scenery", "vs_plain", "fs_scenery", &bare),
+            field: pipeline("surface with field", "vs_field", "fs_field", &with_field).build(context),
+            plain: pipeline("surface without field", "vs_plain", "fs_plain", &bare).build(context),
+            scenery: pipeline("scenery", "vs_plain", "fs_scenery", &bare).build(context),
+            shadow: PipelineRecipe {
+                layouts: &[Some(&shared.frame_layout)],
+                ..pipeline("surface shadow", "vs_shadow", "", &[Some(POSITION)])
+            }
+            .build_shadow(context),
             group,
             look,
-            ramp,
+            ramps,
         };
-        renderer.set_ramp(context, &[236; 4 * RAMP_SIZE]);
+        renderer.set_ramps(context, &[236; RAMP_BYTES]);
         renderer
     }
 
-    /// Colours over distance / max; sRGB bytes, RGBA.
-    pub(crate) fn set_ramp(&self, context: &Context, texels: &[u8; 4 * RAMP_SIZE]) {
-        let layout =
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * RAMP_SIZE as u32), rows_per_image: None };
-        context.queue.write_texture(self.ramp.as_image_copy(), texels, layout, self.ramp.size());
+    /// Colours over distance / max, of the surface and then of the stripes; sRGB bytes, RGBA.
+    pub(crate) fn set_ramps(&self, context: &Context, texels: &[u8; RAMP_BYTES]) {
+        let row = Some(4 * RAMP_SIZE as u32);
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
+        context.queue.write_texture(self.ramps.as_image_copy(), texels, layout, self.ramps.size());
     }
 
-    pub(crate) fn set_look(&self, context: &Context, look: &Look) {
-        context.queue.write_buffer(&self.look, 0, bytemuck::cast_slice(&look.vectors()));
+    /// `max` is the distance at the ramps' end; world units.
+    pub(crate) fn set_look(&self, context: &Context, look: &Look, max: f32) {
+        context.queue.write_buffer(&self.look, 0, bytemuck::cast_slice(&look.vectors(max)));
     }
 
-    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers, distance: &DistanceBuffer) {
-        pass.set_bind_group(1, &self.group, &[]);
-        if distance.has_field {
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers, field: &FieldBuffers) {
+        pass.set_bind_group(2, &self.group, &[]);
+        if field.has_field {
             pass.set_pipeline(&self.field);
-            pass.set_vertex_buffer(2, distance.buffer.slice(..));
+            pass.set_vertex_buffer(2, field.distances.slice(..));
+            pass.set_vertex_buffer(3, field.tangents.slice(..));
         } else {
             pass.set_pipeline(&self.plain);
         }
@@ -221,28 +220,21 @@ impl SurfaceRenderer {
     }
 
     pub(crate) fn draw_scenery(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers) {
-        pass.set_bind_group(1, &self.group, &[]);
+        pass.set_bind_group(2, &self.group, &[]);
         pass.set_pipeline(&self.scenery);
         mesh.draw(pass);
+    }
+
+    pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers) {
+        pass.set_pipeline(&self.shadow);
+        mesh.draw_positions(pass);
     }
 }
 
 fn look_layout(context: &Context) -> wgpu::BindGroupLayout {
-    let fragment_entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
     context.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("look layout"),
-        entries: &[
-            uniform_entry(0),
-            fragment_entry(
-                1,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            ),
-            fragment_entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-        ],
+        entries: &[uniform_entry(0), fragment_entry(1, FILTERED_TEXTURE), fragment_entry(2, sampler)],
     })
 }

@@ -1,102 +1,167 @@
-// The surface with its distance stripes, and the scenery around it.
+// The surface with its distance pattern, and the scenery around it.
 
+// See `Look::vectors`.
 struct Look {
-    // Linear stripe colour; w: share of the period it covers.
-    stripe: vec4f,
-    // 1 / period, 1 / max, unused.
+    // 1 / period, 1 / max, offset in periods, share of the stripes' own colour.
     scale: vec4f,
+    // Of bands: share of the period covered, half the width of a flank (periods), height (periods). w: half the width of
+    // lines, CSS pixels; 0 for bands.
+    shape: vec4f,
+    // Metalness, roughness, glow: between the stripes, and on them.
+    surface: vec4f,
+    stripe: vec4f,
 }
 
-@group(1) @binding(0) var<uniform> look: Look;
-@group(1) @binding(1) var ramp: texture_2d<f32>;
-@group(1) @binding(2) var ramp_sampler: sampler;
+@group(2) @binding(0) var<uniform> look: Look;
+// Two rows: colours of the surface and of the stripes.
+@group(2) @binding(1) var ramps: texture_2d<f32>;
+@group(2) @binding(2) var ramp_sampler: sampler;
 
-const PLAIN = vec3f(0.46, 0.455, 0.44);
+const PLAIN = Material(vec3f(0.62, 0.61, 0.59), 0.0, 0.45, vec3f(0.0));
+const SCENERY = Material(vec3f(0.045, 0.05, 0.064), 0.0, 0.3, vec3f(0.0));
 const UNREACHABLE = vec3f(0.40, 0.41, 0.42);
-const SCENERY = vec3f(0.030, 0.033, 0.042);
 // Ramp texels across.
 const RAMP_SIZE = 256.0;
-// Hatch lines on a bounding radius, and the share of each period that is dark.
-const HATCH_FREQUENCY = 22.0;
+// CSS pixels from one hatch line to the next, and the share of each period that is dark.
+const HATCH_PERIOD = 9.0;
 const HATCH_WIDTH = 0.3;
+// Thin lines between two others.
+const SUBDIVISIONS = 5.0;
 
 struct Fragment {
     @builtin(position) clip: vec4f,
     @location(0) position: vec3f,
     @location(1) normal: vec3f,
     @location(2) distance: f32,
-    // 1 at vertices that heat reaches, 0 at others.
+    // 1 at vertices that distance is known at, 0 at others.
     @location(3) reached: f32,
+    // Direction in which distance grows, about unit length.
+    @location(4) tangent: vec3f,
 }
 
 @vertex
 fn vs_plain(@location(0) position: vec3f, @location(1) normal: vec3f) -> Fragment {
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0);
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0));
 }
 
 // A negative distance marks an unreachable vertex.
 @vertex
-fn vs_field(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) distance: f32) -> Fragment {
+fn vs_field(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+) -> Fragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
-    return Fragment(clip, position, normal, max(distance, 0.0), select(0.0, 1.0, distance >= 0.0));
+    return Fragment(clip, position, normal, max(distance, 0.0), select(0.0, 1.0, distance >= 0.0), tangent.xyz);
 }
 
-// Integral from 0 to x of a stripe pattern of period 1, painted in the middle `width` of each period.
-fn painted(x: f32, width: f32) -> f32 {
-    let shifted = x - 0.5 * (1.0 - width);
-    return floor(shifted) * width + min(fract(shifted), width);
+@vertex
+fn vs_shadow(@location(0) position: vec3f) -> @builtin(position) vec4f {
+    return frame.clip_from_world * vec4f(position, 1.0);
 }
 
-// Share of a pixel that stripes cover, where one pixel spans `span` periods: the box-filtered pattern, which a box
-// filter alone would still let beat against the pixels near two pixels a period.
-fn coverage(phase: f32, span: f32, width: f32) -> f32 {
+// A smooth step from 0 to 1 around zero, over a flank to either side.
+fn step_up(x: f32, flank: f32) -> f32 {
+    return smoothstep(-flank, flank, x);
+}
+
+// Its integral.
+fn ramp_up(x: f32, flank: f32) -> f32 {
+    let t = clamp((x + flank) / (2.0 * flank), 0.0, 1.0);
+    return 2.0 * flank * t * t * t * (1.0 - 0.5 * t) + max(x - flank, 0.0);
+}
+
+// Height of the bands' profile, 0 to 1: up in the middle `width` of each period of 1.
+fn profile(x: f32, width: f32, flank: f32) -> f32 {
+    let at = fract(x) - 0.5;
+    return step_up(at + 0.5 * width, flank) - step_up(at - 0.5 * width, flank);
+}
+
+// Integral of the profile from 0 to x.
+fn profile_integral(x: f32, width: f32, flank: f32) -> f32 {
+    let at = fract(x) - 0.5;
+    return floor(x) * width + ramp_up(at + 0.5 * width, flank) - ramp_up(at - 0.5 * width, flank);
+}
+
+// Mean over a pixel that spans `span` periods of the profile (x) and of its slope (y). A box filter alone would still let
+// the pattern beat against the pixels near two pixels a period, so it fades into its mean there.
+fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec2f {
     // Below this the difference of two integrals loses its digits.
     let filtered = max(span, 1e-4);
     // The whole part is taken off first: far from the source the phase is large.
     let local = fract(phase);
-    let share = (painted(local + 0.5 * filtered, width) - painted(local - 0.5 * filtered, width)) / filtered;
-    return mix(clamp(share, 0.0, 1.0), width, smoothstep(0.33, 0.6, span));
+    let low = local - 0.5 * filtered;
+    let high = local + 0.5 * filtered;
+    let share = (profile_integral(high, width, flank) - profile_integral(low, width, flank)) / filtered;
+    let slope = (profile(high, width, flank) - profile(low, width, flank)) / filtered;
+    let dense = smoothstep(0.33, 0.6, span);
+    return vec2f(mix(clamp(share, 0.0, 1.0), width, dense), slope * (1.0 - dense));
 }
 
-// The walker's soft shadow at its feet.
-fn shadow(position: vec3f) -> f32 {
-    if frame.shadow.w <= 0.0 {
-        return 1.0;
-    }
-    let near = 1.0 - smoothstep(0.0, frame.shadow.w, distance(position, frame.shadow.xyz));
-    return 1.0 - 0.6 * near;
+// Share of a pixel that lines at whole phases cover, `half` physical pixels to either side.
+fn lines(phase: f32, span: f32, half: f32) -> f32 {
+    let away = abs(fract(phase + 0.5) - 0.5) / max(span, 1e-6);
+    let dense = smoothstep(0.12, 0.3, span);
+    return mix(clamp(half + 0.5 - away, 0.0, 1.0), min(2.0 * half * span, 1.0), dense);
 }
 
-fn finish(albedo: vec3f, position: vec3f, oriented: vec4f, gloss: f32) -> vec4f {
-    // The inside is a little darker, so that an open mesh reads as one.
-    let tone = mix(0.62, 1.0, oriented.w) * shadow(position);
-    return encode(shade(albedo * tone, position, oriented.xyz, gloss * tone));
+// The inside is a little darker, so that an open mesh reads as one.
+fn finish(given: Material, position: vec3f, normal: vec3f, geometric: vec4f) -> vec4f {
+    var material = given;
+    let tone = mix(0.62, 1.0, geometric.w);
+    material.albedo *= tone;
+    material.emission *= tone;
+    return encode(shade(material, position, normal, key_visibility(position, geometric.xyz)));
 }
 
 @fragment
 fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
-    let oriented = normal_to_eye(fragment.position, fragment.normal);
-    let phase = fragment.distance * look.scale.x;
+    let geometric = normal_to_eye(fragment.position, fragment.normal);
+    let phase = fragment.distance * look.scale.x - look.scale.z;
     let span = length(vec2f(dpdx(phase), dpdy(phase)));
-    let diagonal = dot(fragment.position, vec3f(1.0, 1.0, 1.0)) * HATCH_FREQUENCY / frame.eye.w;
-    let diagonal_span = length(vec2f(dpdx(diagonal), dpdy(diagonal)));
 
     let along = clamp(fragment.distance * look.scale.y, 0.0, 1.0);
     let u = (along * (RAMP_SIZE - 1.0) + 0.5) / RAMP_SIZE;
-    let base = textureSampleLevel(ramp, ramp_sampler, vec2f(u, 0.5), 0.0).rgb;
-    let striped = mix(base, look.stripe.rgb, coverage(phase, span, look.stripe.w));
-    let hatched = UNREACHABLE * (1.0 - 0.22 * coverage(diagonal, diagonal_span, HATCH_WIDTH));
-    let albedo = select(hatched, striped, fragment.reached > 0.999);
-    return finish(albedo, fragment.position, oriented, 0.85);
+    let surface_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.25), 0.0).rgb;
+    let stripe_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.75), 0.0).rgb;
+
+    var share = 0.0;
+    var normal = geometric.xyz;
+    if look.shape.w > 0.0 {
+        let half = look.shape.w * frame.screen.z;
+        let thin = lines(phase * SUBDIVISIONS, span * SUBDIVISIONS, 0.55 * half);
+        share = max(lines(phase, span, half), 0.45 * thin);
+    } else {
+        let pattern = bands(phase, span, look.shape.x, look.shape.y);
+        share = pattern.x;
+        let uphill = fragment.tangent - normal * dot(normal, fragment.tangent);
+        normal = normalize(normal - uphill * (look.shape.z * pattern.y));
+    }
+    var material = Material(
+        mix(surface_color, stripe_color, share * look.scale.w),
+        mix(look.surface.x, look.stripe.x, share),
+        mix(look.surface.y, look.stripe.y, share),
+        surface_color * (look.surface.z * (1.0 - share)) + stripe_color * (look.stripe.z * share),
+    );
+    if fragment.reached < 0.999 {
+        let diagonal = (fragment.clip.x + fragment.clip.y) / (HATCH_PERIOD * frame.screen.z);
+        let hatch = bands(diagonal, 1.0 / (HATCH_PERIOD * frame.screen.z), HATCH_WIDTH, 0.05);
+        material = Material(UNREACHABLE * (1.0 - 0.22 * hatch.x), 0.0, 0.6, vec3f(0.0));
+        normal = geometric.xyz;
+    }
+    return finish(material, fragment.position, normal, geometric);
 }
 
 @fragment
 fn fs_plain(fragment: Fragment) -> @location(0) vec4f {
-    return finish(PLAIN, fragment.position, normal_to_eye(fragment.position, fragment.normal), 0.8);
+    let geometric = normal_to_eye(fragment.position, fragment.normal);
+    return finish(PLAIN, fragment.position, geometric.xyz, geometric);
 }
 
 @fragment
 fn fs_scenery(fragment: Fragment) -> @location(0) vec4f {
-    return finish(SCENERY, fragment.position, normal_to_eye(fragment.position, fragment.normal), 0.75);
+    let geometric = normal_to_eye(fragment.position, fragment.normal);
+    return finish(SCENERY, fragment.position, geometric.xyz, geometric);
 }

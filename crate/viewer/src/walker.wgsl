@@ -1,28 +1,28 @@
-// A little figure that walks along a path.
+// Little figures that walk: instances of one solid, bent at hips, knees, ankles, shoulders and elbows.
 
-struct Walker {
-    // Columns: right, up, ahead (each the walker's height long) and foot point.
-    world_from_walker: mat4x4f,
-    // Swing of the legs (radians), lift of the body (heights), swing of the arms, lean of the body.
-    gait: vec4f,
-}
-
-@group(1) @binding(0) var<uniform> walker: Walker;
-
-// Tag x: what the part hangs from. The numbers are those of walker.rs.
-const LEFT_LEG = 1.0;
-const RIGHT_LEG = 2.0;
-const LEFT_ARM = 3.0;
-const RIGHT_ARM = 4.0;
-const HIP_HEIGHT = 0.36;
-const SHOULDER_HEIGHT = 0.60;
+// Tag x: what the part hangs from; the right side's are RIGHT higher. The numbers are those of walker.rs.
+const THIGH = 1.0;
+const SHIN = 2.0;
+const FOOT = 3.0;
+const ARM = 4.0;
+const FOREARM = 5.0;
+const RIGHT = 5.0;
+// As in gait.rs.
+const HIP = vec3f(0.075, 0.42, 0.0);
+const SHOULDER_HEIGHT = 0.655;
+const ELBOW_HEIGHT = 0.525;
+// Length of a thigh, and of a shin.
+const BONE = 0.2;
+// Bend of the elbows, lean of the body; radians.
+const ELBOW_BEND = 0.45;
+const LEAN = -0.05;
 
 // Tag y: coat, skin, cap, dark.
 const COLORS = array<vec3f, 4>(
-    vec3f(0.72, 0.17, 0.56),
+    vec3f(0.72, 0.13, 0.52),
     vec3f(0.86, 0.55, 0.36),
     vec3f(0.22, 0.75, 0.03),
-    vec3f(0.030, 0.028, 0.045),
+    vec3f(0.045, 0.042, 0.06),
 );
 
 struct Fragment {
@@ -32,6 +32,11 @@ struct Fragment {
     @location(2) color: vec3f,
 }
 
+struct Posed {
+    position: vec3f,
+    normal: vec3f,
+}
+
 // Turns about the x axis; a positive angle swings what hangs down forwards, to +z.
 fn swing(v: vec3f, angle: f32) -> vec3f {
     let s = sin(angle);
@@ -39,31 +44,81 @@ fn swing(v: vec3f, angle: f32) -> vec3f {
     return vec3f(v.x, c * v.y + s * v.z, c * v.z - s * v.y);
 }
 
+// Turns what hangs down so that it hangs along a direction.
+fn hang(v: vec3f, along: vec3f) -> vec3f {
+    let ahead = normalize(vec3f(0.0, along.z, -along.y));
+    let across = cross(-along, ahead);
+    return v.x * across - v.y * along + v.z * ahead;
+}
+
+// Parts of a leg between the hip and an ankle (w: pitch of the foot). The knee bends forwards.
+fn leg(part: f32, solid: Posed, hip: vec3f, ankle: vec4f) -> Posed {
+    let way = ankle.xyz - hip;
+    let span = min(length(way), 1.999 * BONE);
+    let along = normalize(way);
+    let middle = hip + 0.5 * span * along;
+    let out = sqrt(max(BONE * BONE - 0.25 * span * span, 0.0));
+    let knee = middle + out * normalize(vec3f(0.0, along.z, -along.y));
+    if part == THIGH {
+        let bone = normalize(knee - hip);
+        return Posed(hip + hang(solid.position, bone), hang(solid.normal, bone));
+    }
+    let end = hip + span * along;
+    if part == SHIN {
+        let bone = normalize(end - knee);
+        return Posed(knee + hang(solid.position, bone), hang(solid.normal, bone));
+    }
+    return Posed(end + swing(solid.position, -ankle.w), swing(solid.normal, -ankle.w));
+}
+
+// Parts of an arm; the elbow bends forwards.
+fn arm(part: f32, solid: Posed, angle: f32) -> Posed {
+    var posed = solid;
+    if part == FOREARM {
+        let elbow = vec3f(0.0, ELBOW_HEIGHT, 0.0);
+        let bend = ELBOW_BEND + 0.35 * max(angle, 0.0);
+        posed = Posed(elbow + swing(solid.position - elbow, bend), swing(solid.normal, bend));
+    }
+    let shoulder = vec3f(0.0, SHOULDER_HEIGHT, 0.0);
+    return Posed(shoulder + swing(posed.position - shoulder, angle), swing(posed.normal, angle));
+}
+
 @vertex
-fn vs_walker(@location(0) solid: vec3f, @location(1) solid_normal: vec3f, @location(2) tags: vec2f) -> Fragment {
-    let part = tags.x;
-    let is_leg = part == LEFT_LEG || part == RIGHT_LEG;
-    let is_arm = part == LEFT_ARM || part == RIGHT_ARM;
-    // The right leg swings against the left one, each arm against its leg.
-    let leg_angle = select(-walker.gait.x, walker.gait.x, part == LEFT_LEG);
-    let arm_angle = select(walker.gait.z, -walker.gait.z, part == LEFT_ARM);
-    let angle = select(select(0.0, arm_angle, is_arm), leg_angle, is_leg);
-    let joint = vec3f(0.0, select(select(0.0, SHOULDER_HEIGHT, is_arm), HIP_HEIGHT, is_leg), 0.0);
-    let posed = joint + swing(solid - joint, angle);
-    let posed_normal = swing(solid_normal, angle);
-    // All but the legs rises with each step and leans into the walk.
-    let hip = vec3f(0.0, HIP_HEIGHT, 0.0);
-    let upper = hip + swing(posed - hip, walker.gait.w) + vec3f(0.0, walker.gait.y, 0.0);
-    let body = select(upper, posed, is_leg);
-    let body_normal = select(swing(posed_normal, walker.gait.w), posed_normal, is_leg);
-    let position = (walker.world_from_walker * vec4f(body, 1.0)).xyz;
-    let normal = (walker.world_from_walker * vec4f(body_normal, 0.0)).xyz;
-    let clip = frame.clip_from_world * vec4f(position, 1.0);
+fn vs_walker(
+    @location(0) solid: vec3f,
+    @location(1) solid_normal: vec3f,
+    @location(2) tags: vec2f,
+    @location(3) place: vec4f,
+    @location(4) up: vec4f,
+    @location(5) ahead: vec4f,
+    @location(6) left: vec4f,
+    @location(7) right: vec4f,
+) -> Fragment {
+    let is_right = tags.x > RIGHT;
+    let part = select(tags.x, tags.x - RIGHT, is_right);
+    let lift = vec3f(0.0, up.w, 0.0);
+    var posed = Posed(solid, solid_normal);
+    if part >= THIGH && part <= FOOT {
+        let side = vec3f(select(1.0, -1.0, is_right), 1.0, 1.0);
+        posed = leg(part, posed, HIP * side + lift, select(left, right, vec4<bool>(is_right)));
+    } else {
+        if part >= ARM {
+            posed = arm(part, posed, select(ahead.w, -ahead.w, is_right));
+        }
+        let waist = vec3f(0.0, HIP.y, 0.0);
+        posed = Posed(waist + lift + swing(posed.position - waist, LEAN), swing(posed.normal, LEAN));
+    }
+    let left_side = cross(up.xyz, ahead.xyz);
+    let normal = posed.normal.x * left_side + posed.normal.y * up.xyz + posed.normal.z * ahead.xyz;
+    let offset = posed.position.x * left_side + posed.position.y * up.xyz + posed.position.z * ahead.xyz;
+    let position = place.xyz + place.w * offset;
     var colors = COLORS;
-    return Fragment(clip, position, normalize(normal), colors[u32(tags.y)]);
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, colors[u32(tags.y)]);
 }
 
 @fragment
 fn fs_walker(fragment: Fragment) -> @location(0) vec4f {
-    return encode(shade(fragment.color, fragment.position, normalize(fragment.normal), 0.5));
+    let normal = normalize(fragment.normal);
+    let material = Material(fragment.color, 0.0, 0.5, vec3f(0.0));
+    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
 }

@@ -1,14 +1,17 @@
 //! The face of the renderer towards JavaScript: converts arrays, numbers and errors, decides nothing.
 
 use glam::{Vec2, Vec3};
-use js_sys::Float32Array;
+use js_sys::{Float32Array, Int8Array};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 
 use crate::camera::Insets;
+use crate::capture::Capture;
 use crate::context::{Backend, Context};
+use crate::environment::Surroundings;
 use crate::error::Error;
+use crate::look::{Finish, Look, Pattern};
 use crate::renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
 
 /// A canvas that shows a surface.
@@ -77,25 +80,77 @@ impl Viewer {
         Ok(self.renderer.set_scenery(mesh_arrays(positions, normals, triangles)?)?)
     }
 
-    /// One value a drawn vertex, Infinity = unreachable; empty = no field.
+    /// One value a drawn vertex, Infinity = unreachable, and the direction in which it grows, four numbers a drawn vertex,
+    /// 127 for a unit; empty = no field.
     ///
     /// # Errors
-    /// Throws when the number of values is not the surface's number of vertices.
-    pub fn set_distance(&mut self, values: &Float32Array, max: f32) -> Result<(), JsError> {
-        Ok(self.renderer.set_distance(values.length() as usize, max, |staging| values.copy_to(staging))?)
+    /// Throws when the numbers of values are not those of the surface's vertices.
+    pub fn set_field(&mut self, values: &Float32Array, tangents: &Int8Array, max: f32) -> Result<(), JsError> {
+        let count = values.length() as usize;
+        let found = tangents.length() as usize;
+        if found != 4 * count {
+            return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found }.into());
+        }
+        Ok(self.renderer.set_field(count, max, |distances, directions| {
+            values.copy_to(distances);
+            tangents.copy_to(directions);
+        })?)
     }
 
-    /// Period in model units, share of it covered, sRGB colour 0..1.
-    pub fn set_stripes(&mut self, period: f32, width: f32, red: f32, green: f32, blue: f32) {
-        self.renderer.set_stripes(period, width, Vec3::new(red, green, blue));
+    /// Stripes: period in model units, share of it covered, sharpness 0..1, height in periods.
+    pub fn set_bands(&mut self, period: f32, width: f32, sharpness: f32, relief: f32) {
+        self.change_look(|look| Look { period, pattern: Pattern::Bands { width, sharpness, relief }, ..look });
     }
 
-    /// 256 × 4 sRGB bytes over distance / max.
+    /// Thin lines: period in model units, width in CSS pixels.
+    pub fn set_lines(&mut self, period: f32, width: f32) {
+        self.change_look(|look| Look { period, pattern: Pattern::Lines { width }, ..look });
+    }
+
+    /// Share of the stripes' own colour, then metalness, roughness and glow of the surface and of the stripes.
+    ///
+    /// # Errors
+    /// Throws when a finish has not three numbers.
+    pub fn set_finish(&mut self, paint: f32, surface: &[f32], stripe: &[f32]) -> Result<(), JsError> {
+        let (surface, stripe) = (finish("surface finish", surface)?, finish("stripe finish", stripe)?);
+        self.change_look(|look| Look { paint, surface, stripe, ..look });
+        Ok(())
+    }
+
+    /// Moves the pattern away from the sources; periods.
+    pub fn set_offset(&mut self, offset: f32) {
+        self.change_look(|look| Look { offset, ..look });
+    }
+
+    /// 256 × 4 sRGB bytes over distance / max for the surface, then as many for the stripes.
     ///
     /// # Errors
     /// Throws when the length differs.
-    pub fn set_ramp(&mut self, ramp: &[u8]) -> Result<(), JsError> {
-        Ok(self.renderer.set_ramp(ramp)?)
+    pub fn set_ramps(&mut self, ramps: &[u8]) -> Result<(), JsError> {
+        Ok(self.renderer.set_ramps(ramps)?)
+    }
+
+    /// What lights the scene: "studio", "sky" or "night", facing a camera of this yaw in radians.
+    ///
+    /// # Errors
+    /// Throws for another name.
+    pub fn set_environment(&mut self, name: &str, yaw: f32) -> Result<(), JsError> {
+        let surroundings = match name {
+            "studio" => Surroundings::Studio,
+            "sky" => Surroundings::Sky,
+            "night" => Surroundings::Night,
+            other => return Err(JsError::new(&format!("There are no surroundings '{other}'."))),
+        };
+        self.renderer.set_environment(surroundings, yaw);
+        Ok(())
+    }
+
+    /// Draws the scene beside the canvas, `scale` times as large; `clear` leaves the background transparent.
+    ///
+    /// # Errors
+    /// Throws when that is more than the device can draw.
+    pub fn capture(&mut self, scale: f32, clear: bool) -> Result<Picture, JsError> {
+        Ok(Picture(self.renderer.capture(scale, clear)?))
     }
 
     /// Colours of the upper and lower edge; sRGB 0..1.
@@ -124,6 +179,34 @@ impl Viewer {
         Ok(self.renderer.set_path(&points("path points", path)?, &points("path normals", normals)?)?)
     }
 
+    /// `#F × 3` vectors, of any length, drawn as arrows; empty = none.
+    ///
+    /// # Errors
+    /// Throws when their number is not that of the surface's triangles.
+    pub fn set_arrows(&mut self, vectors: &[f32]) -> Result<(), JsError> {
+        Ok(self.renderer.set_arrows(&points("arrows", vectors)?)?)
+    }
+
+    /// Takes all edges away.
+    pub fn clear_edges(&mut self) {
+        self.renderer.clear_edges();
+    }
+
+    /// Adds `#E × 2 × 3` ends of edges in an sRGB colour, 0..1.
+    ///
+    /// # Errors
+    /// Throws when the numbers are no pairs of points or the colour has not three numbers.
+    pub fn add_edges(&mut self, ends: &[f32], rgb: &[f32]) -> Result<(), JsError> {
+        let (pairs, rest) = ends.as_chunks::<6>();
+        if !rest.is_empty() {
+            return Err(Error::WrongLength { what: "edges", expected: 6 * pairs.len(), found: ends.len() }.into());
+        }
+        let ends: Vec<[Vec3; 2]> =
+            pairs.iter().map(|&[a, b, c, d, e, f]| [Vec3::new(a, b, c), Vec3::new(d, e, f)]).collect();
+        self.renderer.add_edges(&ends, color("edge color", rgb)?);
+        Ok(())
+    }
+
     /// Stands the walker at an arc length of the path.
     pub fn set_walker(&mut self, arc: f32) {
         self.renderer.set_walker(arc);
@@ -137,6 +220,21 @@ impl Viewer {
     /// Turns around the target; CSS pixels.
     pub fn orbit(&mut self, dx: f64, dy: f64) {
         self.renderer.move_camera(|camera| camera.orbit(dx, dy));
+    }
+
+    /// A hand takes hold to turn.
+    pub fn hold(&mut self) {
+        self.renderer.move_camera(crate::camera::Camera::hold);
+    }
+
+    /// The hand lets go; the camera glides on or stops.
+    pub fn let_go(&mut self, glides: bool) {
+        self.renderer.move_camera(|camera| camera.let_go(glides));
+    }
+
+    /// Turns by itself, in radians a second; 0 stops.
+    pub fn set_spin(&mut self, spin: f64) {
+        self.renderer.move_camera(|camera| camera.set_spin(spin));
     }
 
     /// Moves the target along the screen; CSS pixels.
@@ -203,6 +301,10 @@ impl Viewer {
 }
 
 impl Viewer {
+    fn change_look(&mut self, change: impl FnOnce(Look) -> Look) {
+        self.renderer.set_look(change(self.renderer.look()));
+    }
+
     fn is_taken(&self) -> bool {
         self.webgl.as_ref().is_some_and(WebGl2RenderingContext::is_context_lost)
     }
@@ -241,6 +343,46 @@ impl Hit {
     pub fn normal(&self) -> Vec<f32> {
         self.0.normal.to_array().to_vec()
     }
+}
+
+/// A picture on its way from the graphics device.
+#[wasm_bindgen]
+pub struct Picture(Capture);
+
+#[wasm_bindgen]
+impl Picture {
+    /// Pixels across.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.0.size().0
+    }
+
+    /// Pixels down.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.0.size().1
+    }
+
+    /// To be asked until it is true.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        self.0.is_ready()
+    }
+
+    /// RGBA, sRGB bytes from the top row, when ready; frees the picture.
+    #[must_use]
+    pub fn into_pixels(self) -> Vec<u8> {
+        self.0.into_pixels()
+    }
+}
+
+fn finish(what: &'static str, numbers: &[f32]) -> Result<Finish, Error> {
+    let &[metalness, roughness, glow] = numbers else {
+        return Err(Error::WrongLength { what, expected: 3, found: numbers.len() });
+    };
+    Ok(Finish { metalness, roughness, glow })
 }
 
 fn points(what: &'static str, numbers: &[f32]) -> Result<Vec<Vec3>, Error> {

@@ -1,5 +1,6 @@
 //! Between the drawn vertices that the page knows and the points that the solver knows.
 
+use glam::DVec3;
 use heatwalk::halfedge::Face;
 use heatwalk::{DrawMesh as Mesh, Source, Surface, SurfacePoint, draw_mesh};
 use js_sys::{Array, Reflect};
@@ -32,6 +33,12 @@ impl Drawn {
     /// Values of points as values of drawn vertices.
     pub fn spread(&self, values: &[f64]) -> Vec<f32> {
         self.mesh.point_of_drawn.iter().map(|&point| values[point as usize] as f32).collect()
+    }
+
+    /// Unit vectors of points as four bytes a drawn vertex, the last one 0.
+    pub fn spread_directions(&self, directions: &[DVec3]) -> Vec<i8> {
+        let bytes = |direction: DVec3| (127.0 * direction).as_i8vec3().extend(0).to_array();
+        self.mesh.point_of_drawn.iter().flat_map(|&point| bytes(directions[point as usize])).collect()
     }
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,

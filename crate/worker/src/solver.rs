@@ -132,6 +132,12 @@ impl Solver {
         Ok(SurfacePath::of(&path))
     }
 
+    /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
+    pub fn tangents(&self) -> Result<Vec<i8>, JsError> {
+        let directions = self.solved()?.distance.directions(self.solver.surface());
+        Ok(self.drawn.spread_directions(&directions))
+    }
+
     /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", of the last field.
     pub fn gradients(&self, kind: &str) -> Result<Vec<f32>, JsError> {
         let solved = self.solved()?;

@@ -1,0 +1,86 @@
+use glam::Vec3;
+
+use crate::buffer::Growing;
+use crate::context::Context;
+use crate::error::Error;
+use crate::pick::Picker;
+use crate::shared::{PipelineRecipe, Place, Shared, shader};
+use crate::solid::{Solid, SolidBuffers};
+
+/// Arrows at most: more would hide the surface, and each other.
+const MOST: usize = 20_000;
+/// Length of an arrow, as a share of the side of the square that it has for itself, and in bounding radii at most.
+const LENGTH: f32 = 0.62;
+const LONGEST: f32 = 0.05;
+
+/// Middle and vector.
+type Instance = [f32; 6];
+
+const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Instance>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32x3],
+};
+
+/// Draws a vector field, an arrow a triangle.
+pub(crate) struct Arrows {
+    pipeline: wgpu::RenderPipeline,
+    solid: SolidBuffers,
+    buffer: Growing,
+    instances: Vec<Instance>,
+}
+
+impl Arrows {
+    pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
+        let mut solid = Solid::default();
+        // A dart: blunt behind, pointed ahead.
+        solid.turned(Vec3::NEG_Y * 0.5, Vec3::Y, &[(0.0, 0.001), (0.0, 0.17), (0.06, 0.17), (1.0, 0.004)], [0.0; 2]);
+        let pipeline = PipelineRecipe {
+            label: "arrow",
+            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
+            module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
+            vertex: "vs_arrow",
+            fragment: "fs_arrow",
+            buffers: &[Some(SolidBuffers::LAYOUT), Some(INSTANCE)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            place: Place::Solid,
+        }
+        .build(context);
+        Ok(Self {
+            pipeline,
+            solid: solid.upload(context)?,
+            buffer: Growing::new("arrow instances"),
+            instances: Vec::new(),
+        })
+    }
+
+    /// One vector a triangle; those of no length have no arrow. On a fine mesh some triangles go without, evenly over the
+    /// surface. `radius` is the surface's bounding radius.
+    pub(crate) fn set(&mut self, context: &Context, picker: &Picker, vectors: &[Vec3], radius: f32) {
+        self.instances.clear();
+        let step = vectors.len().div_ceil(MOST).max(1);
+        for &triangle in picker.along_curve().iter().step_by(step) {
+            let direction = vectors[triangle as usize].normalize_or_zero();
+            if direction == Vec3::ZERO {
+                continue;
+            }
+            let [a, b, c] = picker.corners(triangle).map(|vertex| picker.positions()[vertex as usize]);
+            let side = (0.5 * (b - a).cross(c - a).length() * step as f32).sqrt();
+            let vector = (LENGTH * side).min(LONGEST * radius) * direction;
+            let middle = (a + b + c) / 3.0;
+            self.instances.push([middle.x, middle.y, middle.z, vector.x, vector.y, vector.z]);
+        }
+        self.buffer.write(context, bytemuck::cast_slice(&self.instances));
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.instances.clear();
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(buffer) = self.buffer.get().filter(|_| !self.instances.is_empty()) else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_vertex_buffer(1, buffer.slice(..));
+        self.solid.draw(pass, self.instances.len() as u32);
+    }
+}

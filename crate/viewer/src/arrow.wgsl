@@ -1,0 +1,30 @@
+// Darts on the surface that show a vector field, one instance a triangle.
+
+const AMBER = vec3f(1.0, 0.42, 0.10);
+
+struct Fragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+// Solid space: the dart points along +y, is one unit long, its middle at the origin.
+@vertex
+fn vs_arrow(
+    @location(0) solid: vec3f,
+    @location(1) solid_normal: vec3f,
+    @location(3) middle: vec3f,
+    @location(4) vector: vec3f,
+) -> Fragment {
+    let size = length(vector);
+    let axes = basis(vector / size);
+    let position = middle + size * (axes * solid);
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, axes * solid_normal);
+}
+
+@fragment
+fn fs_arrow(fragment: Fragment) -> @location(0) vec4f {
+    let material = Material(AMBER, 0.0, 0.45, 0.15 * AMBER);
+    let normal = normalize(fragment.normal);
+    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
+}

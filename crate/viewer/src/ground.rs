@@ -1,0 +1,90 @@
+use glam::Vec4;
+
+use crate::contact::{CONTACT_SIZE, Floor};
+use crate::context::Context;
+use crate::shared::{
+    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, uniform_buffer, uniform_entry,
+};
+
+/// The shadow that the scene casts on the floor below it.
+pub(crate) struct Ground {
+    pipeline: wgpu::RenderPipeline,
+    group: wgpu::BindGroup,
+    buffer: wgpu::Buffer,
+    contact: wgpu::Texture,
+    floor: Option<Floor>,
+}
+
+impl Ground {
+    pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
+        let layout = context.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("ground layout"),
+            entries: &[
+                uniform_entry(0),
+                fragment_entry(1, FILTERED_TEXTURE),
+                fragment_entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+            ],
+        });
+        let buffer = uniform_buffer(context, "ground uniform", 1);
+        let size = CONTACT_SIZE as u32;
+        let contact = context.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("contact"),
+            size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::R8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let sampler = context.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("contact sampler"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        let view = contact.create_view(&wgpu::TextureViewDescriptor { label: Some("contact"), ..Default::default() });
+        let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("ground"),
+            layout: &layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
+                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
+            ],
+        });
+        let pipeline = PipelineRecipe {
+            label: "ground",
+            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout), Some(&layout)],
+            module: &shader(context, "ground.wgsl", include_str!("ground.wgsl")),
+            vertex: "vs_ground",
+            fragment: "fs_ground",
+            buffers: &[],
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            place: Place::Over,
+        }
+        .build(context);
+        Self { pipeline, group, buffer, contact, floor: None }
+    }
+
+    /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact). None takes it away.
+    pub(crate) fn set(&mut self, context: &Context, floor: Option<(Floor, &[u8])>) {
+        self.floor = floor.map(|(floor, _)| floor);
+        let Some((Floor { center, reach }, texels)) = floor else { return };
+        let place: Vec4 = center.extend(reach);
+        context.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&place));
+        let row = Some(CONTACT_SIZE as u32);
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
+        context.queue.write_texture(self.contact.as_image_copy(), texels, layout, self.contact.size());
+    }
+
+    /// Seen from below the floor is not there.
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye_height: f32) {
+        if self.floor.is_none_or(|floor| eye_height <= floor.center.y) {
+            return;
+        }
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(2, &self.group, &[]);
+        pass.draw(0..4, 0..1);
+    }
+}

@@ -1,0 +1,49 @@
+// The floor: nothing but the shadow on it, so that any background goes with it.
+
+struct Ground {
+    // Middle of the floor; w: half a side.
+    place: vec4f,
+}
+
+@group(2) @binding(0) var<uniform> ground: Ground;
+@group(2) @binding(1) var contact: texture_2d<f32>;
+@group(2) @binding(2) var contact_sampler: sampler;
+
+// Share of the sky that what stands on the floor hides right beside it.
+const CONTACT_DEPTH = 0.75;
+
+struct Fragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    // −1 to 1 over the floor.
+    @location(1) place: vec2f,
+}
+
+@vertex
+fn vs_ground(@builtin(vertex_index) corner: u32) -> Fragment {
+    let place = vec2f(f32(corner & 1u), f32(corner >> 1u)) * 2.0 - 1.0;
+    let position = ground.place.xyz + ground.place.w * vec3f(place.x, 0.0, place.y);
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, place);
+}
+
+@fragment
+fn fs_ground(fragment: Fragment) -> @location(0) vec4f {
+    let up = vec3f(0.0, 1.0, 0.0);
+    let dark = textureSampleLevel(contact, contact_sampler, 0.5 + 0.5 * fragment.place, 0.0).r;
+    let visible = key_visibility(fragment.position, up);
+    // What the floor gets of the light that it would get with nothing on it.
+    let white = vec3f(0.2126, 0.7152, 0.0722);
+    var key = 0.0;
+    var around = dot(surroundings(up, 1.0), white);
+    for (var i = 0; i < LIGHT_COUNT; i++) {
+        let light = frame.lights[i];
+        let share = dot(light.radiance.rgb, white) * light.radiance.w * wrapped(light.towards.y);
+        key += select(0.0, share, i == 0);
+        around += select(share, 0.0, i == 0);
+    }
+    let left = (key * visible + around * (1.0 - CONTACT_DEPTH * dark)) / (key + around);
+    let fade = 1.0 - smoothstep(0.55, 1.0, length(fragment.place));
+    // The canvas blends sRGB bytes: what is left of the light there is about this power of what is left of it in truth.
+    let shadow = fade * (1.0 - pow(clamp(left, 0.0, 1.0), 1.0 / 2.2));
+    return vec4f(0.0, 0.0, 0.0, shadow);
+}

@@ -1,0 +1,140 @@
+//! Shadow maps: the scene's depth seen from the key light.
+//!
+//! What stands still and what moves have one each, so that a walker's step does not draw the whole surface again.
+
+use glam::{Mat4, Vec3};
+
+use crate::bounds::Bounds;
+use crate::context::{Context, DEPTH_FORMAT};
+use crate::shared::{fragment_entry, texture};
+
+/// Texels along a side.
+const SIZE: u32 = 1024;
+/// Room around the scene, as a factor on its bounding sphere: pins and walkers stand out from it.
+const MARGIN: f32 = 1.25;
+
+/// The two shadow maps.
+pub(crate) struct ShadowMaps {
+    still: wgpu::TextureView,
+    moving: wgpu::TextureView,
+}
+
+/// Whose shadows a map holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Casters {
+    Still,
+    Moving,
+}
+
+/// The key light's view of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShadowView {
+    /// Clip space of the maps.
+    pub(crate) clip_from_world: Mat4,
+    /// World size of a texel.
+    pub(crate) texel: f32,
+}
+
+impl ShadowView {
+    /// Covers a scene, with light from a direction (unit length).
+    pub(crate) fn new(scene: Bounds, towards: Vec3) -> Self {
+        let reach = MARGIN * scene.radius;
+        let (right, up) = towards.any_orthonormal_pair();
+        let axes = [right, up, -towards];
+        // Depth runs from the light, 0, to behind the scene, 1.
+        let rows = [axes[0] / reach, axes[1] / reach, axes[2] / (2.0 * reach)];
+        let offset = Vec3::new(0.0, 0.0, 0.5) - Vec3::from_array(rows.map(|row| row.dot(scene.center)));
+        let columns = [0, 1, 2].map(|axis| Vec3::from_array(rows.map(|row| row[axis])).extend(0.0));
+        let clip_from_world = Mat4::from_cols(columns[0], columns[1], columns[2], offset.extend(1.0));
+        Self { clip_from_world, texel: 2.0 * reach / SIZE as f32 }
+    }
+}
+
+impl ShadowMaps {
+    pub(crate) fn new(context: &Context) -> Self {
+        let map = |label| {
+            let texture = context.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: DEPTH_FORMAT,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+                view_formats: &[],
+            });
+            texture.create_view(&wgpu::TextureViewDescriptor { label: Some(label), ..Default::default() })
+        };
+        Self { still: map("still shadows"), moving: map("moving shadows") }
+    }
+
+    /// The group by which shaders read the maps, with its layout.
+    pub(crate) fn group(&self, context: &Context) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        let depth = texture(wgpu::TextureSampleType::Depth);
+        let comparison = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison);
+        let layout = context.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("light layout"),
+            entries: &[fragment_entry(0, depth), fragment_entry(1, depth), fragment_entry(2, comparison)],
+        });
+        let sampler = context.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("shadow sampler"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("light"),
+            layout: &layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&self.still) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&self.moving) },
+                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
+            ],
+        });
+        (layout, group)
+    }
+
+    /// Draws a map anew.
+    pub(crate) fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        casters: Casters,
+        record: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
+        let (label, view) = match casters {
+            Casters::Still => ("still shadows", &self.still),
+            Casters::Moving => ("moving shadows", &self.moving),
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(label),
+            color_attachments: &[],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        record(&mut pass);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scene_fits_and_depth_grows_away_from_the_light() {
+        let scene = Bounds { center: Vec3::new(3.0, -1.0, 2.0), radius: 2.0, lowest: -3.0 };
+        let towards = Vec3::new(-0.4, 0.8, 0.3).normalize();
+        let view = ShadowView::new(scene, towards);
+        let clip = |point: Vec3| view.clip_from_world.transform_point3(point);
+        assert!((clip(scene.center) - Vec3::new(0.0, 0.0, 0.5)).length() < 1e-5);
+        let (near, far) = (clip(scene.center + 2.0 * towards), clip(scene.center - 2.0 * towards));
+        assert!(near.z > 0.0 && near.z < 0.5 && far.z > 0.5 && far.z < 1.0);
+        for rim in [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| clip(scene.center + 2.0 * axis)) {
+            assert!(rim.x.abs() < 1.0 && rim.y.abs() < 1.0);
+        }
+    }
+}
