@@ -37,6 +37,7 @@ pub mod io;
 mod linear;
 mod memory;
 pub mod operator;
+pub mod overlay;
 pub mod path;
 pub mod shapes;
 pub mod soup;

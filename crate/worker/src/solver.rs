@@ -32,6 +32,8 @@ struct Solved {
     /// Absent before the first step and after the last.
     refining: Option<Refining>,
     error: Option<RelativeError>,
+    /// The values before they were made exact; present once all are.
+    instant: Option<Vec<f64>>,
 }
 
 struct Refining {
@@ -92,7 +94,7 @@ impl Solver {
         let sources = sources.collect::<Result<Vec<_>, _>>()?;
         let distance = if quick { self.quick_distance(&sources)? } else { self.solver.distance(&sources)? };
         let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
-        self.solved = Some(Solved { sources, distance, refining: None, error: None });
+        self.solved = Some(Solved { sources, distance, refining: None, error: None, instant: None });
         Ok(field)
     }
 
@@ -111,6 +113,7 @@ impl Solver {
             if refining.refinement.is_done() {
                 solved.distance.exact_below = f64::INFINITY;
                 solved.error = Some(RelativeError::between(&refining.instant, &solved.distance.values));
+                solved.instant = Some(refining.instant);
             } else {
                 solved.refining = Some(refining);
             }
@@ -148,6 +151,32 @@ impl Solver {
             other => return Err(JsError::new(&format!("there are no gradients of '{other}'"))),
         };
         Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
+    }
+
+    /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
+    /// operators see ("operator"), drawn on the surface.
+    pub fn edges(&self, kind: &str) -> Result<Vec<f32>, JsError> {
+        let surface = self.solver.surface();
+        let edges = match kind {
+            "mesh" => surface.inner_edges(),
+            "boundary" => surface.boundary_edges(),
+            "operator" => self.solver.operator_edges(),
+            other => return Err(JsError::new(&format!("there are no edges '{other}'"))),
+        };
+        Ok(edges.as_flattened().iter().flat_map(|point| point.as_vec3().to_array()).collect())
+    }
+
+    /// `#D`: how far the last field was off before it was made exact, relative to the exact distance; 0 at sources and
+    /// where nothing is reached. None until all of it is exact.
+    pub fn errors(&self) -> Result<Option<Vec<f32>>, JsError> {
+        let solved = self.solved()?;
+        let Some(instant) = &solved.instant else { return Ok(None) };
+        let error = |(instant, exact): (&f64, &f64)| {
+            let error = (instant - exact).abs() / exact;
+            if error.is_finite() { error } else { 0.0 }
+        };
+        let errors: Vec<f64> = instant.iter().zip(&solved.distance.values).map(error).collect();
+        Ok(Some(self.drawn.spread(&errors)))
     }
 
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.

@@ -67,7 +67,7 @@ const BYTES_PER_FACE: u64 = 256;
 pub struct HeatSolver {
     surface: Arc<Surface>,
     parameters: Parameters,
-    elements: Elements,
+    pub(crate) elements: Elements,
     laplacian: Laplacian,
     solve: Solve,
     /// `L`, with `pinned` held.

@@ -42,7 +42,7 @@ impl<'a> Near<'a> {
 
 impl HeatSolver {
     /// The wavefront of exact distances from some sources.
-    pub(super) fn wavefront(&self, sources: &[Source]) -> Wavefront {
+    pub(crate) fn wavefront(&self, sources: &[Source]) -> Wavefront {
         Wavefront::new(Arc::clone(&self.surface), Arc::clone(&self.exact), sources, &[])
     }
 

@@ -26,6 +26,12 @@ impl Element {
         Self { x1, x2: along.dot(r - p), y2: triangle::length(along.cross(r - p)) }
     }
 
+    /// Lengths of the sides that leave corners 0, 1 and 2.
+    fn sides(&self) -> [f64; 3] {
+        let &Self { x1, x2, y2 } = self;
+        [x1, triangle::hypotenuse(x2 - x1, y2), triangle::hypotenuse(x2, y2)]
+    }
+
     /// Area, in the file's unit squared.
     pub(crate) fn area(&self) -> f64 {
         0.5 * self.x1 * self.y2
@@ -69,6 +75,19 @@ impl Elements {
     /// What a triangle counts for.
     pub(crate) fn share(&self, index: usize) -> f64 {
         if index < self.whole { 1.0 } else { 0.5 }
+    }
+
+    /// The sides of all triangles: points, the lower first, and length. Sides of the same points whose lengths differ by a
+    /// share of `tolerance` at most count once.
+    pub(crate) fn edges(&self, tolerance: f64) -> Vec<([u32; 2], f64)> {
+        let sides = self.faces.iter().zip(&self.shapes).flat_map(|(&[a, b, c], shape)| {
+            let [ab, bc, ca] = shape.sides();
+            [([a.min(b), a.max(b)], ab), ([b.min(c), b.max(c)], bc), ([c.min(a), c.max(a)], ca)]
+        });
+        let mut edges: Vec<([u32; 2], f64)> = sides.collect();
+        edges.sort_unstable_by(|(ends, length), (others, other)| ends.cmp(others).then(length.total_cmp(other)));
+        edges.dedup_by(|(ends, length), (others, other)| ends == others && *length <= *other * (1.0 + tolerance));
+        edges
     }
 
     /// The faces of a surface as they are.
