@@ -39,6 +39,7 @@ mod memory;
 pub mod operator;
 pub mod overlay;
 pub mod path;
+mod random;
 pub mod shapes;
 pub mod soup;
 pub mod sources;

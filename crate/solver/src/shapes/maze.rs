@@ -3,6 +3,7 @@
 use glam::DVec3;
 use std::collections::HashMap;
 
+use crate::random::random;
 use crate::soup::{Part, Soup};
 
 const ROAD_WIDTH: f64 = 1.0;
@@ -78,15 +79,6 @@ impl Plan {
         let at = |tile: usize| (tile / 2) as f64 * (ROAD_WIDTH + WALL_WIDTH) + (tile % 2) as f64 * WALL_WIDTH;
         at(tile) - at(self.size) / 2.0
     }
-}
-
-/// The next number of SplitMix64 (Steele, Lea, Flood 2014).
-fn random(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ z >> 31
 }
 
 fn add_road(soup: &mut Soup, plan: &Plan, quads: usize) {
