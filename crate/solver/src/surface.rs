@@ -210,6 +210,15 @@ impl Surface {
         Self { positions, ..self.clone() }
     }
 
+    /// Greatest distance of a point from the centre of the box around all of them, in the file's unit.
+    pub fn bounding_radius(&self) -> f64 {
+        let first = self.positions[0];
+        let box_of = |(low, high): (DVec3, DVec3), &position| (low.min(position), high.max(position));
+        let (low, high) = self.positions.iter().fold((first, first), box_of);
+        let centre = (low + high) * 0.5;
+        self.positions.iter().map(|&position| triangle::length(position - centre)).fold(0.0, f64::max)
+    }
+
     /// Position of a point.
     pub fn position(&self, point: u32) -> DVec3 {
         self.positions[point as usize]

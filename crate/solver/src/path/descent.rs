@@ -5,6 +5,8 @@
 
 use std::collections::HashMap;
 
+use glam::DVec3;
+
 use super::{Path, PathPoint, faces_at, snapped, weights_in};
 use crate::dijkstra;
 use crate::error::{Error, Result};
@@ -134,24 +136,16 @@ impl<'a> Descent<'a> {
     fn cross(&self, face: Face) -> Option<(f64, SurfacePoint)> {
         let corners = self.surface.corners(face);
         let weights = weights_in(self.surface, self.location, face);
-        let [a, b, c] = self.surface.faces[face].map(|point| self.values[point as usize]);
-        let edges = triangle::edges(corners);
-        // n × this is the gradient times twice the area, and its products with the edges are the rates at which the
-        // barycentric weights change, to a common scale.
-        let turned = edges[1] * (b - a) + edges[2] * (c - a);
-        let rates = edges.map(|edge| -turned.dot(edge));
-        let enters = |k: usize| weights[k] > 0.0 || rates[k] >= 0.0;
+        let fall = Fall::new(corners, self.surface.faces[face].map(|point| self.values[point as usize]));
+        let enters = |k: usize| weights[k] > 0.0 || fall.rates[k] >= 0.0;
         if !(0..3).all(enters) {
             return None;
         }
-        let (exit, step) = (0..3)
-            .filter(|&k| rates[k] < 0.0)
-            .map(|k| (k, weights[k] / -rates[k]))
-            .min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let mut after: [f64; 3] = std::array::from_fn(|k| (weights[k] + step * rates[k]).max(0.0));
+        let (exit, step) = leaves(weights, fall.rates)?;
+        let mut after: [f64; 3] = std::array::from_fn(|k| (weights[k] + step * fall.rates[k]).max(0.0));
         after[exit] = 0.0;
         let sum: f64 = after.iter().sum();
-        let slope = triangle::length(turned) / triangle::length(triangle::area_vector(corners));
+        let slope = fall.slope();
         if !(sum > 0.0 && sum.is_finite() && slope.is_finite()) {
             return None;
         }
@@ -188,4 +182,48 @@ impl<'a> Descent<'a> {
             }
         }
     }
+}
+
+/// The steepest descent of a linear function on a triangle.
+pub(crate) struct Fall {
+    /// Rates at which the barycentric weights change on the way down, to a common scale.
+    pub rates: [f64; 3],
+    /// Length of the gradient times twice the area.
+    rise: f64,
+    twice_area: f64,
+}
+
+impl Fall {
+    /// Of the function with these corner values.
+    pub fn new(corners: [DVec3; 3], [a, b, c]: [f64; 3]) -> Self {
+        let edges = triangle::edges(corners);
+        // n × this is the gradient times twice the area, and its products with the edges are the rates uphill.
+        let turned = edges[1] * (b - a) + edges[2] * (c - a);
+        let twice_area = triangle::length(triangle::area_vector(corners));
+        Self { rates: edges.map(|edge| -turned.dot(edge)), rise: triangle::length(turned), twice_area }
+    }
+
+    /// Length of the gradient; not finite on a triangle without an area.
+    pub fn slope(&self) -> f64 {
+        self.rise / self.twice_area
+    }
+
+    /// `rates` for each length walked; zero where the function has no finite gradient.
+    pub fn rates_by_length(&self) -> [f64; 3] {
+        let rates = self.rates.map(|rate| rate / self.rise / self.twice_area);
+        if rates.iter().all(|rate| rate.is_finite()) { rates } else { [0.0; 3] }
+    }
+}
+
+/// The side, by the corner opposite, where a way with these rates leaves a triangle, and the multiple of the rates to
+/// there; `None` where all rates are zero.
+pub(crate) fn leaves(weights: [f64; 3], rates: [f64; 3]) -> Option<(usize, f64)> {
+    let mut first: Option<(usize, f64)> = None;
+    for k in (0..3).filter(|&k| rates[k] < 0.0) {
+        let step = weights[k] / -rates[k];
+        if first.is_none_or(|(_, least)| step < least) {
+            first = Some((k, step));
+        }
+    }
+    first
 }

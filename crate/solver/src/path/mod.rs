@@ -21,7 +21,7 @@ pub use straightest::{Straightest, straightest};
 
 /// A crossing nearer to a vertex or an edge than this share of the edge is on it. Rounding of one crossing is 10⁻¹⁶,
 /// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
-const SNAP: f64 = 1e-10;
+pub(crate) const SNAP: f64 = 1e-10;
 
 /// A point of a [`Path`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,7 +86,7 @@ impl Path {
 }
 
 /// The same point as a vertex or on an edge where it is within `SNAP` of one.
-fn snapped(surface: &Surface, location: SurfacePoint) -> SurfacePoint {
+pub(crate) fn snapped(surface: &Surface, location: SurfacePoint) -> SurfacePoint {
     snapped_within(surface, location, SNAP)
 }
 
@@ -119,7 +119,7 @@ fn snapped_within(surface: &Surface, location: SurfacePoint, share: f64) -> Surf
 }
 
 /// The faces that a point lies on.
-fn faces_at(surface: &Surface, location: SurfacePoint) -> Vec<Face> {
+pub(crate) fn faces_at(surface: &Surface, location: SurfacePoint) -> Vec<Face> {
     match location {
         SurfacePoint::Vertex(point) => surface.corners_of_point(point).map(|(face, _)| face).collect(),
         SurfacePoint::Edge { halfedge, .. } => {
@@ -131,7 +131,7 @@ fn faces_at(surface: &Surface, location: SurfacePoint) -> Vec<Face> {
 }
 
 /// Barycentric weights of a point in one of the faces that it lies on.
-fn weights_in(surface: &Surface, location: SurfacePoint, face: Face) -> [f64; 3] {
+pub(crate) fn weights_in(surface: &Surface, location: SurfacePoint, face: Face) -> [f64; 3] {
     let mut weights = [0.0; 3];
     for (point, weight) in location.support(surface) {
         if let Some(k) = surface.faces[face].iter().position(|&corner| corner == point) {
