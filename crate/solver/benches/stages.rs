@@ -12,8 +12,8 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend, shapes,
-    straighten,
+    Boundary, Crowd, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend,
+    shapes, straighten,
 };
 
 const LEVEL: u32 = 5;
@@ -107,5 +107,18 @@ fn fields_and_paths(criterion: &mut Criterion) {
     criterion.bench_function("straighten", |bencher| bencher.iter(|| straighten(&surface, black_box(&path))));
 }
 
-criterion_group!(stages, building, precompute, solving, fields_and_paths);
+/// A step of half an edge for as many walkers as the page has at most, and their poses.
+fn crowds(criterion: &mut Criterion) {
+    let surface = surface();
+    let distance = solver(&surface, NearField::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
+    let mut crowd = Crowd::new(Arc::clone(&surface), 10_000, 0.03, 1).expect("a height");
+    crowd.follow(&distance).expect("a source");
+    criterion.bench_function("a distance for a crowd", |bencher| bencher.iter(|| crowd.follow(black_box(&distance))));
+    criterion.bench_function("a step of a crowd", |bencher| {
+        bencher.iter(|| crowd.advance(black_box(0.5 * surface.mean_edge)));
+    });
+    criterion.bench_function("poses of a crowd", |bencher| bencher.iter(|| black_box(&crowd).poses()));
+}
+
+criterion_group!(stages, building, precompute, solving, fields_and_paths, crowds);
 criterion_main!(stages);

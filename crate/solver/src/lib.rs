@@ -23,6 +23,7 @@
 //! ```
 
 pub mod accuracy;
+pub mod crowd;
 mod csr;
 mod dijkstra;
 pub mod drawing;
@@ -50,6 +51,7 @@ mod union_find;
 mod weld;
 
 pub use accuracy::RelativeError;
+pub use crowd::{Crowd, Walker};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use drawing::{DrawMesh, draw_mesh};
 pub use error::{Error, Result};

@@ -13,7 +13,7 @@ use glam::DVec3;
 use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
+    Boundary, Crowd, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
     SurfacePoint, TimeStep, descend, shapes, straighten,
 };
 use proptest::prelude::*;
@@ -275,6 +275,40 @@ fn paths_arrive_and_are_locally_shortest() {
             // 10⁻⁸, and what is straight to 10⁻⁷ is left as it is.
             prop_assert!(sharpest_turn(&surface, &straight) >= std::f64::consts::PI - 1e-6);
             prop_assert!(largest_kink(&surface, &straight) < 1e-8);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn crowds_stay_on_the_surface_and_go_home() {
+    check(100, &(any_soup(), any_places(), any_places(), 0.01..20.0_f64), |(soup, places, others, edges)| {
+        let surface = surface_of(&soup)?;
+        let solver = solver(&surface, Parameters::default());
+        let step = edges * surface.mean_edge;
+        let mut crowd = Crowd::new(Arc::clone(&surface), 30, surface.mean_edge, 1).expect("a height");
+        for places in [places, others] {
+            let distance = solver.distance(&sources(&surface, &places)).expect("valid sources");
+            crowd.follow(&distance).expect("a source");
+            for _ in 0..40 {
+                let before = crowd.walkers().to_vec();
+                crowd.advance(step).expect("a step");
+                prop_assert!(crowd.poses().iter().all(|number| number.is_finite()));
+                for walker in crowd.walkers() {
+                    prop_assert!(walker.weights.iter().all(|&weight| weight >= 0.0), "{walker:?}");
+                    // Rounding of a sum for each face entered.
+                    prop_assert!((walker.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{walker:?}");
+                    let place = SurfacePoint::Face { face: walker.face, weights: walker.weights };
+                    prop_assert!(place.interpolate(&surface, &distance.values).is_finite(), "no source there");
+                    prop_assert!((walker.heading.length() - 1.0).abs() < 1e-12, "{walker:?}");
+                    prop_assert!(walker.heading.dot(walker.upright).abs() < 1e-12, "{walker:?}");
+                }
+                for (old, new) in before.iter().zip(crowd.walkers()).filter(|(_, new)| new.arc > 0.0) {
+                    let walked = new.arc - old.arc;
+                    prop_assert!(walked <= step * (1.0 + 1e-9), "{walked} of {step}");
+                    prop_assert!(old.position.distance(new.position) <= walked * (1.0 + 1e-9) + 1e-12 * new.arc);
+                }
+            }
         }
         Ok(())
     });
