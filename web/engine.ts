@@ -99,6 +99,14 @@ export class Engine {
     return this.#worker.call(this.#worker.api.heat());
   }
 
+  crowd(count: number): Promise<void> {
+    return this.#worker.call(this.#worker.api.crowd(count));
+  }
+
+  stepCrowd(step: number): Promise<Float32Array> {
+    return this.#worker.call(this.#worker.api.stepCrowd(step));
+  }
+
   dispose(): void {
     this.#waiting?.resolve(null);
     this.#waiting = null;

@@ -206,6 +206,14 @@ export interface SolverApi {
   gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
   /** One value a drawn vertex: log10 of the last field's heat over its maximum; −Infinity where there is none. */
   heat(): Promise<Float32Array>;
+  /** How many walkers go home by the last field, wherever they start; 0: none. Those who are out stay out. */
+  crowd(count: number): Promise<void>;
+  /**
+   * Moves each walker by `step` and gives 10 numbers a walker: position, unit surface normal and unit heading (three
+   * each), and the length that it has walked. Who arrives starts again elsewhere, with length 0. Walkers keep their
+   * places in the array. Empty without a field or a crowd.
+   */
+  stepCrowd(step: number): Promise<Float32Array>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;
 }

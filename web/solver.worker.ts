@@ -157,6 +157,16 @@ const api: SolverApi = {
     return Promise.resolve(transfer(heat, [heat.buffer]));
   },
 
+  crowd(count: number): Promise<void> {
+    openMesh().solver.set_crowd(count);
+    return Promise.resolve();
+  },
+
+  stepCrowd(step: number): Promise<Float32Array> {
+    const poses = openMesh().solver.step_crowd(step);
+    return Promise.resolve(transfer(poses, [poses.buffer]));
+  },
+
   async shapes(): Promise<string[]> {
     await ready;
     return wasm.shape_names();

@@ -5,6 +5,7 @@
 
 #![cfg(target_arch = "wasm32")]
 
+mod crowd;
 mod drawn;
 mod failure;
 mod field;

@@ -1,13 +1,14 @@
-//! A factored surface that answers questions, and the field solved last.
+//! A factored surface that answers questions, the field solved last, and who walks on it.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{HeatSolver, Refinement, Stage};
-use heatwalk::{Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
+use heatwalk::{Crowd, Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
 use js_sys::{Array, Function};
 use wasm_bindgen::prelude::*;
 
+use crate::crowd::crowd;
 use crate::drawn::Drawn;
 use crate::failure::thrown;
 use crate::field::Field;
@@ -18,12 +19,13 @@ use crate::results::SurfacePath;
 /// the rings around a source, where heat is off most, are exact.
 const QUICK_EDGES: f64 = 8.0;
 
-/// The factors of a surface, and the distance field solved last.
+/// The factors of a surface, the distance field solved last, and the crowd that walks home by it.
 #[wasm_bindgen]
 pub struct Solver {
     solver: HeatSolver,
     drawn: Arc<Drawn>,
     solved: Option<Solved>,
+    crowd: Option<Crowd>,
 }
 
 struct Solved {
@@ -52,7 +54,7 @@ impl Solver {
         let parameters = parameters(given)?;
         let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress))
             .map_err(|error| thrown(&error))?;
-        Ok(Self { solver, drawn: Arc::clone(drawn), solved: None })
+        Ok(Self { solver, drawn: Arc::clone(drawn), solved: None, crowd: None })
     }
 
     /// The solver's parameters are the same after as before: a near field belongs to the question, no factor to it.
@@ -94,6 +96,9 @@ impl Solver {
         let sources = sources.collect::<Result<Vec<_>, _>>()?;
         let distance = if quick { self.quick_distance(&sources)? } else { self.solver.distance(&sources)? };
         let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
+        if let Some(crowd) = &mut self.crowd {
+            crowd.follow(&distance)?;
+        }
         self.solved = Some(Solved { sources, distance, refining: None, error: None, instant: None });
         Ok(field)
     }
@@ -110,6 +115,9 @@ impl Solver {
                 },
             };
             solved.distance = refining.refinement.step(&self.solver, work as usize)?;
+            if let Some(crowd) = &mut self.crowd {
+                crowd.follow(&solved.distance)?;
+            }
             if refining.refinement.is_done() {
                 solved.distance.exact_below = f64::INFINITY;
                 solved.error = Some(RelativeError::between(&refining.instant, &solved.distance.values));
@@ -185,6 +193,30 @@ impl Solver {
         let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let logarithms: Vec<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
         Ok(self.drawn.spread(&logarithms))
+    }
+
+    /// Changes the number of walkers; 0 sends all away.
+    pub fn set_crowd(&mut self, count: u32) -> Result<(), JsError> {
+        match &mut self.crowd {
+            _ if count == 0 => self.crowd = None,
+            Some(crowd) => crowd.set_count(count as usize),
+            None => {
+                let mut crowd = crowd(self.solver.surface(), count)?;
+                if let Some(solved) = &self.solved {
+                    crowd.follow(&solved.distance)?;
+                }
+                self.crowd = Some(crowd);
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the crowd by `step` down the last field and gives each walker's pose, `#walkers × 10`: position, unit normal
+    /// and unit heading (three numbers each), and the length walked so far. Empty without a field or a crowd.
+    pub fn step_crowd(&mut self, step: f64) -> Result<Vec<f32>, JsError> {
+        let (Some(crowd), Some(_)) = (&mut self.crowd, &self.solved) else { return Ok(Vec::new()) };
+        crowd.advance(step)?;
+        Ok(crowd.poses())
     }
 }
 
