@@ -1,6 +1,7 @@
 /** Questions to an open mesh and their answers. */
 import type {
   DistanceField,
+  EdgeKind,
   Factoring,
   OpenedMesh,
   Parameters,
@@ -105,6 +106,14 @@ export class Engine {
 
   stepCrowd(step: number): Promise<Float32Array> {
     return this.#worker.call(this.#worker.api.stepCrowd(step));
+  }
+
+  edges(kind: EdgeKind): Promise<Float32Array> {
+    return this.#worker.call(this.#worker.api.edges(kind));
+  }
+
+  errors(): Promise<Float32Array | null> {
+    return this.#worker.call(this.#worker.api.errors());
   }
 
   dispose(): void {

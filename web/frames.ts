@@ -1,4 +1,5 @@
 /** The loop of frames, and the moment at which a moved camera has come to rest. */
+import { CrowdWalk } from './crowd';
 import type { Session } from './session';
 
 /** After a pause (a hidden tab) nothing leaps. */
@@ -6,12 +7,14 @@ const LONGEST_STEP = 0.25;
 
 export class Frames {
   readonly #session: Session;
+  readonly #crowd: CrowdWalk;
   #last = performance.now();
   /** Where the camera was a frame ago, while a hand's move is still settling. */
   #settling: string | null = null;
 
   constructor(session: Session) {
     this.#session = session;
+    this.#crowd = new CrowdWalk(session);
   }
 
   start(): void {
@@ -24,7 +27,9 @@ export class Frames {
   }
 
   #frame(now: number): void {
-    this.#session.frame(Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000)));
+    const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
+    this.#crowd.advance(seconds);
+    this.#session.frame(seconds);
     this.#last = now;
     if (this.#settling !== null) this.#settle();
     this.start();

@@ -2,7 +2,7 @@
 import { findLook, isRamp, LOOK_NUMBERS, LOOK_RANGES, MAPS, STYLES, SURROUNDINGS } from './looks';
 import type { Finish, Look, MapName } from './looks';
 import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from './protocol';
-import { type MeshReference, type SceneState, withOffset } from './scene';
+import { LARGEST_CROWD, type MeshReference, OVERLAYS, PAINTED, type SceneState, withOffset } from './scene';
 
 const VERSION = '1';
 const OPERATORS: readonly Operator[] = ['delaunay', 'plain', 'relocate'];
@@ -52,6 +52,9 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
   add('look', state.look.name, start.look.name);
   const look = baseLook(state.look.name, start.look);
+  add('paint', state.painted, start.painted);
+  add('show', state.overlays.join(',') || 'none', start.overlays.join(',') || 'none');
+  add('crowd', number(state.crowd), number(start.crowd));
   add('ramp', state.look.ramp, look.ramp);
   add('stripe', state.look.stripe.replace('#', ''), look.stripe.replace('#', ''));
   add('style', state.look.style, look.style);
@@ -105,6 +108,9 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     (name) => findLook(name) ?? null,
     ({ name }) => (state.look = baseLook(name, start.look)),
   );
+  read('paint', oneOf(PAINTED), (painted) => (state.painted = painted));
+  read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
+  read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
   const change = (part: Partial<Look>) => (state.look = { ...state.look, ...part });
   read(
     'ramp',

@@ -9,6 +9,7 @@ import { dropTarget, fileDialogue } from './input/drop';
 import { Hands } from './input/hands';
 import { Keys } from './input/keys';
 import { Opener } from './opener';
+import { Overlays } from './overlays';
 import { heading } from './overlay/heading';
 import { loadingBar } from './overlay/loading';
 import { followInsets } from './overlay/insets';
@@ -21,6 +22,7 @@ import { numbersSection } from './panel/numbers-section';
 import { buildPanel } from './panel/panel';
 import { sceneSection } from './panel/scene-section';
 import { shareSection } from './panel/share-section';
+import { showSection } from './panel/show-section';
 import { solverSection } from './panel/solver-section';
 import { sourcesSection } from './panel/sources-section';
 import { FIRST_PRESET } from './presets';
@@ -86,13 +88,18 @@ if (!address.kiosk) {
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'look', title: 'Look', element: lookSection(session), open: true },
+    { id: 'show', title: 'Show', element: showSection(session), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
-    { id: 'share', title: 'Share', element: shareSection(() => address.link()), open: false },
+    { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];
   panel = buildPanel(sections);
   page.append(panel);
 }
 followInsets(view, bar, panel);
+new Overlays(session).follow();
+session.turntable.watch((turns, turned) => {
+  if (turned && !turns) frames.cameraMoved();
+});
 
 followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));

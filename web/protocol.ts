@@ -178,6 +178,8 @@ export interface Progress {
   vertices: number;
 }
 
+export type EdgeKind = 'mesh' | 'boundary' | 'operator';
+
 export type ProgressListener = (progress: Progress) => void;
 
 /** Calls run one after another, none before `start`. A call that fails rejects with a one-sentence message and changes nothing. */
@@ -214,6 +216,13 @@ export interface SolverApi {
    * places in the array. Empty without a field or a crowd.
    */
   stepCrowd(step: number): Promise<Float32Array>;
+  /**
+   * #E × 2 × 3, ends of lines on the surface: edges between faces, edges with one face, or the edges of the triangles that
+   * carry the operators.
+   */
+  edges(kind: EdgeKind): Promise<Float32Array>;
+  /** One value a drawn vertex: relative error of the last field before it was made exact; null until it is. */
+  errors(): Promise<Float32Array | null>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;
 }

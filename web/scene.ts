@@ -4,6 +4,16 @@ import type { Parameters, PathKind, Source, SurfacePoint } from './protocol';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
 
+export const PAINTED = ['distance', 'heat', 'error'] as const;
+/** The distance, the heat that it comes from (on a log scale), or how far the instant distance was off. */
+export type Painted = (typeof PAINTED)[number];
+
+export const OVERLAYS = ['edges', 'boundary', 'operator', 'heat', 'distance'] as const;
+/** Edges of the mesh, those with one face, those of the operators; arrows along the gradients of heat and of distance. */
+export type Overlay = (typeof OVERLAYS)[number];
+
+export const LARGEST_CROWD = 10_000;
+
 /** What undo goes back over. */
 export interface Places {
   sources: readonly Source[];
@@ -23,6 +33,12 @@ export interface SceneState extends Places {
   /** As `Viewer.camera` gives it; null until a hand has moved it. */
   camera: readonly number[] | null;
   look: Look;
+  /** Which field is painted. */
+  painted: Painted;
+  /** What is drawn upon the surface beside it. */
+  overlays: readonly Overlay[];
+  /** How many walk in the crowd. */
+  crowd: number;
   /** Index into `sources`, −1 for none. Belongs to the moment, so the link leaves it out. */
   selected: number;
 }
@@ -48,6 +64,9 @@ export function emptyScene(mesh: MeshReference): SceneState {
     refine: true,
     camera: null,
     look: DEFAULT_LOOK,
+    painted: 'distance',
+    overlays: [],
+    crowd: 0,
     selected: -1,
   };
 }

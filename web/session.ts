@@ -2,19 +2,22 @@
 import type { Answer, Engine } from './engine';
 import type { Places } from './places';
 import { prepare } from './prepare';
-import type { ProgressListener, MeshInput, OpenedMesh } from './protocol';
+import type { DistanceField, EdgeKind, MeshInput, OpenedMesh, ProgressListener } from './protocol';
 import { Refiner } from './refiner';
 import { type Scene, type SceneState } from './scene';
 import { Signal } from './signal';
 import { SolverClient } from './solver';
 import { Cancelled } from './solver-worker';
-import type { View } from './view';
+import type { PaintedField, View } from './view';
 import { Walk } from './walk';
 
 /** A way home that takes longer is traced only when the hand rests. */
 const LIVE_PATH_MS = 8;
 /** A field that takes longer, a frame at 60 a second, has a small near field while a hand drags. */
 const LIVE_FIELD_MS = 16;
+
+/** Radians a second: a turn in sixteen seconds. */
+const TURNTABLE_SPEED = Math.PI / 8;
 
 export interface Loading {
   title: string;
@@ -49,6 +52,8 @@ export class Session {
   /** A question to the solver failed. */
   readonly failure = new Signal<Error | null>(null);
   readonly paused = new Signal(false);
+  /** Whether the model turns by itself. */
+  readonly turntable = new Signal(false);
   /** Distance fields solved and shown since the page was opened; the slices of refining are not counted. */
   solves = 0;
   readonly refiner = new Refiner(
@@ -57,6 +62,10 @@ export class Session {
   );
   readonly #client = new SolverClient();
   #engine: Engine | null = null;
+  /** The field shown, of distance. */
+  #field: DistanceField | null = null;
+  /** What periods of the look are shares of: the diameter, or the largest value of what is painted. */
+  #whole = 1;
   /** Yaw that the light is set up for, radians. */
   #facing = 0;
   /** How far the stripes have moved, in periods. */
@@ -71,6 +80,7 @@ export class Session {
     this.paused.watch((paused) => {
       this.walk.paused = paused;
     });
+    this.turntable.watch(() => this.showTurntable());
   }
 
   /** Shows another mesh once it is solved; until then, and if this rejects, everything stays as it was. */
@@ -130,6 +140,40 @@ export class Session {
     return this.#open().heat();
   }
 
+  errors(): Promise<Float32Array | null> {
+    return this.#open().errors();
+  }
+
+  edges(kind: EdgeKind): Promise<Float32Array> {
+    return this.#open().edges(kind);
+  }
+
+  crowd(count: number): Promise<void> {
+    return this.#open().crowd(count);
+  }
+
+  stepCrowd(step: number): Promise<Float32Array> {
+    return this.#open().stepCrowd(step);
+  }
+
+  /** Paints another field in the place of distance; null for distance itself. */
+  paint(instead: PaintedField | null): void {
+    this.view.setField(instead ?? this.#field);
+    const whole = instead?.maxDistance ?? this.shown.value?.places.diameter ?? 1;
+    if (whole !== this.#whole) {
+      this.#whole = whole;
+      this.#showLook();
+    }
+  }
+
+  showTurntable(): void {
+    this.view.spin = this.turntable.value ? TURNTABLE_SPEED : 0;
+  }
+
+  #showLook(): void {
+    this.view.setLook(this.scene.state.look, this.#whole, this.#facing);
+  }
+
   #open(): Engine {
     if (!this.#engine) throw new Error('No mesh is open.');
     return this.#engine;
@@ -155,7 +199,8 @@ export class Session {
     this.failure.value = null;
     this.view.setMesh(shown.opened);
     if (view) this.#facing = view[0];
-    this.view.setLook(state.look, shown.places.diameter, this.#facing);
+    this.#whole = shown.places.diameter;
+    this.view.setLook(state.look, this.#whole, this.#facing);
     if (state.camera) {
       this.view.camera = state.camera;
     } else if (view) {
@@ -174,7 +219,7 @@ export class Session {
     const { value: shown } = this.shown;
     if (!shown) return;
     if (state.look !== previous.look) {
-      this.view.setLook(state.look, shown.places.diameter, this.#facing);
+      this.#showLook();
       if (state.look.flow === 0) this.view.setFlow((this.#flow = 0));
     }
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
@@ -234,7 +279,8 @@ export class Session {
 
   #show(shown: Shown, fromStart: boolean): void {
     const { field, path, question } = shown.answer;
-    this.view.setField(field);
+    this.#field = field;
+    if (this.scene.state.painted === 'distance') this.paint(null);
     if (question.from || !this.#dragging) {
       this.view.setPath(path);
       this.walk.follow(path?.length ?? 0, fromStart);

@@ -4,6 +4,7 @@ import type {
   BuildReport,
   DistanceField,
   DrawMesh,
+  EdgeKind,
   Factoring,
   MeshInput,
   OpenedMesh,
@@ -165,6 +166,16 @@ const api: SolverApi = {
   stepCrowd(step: number): Promise<Float32Array> {
     const poses = openMesh().solver.step_crowd(step);
     return Promise.resolve(transfer(poses, [poses.buffer]));
+  },
+
+  edges(kind: EdgeKind): Promise<Float32Array> {
+    const edges = openMesh().solver.edges(kind);
+    return Promise.resolve(transfer(edges, [edges.buffer]));
+  },
+
+  errors(): Promise<Float32Array | null> {
+    const errors = openMesh().solver.errors();
+    return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
   },
 
   async shapes(): Promise<string[]> {

@@ -11,6 +11,15 @@ export interface PointHit {
   position: Vector;
 }
 
+/** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
+export type PaintedField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
+
+/** Segments, #E × 2 × 3, and their CSS colour. */
+export interface Edges {
+  ends: Float32Array;
+  colour: string;
+}
+
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 const ORDER = [
   'background',
@@ -23,10 +32,13 @@ const ORDER = [
   'pins',
   'path',
   'walker',
+  'crowd',
+  'arrows',
+  'edges',
   'spin',
 ] as const;
 type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker'];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
 export interface Insets {
@@ -107,14 +119,14 @@ export class View {
   }
 
   /** Null where there is none. */
-  setField(field: Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'> | null): void {
+  setField(field: PaintedField | null): void {
     const { distance, tangents, maxDistance } = field ?? NO_FIELD;
     this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
   }
 
-  /** `facing`: the camera's yaw that the surroundings are made for. */
-  setLook(look: Look, diameter: number, facing: number): void {
-    const period = look.period * diameter;
+  /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
+  setLook(look: Look, whole: number, facing: number): void {
+    const period = look.period * whole;
     const uses = (map: MapName) => look.maps.includes(map);
     const { metalness, roughness } = uses('specular') ? look.stripes : look.surface;
     const { glow } = uses('emission') ? look.stripes : look.surface;
@@ -149,6 +161,23 @@ export class View {
 
   setWalker(arc: number): void {
     this.#show('walker', (viewer) => viewer.set_walker(arc));
+  }
+
+  /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
+  setCrowd(poses: Float32Array): void {
+    this.#show('crowd', (viewer) => viewer.set_crowd(poses));
+  }
+
+  /** One vector a triangle; empty for none. */
+  setArrows(vectors: Float32Array): void {
+    this.#show('arrows', (viewer) => viewer.set_arrows(vectors));
+  }
+
+  setEdges(kinds: readonly Edges[]): void {
+    this.#show('edges', (viewer) => {
+      viewer.clear_edges();
+      for (const { ends, colour } of kinds) viewer.add_edges(ends, unitColour(colour));
+    });
   }
 
   /** Models are centred on what the insets leave free. */
@@ -194,6 +223,11 @@ export class View {
 
   zoom(factor: number): void {
     this.#viewer?.zoom(factor);
+  }
+
+  /** The canvas drawn on now: another one after the renderer was lost. */
+  get canvas(): HTMLCanvasElement {
+    return this.#canvas;
   }
 
   /** A renderer that is still starting frames as soon as it can. */

@@ -53,6 +53,9 @@ test('everything that was changed survives the link', () => {
     way: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
+    painted: 'heat',
+    overlays: ['boundary', 'distance'],
+    crowd: 250,
     look: {
       ...neon,
       width: 0.35,

@@ -29,6 +29,7 @@ const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] 
 const PAUSE = 'M7 4v12M13 4v12';
 const PLAY = 'M6 4l10 6-10 6z';
 const FRAME = 'M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M10 10v.1';
+const TURN = 'M16.500 10a6.500 4 0 1 1-2.500-3.100M14 3.500v3.500h-3.500';
 const UNDO = 'M8 4L4 8l4 4M4 8h8a4 4 0 0 1 0 8H8';
 const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
 
@@ -61,6 +62,10 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
   const frame = plain('Frame', 'See the whole model (F)', FRAME, () => view.frame());
+  const turn = plain('Turntable', 'Turn the model (T)', TURN, () => {
+    session.turntable.value = !session.turntable.value;
+  });
+  session.turntable.watch((on) => turn.setAttribute('aria-pressed', String(on)));
   return h(
     'div',
     { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' },
@@ -70,6 +75,7 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
     redo,
     rule(),
     pause,
+    turn,
     frame,
   );
 }

@@ -5,10 +5,10 @@ use crate::context::Context;
 use crate::error::Error;
 use crate::pick::Picker;
 use crate::shared::{PipelineRecipe, Place, Shared, shader};
-use crate::solid::{Solid, SolidBuffers};
+use crate::solid::{Detail, Solid, SolidBuffers};
 
 /// Arrows at most: more would hide the surface, and each other.
-const MOST: usize = 20_000;
+const MOST: usize = 6_000;
 /// Length of an arrow, as a share of the side of the square that it has for itself, and in bounding radii at most.
 const LENGTH: f32 = 0.62;
 const LONGEST: f32 = 0.05;
@@ -32,7 +32,7 @@ pub(crate) struct Arrows {
 
 impl Arrows {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
-        let mut solid = Solid::default();
+        let mut solid = Solid::new(Detail::COARSE);
         // A dart: blunt behind, pointed ahead.
         solid.turned(Vec3::NEG_Y * 0.5, Vec3::Y, &[(0.0, 0.001), (0.0, 0.17), (0.06, 0.17), (1.0, 0.004)], [0.0; 2]);
         let pipeline = PipelineRecipe {

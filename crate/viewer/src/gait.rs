@@ -7,6 +7,7 @@ use std::f32::consts::{PI, TAU};
 use glam::{Vec3, Vec4};
 
 use crate::pose::{Pose, Track};
+use crate::walker::POSE_NUMBERS;
 
 /// Way of a full cycle, a step with each foot, about.
 pub(crate) const STRIDE: f32 = 0.66;
@@ -24,6 +25,8 @@ const STEP_HEIGHT: f32 = 0.075;
 /// Greatest turn of a foot in the air, and of the arms; radians.
 const FOOT_PITCH: f32 = 0.55;
 const ARM_SWING: f32 = 0.6;
+/// A way whose end is not in sight: far enough for a stride of usual length.
+const FAR: f32 = 1e5;
 /// Length over which heading and upright are taken, to either side.
 const REACH: f32 = 0.35;
 
@@ -94,6 +97,17 @@ impl Figure {
             (local + Vec3::Y * (ANKLE + foot.lift), foot)
         };
         Self::between(&pose, height, arc / height, length, [ankle(0.0, 1.0), ankle(0.5, -1.0)])
+    }
+
+    /// From the numbers of a walker of the crowd, on ground that is flat as far as its feet go.
+    pub(crate) fn in_crowd(numbers: &[f32; POSE_NUMBERS], height: f32) -> Self {
+        let [position, normal, tangent] = [0, 3, 6].map(|start| Vec3::from_slice(&numbers[start..]));
+        let arc = numbers[9] / height;
+        let ankle = |offset: f32, side: f32| {
+            let foot = foot(arc, FAR, offset);
+            (Vec3::new(side * SIDE, ANKLE + foot.lift, foot.arc - arc), foot)
+        };
+        Self::between(&Pose { position, normal, tangent }, height, arc, FAR, [ankle(0.0, 1.0), ankle(0.5, -1.0)])
     }
 
     fn between(pose: &Pose, height: f32, arc: f32, length: f32, ankles: [(Vec3, Foot); 2]) -> Self {

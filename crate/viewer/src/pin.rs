@@ -4,7 +4,7 @@ use crate::buffer::Growing;
 use crate::context::Context;
 use crate::error::Error;
 use crate::shared::{PipelineRecipe, Place, Shared, shader};
-use crate::solid::{Solid, SolidBuffers};
+use crate::solid::{Detail, Solid, SolidBuffers};
 
 /// Foot, direction, selected.
 type Instance = [f32; 7];
@@ -32,7 +32,7 @@ pub(crate) struct Pins {
 
 impl Pins {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
-        let mut solid = Solid::default();
+        let mut solid = Solid::new(Detail::FINE);
         // The tip starts below the surface, so that it never hovers over a coarse triangle.
         solid.turned(Vec3::NEG_Y * 0.08, Vec3::Y, &[(0.0, 0.3 * NEEDLE_RADIUS), (0.9, NEEDLE_RADIUS)], NEEDLE);
         solid.ball(Vec3::Y * (1.0 - BALL_RADIUS), Vec3::Y, BALL_RADIUS, BALL_RADIUS, BALL);

@@ -19,7 +19,7 @@ use crate::pin::Pins;
 use crate::pose::Track;
 use crate::shared::{FrameUniform, Shared};
 use crate::surface::{FieldBuffers, MeshBuffers, RAMP_BYTES, SurfaceRenderer};
-use crate::walker::Walker;
+use crate::walker::{POSE_NUMBERS, Walkers};
 use crate::wire::Wires;
 
 /// A triangle mesh as the page hands it over; world space.
@@ -101,7 +101,7 @@ pub struct Renderer {
     surfaces: SurfaceRenderer,
     curve: Curve,
     pins: Pins,
-    walker: Walker,
+    walkers: Walkers,
     arrows: Arrows,
     wires: Wires,
     camera: Camera,
@@ -133,7 +133,7 @@ impl Renderer {
             surfaces: SurfaceRenderer::new(&context, &shared),
             curve: Curve::new(&context, &shared),
             pins: Pins::new(&context, &shared)?,
-            walker: Walker::new(&context, &shared)?,
+            walkers: Walkers::new(&context, &shared)?,
             arrows: Arrows::new(&context, &shared)?,
             wires: Wires::new(&context, &shared),
             camera: Camera::new(),
@@ -171,7 +171,7 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// Replaces the surface; clears field, pins, path, walker, arrows and edges. The view stays the same relative to the bounds.
+    /// Replaces the surface; clears field, pins, path, walkers, arrows and edges. The view stays the same relative to the bounds.
     ///
     /// # Errors
     /// When the arrays do not fit together or the device; the old surface then stays.
@@ -183,6 +183,7 @@ impl Renderer {
         };
         self.pins.set(&self.context, &[], &[], None);
         self.set_path(&[], &[])?;
+        self.set_crowd(&[]);
         self.arrows.clear();
         self.wires.clear();
         self.update_bounds();
@@ -306,7 +307,7 @@ impl Renderer {
         same_length("path normals", points, normals)?;
         self.curve.set_points(&self.context, points);
         self.track = Track::new(points.to_vec(), normals.to_vec());
-        self.walker.hide();
+        self.walkers.hide();
         self.dirty = true;
         Ok(())
     }
@@ -343,13 +344,20 @@ impl Renderer {
     pub fn set_walker(&mut self, arc: f32) {
         let radius = self.radius();
         let Some(track) = &self.track else { return };
-        self.walker.stand(&self.context, track, arc, radius);
+        self.walkers.stand(&self.context, track, arc, radius);
         self.dirty = true;
     }
 
     /// Takes the walker away.
     pub fn hide_walker(&mut self) {
-        self.walker.hide();
+        self.walkers.hide();
+        self.dirty = true;
+    }
+
+    /// Replaces the crowd: 10 numbers a walker, its position, unit normal, unit heading and the length walked.
+    pub fn set_crowd(&mut self, poses: &[[f32; POSE_NUMBERS]]) {
+        let radius = self.radius();
+        self.walkers.set_crowd(&self.context, poses, radius);
         self.dirty = true;
     }
 
@@ -437,7 +445,7 @@ impl Renderer {
     /// Writes the frame's uniform and draws the shadows that have changed.
     fn prepare(&self, camera: &Camera, size: (u32, u32)) -> wgpu::CommandEncoder {
         let shadows = ShadowView::new(self.scene, self.environment.key());
-        let moves = self.walker.is_out() || !self.pins.is_empty();
+        let moves = self.walkers.are_out() || !self.pins.is_empty();
         self.shared.write(
             &self.context,
             &FrameUniform {
@@ -463,7 +471,7 @@ impl Renderer {
         if moves {
             self.shared.maps.draw(&mut encoder, Casters::Moving, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
-                self.walker.draw_shadow(pass);
+                self.walkers.draw_shadow(pass);
                 self.pins.draw_shadow(pass);
             });
         }
@@ -483,7 +491,7 @@ impl Renderer {
         if let Some(mesh) = &self.scenery {
             self.surfaces.draw_scenery(pass, &mesh.buffers);
         }
-        self.walker.draw(pass);
+        self.walkers.draw(pass);
         self.pins.draw(pass);
         self.arrows.draw(pass);
         self.curve.draw(pass);

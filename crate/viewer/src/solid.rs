@@ -9,29 +9,46 @@ use crate::error::Error;
 /// Position, normal, and two tags whose meaning is the shader's own.
 type Vertex = [f32; 8];
 
-/// Points around an axis and steps along a round end: smooth at the size such figures are seen in.
-const SECTORS: u32 = 20;
-const ROUND_STEPS: u32 = 10;
+/// How finely round parts are cut.
+#[derive(Clone, Copy)]
+pub(crate) struct Detail {
+    /// Points around an axis.
+    sectors: u32,
+    /// Steps along a round end.
+    round_steps: u32,
+}
+
+impl Detail {
+    /// Smooth at the size of a pin or a walker.
+    pub(crate) const FINE: Self = Self { sectors: 20, round_steps: 10 };
+    /// Enough for one of thousands.
+    pub(crate) const COARSE: Self = Self { sectors: 5, round_steps: 1 };
+}
 
 /// A small closed figure put together from turned parts.
-#[derive(Default)]
 pub(crate) struct Solid {
+    detail: Detail,
     vertices: Vec<Vertex>,
     indices: Vec<u16>,
 }
 
 impl Solid {
+    pub(crate) fn new(detail: Detail) -> Self {
+        Self { detail, vertices: Vec::new(), indices: Vec::new() }
+    }
+
     /// Turns a profile of (height, radius) pairs, from bottom to top, around an axis through `base`.
     pub(crate) fn turned(&mut self, base: Vec3, axis: Vec3, profile: &[(f32, f32)], tags: [f32; 2]) {
         let axis = axis.normalize();
         let (right, ahead) = axis.any_orthonormal_pair();
         let first = self.vertices.len() as u16;
+        let sectors = self.detail.sectors;
         for (index, &(height, radius)) in profile.iter().enumerate() {
             let below = profile[index.saturating_sub(1)];
             let above = profile[(index + 1).min(profile.len() - 1)];
             let (rise, growth) = (above.0 - below.0, above.1 - below.1);
-            for sector in 0..=SECTORS {
-                let (sin, cos) = (TAU * sector as f32 / SECTORS as f32).sin_cos();
+            for sector in 0..=sectors {
+                let (sin, cos) = (TAU * sector as f32 / sectors as f32).sin_cos();
                 let radial = cos * right + sin * ahead;
                 let position = base + height * axis + radius * radial;
                 let normal = (rise * radial - growth * axis).normalize();
@@ -39,9 +56,9 @@ impl Solid {
                     .push([position.x, position.y, position.z, normal.x, normal.y, normal.z, tags[0], tags[1]]);
             }
         }
-        let row = SECTORS as u16 + 1;
+        let row = sectors as u16 + 1;
         for ring in 0..profile.len() as u16 - 1 {
-            for sector in 0..SECTORS as u16 {
+            for sector in 0..sectors as u16 {
                 let corner = first + ring * row + sector;
                 self.indices.extend([corner, corner + 1, corner + row]);
                 self.indices.extend([corner + 1, corner + row + 1, corner + row]);
@@ -51,9 +68,10 @@ impl Solid {
 
     /// A ball, stretched along the axis by `half_height / radius`.
     pub(crate) fn ball(&mut self, center: Vec3, axis: Vec3, half_height: f32, radius: f32, tags: [f32; 2]) {
-        let profile: Vec<(f32, f32)> = (0..=2 * ROUND_STEPS)
+        let steps = self.detail.round_steps;
+        let profile: Vec<(f32, f32)> = (0..=2 * steps)
             .map(|step| {
-                let (sin, cos) = (PI * step as f32 / (2 * ROUND_STEPS) as f32).sin_cos();
+                let (sin, cos) = (PI * step as f32 / (2 * steps) as f32).sin_cos();
                 (-half_height * cos, radius * sin)
             })
             .collect();
@@ -63,9 +81,10 @@ impl Solid {
     /// A rounded limb between two points, with a radius at each.
     pub(crate) fn limb(&mut self, from: (Vec3, f32), to: (Vec3, f32), tags: [f32; 2]) {
         let length = from.0.distance(to.0);
+        let steps = self.detail.round_steps;
         let cap = |center: f32, radius: f32, start: f32| {
-            (0..=ROUND_STEPS).map(move |step| {
-                let (sin, cos) = (start + 0.5 * PI * step as f32 / ROUND_STEPS as f32).sin_cos();
+            (0..=steps).map(move |step| {
+                let (sin, cos) = (start + 0.5 * PI * step as f32 / steps as f32).sin_cos();
                 (center - radius * cos, radius * sin)
             })
         };
@@ -111,7 +130,7 @@ mod tests {
 
     #[test]
     fn balls_and_limbs_have_unit_normals_that_point_outwards() {
-        let mut solid = Solid::default();
+        let mut solid = Solid::new(Detail::FINE);
         let center = Vec3::new(1.0, 2.0, 3.0);
         solid.ball(center, Vec3::Y, 0.5, 0.5, [0.0; 2]);
         for vertex in &solid.vertices {

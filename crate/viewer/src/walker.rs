@@ -6,10 +6,13 @@ use crate::error::Error;
 use crate::gait::{ANKLE, Figure};
 use crate::pose::Track;
 use crate::shared::{PipelineRecipe, Place, Shared, shader};
-use crate::solid::{Solid, SolidBuffers};
+use crate::solid::{Detail, Solid, SolidBuffers};
 
 /// The walker's height in bounding radii of the surface.
 pub(crate) const HEIGHT: f32 = 0.105;
+
+/// The same of a walker of the crowd: ten thousand find room.
+const CROWD_HEIGHT: f32 = 0.03;
 
 // What a part hangs from, and its colour: the tags that walker.wgsl reads.
 const TRUNK: f32 = 0.0;
@@ -31,16 +34,45 @@ const FIGURE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4],
 };
 
-/// Draws the figure that walks along the path.
-pub(crate) struct Walker {
+/// Numbers of a walker of the crowd: position, normal and heading (three each), and the length walked.
+pub const POSE_NUMBERS: usize = 10;
+
+/// Draws the figure that walks along the path, and the crowd.
+pub(crate) struct Walkers {
     pipeline: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
-    solid: SolidBuffers,
-    buffer: Growing,
-    is_out: bool,
+    walker: Group,
+    crowd: Group,
 }
 
-impl Walker {
+/// Figures of one shape.
+struct Group {
+    solid: SolidBuffers,
+    buffer: Growing,
+    figures: Vec<Figure>,
+}
+
+impl Group {
+    fn new(context: &Context, detail: Detail) -> Result<Self, Error> {
+        let solid = figure(detail).upload(context)?;
+        Ok(Self { solid, buffer: Growing::new("figures"), figures: Vec::new() })
+    }
+
+    fn set(&mut self, context: &Context, figures: impl Iterator<Item = Figure>) {
+        self.figures.clear();
+        self.figures.extend(figures);
+        self.buffer.write(context, bytemuck::cast_slice(&self.figures));
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        let Some(buffer) = self.buffer.get().filter(|_| !self.figures.is_empty()) else { return };
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(1, buffer.slice(..));
+        self.solid.draw(pass, self.figures.len() as u32);
+    }
+}
+
+impl Walkers {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
         let recipe = PipelineRecipe {
             label: "walker",
@@ -56,47 +88,46 @@ impl Walker {
         Ok(Self {
             pipeline: recipe.build(context),
             shadow: casting.build_shadow(context),
-            solid: figure().upload(context)?,
-            buffer: Growing::new("figures"),
-            is_out: false,
+            walker: Group::new(context, Detail::FINE)?,
+            crowd: Group::new(context, Detail::COARSE)?,
         })
     }
 
     /// Stands the walker at an arc length of the track; `radius` is the surface's bounding radius.
     pub(crate) fn stand(&mut self, context: &Context, track: &Track, arc: f32, radius: f32) {
-        let figure = Figure::on(track, arc, HEIGHT * radius);
-        self.buffer.write(context, bytemuck::bytes_of(&figure));
-        self.is_out = true;
+        self.walker.set(context, std::iter::once(Figure::on(track, arc, HEIGHT * radius)));
     }
 
     pub(crate) fn hide(&mut self) {
-        self.is_out = false;
+        self.walker.figures.clear();
     }
 
-    pub(crate) fn is_out(&self) -> bool {
-        self.is_out
+    /// Replaces the crowd; `radius` is the surface's bounding radius.
+    pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[[f32; POSE_NUMBERS]], radius: f32) {
+        let height = CROWD_HEIGHT * radius;
+        self.crowd.set(context, poses.iter().map(|pose| Figure::in_crowd(pose, height)));
+    }
+
+    /// Whether anybody is there.
+    pub(crate) fn are_out(&self) -> bool {
+        !(self.walker.figures.is_empty() && self.crowd.figures.is_empty())
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.draw_with(pass, &self.pipeline);
+        self.walker.draw(pass, &self.pipeline);
+        self.crowd.draw(pass, &self.pipeline);
     }
 
     pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.draw_with(pass, &self.shadow);
-    }
-
-    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        let Some(buffer) = self.buffer.get().filter(|_| self.is_out) else { return };
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(1, buffer.slice(..));
-        self.solid.draw(pass, 1);
+        self.walker.draw(pass, &self.shadow);
+        self.crowd.draw(pass, &self.shadow);
     }
 }
 
 /// The figure: one unit high, on its feet at the origin, facing +z, its left at +x. Thighs, shins and feet hang from the
 /// origin along −y (feet point along +z): the shader puts them where the joints are.
-fn figure() -> Solid {
-    let mut solid = Solid::default();
+fn figure(detail: Detail) -> Solid {
+    let mut solid = Solid::new(detail);
     for (side, tag) in [(1.0, 0.0), (-1.0, RIGHT)] {
         solid.limb((Vec3::ZERO, 0.068), (Vec3::NEG_Y * 0.2, 0.05), [THIGH + tag, DARK]);
         solid.limb((Vec3::ZERO, 0.05), (Vec3::NEG_Y * 0.2, 0.04), [SHIN + tag, DARK]);

@@ -212,6 +212,20 @@ impl Viewer {
         self.renderer.set_walker(arc);
     }
 
+    /// `#walkers × 10`: position, unit normal, unit heading, length walked; empty = none.
+    ///
+    /// # Errors
+    /// Throws when the numbers are no tens.
+    pub fn set_crowd(&mut self, poses: &[f32]) -> Result<(), JsError> {
+        let (walkers, rest) = poses.as_chunks();
+        if !rest.is_empty() {
+            let expected = poses.len() - rest.len();
+            return Err(Error::WrongLength { what: "poses", expected, found: poses.len() }.into());
+        }
+        self.renderer.set_crowd(walkers);
+        Ok(())
+    }
+
     /// Takes the walker away.
     pub fn hide_walker(&mut self) {
         self.renderer.hide_walker();

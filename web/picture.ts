@@ -1,0 +1,45 @@
+/** Pictures and films of the scene, as files to keep. */
+import type { View } from './view';
+
+/** Whether the browser can record a canvas. */
+export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTMLCanvasElement.prototype;
+
+const FRAMES_A_SECOND = 60;
+const BITS_A_SECOND = 12_000_000;
+
+/** A PNG of the view, `scale` times as large as on the screen. */
+export async function png(view: View, scale: number, clear: boolean): Promise<Blob> {
+  const picture = await view.capture(scale, clear);
+  const canvas = new OffscreenCanvas(picture.width, picture.height);
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser cannot draw the picture into a file.');
+  context.putImageData(picture, 0, 0);
+  return canvas.convertToBlob({ type: 'image/png' });
+}
+
+/** A WebM film of what the canvas shows during so many seconds. */
+export function film(canvas: HTMLCanvasElement, seconds: number): Promise<Blob> {
+  const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
+    mimeType: 'video/webm',
+    videoBitsPerSecond: BITS_A_SECOND,
+  });
+  const chunks: Blob[] = [];
+  return new Promise((resolve, reject) => {
+    recorder.addEventListener('dataavailable', ({ data }) => chunks.push(data));
+    recorder.addEventListener('stop', () => resolve(new Blob(chunks, { type: 'video/webm' })));
+    recorder.addEventListener('error', () => reject(new Error('The browser stopped recording.')));
+    recorder.start();
+    setTimeout(() => recorder.stop(), 1000 * seconds);
+  });
+}
+
+/** Hands a file over to be kept. */
+export function keep(file: Blob, name: string): void {
+  const address = URL.createObjectURL(file);
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  // The browser has read it by then.
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
