@@ -9,7 +9,7 @@ use fast_surface_nets::{SurfaceNetsBuffer, surface_nets};
 use glam::{DVec3, UVec3};
 
 /// Side of the blocks, in cells, that are skipped where they are far from the surface.
-const BLOCK: u32 = 8;
+const BLOCK: u32 = 4;
 /// Fields here grow no faster than distance; ellipsoids and blends may err by this factor.
 const LIPSCHITZ_MARGIN: f64 = 2.0;
 /// Edge flips give the vertices of Surface Nets, which have four to twelve neighbours, more nearly six.
@@ -39,15 +39,21 @@ pub fn mesh(field: &impl Fn(DVec3) -> f64, lower: DVec3, upper: DVec3, spacing: 
     let mut positions: Vec<DVec3> =
         net.positions.iter().map(|&position| lower + spacing * glam::Vec3::from(position).as_dvec3()).collect();
     let mut triangles: Vec<[u32; 3]> = net.indices.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+    let mut gradients = vec![DVec3::ZERO; positions.len()];
     for _ in 0..ROUNDS {
+        for (position, gradient) in positions.iter_mut().zip(&mut gradients) {
+            (*position, *gradient) = newton_step(field, *position, spacing);
+        }
         for _ in 0..RELAXATIONS_A_ROUND {
-            relax(field, spacing, &mut positions, &triangles);
+            relax(field, spacing, &mut positions, &gradients, &triangles);
         }
         flip_edges(&positions, &mut triangles);
     }
     for position in &mut positions {
-        for _ in 0..POLISHING_STEPS {
-            *position = newton_step(field, *position, spacing);
+        let gradient;
+        (*position, gradient) = newton_step(field, *position, spacing);
+        for _ in 1..POLISHING_STEPS {
+            *position = along_gradient(field(*position), gradient, *position, spacing);
         }
     }
     (positions, triangles)
@@ -127,8 +133,15 @@ fn indices(start: UVec3, end: UVec3) -> impl Iterator<Item = UVec3> {
         .flat_map(move |z| (start.y..end.y).flat_map(move |y| (start.x..end.x).map(move |x| UVec3::new(x, y, z))))
 }
 
-/// Moves each vertex towards the centroid of its neighbours within the tangent plane, then on the surface.
-fn relax(field: &impl Fn(DVec3) -> f64, spacing: f64, positions: &mut [DVec3], triangles: &[[u32; 3]]) {
+/// Moves each vertex towards the centroid of its neighbours within the tangent plane, then on the surface. The gradients
+/// may be those of a few relaxations before: a vertex moves by a fraction of a cell.
+fn relax(
+    field: &impl Fn(DVec3) -> f64,
+    spacing: f64,
+    positions: &mut [DVec3],
+    gradients: &[DVec3],
+    triangles: &[[u32; 3]],
+) {
     let mut sums = vec![DVec3::ZERO; positions.len()];
     let mut counts = vec![0.0; positions.len()];
     for triangle in triangles {
@@ -140,10 +153,10 @@ fn relax(field: &impl Fn(DVec3) -> f64, spacing: f64, positions: &mut [DVec3], t
         }
     }
     for (vertex, position) in positions.iter_mut().enumerate() {
-        let normal = gradient(field, field(*position), *position, spacing).normalize_or_zero();
+        let normal = gradients[vertex].normalize_or_zero();
         let step = sums[vertex] / counts[vertex] - *position;
         let moved = *position + RELAXATION_STEP * (step - normal * step.dot(normal));
-        *position = newton_step(field, moved, spacing);
+        *position = along_gradient(field(moved), gradients[vertex], moved, spacing);
     }
 }
 
@@ -190,16 +203,16 @@ fn flip_edges(positions: &[DVec3], triangles: &mut [[u32; 3]]) {
     }
 }
 
-/// One step of Newton's method along the gradient.
-fn newton_step(field: &impl Fn(DVec3) -> f64, point: DVec3, spacing: f64) -> DVec3 {
+/// One step of Newton's method along the gradient, and the gradient before it.
+fn newton_step(field: &impl Fn(DVec3) -> f64, point: DVec3, spacing: f64) -> (DVec3, DVec3) {
     let value = field(point);
-    let gradient = gradient(field, value, point, spacing);
+    let h = GRADIENT_STEP * spacing;
+    let gradient = DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| field(point + h * axis) - value)) / h;
+    (along_gradient(value, gradient, point, spacing), gradient)
+}
+
+fn along_gradient(value: f64, gradient: DVec3, point: DVec3, spacing: f64) -> DVec3 {
     let step = gradient * (value / gradient.length_squared());
     // In the crease of a blend the gradient may vanish: no step then, and never one beyond the cell.
     if step.is_finite() { point - step.clamp_length_max(spacing) } else { point }
-}
-
-fn gradient(field: &impl Fn(DVec3) -> f64, value: f64, point: DVec3, spacing: f64) -> DVec3 {
-    let h = GRADIENT_STEP * spacing;
-    DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| field(point + h * axis) - value)) / h
 }
