@@ -149,6 +149,22 @@ pub fn cylinder(height: f64, segments: u32, rows: u32) -> Soup {
     Soup::single("cylinder", positions, triangles)
 }
 
+/// Profile of the stand of the hemisphere, `(radius, y)`: a plinth whose rim stands around the boundary.
+const STAND: [(f64, f64); 12] = [
+    (0.97, -0.03),
+    (1.02, -0.03),
+    (1.025, -0.015),
+    (1.035, -0.005),
+    (1.05, 0.0),
+    (1.10, 0.0),
+    (1.115, -0.005),
+    (1.125, -0.015),
+    (1.13, -0.03),
+    (1.13, -0.17),
+    (1.125, -0.19),
+    (1.11, -0.20),
+];
+
 /// Part 0: the upper unit hemisphere, its boundary exactly in the plane y = 0, of `4 frequency²` triangles. Part 1: the
 /// round stand under it.
 pub fn hemisphere(frequency: u32) -> Soup {
@@ -179,20 +195,19 @@ pub fn hemisphere(frequency: u32) -> Soup {
     }
     let dome = soup.triangles.len();
     soup.parts[0].triangles = 0..dome;
-    add_stand(&mut soup, 96);
+    revolve(&mut soup, &STAND, 96);
     soup.parts.push(Part { name: "stand".to_owned(), triangles: dome..soup.triangles.len() });
     soup
 }
 
-/// A closed disc with a bevelled rim below the hemisphere.
-fn add_stand(soup: &mut Soup, segments: u32) {
-    // (radius, y) of the rim's profile, from the centre of the top to the centre of the bottom.
-    const PROFILE: [(f64, f64); 4] = [(1.1, -0.02), (1.14, -0.06), (1.14, -0.16), (1.1, -0.2)];
+/// Adds the closed surface that a profile of `(radius, y)` sweeps around the y axis. The profile goes from the top to the
+/// underside, both of which are closed by a cap.
+pub fn revolve(soup: &mut Soup, profile: &[(f64, f64)], segments: u32) {
     let start = soup.positions.len() as u32;
-    let rows = PROFILE.len() as u32;
+    let rows = profile.len() as u32;
     for segment in 0..segments {
         let (sin, cos) = (TAU * f64::from(segment) / f64::from(segments)).sin_cos();
-        soup.positions.extend(PROFILE.map(|(radius, y)| DVec3::new(radius * cos, y, -radius * sin)));
+        soup.positions.extend(profile.iter().map(|&(radius, y)| DVec3::new(radius * cos, y, -radius * sin)));
     }
     let vertex = |segment: u32, row: u32| start + (segment % segments) * rows + row;
     for segment in 0..segments {
@@ -203,7 +218,7 @@ fn add_stand(soup: &mut Soup, segments: u32) {
         }
     }
     let top = soup.positions.len() as u32;
-    soup.positions.extend([DVec3::new(0.0, PROFILE[0].1, 0.0), DVec3::new(0.0, PROFILE[3].1, 0.0)]);
+    soup.positions.extend([profile[0], profile[profile.len() - 1]].map(|(_, y)| DVec3::new(0.0, y, 0.0)));
     for segment in 0..segments {
         soup.triangles.push([top, vertex(segment, 0), vertex(segment + 1, 0)]);
         soup.triangles.push([top + 1, vertex(segment + 1, rows - 1), vertex(segment, rows - 1)]);
