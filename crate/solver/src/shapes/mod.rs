@@ -1,24 +1,46 @@
 //! Generated surfaces: everything a page or a test needs without a file. All are deterministic, `y` is up, triangles
 //! are counter-clockwise seen from outside.
 
+mod animal;
 mod bodies;
+mod figure;
+mod horse;
 mod implicit;
 mod maze;
 mod parametric;
+mod skull;
 mod terrain;
+mod triceratops;
 
-pub use bodies::{animal, high_genus, ring};
+pub use animal::animal;
+pub use bodies::{high_genus, ring};
+pub use horse::horse;
 pub use maze::maze;
 pub use parametric::{cylinder, grid, hemisphere, icosphere, strip, torus, uv_sphere};
+pub use skull::skull;
 pub use terrain::terrain;
+pub use triceratops::triceratops;
 
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 
-const NAMES: [&str; 10] =
-    ["animal", "maze", "high_genus", "ring", "hemisphere", "terrain", "torus", "icosphere", "uv_sphere", "strip"];
-const NAMES_IN_WORDS: &str = "one of animal, maze, high_genus, ring, hemisphere, terrain, torus, icosphere, uv_sphere, \
-                              strip";
+const NAMES: [&str; 13] = [
+    "animal",
+    "horse",
+    "triceratops",
+    "skull",
+    "maze",
+    "high_genus",
+    "ring",
+    "hemisphere",
+    "terrain",
+    "torus",
+    "icosphere",
+    "uv_sphere",
+    "strip",
+];
+const NAMES_IN_WORDS: &str = "one of animal, horse, triceratops, skull, maze, high_genus, ring, hemisphere, terrain, \
+                              torus, icosphere, uv_sphere, strip";
 
 /// The names that [`by_name`] takes.
 pub fn names() -> &'static [&'static str] {
@@ -31,7 +53,10 @@ pub fn names() -> &'static [&'static str] {
 /// [`Error::BadParameter`] for a name that is not in [`names`].
 pub fn by_name(name: &str) -> Result<Soup> {
     Ok(match name {
-        "animal" => animal(0.021),
+        "animal" => animal(0.024),
+        "horse" => horse(0.022),
+        "triceratops" => triceratops(0.032),
+        "skull" => skull(0.03),
         "maze" => maze(10, 6),
         "high_genus" => high_genus(0.065),
         "ring" => ring(0.034),
