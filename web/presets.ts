@@ -78,7 +78,7 @@ export const PRESETS: readonly Preset[] = [
     title: 'Skull',
     sources: [at(18819)],
     walker: at(4169),
-    view: [2.0, 0.25],
+    view: [1.8, 0.2],
     look: 'bone',
     parts: [0],
   }),
