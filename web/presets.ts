@@ -76,8 +76,8 @@ export const PRESETS: readonly Preset[] = [
   }),
   preset('skull', {
     title: 'Skull',
-    sources: [at(18819)],
-    walker: at(4169),
+    sources: [at(18857)],
+    walker: at(263),
     view: [1.8, 0.2],
     look: 'bone',
     parts: [0],

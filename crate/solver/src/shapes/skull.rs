@@ -105,18 +105,18 @@ fn add_lower_jaw(skull: &mut Figure) {
 const TEETH: [f64; 6] = [0.17, 0.50, 0.82, 1.10, 1.36, 1.61];
 
 fn add_teeth(skull: &mut Figure) {
-    let along_jaw = |angle: f64, y: f64, radius: f64| {
+    let along_jaw = |angle: f64, inset: f64, y: f64, radius: f64| {
         let (sin, cos) = angle.sin_cos();
-        (0.45 + 0.46 * cos, y, 0.34 * sin, radius)
+        (0.45 + (0.46 - inset) * cos, y, (0.34 - inset) * sin, radius)
     };
-    // Bone behind the teeth, so that no gap between them opens the mouth.
-    for (y, radius) in [(0.54, 0.075), (0.34, 0.050), (0.15, 0.085)] {
-        let arch: Vec<_> = (-4..=4).map(|step| along_jaw(0.4 * f64::from(step), y, radius)).collect();
+    // Gums, and bone behind the teeth, so that no gap between them opens the mouth.
+    for (inset, y, radius) in [(0.0, 0.54, 0.075), (0.02, 0.34, 0.055), (0.0, 0.15, 0.085)] {
+        let arch: Vec<_> = (-4..=4).map(|step| along_jaw(0.4 * f64::from(step), inset, y, radius)).collect();
         skull.unite(0.05, limb(&arch));
     }
     for angle in TEETH {
-        let (x, _, z, _) = along_jaw(angle, 0.0, 0.0);
-        skull.unite(0.02, limb(&[(x, 0.50, z, 0.056), (x, 0.395, z, 0.062)]).on_both_sides());
-        skull.unite(0.02, limb(&[(x, 0.19, z, 0.056), (x, 0.270, z, 0.060)]).on_both_sides());
+        let (x, _, z, _) = along_jaw(angle, 0.0, 0.0, 0.0);
+        skull.unite(0.02, limb(&[(x, 0.50, z, 0.054), (x, 0.395, z, 0.064)]).on_both_sides());
+        skull.unite(0.02, limb(&[(x, 0.19, z, 0.054), (x, 0.270, z, 0.062)]).on_both_sides());
     }
 }
