@@ -9,7 +9,7 @@ export class CrowdWalk {
   readonly #session: Session;
   /** How many the solver has, and of which mesh. */
   #out: { count: number; mesh: unknown } = { count: 0, mesh: null };
-  #waiting = false;
+  #waiting: Promise<void> | null = null;
   /** Seconds since the last step was asked for. */
   #seconds = 0;
 
@@ -25,14 +25,20 @@ export class CrowdWalk {
     const asked = count !== this.#out.count || (count > 0 && mesh !== this.#out.mesh);
     this.#seconds += seconds;
     if (this.#waiting || !(asked || (count > 0 && !paused.value && !reducedMotion()))) return;
-    void this.#step(count, mesh, asked, shown.value?.places.diameter ?? 1);
+    this.#waiting = this.#step(count, mesh, asked, shown.value?.places.diameter ?? 1).finally(() => {
+      this.#waiting = null;
+    });
+  }
+
+  /** Resolves when the step under way is shown. */
+  async settled(): Promise<void> {
+    await this.#waiting;
   }
 
   async #step(count: number, mesh: unknown, asked: boolean, diameter: number): Promise<void> {
     const session = this.#session;
     const step = asked ? 0 : (this.#seconds * diameter) / CROSSING_SECONDS;
     this.#seconds = 0;
-    this.#waiting = true;
     try {
       if (asked) await session.crowd(count);
       const poses = count > 0 ? await session.stepCrowd(step) : new Float32Array();
@@ -41,8 +47,6 @@ export class CrowdWalk {
     } catch (error) {
       // A mesh that was closed meanwhile has no crowd.
       if (session.shown.value?.opened === mesh) throw error;
-    } finally {
-      this.#waiting = false;
     }
   }
 }

@@ -1,5 +1,5 @@
 /** The loop of frames, and the moment at which a moved camera has come to rest. */
-import { CrowdWalk } from './crowd';
+import type { CrowdWalk } from './crowd';
 import type { Session } from './session';
 
 /** After a pause (a hidden tab) nothing leaps. */
@@ -12,9 +12,9 @@ export class Frames {
   /** Where the camera was a frame ago, while a hand's move is still settling. */
   #settling: string | null = null;
 
-  constructor(session: Session) {
+  constructor(session: Session, crowd: CrowdWalk) {
     this.#session = session;
-    this.#crowd = new CrowdWalk(session);
+    this.#crowd = crowd;
   }
 
   start(): void {

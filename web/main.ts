@@ -4,6 +4,7 @@ import './style/panel.css';
 // Last: for narrow windows, reduced motion and forced colours it overrides the others.
 import './style/windows.css';
 import { Address } from './address';
+import { CrowdWalk } from './crowd';
 import { Frames } from './frames';
 import { dropTarget, fileDialogue } from './input/drop';
 import { Hands } from './input/hands';
@@ -53,7 +54,9 @@ const tool = new Signal<Tool>('source');
 
 const hint = h('p', { class: 'hint', hidden: true }, 'Click the surface');
 const acted = () => hint.remove();
-const frames = new Frames(session);
+const overlays = new Overlays(session);
+const crowd = new CrowdWalk(session);
+const frames = new Frames(session, crowd);
 const cameraMoved = () => {
   acted();
   frames.cameraMoved();
@@ -96,7 +99,7 @@ if (!address.kiosk) {
   page.append(panel);
 }
 followInsets(view, bar, panel);
-new Overlays(session).follow();
+overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();
 });
@@ -114,4 +117,7 @@ async function begin(): Promise<void> {
   hint.hidden = false;
   await new Promise(requestAnimationFrame);
 }
-expose(session, begin());
+expose(session, begin(), async () => {
+  await overlays.settled();
+  await crowd.settled();
+});

@@ -2,7 +2,7 @@
 import type { DistanceField, EdgeKind } from './protocol';
 import type { Overlay, Painted } from './scene';
 import type { Session } from './session';
-import type { Edges, PaintedField } from './view';
+import type { Edges } from './view';
 
 /** In the order in which they are drawn, so that the rarer ones stay on top. */
 const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
@@ -15,20 +15,29 @@ export class Overlays {
   readonly #session: Session;
   /** Counts what was wanted: an answer to an older wish is dropped. */
   #wish = 0;
+  #latest: Promise<void> = Promise.resolve();
 
   constructor(session: Session) {
     this.#session = session;
+  }
+
+  /** Resolves when everything that is wanted is shown. */
+  async settled(): Promise<void> {
+    for (let latest; latest !== this.#latest;) {
+      latest = this.#latest;
+      await latest;
+    }
   }
 
   /** Keeps the view up to date from now on. */
   follow(): void {
     const session = this.#session;
     session.scene.subscribe((state, previous) => {
-      if (state.overlays !== previous.overlays || state.painted !== previous.painted) void this.#update(true);
+      if (state.overlays !== previous.overlays || state.painted !== previous.painted) this.#latest = this.#update(true);
     });
     session.shown.watch((shown, previous) => {
       const anew = shown?.opened !== previous?.opened || shown?.answer.factoring !== previous?.answer.factoring;
-      if (shown) void this.#update(anew);
+      if (shown) this.#latest = this.#update(anew);
     });
   }
 
@@ -62,14 +71,17 @@ export class Overlays {
     return edges;
   }
 
-  async #instead(painted: Painted, { distance, tangents }: DistanceField): Promise<PaintedField> {
+  async #instead(painted: Painted, { distance, tangents }: DistanceField): Promise<Parameters<Session['paint']>[0]> {
     if (painted === 'heat') {
       // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
       const cold = (await this.#session.heat()).map((logarithm) => -logarithm);
-      return { distance: cold, tangents, maxDistance: largest(cold) };
+      const whole = largest(cold);
+      return { field: { distance: cold, tangents, maxDistance: whole }, whole };
     }
     const errors = (await this.#session.errors()) ?? new Float32Array(distance.length);
-    return { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+    // Errors are noise from vertex to vertex, so they have colours and no stripes.
+    const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+    return { field, whole: 0 };
   }
 }
 

@@ -1,4 +1,5 @@
 /** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
+import { png } from './picture';
 import type { DistanceField, PathKind, SurfacePoint } from './protocol';
 import type { Phase } from './refiner';
 import type { SceneState } from './scene';
@@ -43,6 +44,8 @@ export interface Heatwalk {
   gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
   heat(): Promise<Float32Array>;
+  /** A PNG of the scene once all is settled, `scale` times as large as the window, on a transparent ground if `clear`. */
+  picture(scale?: number, clear?: boolean): Promise<Blob>;
   /** The place under a CSS pixel of the window. */
   placeAt(x: number, y: number): SurfacePoint | null;
   /** The CSS pixel of the window where a place is seen. */
@@ -55,7 +58,8 @@ declare global {
   }
 }
 
-export function expose(session: Session, ready: Promise<void>): void {
+/** `decorated` resolves when what is shown beside the field is there. */
+export function expose(session: Session, ready: Promise<void>, decorated: () => Promise<void>): void {
   const face: Heatwalk = {
     ready,
     async settled() {
@@ -111,6 +115,13 @@ export function expose(session: Session, ready: Promise<void>): void {
     },
     gradients: (kind) => session.gradients(kind),
     heat: () => session.heat(),
+    async picture(scale = 1, clear = false) {
+      await face.settled();
+      // What is wanted since the field came is asked for in the next frame.
+      await new Promise(requestAnimationFrame);
+      await decorated();
+      return png(session.view, scale, clear);
+    },
     placeAt: (x, y) => session.view.pick(x, y)?.point ?? null,
     pixelOf(point) {
       const position = session.shown.value?.places.at(point)?.position;

@@ -64,7 +64,7 @@ export class Session {
   #engine: Engine | null = null;
   /** The field shown, of distance. */
   #field: DistanceField | null = null;
-  /** What periods of the look are shares of: the diameter, or the largest value of what is painted. */
+  /** What periods of the look are shares of: of distance, the diameter. */
   #whole = 1;
   /** Yaw that the light is set up for, radians. */
   #facing = 0;
@@ -156,10 +156,10 @@ export class Session {
     return this.#open().stepCrowd(step);
   }
 
-  /** Paints another field in the place of distance; null for distance itself. */
-  paint(instead: PaintedField | null): void {
-    this.view.setField(instead ?? this.#field);
-    const whole = instead?.maxDistance ?? this.shown.value?.places.diameter ?? 1;
+  /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
+  paint(instead: { field: PaintedField; whole: number } | null): void {
+    this.view.setField(instead?.field ?? this.#field);
+    const whole = instead?.whole ?? this.shown.value?.places.diameter ?? 1;
     if (whole !== this.#whole) {
       this.#whole = whole;
       this.#showLook();

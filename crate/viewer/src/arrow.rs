@@ -8,9 +8,9 @@ use crate::shared::{PipelineRecipe, Place, Shared, shader};
 use crate::solid::{Detail, Solid, SolidBuffers};
 
 /// Arrows at most: more would hide the surface, and each other.
-const MOST: usize = 6_000;
+const MOST: usize = 4_000;
 /// Length of an arrow, as a share of the side of the square that it has for itself, and in bounding radii at most.
-const LENGTH: f32 = 0.62;
+const LENGTH: f32 = 0.7;
 const LONGEST: f32 = 0.05;
 
 /// Middle and vector.

@@ -1,0 +1,96 @@
+/** Every look and every overlay, drawn beside the canvas, against pictures that are kept. */
+import fs from 'node:fs';
+import path from 'node:path';
+import { PNG } from 'pngjs';
+import { LOOKS } from '../../web/looks';
+import { expect, type HeatwalkPage, test } from '../page';
+
+const KEPT = path.join(import.meta.dirname, '../pictures');
+/** Writes the kept pictures instead of comparing with them. */
+const KEEPS = process.env['KEEP_PICTURES'] === '1';
+
+/**
+ * The two backends run different compilers over the same shaders, on vectors of another width: contours fall on other
+ * samples, so pixels along them differ, and nothing else does. Where a contour is a whole pixel off, a pixel differs by all
+ * there is; the share of such pixels is that of the contours.
+ */
+const CLEARLY = 32;
+const CLEARLY_DIFFERENT = 0.006;
+const MEAN_DIFFERENCE = 0.6;
+
+const VIEW = 'cam=-0.5,0.25,2.9,0,0,0';
+const PICTURES: readonly (readonly [name: string, link: string])[] = [
+  ...LOOKS.map(({ name }) => [`look-${name}`, `m=bunny&look=${name}&${VIEW}`] as const),
+  ['background', `m=bunny&${VIEW}`],
+  ['light-sky', `m=bunny&look=gold&around=sky&${VIEW}`],
+  ['light-night', `m=bunny&look=zebra&around=night&light=40&${VIEW}`],
+  ['edges', `m=hemisphere&show=edges,boundary&cam=0.6,0.35,3.4,0,0,0`],
+  ['operator', `m=teapot&look=contour&show=operator&cam=0.4,0.4,3,0,0,0`],
+  ['arrows-heat', `m=bunny&look=jade&show=heat&${VIEW}`],
+  ['arrows-distance', `m=bunny&look=jade&show=distance&${VIEW}`],
+  ['heat', `m=bunny&look=citrus&paint=heat&${VIEW}`],
+  ['error', `m=bunny&look=scientific&paint=error&${VIEW}`],
+  ['crowd', `m=bunny&look=candy&crowd=300&${VIEW}`],
+  ['unreachable', `m=teapot&look=porcelain&s=420&cam=0.4,0.4,3,0,0,0`],
+  ['scenery', `m=maze&look=water&cam=0.45,0.9,3,0,0,0`],
+];
+
+test.use({ viewport: { width: 480, height: 360 } });
+
+async function show(heatwalk: HeatwalkPage, link: string, clear = true): Promise<PNG> {
+  const { page } = heatwalk;
+  await page.evaluate((fragment) => {
+    location.hash = fragment;
+  }, `v=1&${link}`);
+  await expect
+    .poll(() => page.evaluate(() => window.heatwalk.camera?.[2]))
+    .toBe(Number(/cam=[^,]*,[^,]*,([^,]*)/.exec(link)?.[1]));
+  const base64 = await page.evaluate(async (isClear) => {
+    const picture = await window.heatwalk.picture(0.5, isClear);
+    const bytes = new Uint8Array(await picture.arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  }, clear);
+  return PNG.sync.read(Buffer.from(base64, 'base64'));
+}
+
+/** Share of the pixels that differ clearly in some channel, opacity included, and the mean difference of the channels. */
+function compare(a: PNG, b: PNG): { clearly: number; mean: number } {
+  expect([b.width, b.height]).toEqual([a.width, a.height]);
+  let [clearly, sum] = [0, 0];
+  for (let i = 0; i < a.data.length; i += 4) {
+    // Colours of clear pixels mean nothing.
+    const weigh = (picture: PNG, channel: number) =>
+      channel < 3 ? (picture.data[i + channel] * picture.data[i + 3]) / 255 : picture.data[i + 3];
+    const differences = [0, 1, 2, 3].map((channel) => Math.abs(weigh(a, channel) - weigh(b, channel)));
+    if (Math.max(...differences) > CLEARLY) clearly += 1;
+    for (const difference of differences) sum += difference;
+  }
+  return { clearly: (4 * clearly) / a.data.length, mean: sum / a.data.length };
+}
+
+test('looks and overlays are drawn as the kept pictures show them', async ({ heatwalk, page }) => {
+  test.setTimeout(600_000);
+  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await heatwalk.open('#v=1&m=teapot&kiosk=1');
+  const off: string[] = [];
+  for (const [name, link] of PICTURES) {
+    const picture = await show(heatwalk, link, name !== 'background');
+    const file = path.join(KEPT, `${name}.png`);
+    if (KEEPS) fs.writeFileSync(file, PNG.sync.write(picture));
+    const { clearly, mean } = compare(picture, PNG.sync.read(fs.readFileSync(file)));
+    if (clearly > CLEARLY_DIFFERENT || mean > MEAN_DIFFERENCE) {
+      off.push(`${name}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean`);
+      fs.writeFileSync(test.info().outputPath(`${name}.png`), PNG.sync.write(picture));
+    }
+  }
+  expect(off).toEqual([]);
+});
+
+test('a picture without background is transparent around the model and opaque on it', async ({ heatwalk }) => {
+  await heatwalk.open('#v=1&m=teapot&kiosk=1');
+  const picture = await show(heatwalk, `m=bunny&${VIEW}`);
+  const alphaAt = (x: number, y: number) => picture.data[4 * (y * picture.width + x) + 3];
+  expect([picture.width, picture.height]).toEqual([240, 180]);
+  expect(alphaAt(2, 2)).toBe(0);
+  expect(alphaAt(120, 100)).toBe(255);
+});
