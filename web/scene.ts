@@ -8,8 +8,11 @@ export const PAINTED = ['distance', 'heat', 'error'] as const;
 /** The distance, the heat that it comes from (on a log scale), or how far the instant distance was off. */
 export type Painted = (typeof PAINTED)[number];
 
-export const OVERLAYS = ['edges', 'boundary', 'operator', 'heat', 'distance'] as const;
-/** Edges of the mesh, those with one face, those of the operators; arrows along the gradients of heat and of distance. */
+export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
+/**
+ * The parts that are not walked on; edges of the mesh, those with one face, those of the operators; arrows along the
+ * gradients of heat and of distance.
+ */
 export type Overlay = (typeof OVERLAYS)[number];
 
 export const LARGEST_CROWD = 10_000;
@@ -65,7 +68,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     camera: null,
     look: DEFAULT_LOOK,
     painted: 'distance',
-    overlays: [],
+    overlays: ['scenery'],
     crowd: 0,
     selected: -1,
   };

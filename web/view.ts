@@ -1,7 +1,7 @@
 /** The canvas and the renderer on it. What is shown is kept, so that a lost renderer can be made again with the scene intact. */
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from './looks';
 import type { Place, Vector } from './places';
-import type { DistanceField, OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
+import type { DistanceField, DrawMesh, OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
 import { Signal } from './signal';
 import init, { Viewer } from './wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from './wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -51,6 +51,7 @@ export interface Insets {
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
+const NO_MESH: DrawMesh = { positions: new Float32Array(), normals: new Float32Array(), triangles: new Uint32Array() };
 const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
@@ -115,7 +116,13 @@ export class View {
   setMesh({ surface, scenery }: OpenedMesh): void {
     for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
     this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
-    this.#show('scenery', (viewer) => viewer.set_scenery(scenery.positions, scenery.normals, scenery.triangles));
+    this.setScenery(scenery);
+  }
+
+  /** Null hides it. */
+  setScenery(scenery: DrawMesh | null): void {
+    const { positions, normals, triangles } = scenery ?? NO_MESH;
+    this.#show('scenery', (viewer) => viewer.set_scenery(positions, normals, triangles));
   }
 
   /** Null where there is none. */

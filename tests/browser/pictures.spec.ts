@@ -24,7 +24,7 @@ const PICTURES: readonly (readonly [name: string, link: string])[] = [
   ['background', `m=bunny&${VIEW}`],
   ['light-sky', `m=bunny&look=gold&around=sky&${VIEW}`],
   ['light-night', `m=bunny&look=zebra&around=night&light=40&${VIEW}`],
-  ['edges', `m=hemisphere&show=edges,boundary&cam=0.6,0.35,3.4,0,0,0`],
+  ['edges', `m=hemisphere&show=scenery,edges,boundary&cam=0.6,0.35,3.4,0,0,0`],
   ['operator', `m=teapot&look=contour&show=operator&cam=0.4,0.4,3,0,0,0`],
   ['arrows-heat', `m=bunny&look=jade&show=heat&${VIEW}`],
   ['arrows-distance', `m=bunny&look=jade&show=distance&${VIEW}`],

@@ -4,6 +4,7 @@ import { count, percent } from '../words';
 import { h, select, slider, toggle } from './dom';
 
 const OVERLAY_WORDS: Record<Overlay, string> = {
+  scenery: 'Parts not walked on',
   edges: 'Edges of the mesh',
   boundary: 'Boundary',
   operator: 'Edges of the operator',
