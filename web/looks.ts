@@ -139,7 +139,7 @@ const cut = (width: number, period: number, relief: number, sharpness = 0.45): P
 export const LOOKS: readonly Look[] = [
   look('zebra', 'chalk', '#17181b', {}),
   look('gold', 'gold', '#5a3a0e', { ...cut(0.16, 0.05, -0.05), surface: finish(1, 0.2), stripes: finish(1, 0.45) }),
-  look('lava', 'coal', 'magma', { ...cut(0.17, 0.05, -0.05), surface: finish(0, 0.6), stripes: finish(0, 0.4, 0.9) }),
+  look('lava', 'coal', 'magma', { ...cut(0.17, 0.05, -0.05), surface: finish(0, 0.6), stripes: finish(0, 0.4, 0.65) }),
   look('bone', 'bone', '#2a3340', { ...cut(0.24, 0.045, -0.045), surface: finish(0, 0.55), stripes: finish(0, 0.14) }),
   look('water', 'ocean', '#3c4a78', { ...cut(0.14, 0.04, 0.035), surface: finish(0, 0.1), stripes: finish(0, 0.3) }),
   look('neon', 'ink', 'glow', {

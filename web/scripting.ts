@@ -1,5 +1,6 @@
 /** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
 import { png } from './picture';
+import { PRESETS } from './presets';
 import type { DistanceField, PathKind, SurfacePoint } from './protocol';
 import type { Phase } from './refiner';
 import type { SceneState } from './scene';
@@ -18,6 +19,8 @@ export interface Heatwalk {
   readonly scene: SceneState;
   /** Where the camera is now: yaw, pitch (rad), distance and offset from the centre in bounding radii. */
   readonly camera: readonly number[] | null;
+  /** Names of the presets, as links write them. */
+  readonly presets: readonly string[];
   /** The CSS pixel of the window on which models are centred. */
   readonly centre: readonly [number, number];
   readonly mesh: {
@@ -75,6 +78,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     get camera() {
       return session.view.camera;
     },
+    presets: PRESETS.map(({ id }) => id),
     get centre() {
       return session.view.centre;
     },

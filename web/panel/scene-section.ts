@@ -5,6 +5,20 @@ import type { Session } from '../session';
 import { count, counted } from '../words';
 import { h } from './dom';
 
+/** Address of each preset's picture by its path; `npm run gallery` draws them. */
+const THUMBNAILS = import.meta.glob<string>('../thumbnails/*.webp', {
+  eager: true,
+  query: '?url&no-inline',
+  import: 'default',
+});
+
+function thumbnail(id: string): HTMLElement | null {
+  const address = THUMBNAILS[`../thumbnails/${id}.webp`];
+  return address
+    ? h('img', { src: address, alt: '', width: 84, height: 63, loading: 'lazy', draggable: 'false' })
+    : null;
+}
+
 /** Gallery of presets, the file button, and which parts of a file are walked on. */
 export function sceneSection(session: Session, opener: Opener, chooseFile: () => void): HTMLElement {
   const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
@@ -12,6 +26,7 @@ export function sceneSection(session: Session, opener: Opener, chooseFile: () =>
     const button = h(
       'button',
       { class: 'card', title: `${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
+      thumbnail(preset.id),
       h('span', {}, preset.title),
     );
     gallery.append(button);

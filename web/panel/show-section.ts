@@ -6,7 +6,7 @@ import { h, select, slider, toggle } from './dom';
 const OVERLAY_WORDS: Record<Overlay, string> = {
   scenery: 'Parts not walked on',
   edges: 'Edges of the mesh',
-  boundary: 'Boundary',
+  boundary: 'Edges of the boundary',
   operator: 'Edges of the operator',
   heat: 'Arrows, gradient of heat',
   distance: 'Arrows, gradient of distance',

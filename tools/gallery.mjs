@@ -1,0 +1,133 @@
+// npm run gallery: draws the pictures of docs/gallery.md with the built page, and writes the page that shows them; and the
+// thumbnails of the presets.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { chromium } from '@playwright/test';
+import { preview } from 'vite';
+import { FIGURES } from './gallery/figures.mjs';
+import { buildModules, npmProgram, prepare, requireChromium, root } from './steps.mjs';
+
+const WINDOW = { width: 720, height: 540 };
+const QUALITY = 0.86;
+const FOLDER = join(root, 'docs', 'gallery');
+const THUMBNAILS = join(root, 'web', 'thumbnails');
+/** Twice what the panel shows, for screens with two pixels to one. */
+const THUMBNAIL = { width: 168, height: 126 };
+
+prepare();
+buildModules();
+npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build'], 'The message above names the cause.');
+
+const server = await preview({ root, logLevel: 'error' });
+const browser = await chromium.launch({
+  executablePath: requireChromium(),
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  ignoreDefaultArgs: ['--disable-gpu'],
+});
+const tab = await browser.newPage({ viewport: WINDOW, reducedMotion: 'reduce', colorScheme: 'light' });
+mkdirSync(FOLDER, { recursive: true });
+
+const text = [
+  '# Gallery',
+  '',
+  'Figures of the study of the heat method that this project implements, as Heatwalk draws them. `npm run gallery` makes them;',
+  'each caption is a link to the scene on a page served by `npm start`.',
+];
+for (const { name, title, text: about, panels } of FIGURES) {
+  text.push('', `## ${title}`, '', about, '');
+  const cells = [];
+  for (const [index, [caption, link, line]] of panels.entries()) {
+    const { bytes, address } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false });
+    const file = `${name}-${index + 1}.jpg`;
+    writeFileSync(join(FOLDER, file), bytes);
+    cells.push({
+      picture: `![${caption}](gallery/${file})`,
+      caption: `[${caption}](http://localhost:5173/${address})`,
+    });
+    console.log(`${file}: ${caption}`);
+  }
+  for (let row = 0; row < cells.length; row += 3) {
+    const part = cells.slice(row, row + 3);
+    const cell = (key) => `| ${part.map((each) => each[key]).join(' | ')} |`;
+    text.push(cell('picture'), `|${':---:|'.repeat(part.length)}`, cell('caption'), '');
+  }
+}
+writeFileSync(join(root, 'docs', 'gallery.md'), `${text.join('\n').trimEnd()}\n`);
+npmProgram(
+  'Formatting docs/gallery.md',
+  'prettier/bin/prettier.cjs',
+  ['--write', '--log-level=warn', 'docs/gallery.md'],
+  '',
+);
+mkdirSync(THUMBNAILS, { recursive: true });
+await open('/?gpu=webgl');
+for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
+  const { bytes } = await draw(`m=${id}&w=none`, undefined, { ...THUMBNAIL, type: 'image/webp', clear: true });
+  writeFileSync(join(THUMBNAILS, `${id}.webp`), bytes);
+  console.log(`${id}.webp`);
+}
+await browser.close();
+await server.close();
+
+/** The picture of a scene in a size and type, and the scene's link. */
+async function draw(link, line, wanted) {
+  const address = `/?gpu=webgl#v=1&${link}`;
+  await open(`${address}&kiosk=1`);
+  const sources = line ? await tab.evaluate(sourcesUnder, { line, ...WINDOW }) : '';
+  if (sources) await open(`${address}&kiosk=1${sources}`);
+  const base64 = await tab.evaluate(picture, { ...wanted, quality: QUALITY });
+  return { bytes: Buffer.from(base64, 'base64'), address: `#v=1&${link}${sources}` };
+}
+
+async function open(address) {
+  await tab.goto('about:blank');
+  await tab.goto(new URL(address, server.resolvedUrls.local[0]).href);
+  await tab.evaluate(async () => {
+    await window.heatwalk.ready;
+    await window.heatwalk.settled();
+  });
+}
+
+/** Runs in the page: the places of the model under points of the window, as a link writes them. */
+function sourcesUnder({ line, width, height }) {
+  const places = line.map(([x, y]) => window.heatwalk.placeAt(x * width, y * height)).filter(Boolean);
+  const points = places.map(({ face, weights }) => `${face}:${weights.map((weight) => weight.toFixed(3)).join('/')}`);
+  return `&s=${points.join(',')}`;
+}
+
+/** Runs in the page: the scene as an image file, base64, cut to the model unless it fills the window. */
+async function picture({ width, height, type, quality, clear }) {
+  const margin = 0.06;
+  let place = '';
+  while (place !== JSON.stringify(window.heatwalk.camera)) {
+    place = JSON.stringify(window.heatwalk.camera);
+    await new Promise((resolve) => setTimeout(resolve, 300));
+  }
+  const outline = await createImageBitmap(await window.heatwalk.picture(1, true));
+  const finder = new OffscreenCanvas(outline.width, outline.height).getContext('2d');
+  finder.drawImage(outline, 0, 0);
+  const { data } = finder.getImageData(0, 0, outline.width, outline.height);
+  let [left, top, right, bottom] = [outline.width, outline.height, 0, 0];
+  for (let pixel = 0; pixel < data.length / 4; pixel++) {
+    // The shadow on the floor is never opaque.
+    if (data[4 * pixel + 3] < 250) continue;
+    const [x, y] = [pixel % outline.width, Math.floor(pixel / outline.width)];
+    [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+  }
+  const aspect = width / height;
+  const room = 1 + 2 * margin;
+  const across = Math.min(outline.width, room * Math.max(right - left, aspect * (bottom - top)));
+  const x = Math.min(Math.max(0, (left + right - across) / 2), outline.width - across);
+  const y = Math.min(Math.max(0, (top + bottom - across / aspect) / 2), outline.height - across / aspect);
+
+  const scale = 2;
+  const scene = await createImageBitmap(await window.heatwalk.picture(scale, clear));
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d');
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(scene, scale * x, scale * y, scale * across, (scale * across) / aspect, 0, 0, width, height);
+  const file = await canvas.convertToBlob({ type, quality });
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}
