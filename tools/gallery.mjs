@@ -35,7 +35,7 @@ const text = [
   'each caption is a link to the scene on a page served by `npm start`.',
 ];
 for (const { name, title, text: about, panels } of FIGURES) {
-  text.push('', `## ${title}`, '', about, '');
+  text.push('', `## ${title}`, '', about);
   const cells = [];
   for (const [index, [caption, link, line]] of panels.entries()) {
     const { bytes, address } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false });
@@ -50,10 +50,10 @@ for (const { name, title, text: about, panels } of FIGURES) {
   for (let row = 0; row < cells.length; row += 3) {
     const part = cells.slice(row, row + 3);
     const cell = (key) => `| ${part.map((each) => each[key]).join(' | ')} |`;
-    text.push(cell('picture'), `|${':---:|'.repeat(part.length)}`, cell('caption'), '');
+    text.push('', cell('picture'), `|${':---:|'.repeat(part.length)}`, cell('caption'));
   }
 }
-writeFileSync(join(root, 'docs', 'gallery.md'), `${text.join('\n').trimEnd()}\n`);
+writeFileSync(join(root, 'docs', 'gallery.md'), `${text.join('\n')}\n`);
 npmProgram(
   'Formatting docs/gallery.md',
   'prettier/bin/prettier.cjs',

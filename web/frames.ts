@@ -2,13 +2,23 @@
 import type { CrowdWalk } from './crowd';
 import type { Session } from './session';
 
-/** After a pause (a hidden tab) nothing leaps. */
+/** After a pause (a hidden tab) nothing leaps; seconds. */
 const LONGEST_STEP = 0.25;
+/**
+ * Where drawing takes longer than this, the processor draws, and the solver needs it too: what moves by itself then waits
+ * as long again.
+ */
+const SLOW_MS = 80;
 
 export class Frames {
   readonly #session: Session;
   readonly #crowd: CrowdWalk;
   #last = performance.now();
+  /** Whether the last frame was drawn. */
+  #drew = false;
+  /** Until when what moves by itself waits, and since when it has. */
+  #rests = 0;
+  #moved = performance.now();
   /** Where the camera was a frame ago, while a hand's move is still settling. */
   #settling: string | null = null;
 
@@ -27,9 +37,16 @@ export class Frames {
   }
 
   #frame(now: number): void {
-    const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
-    this.#crowd.advance(seconds);
-    this.#session.frame(seconds);
+    const passed = now - this.#last;
+    // A frame that was slow to draw delays the next one.
+    if (this.#drew && passed > SLOW_MS) this.#rests = now + passed;
+    if (now >= this.#rests) {
+      const seconds = step(now - this.#moved);
+      this.#crowd.advance(seconds);
+      this.#session.animate(seconds);
+      this.#moved = now;
+    }
+    this.#drew = this.#session.view.render(step(passed));
     this.#last = now;
     if (this.#settling !== null) this.#settle();
     this.start();
@@ -45,4 +62,9 @@ export class Frames {
       this.#settling = place;
     }
   }
+}
+
+/** Seconds to go on by after so many milliseconds. */
+function step(passed: number): number {
+  return Math.min(LONGEST_STEP, Math.max(0, passed / 1000));
 }

@@ -73,6 +73,8 @@ export interface Look {
   width: number;
   /** Distance from stripe to stripe, as a share of the model's diameter. */
   period: number;
+  /** How far the stripes are moved away from the sources, in periods, 0 to 1. */
+  offset: number;
   /** 0: stripes fade over their whole width; 1: hard edges. */
   sharpness: number;
   /** Height of the stripes, in periods; negative: grooves. */
@@ -92,6 +94,7 @@ export interface Look {
 export const LOOK_RANGES = {
   period: [0.001, 1],
   width: [0, 1],
+  offset: [0, 1],
   sharpness: [0, 1],
   relief: [-0.2, 0.2],
   light: [-180, 180],
@@ -110,6 +113,7 @@ const PLAIN: Omit<Look, 'name'> = {
   style: 'bands',
   width: 0.5,
   period: 0.05,
+  offset: 0,
   sharpness: 0.92,
   relief: 0.02,
   surface: finish(0, 0.32),

@@ -171,7 +171,14 @@ export class Session {
   }
 
   #showLook(): void {
-    this.view.setLook(this.scene.state.look, this.#whole, this.#facing);
+    const { look } = this.scene.state;
+    this.view.setLook(look, this.#whole, this.#facing);
+    if (look.flow === 0) this.#flow = 0;
+    this.#showOffset();
+  }
+
+  #showOffset(): void {
+    this.view.setOffset(this.scene.state.look.offset + this.#flow);
   }
 
   #open(): Engine {
@@ -179,18 +186,16 @@ export class Session {
     return this.#engine;
   }
 
-  /** To be called once a frame; true if something was drawn. */
-  frame(seconds: number): boolean {
+  /** Takes what moves by itself further. */
+  animate(seconds: number): void {
+    if (reducedMotion()) return;
     const diameter = this.shown.value?.places.diameter ?? 1;
-    if (!reducedMotion()) {
-      if (this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
-      const { flow } = this.scene.state.look;
-      if (flow !== 0 && !this.paused.value) {
-        this.#flow = (this.#flow + seconds * flow) % 1;
-        this.view.setFlow(this.#flow);
-      }
+    if (this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
+    const { flow } = this.scene.state.look;
+    if (flow !== 0 && !this.paused.value) {
+      this.#flow = (this.#flow + seconds * flow) % 1;
+      this.#showOffset();
     }
-    return this.view.render(seconds);
   }
 
   #adopt(engine: Engine, state: SceneState, shown: Shown, view: OpenRequest['view']): void {
@@ -220,7 +225,6 @@ export class Session {
     if (!shown) return;
     if (state.look !== previous.look) {
       this.#showLook();
-      if (state.look.flow === 0) this.view.setFlow((this.#flow = 0));
     }
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     if (!this.#isAnswered(shown.answer)) void this.#solve();

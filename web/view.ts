@@ -27,7 +27,7 @@ const ORDER = [
   'scenery',
   'surroundings',
   'look',
-  'flow',
+  'offset',
   'field',
   'pins',
   'path',
@@ -149,8 +149,8 @@ export class View {
   }
 
   /** Moves the pattern away from the sources, in periods. */
-  setFlow(periods: number): void {
-    this.#show('flow', (viewer) => viewer.set_offset(periods));
+  setOffset(periods: number): void {
+    this.#show('offset', (viewer) => viewer.set_offset(periods));
   }
 
   setPins(places: readonly Place[], selected: number): void {

@@ -63,6 +63,7 @@ test('everything that was changed survives the link', () => {
       stripe: '#12ab9f',
       style: 'lines',
       relief: -0.05,
+      offset: 0.25,
       light: -35,
       flow: 0.5,
       surface: { metalness: 0.5, roughness: 0.25, glow: 1.5 },

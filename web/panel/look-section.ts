@@ -95,7 +95,7 @@ function pattern(session: Session, change: Change): Part {
   });
   const number = (
     label: string,
-    key: 'sharpness' | 'relief' | 'flow',
+    key: 'offset' | 'sharpness' | 'relief' | 'flow',
     step: number,
     describe: (value: number) => string,
   ) => {
@@ -103,18 +103,28 @@ function pattern(session: Session, change: Change): Part {
     const { element, show } = slider({ label, min, max, step, describe, change: (value) => change({ [key]: value }) });
     return { key, element, show };
   };
+  const offset = number('Offset', 'offset', 0.02, percent);
   const sharpness = number('Sharpness', 'sharpness', 0.05, percent);
   const relief = number('Relief', 'relief', 0.01, (value) => (value < 0 ? 'groove ' : '') + percent(Math.abs(value)));
   const flow = number('Flow', 'flow', 0.1, (value) => (value === 0 ? 'still' : `${value.toFixed(1)} / s`));
   const bandsOnly = [sharpness.element, relief.element];
   return {
-    element: h('div', { class: 'stack' }, style.element, period.element, width.element, ...bandsOnly, flow.element),
+    element: h(
+      'div',
+      { class: 'stack' },
+      style.element,
+      period.element,
+      width.element,
+      offset.element,
+      ...bandsOnly,
+      flow.element,
+    ),
     show: (look) => {
       lines = look.style === 'lines';
       style.show(look.style);
       period.show(look.period);
       width.show(look.width);
-      for (const { key, show } of [sharpness, relief, flow]) show(look[key]);
+      for (const { key, show } of [offset, sharpness, relief, flow]) show(look[key]);
       for (const element of bandsOnly) element.hidden = lines;
     },
   };

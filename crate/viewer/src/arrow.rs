@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::buffer::Growing;
+use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::pick::Picker;
@@ -26,8 +26,7 @@ const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
 pub(crate) struct Arrows {
     pipeline: wgpu::RenderPipeline,
     solid: SolidBuffers,
-    buffer: Growing,
-    instances: Vec<Instance>,
+    instances: Instances<Instance>,
 }
 
 impl Arrows {
@@ -46,31 +45,22 @@ impl Arrows {
             place: Place::Solid,
         }
         .build(context);
-        Ok(Self {
-            pipeline,
-            solid: solid.upload(context)?,
-            buffer: Growing::new("arrow instances"),
-            instances: Vec::new(),
-        })
+        Ok(Self { pipeline, solid: solid.upload(context)?, instances: Instances::new("arrows") })
     }
 
     /// One vector a triangle; those of no length have no arrow. On a fine mesh some triangles go without, evenly over the
     /// surface. `radius` is the surface's bounding radius.
     pub(crate) fn set(&mut self, context: &Context, picker: &Picker, vectors: &[Vec3], radius: f32) {
-        self.instances.clear();
         let step = vectors.len().div_ceil(MOST).max(1);
-        for &triangle in picker.along_curve().iter().step_by(step) {
-            let direction = vectors[triangle as usize].normalize_or_zero();
-            if direction == Vec3::ZERO {
-                continue;
-            }
+        let arrows = picker.along_curve().iter().step_by(step).filter_map(|&triangle| {
+            let direction = vectors[triangle as usize].try_normalize()?;
             let [a, b, c] = picker.corners(triangle).map(|vertex| picker.positions()[vertex as usize]);
             let side = (0.5 * (b - a).cross(c - a).length() * step as f32).sqrt();
             let vector = (LENGTH * side).min(LONGEST * radius) * direction;
             let middle = (a + b + c) / 3.0;
-            self.instances.push([middle.x, middle.y, middle.z, vector.x, vector.y, vector.z]);
-        }
-        self.buffer.write(context, bytemuck::cast_slice(&self.instances));
+            Some([middle.x, middle.y, middle.z, vector.x, vector.y, vector.z])
+        });
+        self.instances.set(context, arrows);
     }
 
     pub(crate) fn clear(&mut self) {
@@ -78,9 +68,8 @@ impl Arrows {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(buffer) = self.buffer.get().filter(|_| !self.instances.is_empty()) else { return };
+        let Some(count) = self.instances.bind(pass, 1) else { return };
         pass.set_pipeline(&self.pipeline);
-        pass.set_vertex_buffer(1, buffer.slice(..));
-        self.solid.draw(pass, self.instances.len() as u32);
+        self.solid.draw(pass, count);
     }
 }

@@ -54,3 +54,47 @@ impl Growing {
         self.buffer.as_ref()
     }
 }
+
+/// Instances of a primitive, in a vertex buffer that grows with them.
+pub(crate) struct Instances<T> {
+    buffer: Growing,
+    /// What is on the device; kept for its memory.
+    items: Vec<T>,
+}
+
+impl<T: bytemuck::NoUninit> Instances<T> {
+    pub(crate) fn new(label: &'static str) -> Self {
+        Self { buffer: Growing::new(label), items: Vec::new() }
+    }
+
+    /// Replaces all.
+    pub(crate) fn set(&mut self, context: &Context, items: impl IntoIterator<Item = T>) {
+        self.items.clear();
+        self.extend(context, items);
+    }
+
+    /// Adds more.
+    pub(crate) fn extend(&mut self, context: &Context, items: impl IntoIterator<Item = T>) {
+        self.items.extend(items);
+        self.buffer.write(context, bytemuck::cast_slice(&self.items));
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.items.clear();
+    }
+
+    pub(crate) fn items(&self) -> &[T] {
+        &self.items
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    /// Binds the buffer to a slot and tells how many instances there are; None where there are none.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, slot: u32) -> Option<u32> {
+        let buffer = self.buffer.get().filter(|_| !self.is_empty())?;
+        pass.set_vertex_buffer(slot, buffer.slice(..));
+        Some(self.items.len() as u32)
+    }
+}

@@ -18,6 +18,8 @@ const TARGET_RANGE: f64 = 20.0;
 const NEAREST_NEAR: f64 = 1e-3;
 /// Pins and the walker stand out from the surface: the depth range covers this factor on the scene's radius.
 const DEPTH_MARGIN: f64 = 1.3;
+/// The floor with the scene's shadow reaches beyond that, away from the eye.
+const FLOOR_MARGIN: f64 = 1.8;
 /// After a hand lets go, the camera glides on and loses speed by a factor e in this time; seconds.
 const GLIDE_SECONDS: f64 = 0.18;
 /// Time over which a hand's speed is taken; seconds.
@@ -314,11 +316,11 @@ impl Camera {
         let world_from_view = self.view.world_from_view();
         let target = self.surface.center.as_dvec3() + radius * self.view.target;
         let position = target + radius * self.view.distance * world_from_view.z_axis;
-        let scene_radius = DEPTH_MARGIN * f64::from(self.scene.radius);
+        let scene_radius = f64::from(self.scene.radius);
         let depth = world_from_view.z_axis.dot(position - self.scene.center.as_dvec3());
         // With the scene behind the eye any positive range will do.
-        let far = (depth + scene_radius).max(1e-3 * radius);
-        let near = (depth - scene_radius).max(NEAREST_NEAR * far);
+        let far = (depth + FLOOR_MARGIN * scene_radius).max(1e-3 * radius);
+        let near = (depth - DEPTH_MARGIN * scene_radius).max(NEAREST_NEAR * far);
         let [right, down] = (2.0 * self.center_offset() / self.size).to_array();
         let shift = DMat4::from_translation(DVec3::new(right, -down, 0.0));
         let clip_from_view = shift * perspective(FIELD_OF_VIEW, self.size.x / self.size.y, near, far);

@@ -112,6 +112,21 @@ impl Environment {
         self.axes(&self.room().lights[0])[0]
     }
 
+    /// Light on the floor: the key light's share of all that falls there where nothing stands in its way.
+    pub(crate) fn key_share(self) -> f32 {
+        let room = self.room();
+        let luminance = |color: Vec3| color.dot(Vec3::new(0.2126, 0.7152, 0.0722));
+        let of_light = |light: &SoftBox| {
+            let height = self.axes(light)[0].y.max(0.0);
+            let radiance = light.strength * linear_from_srgb(Vec3::from(light.color));
+            luminance(radiance) * height * solid_angle(light.half) / PI
+        };
+        let [horizon, zenith] = [room.horizon, room.zenith].map(|color| luminance(linear_from_srgb(Vec3::from(color))));
+        let around = 0.5 * (horizon + zenith) + room.lights[1..].iter().map(of_light).sum::<f32>();
+        let key = of_light(&room.lights[0]);
+        key / (key + around)
+    }
+
     /// As shared.wgsl reads it.
     pub(crate) fn vectors(self) -> [Vec4; ENVIRONMENT_VECTORS] {
         let room = self.room();
@@ -147,6 +162,8 @@ mod tests {
                 assert!(towards.is_normalized() && right.is_normalized() && towards.dot(right).abs() < 1e-6);
             }
             assert!(environment.key().y > 0.5, "shadows fall on the floor");
+            let share = environment.key_share();
+            assert!(share > 0.1 && share < 0.9, "they are seen, and never black: {share}");
         }
         let ahead = Environment { surroundings: Surroundings::Studio, yaw: 0.0 }.key();
         assert!(ahead.x < 0.0 && ahead.z > 0.0, "the key light stands behind the viewer, to the left");

@@ -2,6 +2,7 @@ use glam::Vec4;
 
 use crate::contact::{CONTACT_SIZE, Floor};
 use crate::context::Context;
+use crate::shadow::SHADOW_REACH;
 use crate::shared::{
     FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, uniform_buffer, uniform_entry,
 };
@@ -13,6 +14,8 @@ pub(crate) struct Ground {
     buffer: wgpu::Buffer,
     contact: wgpu::Texture,
     floor: Option<Floor>,
+    /// Middle of the floor and half a side, as ground.wgsl has them.
+    place: Vec4,
 }
 
 impl Ground {
@@ -25,7 +28,7 @@ impl Ground {
                 fragment_entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
             ],
         });
-        let buffer = uniform_buffer(context, "ground uniform", 1);
+        let buffer = uniform_buffer(context, "ground uniform", 2);
         let size = CONTACT_SIZE as u32;
         let contact = context.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("contact"),
@@ -64,18 +67,23 @@ impl Ground {
             place: Place::Over,
         }
         .build(context);
-        Self { pipeline, group, buffer, contact, floor: None }
+        Self { pipeline, group, buffer, contact, floor: None, place: Vec4::ZERO }
     }
 
     /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact). None takes it away.
     pub(crate) fn set(&mut self, context: &Context, floor: Option<(Floor, &[u8])>) {
         self.floor = floor.map(|(floor, _)| floor);
         let Some((Floor { center, reach }, texels)) = floor else { return };
-        let place: Vec4 = center.extend(reach);
-        context.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&place));
+        self.place = center.extend(reach);
         let row = Some(CONTACT_SIZE as u32);
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
         context.queue.write_texture(self.contact.as_image_copy(), texels, layout, self.contact.size());
+    }
+
+    /// Tells the key light's share of the light on the floor.
+    pub(crate) fn set_light(&self, context: &Context, key_share: f32) {
+        let vectors = [self.place, Vec4::new(key_share, SHADOW_REACH, 0.0, 0.0)];
+        context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&vectors));
     }
 
     /// Seen from below the floor is not there.

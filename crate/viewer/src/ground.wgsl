@@ -3,6 +3,8 @@
 struct Ground {
     // Middle of the floor; w: half a side.
     place: vec4f,
+    // The key light's share of the light on the floor, and how far from the middle of the shadow maps shadows can be.
+    light: vec4f,
 }
 
 @group(2) @binding(0) var<uniform> ground: Ground;
@@ -29,20 +31,22 @@ fn vs_ground(@builtin(vertex_index) corner: u32) -> Fragment {
 @fragment
 fn fs_ground(fragment: Fragment) -> @location(0) vec4f {
     let up = vec3f(0.0, 1.0, 0.0);
-    let dark = textureSampleLevel(contact, contact_sampler, 0.5 + 0.5 * fragment.place, 0.0).r;
-    let visible = key_visibility(fragment.position, up);
-    // What the floor gets of the light that it would get with nothing on it.
-    let white = vec3f(0.2126, 0.7152, 0.0722);
-    var key = 0.0;
-    var around = dot(surroundings(up, 1.0), white);
-    for (var i = 0; i < LIGHT_COUNT; i++) {
-        let light = frame.lights[i];
-        let share = dot(light.radiance.rgb, white) * light.radiance.w * wrapped(light.towards.y);
-        key += select(0.0, share, i == 0);
-        around += select(share, 0.0, i == 0);
-    }
-    let left = (key * visible + around * (1.0 - CONTACT_DEPTH * dark)) / (key + around);
     let fade = 1.0 - smoothstep(0.55, 1.0, length(fragment.place));
+    if fade <= 0.0 {
+        return vec4f(0.0);
+    }
+    let dark = textureSampleLevel(contact, contact_sampler, 0.5 + 0.5 * fragment.place, 0.0).r;
+    let place = (frame.shadow_from_world * vec4f(fragment.position, 1.0)).xy;
+    var visible = 1.0;
+    if length(place) < ground.light.y {
+        visible = key_visibility(fragment.position, up);
+    }
+    if visible == 1.0 && dark == 0.0 {
+        return vec4f(0.0);
+    }
+    // What the floor gets of the light that it would get with nothing on it.
+    let key = ground.light.x;
+    let left = key * visible + (1.0 - key) * (1.0 - CONTACT_DEPTH * dark);
     // The canvas blends sRGB bytes: what is left of the light there is about this power of what is left of it in truth.
     let shadow = fade * (1.0 - pow(clamp(left, 0.0, 1.0), 1.0 / 2.2));
     return vec4f(0.0, 0.0, 0.0, shadow);

@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::buffer::Growing;
+use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::shared::{PipelineRecipe, Place, Shared, shader};
@@ -18,6 +18,8 @@ const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
 /// Shares of the pin's height.
 const BALL_RADIUS: f32 = 0.2;
 const NEEDLE_RADIUS: f32 = 0.035;
+/// Greatest height of a pin, in bounding radii; see pin.wgsl.
+const TALLEST: f32 = 0.2;
 const NEEDLE: [f32; 2] = [0.0, 0.0];
 const BALL: [f32; 2] = [1.0, 0.0];
 
@@ -26,8 +28,7 @@ pub(crate) struct Pins {
     pipeline: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
     solid: SolidBuffers,
-    buffer: Growing,
-    instances: Vec<Instance>,
+    instances: Instances<Instance>,
 }
 
 impl Pins {
@@ -51,20 +52,18 @@ impl Pins {
             pipeline: recipe.build(context),
             shadow: casting.build_shadow(context),
             solid: solid.upload(context)?,
-            buffer: Growing::new("pin instances"),
-            instances: Vec::new(),
+            instances: Instances::new("pins"),
         })
     }
 
     /// Replaces the pins; one direction a foot point.
     pub(crate) fn set(&mut self, context: &Context, feet: &[Vec3], directions: &[Vec3], selected: Option<usize>) {
-        self.instances.clear();
-        self.instances.extend(feet.iter().zip(directions).enumerate().map(|(index, (foot, direction))| {
+        let pins = feet.iter().zip(directions).enumerate().map(|(index, (foot, direction))| {
             let up = direction.try_normalize().unwrap_or(Vec3::Y);
             let emphasis = if selected == Some(index) { 1.0 } else { 0.0 };
             [foot.x, foot.y, foot.z, up.x, up.y, up.z, emphasis]
-        }));
-        self.buffer.write(context, bytemuck::cast_slice(&self.instances));
+        });
+        self.instances.set(context, pins);
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
@@ -75,15 +74,19 @@ impl Pins {
         self.draw_with(pass, &self.shadow);
     }
 
+    /// Around each pin; `radius` is the surface's bounding radius.
+    pub(crate) fn balls(&self, radius: f32) -> impl Iterator<Item = (Vec3, f32)> + '_ {
+        self.instances.items().iter().map(move |&[x, y, z, ..]| (Vec3::new(x, y, z), TALLEST * radius))
+    }
+
     /// Whether there are any.
     pub(crate) fn is_empty(&self) -> bool {
         self.instances.is_empty()
     }
 
     fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        let Some(buffer) = self.buffer.get().filter(|_| !self.is_empty()) else { return };
+        let Some(count) = self.instances.bind(pass, 1) else { return };
         pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(1, buffer.slice(..));
-        self.solid.draw(pass, self.instances.len() as u32);
+        self.solid.draw(pass, count);
     }
 }

@@ -446,21 +446,22 @@ impl Renderer {
     fn prepare(&self, camera: &Camera, size: (u32, u32)) -> wgpu::CommandEncoder {
         let shadows = ShadowView::new(self.scene, self.environment.key());
         let moves = self.walkers.are_out() || !self.pins.is_empty();
+        let radius = self.radius();
         self.shared.write(
             &self.context,
             &FrameUniform {
                 eye: camera.eye(),
-                radius: self.radius(),
+                radius,
                 size,
                 pixel_ratio: camera.pixel_ratio(),
-                shadow_from_world: shadows.clip_from_world,
-                shadow_texel: shadows.texel,
-                has_moving_shadows: moves,
+                shadows,
+                moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
                 environment: self.environment,
             },
         );
         let mut encoder = self.context.encoder();
         if self.shadows_dirty {
+            self.ground.set_light(&self.context, self.environment.key_share());
             self.shared.maps.draw(&mut encoder, Casters::Still, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
                 for mesh in self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery) {

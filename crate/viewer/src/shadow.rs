@@ -2,7 +2,7 @@
 //!
 //! What stands still and what moves have one each, so that a walker's step does not draw the whole surface again.
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec2, Vec3};
 
 use crate::bounds::Bounds;
 use crate::context::{Context, DEPTH_FORMAT};
@@ -12,6 +12,9 @@ use crate::shared::{fragment_entry, texture};
 const SIZE: u32 = 1024;
 /// Room around the scene, as a factor on its bounding sphere: pins and walkers stand out from it.
 const MARGIN: f32 = 1.25;
+
+/// How far from the middle of the maps the scene's shadow can be, in clip space; soft over some texels.
+pub(crate) const SHADOW_REACH: f32 = 1.0 / MARGIN + 0.02;
 
 /// The two shadow maps.
 pub(crate) struct ShadowMaps {
@@ -47,6 +50,17 @@ impl ShadowView {
         let columns = [0, 1, 2].map(|axis| Vec3::from_array(rows.map(|row| row[axis])).extend(0.0));
         let clip_from_world = Mat4::from_cols(columns[0], columns[1], columns[2], offset.extend(1.0));
         Self { clip_from_world, texel: 2.0 * reach / SIZE as f32 }
+    }
+
+    /// Least and greatest x and y of shadows that balls (centre, radius) cast, in clip space.
+    pub(crate) fn cover(&self, balls: impl Iterator<Item = (Vec3, f32)>) -> [Vec2; 2] {
+        let pixel = 2.0 / SIZE as f32;
+        balls.fold([Vec2::INFINITY, Vec2::NEG_INFINITY], |[low, high], (center, radius)| {
+            let place = self.clip_from_world.transform_point3(center).truncate();
+            // Shadows are soft over a few texels.
+            let reach = Vec2::splat(pixel * (radius / self.texel + 4.0));
+            [low.min(place - reach), high.max(place + reach)]
+        })
     }
 }
 
@@ -133,6 +147,10 @@ mod tests {
         assert!((clip(scene.center) - Vec3::new(0.0, 0.0, 0.5)).length() < 1e-5);
         let (near, far) = (clip(scene.center + 2.0 * towards), clip(scene.center - 2.0 * towards));
         assert!(near.z > 0.0 && near.z < 0.5 && far.z > 0.5 && far.z < 1.0);
+        let [low, high] = view.cover(std::iter::once((scene.center, 1.0)));
+        assert!((low + high).length() < 1e-5, "around the middle");
+        // Half the scene's radius, which the margin takes to 0.4, and four texels.
+        assert!((high.x - 0.4 - 8.0 / SIZE as f32).abs() < 1e-5);
         for rim in [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| clip(scene.center + 2.0 * axis)) {
             assert!(rim.x.abs() < 1.0 && rim.y.abs() < 1.0);
         }

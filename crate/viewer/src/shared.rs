@@ -1,9 +1,9 @@
-use glam::{Mat4, Vec3, Vec4};
+use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::camera::Eye;
 use crate::context::{Context, DEPTH_FORMAT, SAMPLE_COUNT};
 use crate::environment::{ENVIRONMENT_VECTORS, Environment};
-use crate::shadow::ShadowMaps;
+use crate::shadow::{ShadowMaps, ShadowView};
 
 /// Declarations that every shader starts with.
 pub(crate) const SHARED_WGSL: &str = include_str!("shared.wgsl");
@@ -18,30 +18,28 @@ pub(crate) struct FrameUniform {
     pub(crate) radius: f32,
     pub(crate) size: (u32, u32),
     pub(crate) pixel_ratio: f32,
-    /// Clip space of the shadow maps.
-    pub(crate) shadow_from_world: Mat4,
-    /// World units.
-    pub(crate) shadow_texel: f32,
-    pub(crate) has_moving_shadows: bool,
+    pub(crate) shadows: ShadowView,
+    /// Least and greatest x and y, in the maps' clip space, of shadows of what moves; least above greatest for none.
+    pub(crate) moving: [Vec2; 2],
     pub(crate) environment: Environment,
 }
 
 impl FrameUniform {
     fn vectors(&self, clip_from_world: Mat4) -> [Vec4; FRAME_VECTORS] {
-        let flag = |on: bool| f32::from(u8::from(on));
+        let [low, high] = self.moving;
         let axes = self.eye.world_from_view.as_mat3();
         let (width, height) = self.size;
         let mut vectors = [Vec4::ZERO; FRAME_VECTORS];
         vectors[..4].copy_from_slice(&columns(clip_from_world));
         vectors[4..10].copy_from_slice(&[
             axes.x_axis.extend(0.0),
-            axes.y_axis.extend(0.0),
+            axes.y_axis.extend(self.shadows.texel),
             axes.z_axis.extend(0.0),
             self.eye.position.as_vec3().extend(self.radius),
             Vec4::new(width as f32, height as f32, self.pixel_ratio, self.eye.pixel_slope as f32),
-            Vec4::new(self.shadow_texel, flag(self.has_moving_shadows), 0.0, 0.0),
+            Vec4::new(low.x, low.y, high.x, high.y),
         ]);
-        vectors[10..14].copy_from_slice(&columns(self.shadow_from_world));
+        vectors[10..14].copy_from_slice(&columns(self.shadows.clip_from_world));
         vectors[14..].copy_from_slice(&self.environment.vectors());
         vectors
     }
@@ -79,7 +77,7 @@ impl Shared {
             context.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&frame.vectors(clip_from_world)));
         };
         write(&self.camera, frame.eye.clip_from_world.as_mat4());
-        write(&self.shadow, frame.shadow_from_world);
+        write(&self.shadow, frame.shadows.clip_from_world);
     }
 }
 

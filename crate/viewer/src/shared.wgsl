@@ -15,7 +15,7 @@ const LIGHT_COUNT = 4;
 
 struct Frame {
     clip_from_world: mat4x4f,
-    // The camera's axes in world space; w unused.
+    // The camera's axes in world space; w of the second: world size of a texel of the shadow maps.
     right: vec4f,
     up: vec4f,
     back: vec4f,
@@ -23,8 +23,8 @@ struct Frame {
     eye: vec4f,
     // Width and height in physical pixels, physical pixels a CSS pixel, world size of a pixel at unit distance.
     screen: vec4f,
-    // Size of a texel of the shadow maps; 1 where something that moves casts shadows; unused.
-    shadow: vec4f,
+    // The part of the shadow maps that shadows of what moves can fall on: least x and y, greatest x and y; clip space.
+    moving: vec4f,
     // From world space to the shadow maps: clip space seen from the key light.
     shadow_from_world: mat4x4f,
     zenith: vec4f,
@@ -65,21 +65,24 @@ fn basis(up: vec3f) -> mat3x3f {
     return mat3x3f(right, up, ahead);
 }
 
-// From 0 far below zero to 1 far above: a step blurred over about a unit.
+// From 0 far below zero to 1 far above: a step blurred over about a unit to either side.
 fn blurred_step(x: f32) -> f32 {
-    return 0.5 + 0.5 * x * inverseSqrt(1.0 + x * x);
+    return smoothstep(0.0, 1.0, 0.5 + 0.36 * x);
 }
 
 // Share of a light that a mirror shows in a direction, where `blur` is the tangent of the angle that it is blurred over.
 fn light_share(light: Light, direction: vec3f, blur: f32) -> f32 {
     let ahead = dot(direction, light.towards.xyz);
+    if ahead <= 0.0 {
+        return 0.0;
+    }
     let up = cross(light.towards.xyz, light.right.xyz);
-    let at = vec2f(dot(direction, light.right.xyz), dot(direction, up)) / max(ahead, 0.05);
-    let half = vec2f(light.towards.w, light.right.w);
-    let low = (at + half) / blur;
-    let high = (at - half) / blur;
-    let inside = (blurred_step(low.x) - blurred_step(high.x)) * (blurred_step(low.y) - blurred_step(high.y));
-    return inside * smoothstep(0.0, 0.3, ahead);
+    let at = abs(vec2f(dot(direction, light.right.xyz), dot(direction, up))) / (blur * max(ahead, 0.05));
+    let half = vec2f(light.towards.w, light.right.w) / blur;
+    let low = smoothstep(vec2f(0.0), vec2f(1.0), 0.5 + 0.36 * (half - at));
+    let high = smoothstep(vec2f(0.0), vec2f(1.0), 0.5 - 0.36 * (half + at));
+    let inside = low - high;
+    return inside.x * inside.y * smoothstep(0.0, 0.3, ahead);
 }
 
 // Sky and floor in a direction, blurred likewise.
@@ -105,25 +108,26 @@ fn key_visibility(position: vec3f, normal: vec3f) -> f32 {
     if certain <= 0.0 {
         return 1.0;
     }
-    let texel = frame.shadow.x;
-    let lifted = position + normal * (2.5 * texel);
+    let lifted = position + normal * (2.5 * frame.up.w);
     let clip = (frame.shadow_from_world * vec4f(lifted, 1.0)).xyz;
     let place = vec2f(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y);
     // The floor reaches beyond the map: what is behind the scene is as far as nothing.
     let depth = min(clip.z, 1.0);
-    let step = 1.0 / vec2f(textureDimensions(still_shadows));
+    let step = 1.5 / vec2f(textureDimensions(still_shadows));
+    // A square turned, so that the four blend along rows and columns.
+    var taps = array<vec2f, 4>(vec2f(-0.4, -1.0), vec2f(1.0, -0.4), vec2f(0.4, 1.0), vec2f(-1.0, 0.4));
+    // Few points are near what moves.
+    let is_near = all(clip.xy >= frame.moving.xy) && all(clip.xy <= frame.moving.zw);
     var lit = 0.0;
-    for (var y = -1; y <= 1; y++) {
-        for (var x = -1; x <= 1; x++) {
-            let tap = place + 1.6 * step * vec2f(f32(x), f32(y));
-            var through = textureSampleCompareLevel(still_shadows, shadow_sampler, tap, depth);
-            if frame.shadow.y > 0.0 {
-                through *= textureSampleCompareLevel(moving_shadows, shadow_sampler, tap, depth);
-            }
-            lit += through;
+    for (var i = 0; i < 4; i++) {
+        let tap = place + step * taps[i];
+        var through = textureSampleCompareLevel(still_shadows, shadow_sampler, tap, depth);
+        if is_near {
+            through *= textureSampleCompareLevel(moving_shadows, shadow_sampler, tap, depth);
         }
+        lit += through;
     }
-    return mix(1.0, lit / 9.0, certain);
+    return mix(1.0, lit / 4.0, certain);
 }
 
 // The Khronos PBR neutral tone mapper (2024): colours below the shoulder stay as they are, highlights pale towards white.
@@ -149,6 +153,17 @@ fn encode(light: vec3f) -> vec4f {
     return vec4f(select(curved, 12.92 * clamped, clamped <= vec3f(0.0031308)), 1.0);
 }
 
+// What one light gives to a matt surface and to a mirror.
+struct Lit {
+    diffuse: vec3f,
+    specular: vec3f,
+}
+
+fn lit_by(light: Light, normal: vec3f, mirrored: vec3f, blur: f32) -> Lit {
+    let share = light.radiance.w * wrapped(dot(normal, light.towards.xyz));
+    return Lit(light.radiance.rgb * share, light.radiance.rgb * light_share(light, mirrored, blur));
+}
+
 // Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
 // roughness. `normal` faces the eye; `key` is the share of the key light that comes through.
 fn shade(material: Material, position: vec3f, normal: vec3f, key: f32) -> vec3f {
@@ -158,12 +173,15 @@ fn shade(material: Material, position: vec3f, normal: vec3f, key: f32) -> vec3f 
     let blur = 0.012 + 1.1 * material.roughness * material.roughness;
     var diffuse = surroundings(normal, 1.0);
     var specular = surroundings(mirrored, blur);
-    for (var i = 0; i < LIGHT_COUNT; i++) {
-        let light = frame.lights[i];
-        let through = select(1.0, key, i == 0);
-        diffuse += light.radiance.rgb * (light.radiance.w * through * wrapped(dot(normal, light.towards.xyz)));
-        specular += light.radiance.rgb * (through * light_share(light, mirrored, blur));
-    }
+    // One by one: a loop over uniforms is slow where the processor draws.
+    let lit = array<Lit, LIGHT_COUNT>(
+        lit_by(frame.lights[0], normal, mirrored, blur),
+        lit_by(frame.lights[1], normal, mirrored, blur),
+        lit_by(frame.lights[2], normal, mirrored, blur),
+        lit_by(frame.lights[3], normal, mirrored, blur),
+    );
+    diffuse += key * lit[0].diffuse + lit[1].diffuse + lit[2].diffuse + lit[3].diffuse;
+    specular += key * lit[0].specular + lit[1].specular + lit[2].specular + lit[3].specular;
     // Karis, "Physically based shading on mobile" (2014): the reflection's share of a rough surface, fitted.
     let fit = material.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
     let rim = min(fit.x * fit.x, exp2(-9.28 * facing)) * fit.x + fit.y;

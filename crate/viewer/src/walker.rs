@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::buffer::Growing;
+use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::gait::{ANKLE, Figure};
@@ -48,27 +48,18 @@ pub(crate) struct Walkers {
 /// Figures of one shape.
 struct Group {
     solid: SolidBuffers,
-    buffer: Growing,
-    figures: Vec<Figure>,
+    figures: Instances<Figure>,
 }
 
 impl Group {
     fn new(context: &Context, detail: Detail) -> Result<Self, Error> {
-        let solid = figure(detail).upload(context)?;
-        Ok(Self { solid, buffer: Growing::new("figures"), figures: Vec::new() })
-    }
-
-    fn set(&mut self, context: &Context, figures: impl Iterator<Item = Figure>) {
-        self.figures.clear();
-        self.figures.extend(figures);
-        self.buffer.write(context, bytemuck::cast_slice(&self.figures));
+        Ok(Self { solid: figure(detail).upload(context)?, figures: Instances::new("figures") })
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        let Some(buffer) = self.buffer.get().filter(|_| !self.figures.is_empty()) else { return };
+        let Some(count) = self.figures.bind(pass, 1) else { return };
         pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(1, buffer.slice(..));
-        self.solid.draw(pass, self.figures.len() as u32);
+        self.solid.draw(pass, count);
     }
 }
 
@@ -95,7 +86,7 @@ impl Walkers {
 
     /// Stands the walker at an arc length of the track; `radius` is the surface's bounding radius.
     pub(crate) fn stand(&mut self, context: &Context, track: &Track, arc: f32, radius: f32) {
-        self.walker.set(context, std::iter::once(Figure::on(track, arc, HEIGHT * radius)));
+        self.walker.figures.set(context, [Figure::on(track, arc, HEIGHT * radius)]);
     }
 
     pub(crate) fn hide(&mut self) {
@@ -105,7 +96,13 @@ impl Walkers {
     /// Replaces the crowd; `radius` is the surface's bounding radius.
     pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[[f32; POSE_NUMBERS]], radius: f32) {
         let height = CROWD_HEIGHT * radius;
-        self.crowd.set(context, poses.iter().map(|pose| Figure::in_crowd(pose, height)));
+        self.crowd.figures.set(context, poses.iter().map(|pose| Figure::in_crowd(pose, height)));
+    }
+
+    /// Around each figure.
+    pub(crate) fn balls(&self) -> impl Iterator<Item = (Vec3, f32)> + '_ {
+        let groups = [&self.walker, &self.crowd].into_iter();
+        groups.flat_map(|group| group.figures.items()).map(|figure| (figure.place.truncate(), figure.place.w))
     }
 
     /// Whether anybody is there.

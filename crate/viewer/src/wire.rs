@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::buffer::Growing;
+use crate::buffer::Instances;
 use crate::context::Context;
 use crate::shared::{PipelineRecipe, Place, Shared, linear_from_srgb, shader};
 
@@ -16,8 +16,7 @@ const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
 /// Draws edges as thin lines.
 pub(crate) struct Wires {
     pipeline: wgpu::RenderPipeline,
-    buffer: Growing,
-    instances: Vec<Instance>,
+    segments: Instances<Instance>,
 }
 
 impl Wires {
@@ -33,24 +32,23 @@ impl Wires {
             place: Place::Over,
         }
         .build(context);
-        Self { pipeline, buffer: Growing::new("wire segments"), instances: Vec::new() }
+        Self { pipeline, segments: Instances::new("edges") }
     }
 
     /// Adds segments, two ends each, of one colour; sRGB, 0..1.
     pub(crate) fn add(&mut self, context: &Context, ends: &[[Vec3; 2]], color: Vec3) {
         let color = linear_from_srgb(color);
-        self.instances.extend(ends.iter().map(|[a, b]| [a.x, a.y, a.z, b.x, b.y, b.z, color.x, color.y, color.z]));
-        self.buffer.write(context, bytemuck::cast_slice(&self.instances));
+        let segment = |[a, b]: &[Vec3; 2]| [a.x, a.y, a.z, b.x, b.y, b.z, color.x, color.y, color.z];
+        self.segments.extend(context, ends.iter().map(segment));
     }
 
     pub(crate) fn clear(&mut self) {
-        self.instances.clear();
+        self.segments.clear();
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(buffer) = self.buffer.get().filter(|_| !self.instances.is_empty()) else { return };
+        let Some(count) = self.segments.bind(pass, 0) else { return };
         pass.set_pipeline(&self.pipeline);
-        pass.set_vertex_buffer(0, buffer.slice(..));
-        pass.draw(0..4, 0..self.instances.len() as u32);
+        pass.draw(0..4, 0..count);
     }
 }
