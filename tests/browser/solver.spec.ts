@@ -46,7 +46,7 @@ test('every choice of the panel is taken, solved and in the link', async ({ heat
   ] as const) {
     for (const value of values) {
       const solves = await heatwalk.solves();
-      await page.getByLabel(label).selectOption(value);
+      await page.getByRole('combobox', { name: label }).selectOption(value);
       await expect.poll(() => heatwalk.solves(), `${label} ${value}`).toBeGreaterThan(solves);
       await expect(page).toHaveURL(new RegExp(`[&]${key}=${value}`));
     }

@@ -45,7 +45,8 @@ export function showSection(session: Session): HTMLElement {
     min: 0,
     max: CROWD_STEPS,
     step: 1,
-    describe: (value) => (value === 0 ? 'nobody' : count(walkersAt(value))),
+    // A link may ask for a number between two steps.
+    describe: () => (scene.state.crowd === 0 ? 'nobody' : count(scene.state.crowd)),
     change: (value) => scene.set({ crowd: walkersAt(value) }),
   });
   const showLegend = () => {
