@@ -46,7 +46,9 @@ export class Frames {
       this.#session.animate(seconds);
       this.#moved = now;
     }
-    this.#drew = this.#session.view.render(step(passed));
+    // So do pictures of fields that a hand asks for faster than they can be drawn.
+    const waits = now < this.#rests && this.#session.dragging;
+    this.#drew = !waits && this.#session.view.render(step(passed));
     this.#last = now;
     if (this.#settling !== null) this.#settle();
     this.start();

@@ -126,6 +126,10 @@ export class Session {
     else void this.#solve();
   }
 
+  get dragging(): boolean {
+    return this.#dragging;
+  }
+
   /** Nothing is being opened, solved or refined, and no hand holds a source. */
   get settled(): boolean {
     return this.loading.value === null && (this.#engine === null || this.refiner.settled);
