@@ -52,7 +52,7 @@ impl Arrows {
     /// surface. `radius` is the surface's bounding radius.
     pub(crate) fn set(&mut self, context: &Context, picker: &Picker, vectors: &[Vec3], radius: f32) {
         let step = vectors.len().div_ceil(MOST).max(1);
-        let arrows = picker.along_curve().iter().step_by(step).filter_map(|&triangle| {
+        let arrows = picker.in_leaf_order().iter().step_by(step).filter_map(|&triangle| {
             let direction = vectors[triangle as usize].try_normalize()?;
             let [a, b, c] = picker.corners(triangle).map(|vertex| picker.positions()[vertex as usize]);
             let side = (0.5 * (b - a).cross(c - a).length() * step as f32).sqrt();

@@ -1,11 +1,17 @@
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3, Vec3A};
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
+use obvhs::ray::RayHit;
 
-/// A leaf holds from this many to twice as many triangles: with fewer, memory grows and no ray gains.
-const TRIANGLES_PER_LEAF: usize = 4;
-/// Cells of the Morton curve along an axis, as a power of two: three axes and the index of a triangle share 64 bits.
-const CELL_BITS: u32 = 10;
-/// Depths along a ray come from three roundings on either side of a comparison: difference, reciprocal, product.
-const ROUNDING: f32 = 1.0 + 6.0 * f32::EPSILON;
+/// Leaves of a few triangles halve the nodes; the surface-area heuristic decides how many up to this.
+const TRIANGLES_PER_LEAF: u32 = 8;
+/// Boxes reach beyond their triangles by this share of their coordinates: a ray along a side would miss its box, since
+/// depths along a ray are rounded.
+const MARGIN: f32 = 64.0 * f32::EPSILON;
+/// Cost of visiting a node against testing a triangle, the value obvhs's own presets use.
+const TRAVERSAL_COST: f32 = 3.0;
 
 /// A half-line in world space.
 #[derive(Clone, Copy, Debug)]
@@ -28,72 +34,51 @@ pub struct Hit {
 }
 
 /// Triangles in a bounding volume hierarchy, for finding what lies under the pointer.
-///
-/// The hierarchy halves the triangles' order along a Morton curve, as in Lauterbach et al., "Fast BVH construction on
-/// GPUs" (2009), section 3, so that building it is little more than a sort: a mesh of a million triangles must not hold
-/// up the page.
 pub struct Picker {
+    hierarchy: Bvh2,
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    /// Triangles along the curve; leaf `k` of `n` holds the `k`-th of `n` equal shares.
-    order: Vec<u32>,
-    /// A complete binary tree, root first: node `i` is above nodes `2 i + 1` and `2 i + 2`, the last level are leaves.
-    boxes: Vec<Cuboid>,
 }
 
 impl Picker {
     /// Builds the hierarchy; the indices must be in range and the positions finite.
     #[must_use]
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Self {
-        let order = along_curve(&positions, &triangles);
-        let leaves = (triangles.len() / TRIANGLES_PER_LEAF).checked_ilog2().map_or(1, |levels| 1 << levels);
-        let mut picker = Self { positions, triangles, order, boxes: vec![Cuboid::EMPTY; 2 * leaves - 1] };
-        for leaf in 0..leaves {
-            let corners = picker.leaf(leaf).iter().flat_map(|&triangle| picker.corners(triangle));
-            let cuboid = Cuboid::of(corners.map(|vertex| picker.positions[vertex as usize]));
-            picker.boxes[leaves - 1 + leaf] = cuboid;
-        }
-        for node in (0..leaves - 1).rev() {
-            picker.boxes[node] = picker.boxes[2 * node + 1].join(picker.boxes[2 * node + 2]);
-        }
-        picker
-    }
-
-    fn leaf_count(&self) -> usize {
-        self.boxes.len().div_ceil(2)
-    }
-
-    fn leaf(&self, leaf: usize) -> &[u32] {
-        let start = |leaf: usize| (leaf as u64 * self.order.len() as u64 / self.leaf_count() as u64) as usize;
-        &self.order[start(leaf)..start(leaf + 1)]
+        let boxes: Vec<Aabb> = triangles
+            .iter()
+            .map(|corners| {
+                let [a, b, c] = corners.map(|vertex| Vec3A::from(positions[vertex as usize]));
+                let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+                let margin = MARGIN * low.abs().max(high.abs()).max_element();
+                Aabb::new(low - margin, high + margin)
+            })
+            .collect();
+        // obvhs's ready-made builders read the clock, which panics on wasm32; these are the steps of its fastest one.
+        let order = (0..boxes.len() as u32).collect();
+        let mut hierarchy = PlocBuilder::with_capacity(boxes.len()).build(
+            PlocSearchDistance::Minimum,
+            &boxes,
+            order,
+            SortPrecision::U64,
+            0,
+        );
+        collapse(&mut hierarchy, TRIANGLES_PER_LEAF, TRAVERSAL_COST);
+        Self { hierarchy, positions, triangles }
     }
 
     /// The nearest triangle in front of the ray's origin, seen from either side.
     #[must_use]
     pub fn cast(&self, ray: Ray) -> Option<Hit> {
-        let inverse = ray.direction.recip();
-        let mut nearest: Option<Hit> = None;
-        let mut reach = f32::INFINITY;
-        let mut open = vec![(0.0, 0)];
-        while let Some((entry, node)) = open.pop() {
-            if entry >= reach {
-                continue;
-            }
-            if let Some(leaf) = (node + 1_usize).checked_sub(self.leaf_count()) {
-                for hit in self.leaf(leaf).iter().filter_map(|&triangle| self.meet(ray, triangle)) {
-                    if nearest.is_none_or(|nearest| hit.depth < nearest.depth) {
-                        nearest = Some(hit);
-                        reach = hit.depth * ROUNDING;
-                    }
-                }
-                continue;
-            }
-            let [left, right] =
-                [2 * node + 1, 2 * node + 2].map(|child| (self.boxes[child].entry(ray.origin, inverse), child));
-            // The nearer one comes last, to be taken first.
-            open.extend(if left.0 < right.0 { [right, left] } else { [left, right] });
+        if self.triangles.is_empty() {
+            return None;
         }
-        nearest
+        let mut found = RayHit::none();
+        let walk = obvhs::ray::Ray::new_inf(ray.origin.into(), ray.direction.into());
+        self.hierarchy.ray_traverse(walk, &mut found, |_, slot| {
+            self.meet(ray, self.hierarchy.primitive_indices[slot]).map_or(f32::INFINITY, |hit| hit.depth)
+        });
+        let slot = self.hierarchy.primitive_indices.get(found.primitive_id as usize)?;
+        self.meet(ray, *slot)
     }
 
     /// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), in double precision so that
@@ -131,10 +116,10 @@ impl Picker {
         &self.triangles
     }
 
-    /// The triangles in an order in which neighbours in it are neighbours in space.
+    /// The triangles in the order of the hierarchy's leaves: neighbours in it are neighbours in space.
     #[must_use]
-    pub fn along_curve(&self) -> &[u32] {
-        &self.order
+    pub fn in_leaf_order(&self) -> &[u32] {
+        &self.hierarchy.primitive_indices
     }
 
     /// The three corners of a triangle, as vertex indices.
@@ -142,64 +127,6 @@ impl Picker {
     pub fn corners(&self, triangle: u32) -> [u32; 3] {
         self.triangles[triangle as usize]
     }
-}
-
-/// A box along the axes.
-#[derive(Clone, Copy)]
-struct Cuboid {
-    low: Vec3,
-    high: Vec3,
-}
-
-impl Cuboid {
-    const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
-
-    fn of(points: impl Iterator<Item = Vec3>) -> Self {
-        points.fold(Self::EMPTY, |it, point| Self { low: it.low.min(point), high: it.high.max(point) })
-    }
-
-    fn join(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    /// Depth at which a ray comes in, 0 from inside, infinite where it misses. Kay and Kajiya, "Ray tracing complex
-    /// scenes" (1986).
-    fn entry(self, origin: Vec3, inverse: Vec3) -> f32 {
-        let (low, high) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
-        // 0 times infinity: the ray lies in the plane of a side, which belongs to the box.
-        let within = low.is_nan_mask() | high.is_nan_mask();
-        let entry = Vec3::select(within, Vec3::NEG_INFINITY, low.min(high)).max_element().max(0.0);
-        let exit = Vec3::select(within, Vec3::INFINITY, low.max(high)).min_element();
-        if entry <= exit * ROUNDING { entry } else { f32::INFINITY }
-    }
-}
-
-/// Triangles in the order in which a Morton curve passes their centres. Morton, "A computer oriented geodetic data base
-/// and a new technique in file sequencing" (1966).
-fn along_curve(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u32> {
-    let bounds = Cuboid::of(positions.iter().copied());
-    let cells = ((1 << CELL_BITS) - 1) as f32 / (bounds.high - bounds.low);
-    let mut keys: Vec<u64> = triangles
-        .iter()
-        .zip(0_u64..)
-        .map(|(corners, index)| {
-            let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-            // Along an axis without extent this is not a number, which as an integer is 0.
-            let cell = ((a + b + c) / 3.0 - bounds.low) * cells;
-            let [x, y, z] = cell.to_array().map(|along| spread(along as u32));
-            u64::from(x | y << 1 | z << 2) << 32 | index
-        })
-        .collect();
-    keys.sort_unstable();
-    keys.into_iter().map(|key| key as u32).collect()
-}
-
-/// Moves bit `i` of a cell number to place `3 i`.
-fn spread(cell: u32) -> u32 {
-    let cell = (cell | cell << 16) & 0x0300_00ff;
-    let cell = (cell | cell << 8) & 0x0300_f00f;
-    let cell = (cell | cell << 4) & 0x030c_30c3;
-    (cell | cell << 2) & 0x0924_9249
 }
 
 #[cfg(test)]
