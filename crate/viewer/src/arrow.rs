@@ -36,7 +36,7 @@ impl Arrows {
         solid.turned(Vec3::NEG_Y * 0.5, Vec3::Y, &[(0.0, 0.001), (0.0, 0.17), (0.06, 0.17), (1.0, 0.004)], [0.0; 2]);
         let pipeline = PipelineRecipe {
             label: "arrow",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
             module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
             vertex: "vs_arrow",
             fragment: "fs_arrow",

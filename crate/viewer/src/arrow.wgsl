@@ -26,5 +26,5 @@ fn vs_arrow(
 fn fs_arrow(fragment: Fragment) -> @location(0) vec4f {
     let material = Material(AMBER, 0.0, 0.45, 0.15 * AMBER);
     let normal = normalize(fragment.normal);
-    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
+    return encode(shade(material, fragment.position, normal, normal));
 }

@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::bounds::Bounds;
+use crate::scatter::scatter;
 
 /// Cells along a side of the floor.
 pub(crate) const CONTACT_SIZE: usize = 96;
@@ -42,20 +43,10 @@ impl Contact {
         Self { floor, height: HEIGHT * scene.radius, cells: vec![0.0; CONTACT_SIZE * CONTACT_SIZE] }
     }
 
-    /// Adds the triangles of a mesh. Triangles are smaller than cells or much larger, so a few points of each will do.
+    /// Adds the triangles of a mesh.
     pub(crate) fn add(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
         let cell = 2.0 * self.floor.reach / CONTACT_SIZE as f32;
-        for corners in triangles {
-            let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-            let longest = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a)).sqrt();
-            let steps = ((longest / cell).ceil() as u32).clamp(1, 2 * CONTACT_SIZE as u32);
-            for i in 0..=steps {
-                for j in 0..=steps - i {
-                    let (v, w) = (i as f32 / steps as f32, j as f32 / steps as f32);
-                    self.shade(a + v * (b - a) + w * (c - a), cell);
-                }
-            }
-        }
+        scatter(positions, triangles, 0.7 * cell, |point, _| self.shade(point, cell));
     }
 
     fn shade(&mut self, point: Vec3, cell: f32) {

@@ -23,7 +23,7 @@ impl Curve {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
         let pipeline = PipelineRecipe {
             label: "curve",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
             module: &shader(context, "curve.wgsl", include_str!("curve.wgsl")),
             vertex: "vs_curve",
             fragment: "fs_curve",

@@ -61,5 +61,5 @@ fn fs_curve(fragment: Fragment) -> @location(0) vec4f {
     // The dark edge sets the cord off from stripes of any colour.
     let edge = smoothstep(0.66 - feather, 0.66 + feather, abs(across));
     let cord = Material(mix(CORD, EDGE, edge), 0.0, 0.45, 0.12 * mix(CORD, EDGE, edge));
-    return encode(shade(cord, fragment.position, normal, key_visibility(fragment.position, normal)));
+    return encode(shade(cord, fragment.position, normal, normal));
 }

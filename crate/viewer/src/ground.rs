@@ -58,7 +58,7 @@ impl Ground {
         });
         let pipeline = PipelineRecipe {
             label: "ground",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout), Some(&layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)],
             module: &shader(context, "ground.wgsl", include_str!("ground.wgsl")),
             vertex: "vs_ground",
             fragment: "fs_ground",
@@ -70,14 +70,18 @@ impl Ground {
         Self { pipeline, group, buffer, contact, floor: None, place: Vec4::ZERO }
     }
 
-    /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact). None takes it away.
-    pub(crate) fn set(&mut self, context: &Context, floor: Option<(Floor, &[u8])>) {
-        self.floor = floor.map(|(floor, _)| floor);
-        let Some((Floor { center, reach }, texels)) = floor else { return };
-        self.place = center.extend(reach);
+    /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact).
+    pub(crate) fn set(&mut self, context: &Context, floor: Floor, contact: &[u8]) {
+        self.floor = Some(floor);
+        self.place = floor.center.extend(floor.reach);
         let row = Some(CONTACT_SIZE as u32);
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
-        context.queue.write_texture(self.contact.as_image_copy(), texels, layout, self.contact.size());
+        context.queue.write_texture(self.contact.as_image_copy(), contact, layout, self.contact.size());
+    }
+
+    /// Takes the floor away.
+    pub(crate) fn clear(&mut self) {
+        self.floor = None;
     }
 
     /// Tells the key light's share of the light on the floor.

@@ -18,11 +18,15 @@ mod environment;
 mod error;
 mod gait;
 mod ground;
+mod light;
 mod look;
+mod mesh;
+mod occlusion;
 mod pick;
 mod pin;
 mod pose;
 mod renderer;
+mod scatter;
 mod shadow;
 mod shared;
 mod solid;
@@ -39,9 +43,10 @@ pub use context::{Backend, Context};
 pub use environment::Surroundings;
 pub use error::Error;
 pub use look::{Finish, Look, Pattern, RAMP_SIZE};
+pub use mesh::MeshArrays;
 pub use pick::{Hit, Picker, Ray};
 pub use pose::{Pose, Track};
-pub use renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
+pub use renderer::{Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
 pub use surface::RAMP_BYTES;
 
 #[cfg(test)]

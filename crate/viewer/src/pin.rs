@@ -39,7 +39,7 @@ impl Pins {
         solid.ball(Vec3::Y * (1.0 - BALL_RADIUS), Vec3::Y, BALL_RADIUS, BALL_RADIUS, BALL);
         let recipe = PipelineRecipe {
             label: "pin",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
             module: &shader(context, "pin.wgsl", include_str!("pin.wgsl")),
             vertex: "vs_pin",
             fragment: "fs_pin",

@@ -41,5 +41,5 @@ fn fs_pin(fragment: Fragment) -> @location(0) vec4f {
     let glow = 0.08 * green * fragment.ball;
     let material = Material(mix(STEEL, green, fragment.ball), 1.0 - fragment.ball, mix(0.35, 0.22, fragment.ball), glow);
     let normal = normalize(fragment.normal);
-    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
+    return encode(shade(material, fragment.position, normal, normal));
 }

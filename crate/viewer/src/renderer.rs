@@ -1,83 +1,26 @@
 use glam::{DVec3, Vec2, Vec3};
 
-use crate::capture::Capture;
-use crate::contact::{Contact, Floor};
-use crate::environment::{Environment, Surroundings};
-use crate::ground::Ground;
-use crate::look::Look;
-use crate::shadow::{Casters, ShadowView};
-
 use crate::arrow::Arrows;
 use crate::background::Background;
 use crate::bounds::Bounds;
 use crate::camera::{Camera, Eye, Insets, View};
+use crate::capture::Capture;
+use crate::contact::{Contact, Floor};
 use crate::context::{Backend, Context, NextFrame};
 use crate::curve::Curve;
+use crate::environment::{Environment, Surroundings};
 use crate::error::Error;
-use crate::pick::Picker;
+use crate::ground::Ground;
+use crate::look::Look;
+use crate::mesh::{Mesh, MeshArrays};
+use crate::occlusion::{Cube, Occlusion};
 use crate::pin::Pins;
 use crate::pose::Track;
+use crate::shadow::{Casters, ShadowView};
 use crate::shared::{FrameUniform, Shared};
-use crate::surface::{FieldBuffers, MeshBuffers, RAMP_BYTES, SurfaceRenderer};
+use crate::surface::{FieldBuffers, RAMP_BYTES, SurfaceRenderer};
 use crate::walker::{POSE_NUMBERS, Walkers};
 use crate::wire::Wires;
-
-/// A triangle mesh as the page hands it over; world space.
-pub struct MeshArrays {
-    /// `#D × 3`.
-    pub positions: Vec<Vec3>,
-    /// `#D × 3`, unit length.
-    pub normals: Vec<Vec3>,
-    /// `#F × 3`, indices into the positions.
-    pub triangles: Vec<[u32; 3]>,
-}
-
-impl MeshArrays {
-    fn check(&self) -> Result<(), Error> {
-        let vertex_count = self.positions.len();
-        if self.normals.len() != vertex_count {
-            return Err(Error::WrongLength {
-                what: "normals",
-                expected: 3 * vertex_count,
-                found: 3 * self.normals.len(),
-            });
-        }
-        if let Some(vertex) = self.positions.iter().position(|position| !position.is_finite()) {
-            return Err(Error::NotFinite { vertex });
-        }
-        for (triangle, corners) in self.triangles.iter().enumerate() {
-            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
-                return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });
-            }
-        }
-        Ok(())
-    }
-}
-
-/// A mesh on the device and in the picker.
-struct Mesh {
-    buffers: MeshBuffers,
-    bounds: Bounds,
-    normals: Vec<Vec3>,
-    picker: Picker,
-}
-
-impl Mesh {
-    /// None for a mesh without triangles.
-    fn new(context: &Context, arrays: MeshArrays) -> Result<Option<Self>, Error> {
-        arrays.check()?;
-        let Some(bounds) = Bounds::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty()) else {
-            return Ok(None);
-        };
-        let MeshArrays { positions, normals, triangles } = arrays;
-        let buffers = MeshBuffers::new(context, &positions, &normals, &triangles)?;
-        Ok(Some(Self { buffers, bounds, normals, picker: Picker::new(positions, triangles) }))
-    }
-
-    fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {
-        self.picker.positions().iter()
-    }
-}
 
 /// A place on the surface under a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -113,11 +56,15 @@ pub struct Renderer {
     scenery: Option<Mesh>,
     /// Of surface and scenery together.
     scene: Bounds,
+    /// Of the occlusion grid.
+    cube: Cube,
     track: Option<Track>,
     /// The last frame is out of date.
     dirty: bool,
     /// And so are the shadows of what stands still.
     shadows_dirty: bool,
+    /// And so is what it keeps off the floor and off itself.
+    occlusion_dirty: bool,
 }
 
 impl Renderer {
@@ -143,9 +90,11 @@ impl Renderer {
             surface: None,
             scenery: None,
             scene: Bounds::UNIT,
+            cube: Cube { low: Vec3::ZERO, side: 1.0 },
             track: None,
             dirty: true,
             shadows_dirty: true,
+            occlusion_dirty: true,
             shared,
             context,
         };
@@ -201,19 +150,36 @@ impl Renderer {
     }
 
     fn update_bounds(&mut self) {
-        let meshes = || self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery);
         let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
-        let all = if self.scenery.is_some() { Bounds::of_points(meshes().flat_map(Mesh::positions)) } else { None };
+        let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
+        let all = if self.scenery.is_some() { all() } else { None };
         self.scene = all.unwrap_or(surface);
         self.camera.set_bounds(surface, self.scene);
+        (self.dirty, self.shadows_dirty, self.occlusion_dirty) = (true, true, true);
+    }
+
+    fn meshes(&self) -> impl Iterator<Item = &Mesh> + Clone {
+        self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery)
+    }
+
+    /// Finds out anew, if need be, what the scene keeps off the floor and off itself.
+    fn occlude(&mut self) {
+        if !std::mem::take(&mut self.occlusion_dirty) {
+            return;
+        }
+        let Some(cube) = Cube::around(self.meshes().flat_map(Mesh::positions)) else {
+            return self.ground.clear();
+        };
         let floor = Floor::new(self.scene);
         let mut contact = Contact::new(floor, self.scene);
-        for mesh in meshes() {
+        let mut occlusion = Occlusion::new(cube);
+        for mesh in self.meshes() {
             contact.add(mesh.picker.positions(), mesh.picker.triangles());
+            occlusion.add(mesh.picker.positions(), mesh.picker.triangles());
         }
-        let texels = contact.into_texels();
-        self.ground.set(&self.context, (meshes().count() > 0).then_some((floor, &texels)));
-        (self.dirty, self.shadows_dirty) = (true, true);
+        self.ground.set(&self.context, floor, &contact.into_texels());
+        self.shared.lighting.set_occlusion(&self.context, &occlusion.into_texels());
+        self.cube = cube;
     }
 
     fn radius(&self) -> f32 {
@@ -415,6 +381,7 @@ impl Renderer {
             NextFrame::Later => return true,
             NextFrame::Lost => return false,
         };
+        self.occlude();
         let encoder = self.prepare(&self.camera, self.context.size());
         self.context.present(frame, encoder, |pass| self.draw(pass, self.camera.eye(), false));
         (self.dirty, self.shadows_dirty) = (false, false);
@@ -433,6 +400,7 @@ impl Renderer {
             return Err(Error::PictureTooLarge { width, height, limit });
         }
         let camera = self.camera.scaled(scale);
+        self.occlude();
         let encoder = self.prepare(&camera, (width, height));
         let capture =
             Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, camera.eye(), is_clear))?;
@@ -456,21 +424,22 @@ impl Renderer {
                 pixel_ratio: camera.pixel_ratio(),
                 shadows,
                 moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
+                cube: self.cube,
                 environment: self.environment,
             },
         );
         let mut encoder = self.context.encoder();
         if self.shadows_dirty {
             self.ground.set_light(&self.context, self.environment.key_share());
-            self.shared.maps.draw(&mut encoder, Casters::Still, |pass| {
+            self.shared.lighting.maps.draw(&mut encoder, Casters::Still, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
-                for mesh in self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery) {
+                for mesh in self.meshes() {
                     self.surfaces.draw_shadow(pass, &mesh.buffers);
                 }
             });
         }
         if moves {
-            self.shared.maps.draw(&mut encoder, Casters::Moving, |pass| {
+            self.shared.lighting.maps.draw(&mut encoder, Casters::Moving, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
                 self.walkers.draw_shadow(pass);
                 self.pins.draw_shadow(pass);
@@ -481,7 +450,7 @@ impl Renderer {
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye: Eye, is_clear: bool) {
         pass.set_bind_group(0, &self.shared.camera_group, &[]);
-        pass.set_bind_group(1, &self.shared.light_group, &[]);
+        pass.set_bind_group(1, &self.shared.lighting.group, &[]);
         if !is_clear {
             self.background.draw(pass);
         }

@@ -6,7 +6,6 @@ use glam::{Mat4, Vec2, Vec3};
 
 use crate::bounds::Bounds;
 use crate::context::{Context, DEPTH_FORMAT};
-use crate::shared::{fragment_entry, texture};
 
 /// Texels along a side.
 const SIZE: u32 = 1024;
@@ -18,8 +17,8 @@ pub(crate) const SHADOW_REACH: f32 = 1.0 / MARGIN + 0.02;
 
 /// The two shadow maps.
 pub(crate) struct ShadowMaps {
-    still: wgpu::TextureView,
-    moving: wgpu::TextureView,
+    pub(crate) still: wgpu::TextureView,
+    pub(crate) moving: wgpu::TextureView,
 }
 
 /// Whose shadows a map holds.
@@ -80,33 +79,6 @@ impl ShadowMaps {
             texture.create_view(&wgpu::TextureViewDescriptor { label: Some(label), ..Default::default() })
         };
         Self { still: map("still shadows"), moving: map("moving shadows") }
-    }
-
-    /// The group by which shaders read the maps, with its layout.
-    pub(crate) fn group(&self, context: &Context) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        let depth = texture(wgpu::TextureSampleType::Depth);
-        let comparison = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison);
-        let layout = context.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("light layout"),
-            entries: &[fragment_entry(0, depth), fragment_entry(1, depth), fragment_entry(2, comparison)],
-        });
-        let sampler = context.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("shadow sampler"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            compare: Some(wgpu::CompareFunction::LessEqual),
-            ..Default::default()
-        });
-        let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("light"),
-            layout: &layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&self.still) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&self.moving) },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        });
-        (layout, group)
     }
 
     /// Draws a map anew.

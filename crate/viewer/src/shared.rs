@@ -3,13 +3,15 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 use crate::camera::Eye;
 use crate::context::{Context, DEPTH_FORMAT, SAMPLE_COUNT};
 use crate::environment::{ENVIRONMENT_VECTORS, Environment};
-use crate::shadow::{ShadowMaps, ShadowView};
+use crate::light::Lighting;
+use crate::occlusion::Cube;
+use crate::shadow::ShadowView;
 
 /// Declarations that every shader starts with.
 pub(crate) const SHARED_WGSL: &str = include_str!("shared.wgsl");
 
 /// Vec4s in the uniform; see `Frame` in shared.wgsl.
-const FRAME_VECTORS: usize = 14 + ENVIRONMENT_VECTORS;
+const FRAME_VECTORS: usize = 15 + ENVIRONMENT_VECTORS;
 
 /// What all primitives of one frame have in common.
 pub(crate) struct FrameUniform {
@@ -21,6 +23,8 @@ pub(crate) struct FrameUniform {
     pub(crate) shadows: ShadowView,
     /// Least and greatest x and y, in the maps' clip space, of shadows of what moves; least above greatest for none.
     pub(crate) moving: [Vec2; 2],
+    /// Of the occlusion grid.
+    pub(crate) cube: Cube,
     pub(crate) environment: Environment,
 }
 
@@ -31,16 +35,17 @@ impl FrameUniform {
         let (width, height) = self.size;
         let mut vectors = [Vec4::ZERO; FRAME_VECTORS];
         vectors[..4].copy_from_slice(&columns(clip_from_world));
-        vectors[4..10].copy_from_slice(&[
+        vectors[4..11].copy_from_slice(&[
             axes.x_axis.extend(0.0),
             axes.y_axis.extend(self.shadows.texel),
             axes.z_axis.extend(0.0),
             self.eye.position.as_vec3().extend(self.radius),
             Vec4::new(width as f32, height as f32, self.pixel_ratio, self.eye.pixel_slope as f32),
             Vec4::new(low.x, low.y, high.x, high.y),
+            self.cube.low.extend(self.cube.side),
         ]);
-        vectors[10..14].copy_from_slice(&columns(self.shadows.clip_from_world));
-        vectors[14..].copy_from_slice(&self.environment.vectors());
+        vectors[11..15].copy_from_slice(&columns(self.shadows.clip_from_world));
+        vectors[15..].copy_from_slice(&self.environment.vectors());
         vectors
     }
 }
@@ -49,15 +54,13 @@ fn columns(matrix: Mat4) -> [Vec4; 4] {
     [matrix.x_axis, matrix.y_axis, matrix.z_axis, matrix.w_axis]
 }
 
-/// What all pipelines share: the frame's uniform as the camera sees it and as the key light does (group 0), and the shadow
-/// maps (group 1).
+/// What all pipelines share: the frame's uniform as the camera sees it and as the key light does (group 0), and what keeps
+/// light off (group 1).
 pub(crate) struct Shared {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
-    pub(crate) light_layout: wgpu::BindGroupLayout,
     pub(crate) camera_group: wgpu::BindGroup,
     pub(crate) shadow_group: wgpu::BindGroup,
-    pub(crate) light_group: wgpu::BindGroup,
-    pub(crate) maps: ShadowMaps,
+    pub(crate) lighting: Lighting,
     camera: wgpu::Buffer,
     shadow: wgpu::Buffer,
 }
@@ -67,9 +70,8 @@ impl Shared {
         let frame_layout = uniform_layout(context, "frame layout");
         let (camera, camera_group) = uniform(context, &frame_layout, "frame uniform", FRAME_VECTORS);
         let (shadow, shadow_group) = uniform(context, &frame_layout, "shadow uniform", FRAME_VECTORS);
-        let maps = ShadowMaps::new(context);
-        let (light_layout, light_group) = maps.group(context);
-        Self { frame_layout, light_layout, camera_group, shadow_group, light_group, maps, camera, shadow }
+        let lighting = Lighting::new(context);
+        Self { frame_layout, camera_group, shadow_group, lighting, camera, shadow }
     }
 
     pub(crate) fn write(&self, context: &Context, frame: &FrameUniform) {
@@ -107,10 +109,14 @@ pub(crate) fn fragment_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindG
 }
 
 /// A plain texture, read between its texels.
-pub(crate) const FILTERED_TEXTURE: wgpu::BindingType = texture(wgpu::TextureSampleType::Float { filterable: true });
+pub(crate) const FILTERED_TEXTURE: wgpu::BindingType =
+    texture(wgpu::TextureSampleType::Float { filterable: true }, wgpu::TextureViewDimension::D2);
 
-pub(crate) const fn texture(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
-    wgpu::BindingType::Texture { sample_type, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }
+pub(crate) const fn texture(
+    sample_type: wgpu::TextureSampleType,
+    view_dimension: wgpu::TextureViewDimension,
+) -> wgpu::BindingType {
+    wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
 }
 
 /// A uniform buffer of so many Vec4s.

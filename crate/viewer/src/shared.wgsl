@@ -25,6 +25,8 @@ struct Frame {
     screen: vec4f,
     // The part of the shadow maps that shadows of what moves can fall on: least x and y, greatest x and y; clip space.
     moving: vec4f,
+    // The cube of the occlusion grid: its least corner; w: its side. World space.
+    occlusion: vec4f,
     // From world space to the shadow maps: clip space seen from the key light.
     shadow_from_world: mat4x4f,
     zenith: vec4f,
@@ -39,6 +41,9 @@ struct Frame {
 @group(1) @binding(0) var still_shadows: texture_depth_2d;
 @group(1) @binding(1) var moving_shadows: texture_depth_2d;
 @group(1) @binding(2) var shadow_sampler: sampler_comparison;
+// See occlusion.rs.
+@group(1) @binding(3) var occlusion_grid: texture_3d<f32>;
+@group(1) @binding(4) var occlusion_sampler: sampler;
 
 // What light meets.
 struct Material {
@@ -130,6 +135,23 @@ fn key_visibility(position: vec3f, normal: vec3f) -> f32 {
     return mix(1.0, lit / 4.0, certain);
 }
 
+// How far from a surface the occlusion grid is asked, as a share of its side: a little less than two cells. Nearer the
+// surface itself, which is a cell thick there, would be in the way.
+const OCCLUSION_LIFT = 0.027;
+
+// The mean direction (xyz) and the mean share (w) of the light that comes to a place on a surface.
+fn openness(position: vec3f, normal: vec3f) -> vec4f {
+    let place = (position - frame.occlusion.xyz) / frame.occlusion.w + OCCLUSION_LIFT * normal;
+    let texel = textureSampleLevel(occlusion_grid, occlusion_sampler, place, 0.0);
+    return vec4f(0.5 * texel.rgb - 0.25, texel.a);
+}
+
+// Share of the light that a place gets where a share `open` comes from outside and the rest from surfaces of its own kind,
+// which reflect this much of what they get themselves.
+fn gathered(open: f32, reflected: vec3f) -> vec3f {
+    return open / (1.0 - (1.0 - open) * reflected);
+}
+
 // The Khronos PBR neutral tone mapper (2024): colours below the shoulder stay as they are, highlights pale towards white.
 fn tone(light: vec3f) -> vec3f {
     let start = 0.76;
@@ -165,8 +187,8 @@ fn lit_by(light: Light, normal: vec3f, mirrored: vec3f, blur: f32) -> Lit {
 }
 
 // Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
-// roughness. `normal` faces the eye; `key` is the share of the key light that comes through.
-fn shade(material: Material, position: vec3f, normal: vec3f, key: f32) -> vec3f {
+// roughness. `normal` is that of the relief upon the surface, whose own is `geometric`; both face the eye.
+fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -> vec3f {
     let to_eye = normalize(frame.eye.xyz - position);
     let facing = clamp(dot(normal, to_eye), 0.02, 1.0);
     let mirrored = reflect(-to_eye, normal);
@@ -180,15 +202,23 @@ fn shade(material: Material, position: vec3f, normal: vec3f, key: f32) -> vec3f 
         lit_by(frame.lights[2], normal, mirrored, blur),
         lit_by(frame.lights[3], normal, mirrored, blur),
     );
-    diffuse += key * lit[0].diffuse + lit[1].diffuse + lit[2].diffuse + lit[3].diffuse;
-    specular += key * lit[0].specular + lit[1].specular + lit[2].specular + lit[3].specular;
+    diffuse += lit[1].diffuse + lit[2].diffuse + lit[3].diffuse;
+    specular += lit[1].specular + lit[2].specular + lit[3].specular;
+    let straight_on = mix(vec3f(0.04), material.albedo, material.metalness);
+    let body = material.albedo * (1.0 - material.metalness);
+    // What is open of the half sphere over the normal, and beside the mirrored direction.
+    let open = openness(position, geometric);
+    let above = clamp(open.w + 2.0 * dot(open.xyz, normal), 0.0, 1.0);
+    let whole = 0.5 + 0.75 * max(dot(geometric, mirrored), 0.0);
+    let beside = clamp((open.w + 3.0 * dot(open.xyz, mirrored)) / whole, 0.0, 1.0);
+    let key = key_visibility(position, geometric);
+    diffuse = diffuse * gathered(above, body) + key * lit[0].diffuse;
+    specular = specular * gathered(beside, straight_on) + key * lit[0].specular;
     // Karis, "Physically based shading on mobile" (2014): the reflection's share of a rough surface, fitted.
     let fit = material.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
     let rim = min(fit.x * fit.x, exp2(-9.28 * facing)) * fit.x + fit.y;
     let scale = vec2f(-1.04, 1.04) * rim + fit.zw;
-    let straight_on = mix(vec3f(0.04), material.albedo, material.metalness);
     let reflected = straight_on * scale.x + scale.y;
-    let body = material.albedo * (1.0 - material.metalness);
     return tone(body * diffuse + reflected * specular + material.emission);
 }
 

@@ -165,7 +165,7 @@ impl SurfaceRenderer {
             ],
         });
         let module = shader(context, "surface.wgsl", include_str!("surface.wgsl"));
-        let layouts = [Some(&shared.frame_layout), Some(&shared.light_layout), Some(&layout)];
+        let layouts = [Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)];
         let pipeline = |label, vertex, fragment, buffers| PipelineRecipe {
             label,
             layouts: &layouts,

@@ -112,7 +112,7 @@ fn finish(given: Material, position: vec3f, normal: vec3f, geometric: vec4f) -> 
     let tone = mix(0.62, 1.0, geometric.w);
     material.albedo *= tone;
     material.emission *= tone;
-    return encode(shade(material, position, normal, key_visibility(position, geometric.xyz)));
+    return encode(shade(material, position, normal, geometric.xyz));
 }
 
 @fragment

@@ -67,7 +67,7 @@ impl Walkers {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
         let recipe = PipelineRecipe {
             label: "walker",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.light_layout)],
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
             module: &shader(context, "walker.wgsl", include_str!("walker.wgsl")),
             vertex: "vs_walker",
             fragment: "fs_walker",

@@ -120,5 +120,5 @@ fn vs_walker(
 fn fs_walker(fragment: Fragment) -> @location(0) vec4f {
     let normal = normalize(fragment.normal);
     let material = Material(fragment.color, 0.0, 0.5, vec3f(0.0));
-    return encode(shade(material, fragment.position, normal, key_visibility(fragment.position, normal)));
+    return encode(shade(material, fragment.position, normal, normal));
 }

@@ -12,7 +12,8 @@ use crate::context::{Backend, Context};
 use crate::environment::Surroundings;
 use crate::error::Error;
 use crate::look::{Finish, Look, Pattern};
-use crate::renderer::{MeshArrays, Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
+use crate::mesh::MeshArrays;
+use crate::renderer::{Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
 
 /// A canvas that shows a surface.
 #[wasm_bindgen]

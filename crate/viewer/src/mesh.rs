@@ -1,0 +1,66 @@
+//! A mesh that is shown.
+
+use glam::Vec3;
+
+use crate::bounds::Bounds;
+use crate::context::Context;
+use crate::error::Error;
+use crate::pick::Picker;
+use crate::surface::MeshBuffers;
+
+/// A triangle mesh as the page hands it over; world space.
+pub struct MeshArrays {
+    /// `#D × 3`.
+    pub positions: Vec<Vec3>,
+    /// `#D × 3`, unit length.
+    pub normals: Vec<Vec3>,
+    /// `#F × 3`, indices into the positions.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl MeshArrays {
+    fn check(&self) -> Result<(), Error> {
+        let vertex_count = self.positions.len();
+        if self.normals.len() != vertex_count {
+            return Err(Error::WrongLength {
+                what: "normals",
+                expected: 3 * vertex_count,
+                found: 3 * self.normals.len(),
+            });
+        }
+        if let Some(vertex) = self.positions.iter().position(|position| !position.is_finite()) {
+            return Err(Error::NotFinite { vertex });
+        }
+        for (triangle, corners) in self.triangles.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
+                return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A mesh on the device and in the picker.
+pub(crate) struct Mesh {
+    pub(crate) buffers: MeshBuffers,
+    pub(crate) bounds: Bounds,
+    pub(crate) normals: Vec<Vec3>,
+    pub(crate) picker: Picker,
+}
+
+impl Mesh {
+    /// None for a mesh without triangles.
+    pub(crate) fn new(context: &Context, arrays: MeshArrays) -> Result<Option<Self>, Error> {
+        arrays.check()?;
+        let Some(bounds) = Bounds::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty()) else {
+            return Ok(None);
+        };
+        let MeshArrays { positions, normals, triangles } = arrays;
+        let buffers = MeshBuffers::new(context, &positions, &normals, &triangles)?;
+        Ok(Some(Self { buffers, bounds, normals, picker: Picker::new(positions, triangles) }))
+    }
+
+    pub(crate) fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {
+        self.picker.positions().iter()
+    }
+}
