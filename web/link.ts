@@ -37,6 +37,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
     if (value !== initial) entries.push([key, value]);
   };
   add('p', state.parts.join(','), start.parts.join(','));
+  add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   const { parameters } = state;
@@ -90,6 +91,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
+  read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   const { parameters } = state;

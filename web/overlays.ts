@@ -1,5 +1,5 @@
 /** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
-import type { DistanceField, DrawMesh, EdgeKind } from './protocol';
+import type { DistanceField, EdgeKind } from './protocol';
 import type { Overlay, Painted } from './scene';
 import type { Session } from './session';
 import type { Edges } from './view';
@@ -15,8 +15,6 @@ export class Overlays {
   readonly #session: Session;
   /** Counts what was wanted: an answer to an older wish is dropped. */
   #wish = 0;
-  /** The scenery that is not shown though the mesh has it. */
-  #hidden: DrawMesh | null = null;
   #latest: Promise<void> = Promise.resolve();
 
   constructor(session: Session) {
@@ -56,7 +54,6 @@ export class Overlays {
       const arrows = kind && field ? await session.gradients(kind) : new Float32Array();
       const instead = painted === 'distance' || !field ? null : await this.#instead(painted, field);
       if (wish !== this.#wish) return;
-      this.#showScenery(overlays.includes('scenery'));
       if (edges) view.setEdges(edges);
       view.setArrows(arrows);
       session.paint(instead);
@@ -64,14 +61,6 @@ export class Overlays {
       // A mesh that was closed meanwhile has nothing to show.
       if (wish === this.#wish) session.failure.value = error instanceof Error ? error : new Error(String(error));
     }
-  }
-
-  #showScenery(visible: boolean): void {
-    const scenery = this.#session.shown.value?.opened.scenery ?? null;
-    const hidden = visible ? null : scenery;
-    if (hidden === this.#hidden) return;
-    this.#hidden = hidden;
-    this.#session.view.setScenery(visible ? scenery : null);
   }
 
   async #edges(overlays: readonly Overlay[]): Promise<Edges[]> {

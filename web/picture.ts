@@ -17,20 +17,22 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** A WebM film of what the canvas shows during so many seconds. */
-export function film(canvas: HTMLCanvasElement, seconds: number): Promise<Blob> {
+/** A WebM film of what the canvas shows until `end`. */
+export async function film(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
   const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
     mimeType: 'video/webm',
     videoBitsPerSecond: BITS_A_SECOND,
   });
   const chunks: Blob[] = [];
-  return new Promise((resolve, reject) => {
+  const recorded = new Promise<void>((resolve, reject) => {
     recorder.addEventListener('dataavailable', ({ data }) => chunks.push(data));
-    recorder.addEventListener('stop', () => resolve(new Blob(chunks, { type: 'video/webm' })));
+    recorder.addEventListener('stop', () => resolve());
     recorder.addEventListener('error', () => reject(new Error('The browser stopped recording.')));
-    recorder.start();
-    setTimeout(() => recorder.stop(), 1000 * seconds);
   });
+  recorder.start();
+  void end.finally(() => recorder.stop());
+  await recorded;
+  return new Blob(chunks, { type: 'video/webm' });
 }
 
 /** Hands a file over to be kept. */

@@ -98,6 +98,12 @@ export interface Factoring {
   memoryBytes: number;
 }
 
+export interface SceneryPart {
+  /** Its index in `OpenedMesh.parts`. */
+  part: number;
+  mesh: DrawMesh;
+}
+
 export interface OpenedMesh extends Factoring {
   name: string;
   /** SHA-256 of the first file, hex; empty for shapes and arrays. */
@@ -108,8 +114,8 @@ export interface OpenedMesh extends Factoring {
   surface: DrawMesh;
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
-  /** The parts that are not walked on; empty arrays if none. */
-  scenery: DrawMesh;
+  /** The parts that are not walked on. */
+  scenery: SceneryPart[];
   report: BuildReport;
   /** Mean edge length. */
   meanEdge: number;

@@ -1,6 +1,6 @@
 /** The one truth of the page. The panel, the link, undo and the renderer all derive from it. */
 import { DEFAULT_LOOK, type Look } from './looks';
-import type { Parameters, PathKind, Source, SurfacePoint } from './protocol';
+import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from './protocol';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
 
@@ -38,6 +38,8 @@ export interface SceneState extends Places {
   look: Look;
   /** Which field is painted. */
   painted: Painted;
+  /** Indices of the parts that are not shown; parts that are walked on always are. */
+  hidden: readonly number[];
   /** What is drawn upon the surface beside it. */
   overlays: readonly Overlay[];
   /** How many walk in the crowd. */
@@ -68,10 +70,17 @@ export function emptyScene(mesh: MeshReference): SceneState {
     camera: null,
     look: DEFAULT_LOOK,
     painted: 'distance',
+    hidden: [],
     overlays: ['scenery'],
     crowd: 0,
     selected: -1,
   };
+}
+
+/** Those of the parts that are not walked on which are shown. */
+export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): DrawMesh[] {
+  if (!overlays.includes('scenery')) return [];
+  return scenery.filter(({ part }) => !hidden.includes(part)).map(({ mesh }) => mesh);
 }
 
 /** A source at a place. A starting value of 0 is not written, so that equal sources are equal objects. */

@@ -4,7 +4,7 @@ import type { Places } from './places';
 import { prepare } from './prepare';
 import type { DistanceField, EdgeKind, MeshInput, OpenedMesh, ProgressListener } from './protocol';
 import { Refiner } from './refiner';
-import { type Scene, type SceneState } from './scene';
+import { visible, type Scene, type SceneState } from './scene';
 import { Signal } from './signal';
 import { SolverClient } from './solver';
 import { Cancelled } from './solver-worker';
@@ -192,11 +192,11 @@ export class Session {
 
   /** Takes what moves by itself further. */
   animate(seconds: number): void {
-    if (reducedMotion()) return;
+    const still = reducedMotion();
     const diameter = this.shown.value?.places.diameter ?? 1;
-    if (this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
+    if ((!still || this.walk.performs) && this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
     const { flow } = this.scene.state.look;
-    if (flow !== 0 && !this.paused.value) {
+    if (flow !== 0 && !still && !this.paused.value) {
       this.#flow = (this.#flow + seconds * flow) % 1;
       this.#showOffset();
     }
@@ -206,7 +206,7 @@ export class Session {
     this.#engine?.dispose();
     this.#engine = engine;
     this.failure.value = null;
-    this.view.setMesh(shown.opened);
+    this.view.setMesh(shown.opened.surface, visible(shown.opened.scenery, state));
     if (view) this.#facing = view[0];
     this.#whole = shown.places.diameter;
     this.view.setLook(state.look, this.#whole, this.#facing);
@@ -231,6 +231,9 @@ export class Session {
       this.#showLook();
     }
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
+    if (state.overlays !== previous.overlays || state.hidden !== previous.hidden) {
+      this.view.setScenery(visible(shown.opened.scenery, state));
+    }
     if (!this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
   }

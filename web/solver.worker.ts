@@ -92,14 +92,16 @@ const api: SolverApi = {
           walked: [...walked],
           surface: drawMesh(surface.drawing()),
           inputVertices: surface.input_vertices(),
-          scenery: drawMesh(file.scenery(Uint32Array.from(walked))),
+          scenery: names.flatMap((_, part) =>
+            walked.includes(part) ? [] : [{ part, mesh: drawMesh(file.scenery(part)) }],
+          ),
           report,
           meanEdge: surface.mean_edge(),
           ...factoringOf(current, memory),
         };
         return transfer(opened, [
           ...buffersOf(opened.surface),
-          ...buffersOf(opened.scenery),
+          ...opened.scenery.flatMap(({ mesh }) => buffersOf(mesh)),
           opened.inputVertices.buffer,
         ]);
       } finally {

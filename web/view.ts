@@ -1,7 +1,7 @@
 /** The canvas and the renderer on it. What is shown is kept, so that a lost renderer can be made again with the scene intact. */
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from './looks';
 import type { Place, Vector } from './places';
-import type { DistanceField, DrawMesh, OpenedMesh, SurfacePath, SurfacePoint } from './protocol';
+import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from './protocol';
 import { Signal } from './signal';
 import init, { Viewer } from './wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from './wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -51,7 +51,6 @@ export interface Insets {
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
-const NO_MESH: DrawMesh = { positions: new Float32Array(), normals: new Float32Array(), triangles: new Uint32Array() };
 const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
@@ -113,15 +112,14 @@ export class View {
     this.#show('background', (viewer) => viewer.set_background(unitColour(top), unitColour(bottom)));
   }
 
-  setMesh({ surface, scenery }: OpenedMesh): void {
+  setMesh(surface: DrawMesh, scenery: readonly DrawMesh[]): void {
     for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
     this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
     this.setScenery(scenery);
   }
 
-  /** Null hides it. */
-  setScenery(scenery: DrawMesh | null): void {
-    const { positions, normals, triangles } = scenery ?? NO_MESH;
+  setScenery(parts: readonly DrawMesh[]): void {
+    const { positions, normals, triangles } = joined(parts);
     this.#show('scenery', (viewer) => viewer.set_scenery(positions, normals, triangles));
   }
 
@@ -336,6 +334,22 @@ export class View {
 function pixels(length: number, exact: number | undefined): number {
   const product = Math.max(1, Math.round(length * devicePixelRatio));
   return exact !== undefined && Math.abs(exact - product) <= 1 ? Math.max(1, exact) : product;
+}
+
+function joined(meshes: readonly DrawMesh[]): DrawMesh {
+  const numbers = meshes.reduce((sum, { positions }) => sum + positions.length, 0);
+  const corners = meshes.reduce((sum, { triangles }) => sum + triangles.length, 0);
+  const positions = new Float32Array(numbers);
+  const normals = new Float32Array(numbers);
+  const triangles = new Uint32Array(corners);
+  let [vertex, corner] = [0, 0];
+  for (const mesh of meshes) {
+    positions.set(mesh.positions, 3 * vertex);
+    normals.set(mesh.normals, 3 * vertex);
+    for (const index of mesh.triangles) triangles[corner++] = vertex + index;
+    vertex += mesh.positions.length / 3;
+  }
+  return { positions, normals, triangles };
 }
 
 function finishOf({ metalness, roughness, glow }: Finish): Float32Array {

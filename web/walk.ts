@@ -7,6 +7,8 @@ export class Walk {
   #length = 0;
   #arc = 0;
   #rested = 0;
+  /** Told when a performance is over. */
+  #applaud: (() => void) | null = null;
   paused = false;
 
   /** Where the walker stands, as arc length from the start. */
@@ -22,17 +24,37 @@ export class Walk {
     return this.#length > 0 && this.#arc >= this.#length;
   }
 
+  /** On a walk that was asked for: it goes on whatever is paused. */
+  get performs(): boolean {
+    return this.#applaud !== null;
+  }
+
+  /** Walks once from the start; resolves when it has arrived and rested, or when its way is gone. */
+  perform(): Promise<void> {
+    this.#arc = 0;
+    this.#rested = 0;
+    return new Promise((resolve) => {
+      this.#applaud = resolve;
+    });
+  }
+
+  #end(): void {
+    this.#applaud?.();
+    this.#applaud = null;
+  }
+
   /** Another way: from its start when `fromStart`, else as far along as on the last one, so that edits do not jolt it. */
   follow(length: number, fromStart: boolean): void {
     const share = fromStart || this.#length === 0 ? 0 : this.#arc / this.#length;
     this.#length = length;
     this.#arc = share * length;
     if (fromStart) this.#rested = 0;
+    if (length === 0) this.#end();
   }
 
   /** `diameter` of the model sets the speed: one crossing takes seven seconds. True if the walker moved. */
   advance(seconds: number, diameter: number): boolean {
-    if (this.paused || this.#length === 0) return false;
+    if ((this.paused && !this.performs) || this.#length === 0) return false;
     if (!this.arrived) {
       this.#arc = Math.min(this.#length, this.#arc + (seconds * diameter) / CROSSING_SECONDS);
       this.#rested = 0;
@@ -40,6 +62,7 @@ export class Walk {
     }
     this.#rested += seconds;
     if (this.#rested < REST_SECONDS) return false;
+    this.#end();
     this.#arc = 0;
     this.#rested = 0;
     return true;

@@ -24,6 +24,21 @@ test('overlays are switched on and off, and one kind of arrows takes the place o
   await expect(page.locator('.message.error')).toHaveCount(0);
 });
 
+test('a part that is not walked on is hidden and shown again, and the link says so', async ({ heatwalk, page }) => {
+  await page.setViewportSize({ width: 900, height: 480 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await heatwalk.open('#v=1&m=hemisphere');
+  await heatwalk.settled();
+  const picture = () => page.evaluate(async () => (await window.heatwalk.picture(0.5, true)).size);
+  const whole = await picture();
+  await page.getByRole('button', { name: /^Hide / }).click();
+  await expect.poll(picture).not.toBe(whole);
+  expect((await heatwalk.scene()).hidden).toEqual([1]);
+  await expect.poll(() => page.url()).toContain('hide=1');
+  await page.getByRole('button', { name: /^Show / }).click();
+  await expect.poll(picture).toBe(whole);
+});
+
 test('the error is told once it is known', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&refine=0');
   await unfold(heatwalk, 'Show');
@@ -77,16 +92,22 @@ test('a picture of twice the size of the window is saved', async ({ heatwalk, pa
   expect([picture.width, picture.height]).toEqual([2200, 1440]);
 });
 
-test('a film of one turn is saved', async ({ heatwalk, page }) => {
-  await heatwalk.open('#v=1&m=bunny');
-  await heatwalk.settled();
-  await unfold(heatwalk, 'Share');
-  const saving = page.waitForEvent('download', { timeout: 60_000 });
-  await page.getByRole('button', { name: 'Save film' }).click();
-  const download = await saving;
-  expect(download.suggestedFilename()).toBe('bunny.webm');
-  const film = fs.readFileSync(await download.path());
-  // Every EBML file, as WebM is one, begins so.
-  expect(film.subarray(0, 4).toString('hex')).toBe('1a45dfa3');
-  expect(film.length).toBeGreaterThan(10_000);
-});
+for (const subject of ['One turn around the model', 'The walk home']) {
+  test(`a film is saved: ${subject}`, async ({ heatwalk, page }) => {
+    await page.setViewportSize({ width: 900, height: 480 });
+    // A film was asked for: it moves all the same.
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await heatwalk.open('#v=1&m=teapot');
+    await heatwalk.settled();
+    await unfold(heatwalk, 'Share');
+    await page.getByLabel('Film').selectOption(subject);
+    const saving = page.waitForEvent('download', { timeout: 60_000 });
+    await page.getByRole('button', { name: 'Save film' }).click();
+    const download = await saving;
+    expect(download.suggestedFilename()).toBe('teapot.webm');
+    const film = fs.readFileSync(await download.path());
+    // Every EBML file, as WebM is one, begins so.
+    expect(film.subarray(0, 4).toString('hex')).toBe('1a45dfa3');
+    expect(film.length).toBeGreaterThan(10_000);
+  });
+}

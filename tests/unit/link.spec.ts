@@ -54,6 +54,7 @@ test('everything that was changed survives the link', () => {
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
     painted: 'heat',
+    hidden: [1, 3],
     overlays: ['scenery', 'boundary', 'distance'],
     crowd: 250,
     look: {

@@ -34,3 +34,27 @@ test('keeps its share of the way when the way changes under it', () => {
   walk.follow(8, true);
   expect(walk.arc).toBe(0);
 });
+
+test('performs once from the start, whatever is paused, and tells when it has arrived and rested', async () => {
+  const walk = new Walk();
+  walk.follow(3, true);
+  walk.advance(2, DIAMETER);
+  walk.paused = true;
+  const performance = walk.perform();
+  expect(walk.arc).toBe(0);
+  expect(walk.advance(3, DIAMETER)).toBe(true);
+  expect([walk.arrived, walk.performs]).toEqual([true, true]);
+  walk.advance(1, DIAMETER);
+  await performance;
+  expect(walk.performs).toBe(false);
+  expect(walk.advance(1, DIAMETER)).toBe(false);
+});
+
+test('a performance is over when its way is gone', async () => {
+  const walk = new Walk();
+  walk.follow(3, true);
+  const performance = walk.perform();
+  walk.follow(0, false);
+  await performance;
+  expect(walk.performs).toBe(false);
+});

@@ -6,13 +6,15 @@ const plain = 'op=plain&near=0&refine=0&w=none';
 const aside = 'cam=2.1,0.3,3.6,0,0,0';
 const leg = 'cam=-0.7,0.15,1.5,0.1,-0.2,0.1';
 
-/** Points along a bent line, ends included. */
-const bent = (corners, steps) =>
-  corners.slice(1).flatMap(([x, y], i) => {
+/** Points along a bent line, both ends included. */
+const bent = (corners, steps) => [
+  ...corners.slice(1).flatMap(([x, y], i) => {
     const [x0, y0] = corners[i];
     return Array.from({ length: steps }, (_, k) => [x0 + (k / steps) * (x - x0), y0 + (k / steps) * (y - y0)]);
-  });
-const LINE = bent([[0.27, 0.47], [0.6, 0.66], [0.66, 0.3], [0.66, 0.3]], 9); // prettier-ignore
+  }),
+  ...corners.slice(-1),
+];
+const LINE = bent([[0.27, 0.47], [0.6, 0.66], [0.66, 0.3]], 9); // prettier-ignore
 
 export const FIGURES = [
   {

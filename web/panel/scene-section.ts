@@ -2,8 +2,8 @@ import { PRESETS } from '../presets';
 import type { Opener } from '../opener';
 import { FORMATS } from '../opener';
 import type { Session } from '../session';
-import { count, counted } from '../words';
 import { h } from './dom';
+import { partsControl } from './parts';
 
 /** Address of each preset's picture by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../thumbnails/*.webp', {
@@ -33,7 +33,6 @@ export function sceneSection(session: Session, opener: Opener, chooseFile: () =>
     return { button, id: preset.id };
   });
   const credit = h('p', { class: 'quiet' });
-  const parts = h('fieldset', { class: 'parts', hidden: true });
 
   const showScene = () => {
     const { mesh } = session.scene.state;
@@ -49,38 +48,12 @@ export function sceneSection(session: Session, opener: Opener, chooseFile: () =>
   });
   showScene();
 
-  session.shown.watch((shown, previous) => {
-    if (!shown || shown.opened === previous?.opened) return;
-    const { opened } = shown;
-    parts.hidden = opened.parts.length < 2;
-    parts.replaceChildren(
-      h('legend', {}, `Parts walked on, ${opened.walked.length} of ${opened.parts.length}`),
-      ...opened.parts.map((part, index) => {
-        const box = h('input', {
-          type: 'checkbox',
-          checked: opened.walked.includes(index),
-          onchange: () => {
-            const walked = new Set(opened.walked);
-            if (box.checked) walked.add(index);
-            else walked.delete(index);
-            box.checked = opened.walked.includes(index);
-            void opener.parts([...walked].toSorted((a, b) => a - b));
-          },
-        });
-        // The last part stays: there must be something to walk on.
-        box.disabled = opened.walked.length === 1 && opened.walked[0] === index;
-        const size = h('small', { title: counted(part.triangles, 'triangle') }, count(part.triangles));
-        return h('label', { class: 'part' }, box, h('span', {}, part.name || `Part ${index + 1}`), size);
-      }),
-    );
-  });
-
   return h(
     'div',
     { class: 'stack' },
     gallery,
     credit,
     h('button', { class: 'wide', title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
-    parts,
+    partsControl(session, opener),
   );
 }

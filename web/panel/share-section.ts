@@ -3,8 +3,12 @@ import type { Session } from '../session';
 import { h, select, toggle } from './dom';
 
 const SCALES = ['1', '2', '4'] as const;
-/** Of a film: one turn of the turntable. */
-const FILM_SECONDS = 8;
+/** What a film can show. */
+const FILMS = [
+  ['turn', 'One turn around the model'],
+  ['walk', 'The walk home'],
+] as const;
+const TURN_SECONDS = 8;
 
 /** Copies the scene as a link, and saves it as a picture or a film. */
 export function shareSection(session: Session, link: () => string): HTMLElement {
@@ -60,18 +64,26 @@ function pictureControls(session: Session): HTMLElement[] {
 }
 
 function filmControls(session: Session): HTMLElement[] {
-  const { view } = session;
-  const { button, run } = worker('Save film', `A WebM of ${FILM_SECONDS} seconds: one turn around the model`);
-  const record = async () => {
-    view.spin = (2 * Math.PI) / FILM_SECONDS;
+  const { view, walk } = session;
+  let shows: (typeof FILMS)[number][0] = 'turn';
+  const subject = select('Film', FILMS, (value) => (shows = value));
+  subject.show(shows);
+  const { button, run } = worker('Save film', 'A WebM of one turn around the model, or of the walk home');
+  const turn = async () => {
+    view.spin = (2 * Math.PI) / TURN_SECONDS;
     try {
-      keep(await film(view.canvas, FILM_SECONDS), `${nameOf(session)}.webm`);
+      return await film(view.canvas, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
     } finally {
       session.showTurntable();
     }
   };
+  const way = () => {
+    if (walk.length === 0) throw new Error('Nobody walks here: give the walker a start first.');
+    return film(view.canvas, walk.perform());
+  };
+  const record = async () => keep(await (shows === 'turn' ? turn() : way()), `${nameOf(session)}.webm`);
   button.addEventListener('click', () => run(session, record));
-  return [button];
+  return [subject.element, button];
 }
 
 /** A button that waits for its work and tells the page of a failure. */

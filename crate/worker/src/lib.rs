@@ -86,13 +86,9 @@ impl MeshFile {
         Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
     }
 
-    /// The triangles of the parts that are not in `walked`, to be drawn.
-    pub fn scenery(&self, walked: &[u32]) -> Result<DrawMesh, JsError> {
-        let others: Vec<usize> = (0..self.soup.parts.len()).filter(|&part| !walked.contains(&(part as u32))).collect();
-        if others.is_empty() {
-            return Ok(DrawMesh::default());
-        }
-        let soup = self.soup.select(&others)?;
+    /// The triangles of a part that is not walked on, to be drawn.
+    pub fn scenery(&self, part: u32) -> Result<DrawMesh, JsError> {
+        let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
             Ok(surface) => Ok(Drawn::new(&surface).mesh()),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
