@@ -92,7 +92,7 @@ test('a picture of twice the size of the window is saved', async ({ heatwalk, pa
   expect([picture.width, picture.height]).toEqual([2200, 1440]);
 });
 
-for (const subject of ['One turn around the model', 'The walk home']) {
+for (const subject of ['One turn', 'The walk home']) {
   test(`a film is saved: ${subject}`, async ({ heatwalk, page }) => {
     await page.setViewportSize({ width: 900, height: 480 });
     // A film was asked for: it moves all the same.

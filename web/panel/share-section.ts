@@ -5,7 +5,7 @@ import { h, select, toggle } from './dom';
 const SCALES = ['1', '2', '4'] as const;
 /** What a film can show. */
 const FILMS = [
-  ['turn', 'One turn around the model'],
+  ['turn', 'One turn'],
   ['walk', 'The walk home'],
 ] as const;
 const TURN_SECONDS = 8;

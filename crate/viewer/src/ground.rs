@@ -4,7 +4,8 @@ use crate::contact::{CONTACT_SIZE, Floor};
 use crate::context::Context;
 use crate::shadow::SHADOW_REACH;
 use crate::shared::{
-    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, uniform_buffer, uniform_entry,
+    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, smooth_sampler, uniform_buffer,
+    uniform_entry,
 };
 
 /// The shadow that the scene casts on the floor below it.
@@ -40,12 +41,7 @@ impl Ground {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let sampler = context.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("contact sampler"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let sampler = smooth_sampler(context, None);
         let view = contact.create_view(&wgpu::TextureViewDescriptor { label: Some("contact"), ..Default::default() });
         let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("ground"),

@@ -3,7 +3,7 @@
 use crate::context::Context;
 use crate::occlusion::OCCLUSION_SIZE;
 use crate::shadow::ShadowMaps;
-use crate::shared::{fragment_entry, texture};
+use crate::shared::{fragment_entry, smooth_sampler, texture};
 
 /// The shadow maps and the occlusion grid, and the group that binds them.
 pub(crate) struct Lighting {
@@ -28,14 +28,8 @@ impl Lighting {
             view_formats: &[],
         });
         let view = occlusion.create_view(&wgpu::TextureViewDescriptor::default());
-        let smooth = wgpu::SamplerDescriptor {
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        };
-        let occlusion_sampler = context.device.create_sampler(&smooth);
-        let compare = Some(wgpu::CompareFunction::LessEqual);
-        let shadow_sampler = context.device.create_sampler(&wgpu::SamplerDescriptor { compare, ..smooth });
+        let occlusion_sampler = smooth_sampler(context, None);
+        let shadow_sampler = smooth_sampler(context, Some(wgpu::CompareFunction::LessEqual));
         let depth = texture(wgpu::TextureSampleType::Depth, wgpu::TextureViewDimension::D2);
         let volume = texture(wgpu::TextureSampleType::Float { filterable: true }, wgpu::TextureViewDimension::D3);
         let sampler = wgpu::BindingType::Sampler;

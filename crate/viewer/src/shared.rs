@@ -119,6 +119,17 @@ pub(crate) const fn texture(
     wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
 }
 
+/// Reads textures between their texels; with `compare`, depths.
+pub(crate) fn smooth_sampler(context: &Context, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {
+    context.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("smooth sampler"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare,
+        ..Default::default()
+    })
+}
+
 /// A uniform buffer of so many Vec4s.
 pub(crate) fn uniform_buffer(context: &Context, label: &str, vectors: usize) -> wgpu::Buffer {
     context.device.create_buffer(&wgpu::BufferDescriptor {

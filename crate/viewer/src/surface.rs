@@ -5,7 +5,8 @@ use crate::context::Context;
 use crate::error::Error;
 use crate::look::{LOOK_VECTORS, Look, RAMP_SIZE};
 use crate::shared::{
-    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, uniform_buffer, uniform_entry,
+    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, smooth_sampler, uniform_buffer,
+    uniform_entry,
 };
 
 /// Bytes of the ramp of the surface and that of the stripes: RGBA.
@@ -148,12 +149,7 @@ impl SurfaceRenderer {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let sampler = context.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("ramp sampler"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let sampler = smooth_sampler(context, None);
         let view = ramps.create_view(&wgpu::TextureViewDescriptor { label: Some("ramps"), ..Default::default() });
         let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("look"),

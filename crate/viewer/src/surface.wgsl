@@ -25,6 +25,8 @@ const RAMP_SIZE = 256.0;
 // CSS pixels from one hatch line to the next, and the share of each period that is dark.
 const HATCH_PERIOD = 9.0;
 const HATCH_WIDTH = 0.3;
+// Mean square slope that a pixel can add: more would turn a mirror matt.
+const MOST_ROUGHENED = 0.25;
 // Thin lines between two others.
 const SUBDIVISIONS = 5.0;
 
@@ -72,6 +74,12 @@ fn ramp_up(x: f32, flank: f32) -> f32 {
     return 2.0 * flank * t * t * t * (1.0 - 0.5 * t) + max(x - flank, 0.0);
 }
 
+// Integral of the square of its slope.
+fn steepness(x: f32, flank: f32) -> f32 {
+    let t = clamp((x + flank) / (2.0 * flank), 0.0, 1.0);
+    return 18.0 / flank * t * t * t * (1.0 / 3.0 - 0.5 * t + 0.2 * t * t);
+}
+
 // Height of the bands' profile, 0 to 1: up in the middle `width` of each period of 1.
 fn profile(x: f32, width: f32, flank: f32) -> f32 {
     let at = fract(x) - 0.5;
@@ -84,9 +92,15 @@ fn profile_integral(x: f32, width: f32, flank: f32) -> f32 {
     return floor(x) * width + ramp_up(at + 0.5 * width, flank) - ramp_up(at - 0.5 * width, flank);
 }
 
-// Mean over a pixel that spans `span` periods of the profile (x) and of its slope (y). A box filter alone would still let
+// Integral of the square of the profile's slope from 0 to x.
+fn profile_steepness(x: f32, width: f32, flank: f32) -> f32 {
+    let at = fract(x) - 0.5;
+    return floor(x) * 1.2 / flank + steepness(at + 0.5 * width, flank) + steepness(at - 0.5 * width, flank);
+}
+
+// Mean over a pixel that spans `span` periods of the profile (x) and of its slope (y), and the slope's variance (z). A box filter alone would still let
 // the pattern beat against the pixels near two pixels a period, so it fades into its mean there.
-fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec2f {
+fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec3f {
     // Below this the difference of two integrals loses its digits.
     let filtered = max(span, 1e-4);
     // The whole part is taken off first: far from the source the phase is large.
@@ -94,9 +108,14 @@ fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec2f {
     let low = local - 0.5 * filtered;
     let high = local + 0.5 * filtered;
     let share = (profile_integral(high, width, flank) - profile_integral(low, width, flank)) / filtered;
-    let slope = (profile(high, width, flank) - profile(low, width, flank)) / filtered;
+    // A mirror jumps where a share blends: the slope is taken over two pixels, so that no bevel falls between them.
+    let before = low - 0.5 * filtered;
+    let after = high + 0.5 * filtered;
+    let slope = (profile(after, width, flank) - profile(before, width, flank)) / (2.0 * filtered);
     let dense = smoothstep(0.33, 0.6, span);
-    return vec2f(mix(clamp(share, 0.0, 1.0), width, dense), slope * (1.0 - dense));
+    let mean = slope * (1.0 - dense);
+    let square = (profile_steepness(after, width, flank) - profile_steepness(before, width, flank)) / (2.0 * filtered);
+    return vec3f(mix(clamp(share, 0.0, 1.0), width, dense), mean, max(square - mean * mean, 0.0));
 }
 
 // Share of a pixel that lines at whole phases cover, `half` physical pixels to either side.
@@ -104,6 +123,13 @@ fn lines(phase: f32, span: f32, half: f32) -> f32 {
     let away = abs(fract(phase + 0.5) - 0.5) / max(span, 1e-6);
     let dense = smoothstep(0.12, 0.3, span);
     return mix(clamp(half + 0.5 - away, 0.0, 1.0), min(2.0 * half * span, 1.0), dense);
+}
+
+// Roughness as a pixel sees it: where the normal turns within a pixel by so much in the mean square, it mirrors a wider part
+// of its surroundings, and would sparkle. Tokuyoshi and Kaplanyan, "Improved geometric specular antialiasing" (2019).
+fn roughened(roughness: f32, turned: f32) -> f32 {
+    let slope = roughness * roughness;
+    return sqrt(sqrt(slope * slope + min(turned, MOST_ROUGHENED)));
 }
 
 // The inside is a little darker, so that an open mesh reads as one.
@@ -127,6 +153,10 @@ fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     let surface_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.25), 0.0).rgb;
     let stripe_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.75), 0.0).rgb;
 
+    let across = dpdx(fragment.normal);
+    let down = dpdy(fragment.normal);
+    var turned = 0.5 * (dot(across, across) + dot(down, down));
+
     var share = 0.0;
     var normal = geometric.xyz;
     if look.shape.w > 0.0 {
@@ -138,11 +168,12 @@ fn fs_field(fragment: Fragment) -> @location(0) vec4f {
         share = pattern.x;
         let uphill = fragment.tangent - normal * dot(normal, fragment.tangent);
         normal = normalize(normal - uphill * (look.shape.z * pattern.y));
+        turned += look.shape.z * look.shape.z * dot(uphill, uphill) * pattern.z;
     }
     var material = Material(
         mix(surface_color, stripe_color, share * look.scale.w),
         mix(look.surface.x, look.stripe.x, share),
-        mix(look.surface.y, look.stripe.y, share),
+        roughened(mix(look.surface.y, look.stripe.y, share), turned),
         surface_color * (look.surface.z * (1.0 - share)) + stripe_color * (look.stripe.z * share),
     );
     if fragment.reached < 0.999 {
