@@ -7,7 +7,7 @@ mod common;
 
 use common::{distance_from, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
-use heatwalk::{Boundary, LinearSolver, Operator, Parameters, RelativeError, SurfacePoint, TimeStep, shapes};
+use heatwalk::{Boundary, LinearSolver, Parameters, RelativeError, SurfacePoint, TimeStep, shapes};
 
 fn sphere_error(subdivisions: u32) -> f64 {
     let (solver, distance) = distance_from(&shapes::icosphere(subdivisions), 0);
@@ -144,11 +144,11 @@ fn default_settings_converge_on_the_sphere() {
 /// Against the exact polyhedral distances of the shared meshes, which are not part of the repository.
 #[cfg(not(target_arch = "wasm32"))]
 mod exact {
-    use heatwalk::{Parameters, RelativeError, SurfacePoint};
+    use heatwalk::{Operator, Parameters, RelativeError, SurfacePoint};
 
+    use super::Boundary;
     use super::common::shared::{read_mesh, read_npy, shared_meshes};
     use super::common::{heat_only, solver_with};
-    use super::{Boundary, Operator};
 
     /// Mesh, source and the mean and maximum error, in per cent, of geometry-central's robust heat method
     /// (potpourri3d 1.4.0, `use_robust=True`).

@@ -17,6 +17,7 @@ const MARGIN: f32 = 2.5;
 const DEPTH: f32 = 3.0;
 /// Cells over which what hides the surroundings loses all but 1/e of its effect: what is far away is lit itself.
 const REACH: f32 = 28.0;
+
 const CELLS: usize = OCCLUSION_SIZE * OCCLUSION_SIZE * OCCLUSION_SIZE;
 /// Cells along a side of a slice with a rim of one cell, where all is open.
 const RIMMED: usize = OCCLUSION_SIZE + 2;
