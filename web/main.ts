@@ -52,7 +52,8 @@ const address = new Address(scene, opener);
 const readout = new Readout(session);
 const tool = new Signal<Tool>('source');
 
-const hint = h('p', { class: 'hint', hidden: true }, 'Click the surface');
+const touch = matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click';
+const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);
 const acted = () => hint.remove();
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);

@@ -7,7 +7,7 @@ const SIZE = 0.15;
 
 const GREEN = vec3f(0.22, 0.80, 0.02);
 const GREEN_SELECTED = vec3f(0.50, 1.0, 0.10);
-const STEEL = vec3f(0.36, 0.37, 0.39);
+const STEEL = vec3f(0.62, 0.63, 0.66);
 
 struct Fragment {
     @builtin(position) clip: vec4f,
