@@ -30,7 +30,10 @@ export async function film(canvas: HTMLCanvasElement, end: Promise<unknown>): Pr
     recorder.addEventListener('error', () => reject(new Error('The browser stopped recording.')));
   });
   recorder.start();
-  void end.finally(() => recorder.stop());
+  const stop = () => {
+    if (recorder.state !== 'inactive') recorder.stop();
+  };
+  void end.then(stop, stop);
   await recorded;
   return new Blob(chunks, { type: 'video/webm' });
 }

@@ -188,7 +188,10 @@ export type EdgeKind = 'mesh' | 'boundary' | 'operator';
 
 export type ProgressListener = (progress: Progress) => void;
 
-/** Calls run one after another, none before `start`. A call that fails rejects with a one-sentence message and changes nothing. */
+/**
+ * Calls run one after another, none before `start`. A call that fails rejects with a one-sentence message and changes
+ * nothing.
+ */
 export interface SolverApi {
   /** The solver's module, compiled once by the page for all its workers. */
   start(module: WebAssembly.Module): Promise<void>;

@@ -4,9 +4,10 @@ import type { SceneState } from './scene';
 import { Signal } from './signal';
 
 /**
- * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks; `refining`.
- * The others are ends. `exact`: everything is; `off`: not wanted; `idle`: no field; `large`, `late` and `stuck`: given up, for
- * the size of the mesh, the time, or because a few slices brought nothing; `failed`: the question or a slice failed.
+ * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks;
+ * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `idle`: no field; `large`, `late` and
+ * `stuck`: given up, for the size of the mesh, the time, or because a few slices brought nothing; `failed`: the question
+ * or a slice failed.
  */
 export type Phase =
   'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'idle' | 'large' | 'late' | 'stuck' | 'failed';

@@ -2,7 +2,7 @@
 import type { Answer, Engine } from './engine';
 import type { Places } from './places';
 import { prepare } from './prepare';
-import type { DistanceField, EdgeKind, MeshInput, OpenedMesh, ProgressListener } from './protocol';
+import type { DistanceField, EdgeKind, MeshInput, OpenedMesh, ProgressListener, SceneryPart } from './protocol';
 import { Refiner } from './refiner';
 import { visible, type Scene, type SceneState } from './scene';
 import { Signal } from './signal';
@@ -231,11 +231,15 @@ export class Session {
       this.#showLook();
     }
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
-    if (state.overlays !== previous.overlays || state.hidden !== previous.hidden) {
-      this.view.setScenery(visible(shown.opened.scenery, state));
-    }
+    this.#showScenery(shown.opened.scenery, state, previous);
     if (!this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
+  }
+
+  /** A new scenery is costly, so only where other parts are seen. */
+  #showScenery(parts: readonly SceneryPart[], state: SceneState, previous: SceneState): void {
+    const [now, before] = [visible(parts, state), visible(parts, previous)];
+    if (now.length !== before.length || now.some((mesh, i) => mesh !== before[i])) this.view.setScenery(now);
   }
 
   async #solve(): Promise<void> {

@@ -1,4 +1,4 @@
-/** The canvas and the renderer on it. What is shown is kept, so that a lost renderer can be made again with the scene intact. */
+/** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from './looks';
 import type { Place, Vector } from './places';
 import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from './protocol';

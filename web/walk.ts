@@ -29,8 +29,9 @@ export class Walk {
     return this.#applaud !== null;
   }
 
-  /** Walks once from the start; resolves when it has arrived and rested, or when its way is gone. */
+  /** Walks once from the start; resolves when it has arrived and rested, or when its way or another walk ends it. */
   perform(): Promise<void> {
+    this.#end();
     this.#arc = 0;
     this.#rested = 0;
     return new Promise((resolve) => {

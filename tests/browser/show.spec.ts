@@ -45,6 +45,7 @@ test('the error is told once it is known', async ({ heatwalk, page }) => {
   await page.getByLabel('Painted').selectOption('error of the heat method');
   await expect(page.getByText('The error is known once every distance is exact.')).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&paint=error');
+  await unfold(heatwalk, 'Show');
   await heatwalk.settled();
   await expect(page.getByText(/Relative to the exact distance: [\d.]+ % in the mean/)).toBeVisible();
 });

@@ -9,11 +9,13 @@ pub struct Bounds {
     pub radius: f32,
     /// Height of the lowest point.
     pub lowest: f32,
+    /// Longest side of the box; positive.
+    pub side: f32,
 }
 
 impl Bounds {
     /// Stands in while nothing is shown, so that the camera always has a scale.
-    pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0, lowest: -1.0 };
+    pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
 
     /// Bounds of points, or None when there are none.
     #[must_use]
@@ -22,8 +24,10 @@ impl Bounds {
         let (low, high) = points.clone().fold((first, first), |(low, high), &point| (low.min(point), high.max(point)));
         let center = 0.5 * (low + high);
         let radius = points.map(|point| point.distance_squared(center)).fold(0.0, f32::max).sqrt();
+        let side = (high - low).max_element();
         // A single point still needs a scale to be looked at.
-        Some(Self { center, radius: if radius > 0.0 { radius } else { 1.0 }, lowest: low.y })
+        let [radius, side] = if side > 0.0 { [radius, side] } else { [1.0, 2.0] };
+        Some(Self { center, radius, lowest: low.y, side })
     }
 }
 
@@ -35,7 +39,7 @@ mod tests {
     fn the_sphere_is_centred_on_the_box() {
         let points = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 1.0, -1.0)];
         let bounds = Bounds::of_points(points.iter()).expect("three points");
-        assert_eq!(bounds.center, Vec3::new(1.0, 0.5, -0.5));
+        assert_eq!((bounds.center, bounds.side), (Vec3::new(1.0, 0.5, -0.5), 4.0));
         // (2, 0.5, 0.5) from the centre; the square root rounds once.
         assert!((bounds.radius - 4.5_f32.sqrt()).abs() < 1e-6);
     }
@@ -43,7 +47,7 @@ mod tests {
     #[test]
     fn a_single_point_has_a_scale() {
         let bounds = Bounds::of_points([Vec3::splat(3.0)].iter()).expect("one point");
-        assert_eq!((bounds.center, bounds.radius, bounds.lowest), (Vec3::splat(3.0), 1.0, 3.0));
+        assert_eq!(bounds, Bounds { center: Vec3::splat(3.0), radius: 1.0, lowest: 3.0, side: 2.0 });
         assert_eq!(Bounds::of_points([].iter()), None);
     }
 }

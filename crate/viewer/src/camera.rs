@@ -370,7 +370,7 @@ mod tests {
 
     fn camera() -> Camera {
         let mut camera = Camera::new();
-        let surface = Bounds { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0, lowest: -5.0 };
+        let surface = Bounds { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0, lowest: -5.0, side: 6.0 };
         camera.set_bounds(surface, surface);
         camera.set_size(1600, 900, 2.0);
         camera
@@ -524,7 +524,7 @@ mod tests {
         let mut camera = camera();
         let point = Vec3::new(6.0, -1.0, 2.0);
         let before = camera.project(point).expect("in front");
-        let scaled = Bounds { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0, lowest: -50.0 };
+        let scaled = Bounds { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0, lowest: -50.0, side: 60.0 };
         camera.set_bounds(scaled, scaled);
         let after = camera.project(10.0 * point).expect("in front");
         assert!((after - before).length() < PIXEL_TOLERANCE);

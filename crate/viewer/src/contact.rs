@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn what_stands_on_the_floor_darkens_it_and_what_floats_high_does_not() {
-        let scene = Bounds { center: Vec3::ZERO, radius: 1.0, lowest: -1.0 };
+        let scene = Bounds { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
         let floor = Floor::new(scene);
         let square =
             |height: f32| [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[x, z]| Vec3::new(x, height, z));

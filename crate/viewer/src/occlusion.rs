@@ -7,6 +7,7 @@
 
 use glam::{Quat, Vec3, Vec4};
 
+use crate::bounds::Bounds;
 use crate::scatter::scatter;
 
 /// Cells along a side of the grid.
@@ -32,17 +33,11 @@ pub(crate) struct Cube {
 }
 
 impl Cube {
-    /// Around all points, which must be finite. None without any.
-    pub(crate) fn around<'a>(points: impl Iterator<Item = &'a Vec3>) -> Option<Self> {
-        let bounds = |(low, high): (Vec3, Vec3), point: &Vec3| (low.min(*point), high.max(*point));
-        let (low, high) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), bounds);
-        let extent = (high - low).max_element();
-        if extent < 0.0 {
-            return None;
-        }
+    /// Around a scene.
+    pub(crate) fn around(scene: Bounds) -> Self {
         let cells = OCCLUSION_SIZE as f32;
-        let side = if extent > 0.0 { extent } else { 1.0 } * cells / (cells - 2.0 * MARGIN);
-        Some(Self { low: 0.5 * (low + high) - 0.5 * side, side })
+        let side = scene.side * cells / (cells - 2.0 * MARGIN);
+        Self { low: scene.center - 0.5 * side, side }
     }
 }
 
@@ -176,7 +171,7 @@ mod tests {
 
     fn scene(squares: &[[Vec3; 4]]) -> (Cube, Vec<u8>) {
         let positions: Vec<Vec3> = squares.iter().flatten().copied().collect();
-        let cube = Cube::around(positions.iter()).expect("points");
+        let cube = Cube::around(Bounds::of_points(positions.iter()).expect("points"));
         let mut occlusion = Occlusion::new(cube);
         let triangles: Vec<[u32; 3]> = (0..squares.len() as u32)
             .flat_map(|i| [[4 * i, 4 * i + 1, 4 * i + 2], [4 * i, 4 * i + 2, 4 * i + 3]])
@@ -226,9 +221,8 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_a_point_have_a_cube() {
-        assert_eq!(Cube::around([].iter()), None);
-        let cube = Cube::around([Vec3::X].iter()).expect("a point");
+    fn a_point_has_a_cube_and_hides_nothing() {
+        let cube = Cube::around(Bounds::of_points([Vec3::X].iter()).expect("a point"));
         assert!(cube.side > 0.0 && (cube.low + 0.5 * cube.side - Vec3::X).length() < 1e-6);
         let mut occlusion = Occlusion::new(cube);
         occlusion.add(&[Vec3::X], &[[0, 0, 0]]);

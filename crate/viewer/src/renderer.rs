@@ -57,7 +57,6 @@ pub struct Renderer {
     /// Of surface and scenery together.
     scene: Bounds,
     /// Of the occlusion grid.
-    cube: Cube,
     track: Option<Track>,
     /// The last frame is out of date.
     dirty: bool,
@@ -90,7 +89,6 @@ impl Renderer {
             surface: None,
             scenery: None,
             scene: Bounds::UNIT,
-            cube: Cube { low: Vec3::ZERO, side: 1.0 },
             track: None,
             dirty: true,
             shadows_dirty: true,
@@ -120,7 +118,8 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// Replaces the surface; clears field, pins, path, walkers, arrows and edges. The view stays the same relative to the bounds.
+    /// Replaces the surface; clears field, pins, path, walkers, arrows and edges. The view stays the same relative to the
+    /// bounds.
     ///
     /// # Errors
     /// When the arrays do not fit together or the device; the old surface then stays.
@@ -167,19 +166,18 @@ impl Renderer {
         if !std::mem::take(&mut self.occlusion_dirty) {
             return;
         }
-        let Some(cube) = Cube::around(self.meshes().flat_map(Mesh::positions)) else {
+        if self.meshes().next().is_none() {
             return self.ground.clear();
-        };
+        }
         let floor = Floor::new(self.scene);
         let mut contact = Contact::new(floor, self.scene);
-        let mut occlusion = Occlusion::new(cube);
+        let mut occlusion = Occlusion::new(Cube::around(self.scene));
         for mesh in self.meshes() {
             contact.add(mesh.picker.positions(), mesh.picker.triangles());
             occlusion.add(mesh.picker.positions(), mesh.picker.triangles());
         }
         self.ground.set(&self.context, floor, &contact.into_texels());
         self.shared.lighting.set_occlusion(&self.context, &occlusion.into_texels());
-        self.cube = cube;
     }
 
     fn radius(&self) -> f32 {
@@ -424,7 +422,7 @@ impl Renderer {
                 pixel_ratio: camera.pixel_ratio(),
                 shadows,
                 moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
-                cube: self.cube,
+                cube: Cube::around(self.scene),
                 environment: self.environment,
             },
         );

@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn the_scene_fits_and_depth_grows_away_from_the_light() {
-        let scene = Bounds { center: Vec3::new(3.0, -1.0, 2.0), radius: 2.0, lowest: -3.0 };
+        let scene = Bounds { center: Vec3::new(3.0, -1.0, 2.0), radius: 2.0, lowest: -3.0, side: 4.0 };
         let towards = Vec3::new(-0.4, 0.8, 0.3).normalize();
         let view = ShadowView::new(scene, towards);
         let clip = |point: Vec3| view.clip_from_world.transform_point3(point);

@@ -146,10 +146,13 @@ fn openness(position: vec3f, normal: vec3f) -> vec4f {
     return vec4f(0.5 * texel.rgb - 0.25, texel.a);
 }
 
+// Surfaces keep a little of the light, or a place without a way out would be bright without end.
+const MOST_REFLECTED = 0.98;
+
 // Share of the light that a place gets where a share `open` comes from outside and the rest from surfaces of its own kind,
 // which reflect this much of what they get themselves.
 fn gathered(open: f32, reflected: vec3f) -> vec3f {
-    return open / (1.0 - (1.0 - open) * reflected);
+    return open / (1.0 - (1.0 - open) * min(reflected, vec3f(MOST_REFLECTED)));
 }
 
 // The Khronos PBR neutral tone mapper (2024): colours below the shoulder stay as they are, highlights pale towards white.

@@ -98,8 +98,8 @@ fn profile_steepness(x: f32, width: f32, flank: f32) -> f32 {
     return floor(x) * 1.2 / flank + steepness(at + 0.5 * width, flank) + steepness(at - 0.5 * width, flank);
 }
 
-// Mean over a pixel that spans `span` periods of the profile (x) and of its slope (y), and the slope's variance (z). A box filter alone would still let
-// the pattern beat against the pixels near two pixels a period, so it fades into its mean there.
+// Mean over a pixel that spans `span` periods of the profile (x) and of its slope (y), and the slope's variance (z). A box
+// filter alone would still let the pattern beat against the pixels near two pixels a period, so it fades into its mean there.
 fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec3f {
     // Below this the difference of two integrals loses its digits.
     let filtered = max(span, 1e-4);
