@@ -76,8 +76,8 @@ export const PRESETS: readonly Preset[] = [
   }),
   preset('skull', {
     title: 'Skull',
-    sources: [at(18857)],
-    walker: at(263),
+    sources: [at(13241)],
+    walker: at(4799),
     view: [1.8, 0.2],
     look: 'bone',
     parts: [0],

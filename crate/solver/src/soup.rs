@@ -31,6 +31,15 @@ impl Soup {
         Self { positions, triangles, parts }
     }
 
+    /// Makes one more part of the triangles that have come since the last one; of none, nothing.
+    pub(crate) fn end_part(&mut self, name: impl Into<String>) {
+        let start = self.parts.last().map_or(0, |part| part.triangles.end);
+        let end = self.triangles.len();
+        if end > start {
+            self.parts.push(Part { name: name.into(), triangles: start..end });
+        }
+    }
+
     /// The chosen parts alone, in file order, with the vertices that they use, in file order. Choosing every part
     /// keeps every vertex, used or not.
     ///

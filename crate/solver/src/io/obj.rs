@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::Reporter;
 use super::triangulate::Polygons;
 use crate::error::Result;
-use crate::soup::{Part, Soup};
+use crate::soup::Soup;
 
 const OBJ: Reporter = Reporter("OBJ");
 
@@ -93,13 +93,10 @@ fn assemble(positions: Vec<DVec3>, polygons: &Polygons, part_of_polygon: &[usize
     }
     let mut soup = Soup { positions, ..Soup::default() };
     for (name, members) in names.into_iter().zip(members) {
-        let start = soup.triangles.len();
         for polygon in members {
             polygons.triangulate(polygon, &soup.positions, &mut soup.triangles)?;
         }
-        if soup.triangles.len() > start {
-            soup.parts.push(Part { name, triangles: start..soup.triangles.len() });
-        }
+        soup.end_part(name);
     }
     Ok(soup)
 }

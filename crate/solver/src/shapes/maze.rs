@@ -4,7 +4,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 use crate::random::random;
-use crate::soup::{Part, Soup};
+use crate::soup::Soup;
 
 const ROAD_WIDTH: f64 = 1.0;
 const WALL_WIDTH: f64 = 0.2;
@@ -19,10 +19,9 @@ pub fn maze(cells: u32, quads: u32) -> Soup {
     let plan = Plan::carve(cells.max(2) as usize);
     let mut soup = Soup::default();
     add_road(&mut soup, &plan, quads.max(1) as usize);
-    let road = soup.triangles.len();
-    soup.parts.push(Part { name: "road".to_owned(), triangles: 0..road });
+    soup.end_part("road");
     add_walls(&mut soup, &plan);
-    soup.parts.push(Part { name: "walls".to_owned(), triangles: road..soup.triangles.len() });
+    soup.end_part("walls");
     soup
 }
 

@@ -56,7 +56,7 @@ pub fn by_name(name: &str) -> Result<Soup> {
         "animal" => animal(0.024),
         "horse" => horse(0.022),
         "triceratops" => triceratops(0.032),
-        "skull" => skull(0.03),
+        "skull" => skull(0.032),
         "maze" => maze(10, 6),
         "high_genus" => high_genus(0.065),
         "ring" => ring(0.034),

@@ -169,7 +169,7 @@ const STAND: [(f64, f64); 12] = [
 /// round stand under it.
 pub fn hemisphere(frequency: u32) -> Soup {
     let frequency = frequency.max(1);
-    let mut soup = Soup::single("dome", vec![DVec3::Y], Vec::new());
+    let mut soup = Soup { positions: vec![DVec3::Y], ..Soup::default() };
     // Ring k of an octahedron's upper half has 4k vertices, k of them a quarter.
     let first = |ring: u32| if ring == 0 { 0 } else { 1 + 2 * ring * (ring - 1) };
     for ring in 1..=frequency {
@@ -193,10 +193,9 @@ pub fn hemisphere(frequency: u32) -> Soup {
             }
         }
     }
-    let dome = soup.triangles.len();
-    soup.parts[0].triangles = 0..dome;
+    soup.end_part("dome");
     revolve(&mut soup, &STAND, 96);
-    soup.parts.push(Part { name: "stand".to_owned(), triangles: dome..soup.triangles.len() });
+    soup.end_part("stand");
     soup
 }
 

@@ -12,7 +12,7 @@ use gltf::json::{self, Root};
 
 use super::{Reporter, Resources};
 use crate::error::{Error, Result};
-use crate::soup::{Part, Soup};
+use crate::soup::Soup;
 use accessor::Accessors;
 use container::Buffers;
 use scene::Scene;
@@ -81,11 +81,8 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
     if world_from_node.determinant() < 0.0 {
         soup.triangles[start..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
     }
-    if soup.triangles.len() > start {
-        let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
-        let name = name.cloned().unwrap_or_else(|| format!("node {index}"));
-        soup.parts.push(Part { name, triangles: start..soup.triangles.len() });
-    }
+    let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
+    soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
     Ok(())
 }
 
