@@ -121,13 +121,14 @@ export const PRESETS: readonly Preset[] = [
     title: 'Hemisphere',
     sources: [at(2499)],
     walker: at(4577),
+    view: [1.15, 0.45],
     look: 'citrus',
     parts: [0],
     boundary: 'average',
   }),
   preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], look: 'contour' }),
   preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], look: 'neon' }),
-  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), look: 'citrus' }),
+  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], look: 'citrus' }),
 ];
 
 export const FIRST_PRESET = PRESETS[0];
