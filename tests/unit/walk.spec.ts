@@ -58,3 +58,17 @@ test('a performance is over when its way is gone', async () => {
   await performance;
   expect(walk.performs).toBe(false);
 });
+
+test('another performance ends the first and begins anew', async () => {
+  const walk = new Walk();
+  walk.follow(3, true);
+  const first = walk.perform();
+  walk.advance(2, DIAMETER);
+  const second = walk.perform();
+  await first;
+  expect([walk.arc, walk.performs]).toEqual([0, true]);
+  walk.advance(3, DIAMETER);
+  walk.advance(1, DIAMETER);
+  await second;
+  expect(walk.performs).toBe(false);
+});

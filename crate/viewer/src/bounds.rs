@@ -25,8 +25,8 @@ impl Bounds {
         let center = 0.5 * (low + high);
         let radius = points.map(|point| point.distance_squared(center)).fold(0.0, f32::max).sqrt();
         let side = (high - low).max_element();
-        // A single point still needs a scale to be looked at.
-        let [radius, side] = if side > 0.0 { [radius, side] } else { [1.0, 2.0] };
+        // A single point still needs a scale to be looked at. Squares vanish before sides do.
+        let [radius, side] = if radius > 0.0 { [radius, side] } else { [1.0, 2.0] };
         Some(Self { center, radius, lowest: low.y, side })
     }
 }
@@ -48,6 +48,8 @@ mod tests {
     fn a_single_point_has_a_scale() {
         let bounds = Bounds::of_points([Vec3::splat(3.0)].iter()).expect("one point");
         assert_eq!(bounds, Bounds { center: Vec3::splat(3.0), radius: 1.0, lowest: 3.0, side: 2.0 });
+        let nearly_one = Bounds::of_points([Vec3::ZERO, Vec3::splat(1e-30)].iter()).expect("two points");
+        assert_eq!((nearly_one.radius, nearly_one.side), (1.0, 2.0));
         assert_eq!(Bounds::of_points([].iter()), None);
     }
 }

@@ -56,7 +56,6 @@ pub struct Renderer {
     scenery: Option<Mesh>,
     /// Of surface and scenery together.
     scene: Bounds,
-    /// Of the occlusion grid.
     track: Option<Track>,
     /// The last frame is out of date.
     dirty: bool,

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Reporter;
 use crate::error::Result;
-use crate::soup::{Part, Soup};
+use crate::soup::Soup;
 
 const STL: Reporter = Reporter("STL");
 /// 80 bytes of free text and the number of triangles.
@@ -50,12 +50,8 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
             positions.push(DVec3::new(coordinate(0), coordinate(4), coordinate(8)));
         }
     }
-    let triangles = separate_triangles(&positions);
+    let triangles = (0..count as u32).map(|triangle| [0, 1, 2].map(|corner| 3 * triangle + corner)).collect();
     Ok(Soup::single(name, positions, triangles))
-}
-
-fn separate_triangles(positions: &[DVec3]) -> Vec<[u32; 3]> {
-    (0..positions.len() as u32 / 3).map(|triangle| [3 * triangle, 3 * triangle + 1, 3 * triangle + 2]).collect()
 }
 
 fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
@@ -69,7 +65,7 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
         let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
         match keyword.to_ascii_lowercase().as_str() {
             "solid" => {
-                close_part(&mut soup, name);
+                soup.end_part(name);
                 name = if arguments.trim().is_empty() { file } else { arguments.trim() };
             }
             "facet" => {
@@ -81,6 +77,8 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
                 if corners.len() != 3 {
                     return Err(STL.line(number, format!("a facet has {} corners instead of 3", corners.len())));
                 }
+                let first = soup.positions.len() as u32;
+                soup.triangles.push([first, first + 1, first + 2]);
                 soup.positions.append(&mut corners);
                 complete = true;
             }
@@ -90,16 +88,6 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
     if !complete {
         return Err(STL.at("end of file", "the last facet is cut short; save the file again"));
     }
-    close_part(&mut soup, name);
-    soup.triangles = separate_triangles(&soup.positions);
+    soup.end_part(name);
     Ok(soup)
-}
-
-/// Ends the solid; one without facets leaves no part.
-fn close_part(soup: &mut Soup, name: &str) {
-    let start = soup.parts.last().map_or(0, |part| part.triangles.end);
-    let end = soup.positions.len() / 3;
-    if end > start {
-        soup.parts.push(Part { name: name.to_owned(), triangles: start..end });
-    }
 }

@@ -23,6 +23,7 @@ pub fn skull(spacing: f64) -> Soup {
     for side in [1.0, -1.0] {
         add_bowl(&mut soup, ORBIT * DVec3::new(1.0, 1.0, side), 0.95 * ORBIT_RADII, orbit_turn(side));
     }
+    // Shallower than the opening, whose back and sides it crosses.
     add_bowl(&mut soup, DVec3::new(0.81, 0.81, 0.0), DVec3::new(0.08, 0.19, 0.135), DMat3::IDENTITY);
     soup.end_part("hollows");
     revolve(&mut soup, &STAND, 128);
