@@ -1,6 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
-const PORT = 4173;
+/** Another one lets two checkouts be tested side by side. */
+const PORT = Number(process.env['PORT'] ?? 4173);
 
 const ALWAYS = [
   '--no-sandbox',
