@@ -2,7 +2,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { PNG } from 'pngjs';
-import { LOOKS } from '../../web/looks';
+import { LOOKS } from '../../web/state/looks';
 import { expect, type HeatwalkPage, test } from '../page';
 
 const KEPT = path.join(import.meta.dirname, '../pictures');

@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test';
-import { Engine, type Question } from '../../web/engine';
 import type { DistanceField, OpenedMesh, Solved, Source, Way } from '../../web/protocol';
-import { DEFAULT_PARAMETERS } from '../../web/scene';
-import type { SolverWorker } from '../../web/solver-worker';
+import { Engine, type Question } from '../../web/solver/engine';
+import type { SolverWorker } from '../../web/solver/remote';
+import { DEFAULT_PARAMETERS } from '../../web/state/scene';
 
 const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
 const QUESTION: Question = {

@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test';
-import { decodeLink, encodeLink } from '../../web/link';
-import { findLook } from '../../web/looks';
 import type { Parameters } from '../../web/protocol';
-import { DEFAULT_PARAMETERS, emptyScene, type MeshReference, type SceneState } from '../../web/scene';
+import { decodeLink, encodeLink } from '../../web/state/link';
+import { findLook } from '../../web/state/looks';
+import { DEFAULT_PARAMETERS, emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
 
 const START: SceneState = {
   ...emptyScene({ kind: 'preset', id: 'bunny' }),

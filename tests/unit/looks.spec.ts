@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
-import { LOOKS, RAMP_NAMES, rampBytes } from '../../web/looks';
-import { PRESETS } from '../../web/presets';
+import { LOOKS, RAMP_NAMES, rampBytes } from '../../web/state/looks';
+import { PRESETS } from '../../web/state/presets';
 
 test('every ramp is 256 opaque colours that change from end to end', () => {
   for (const name of RAMP_NAMES) {

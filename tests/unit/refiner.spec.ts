@@ -1,9 +1,9 @@
 import { expect, test } from '@playwright/test';
-import type { Answer, Engine } from '../../web/engine';
 import type { DistanceField, PathKind, SurfacePath } from '../../web/protocol';
-import { MOST_TRIANGLES, type Phase, Refiner } from '../../web/refiner';
-import { emptyScene } from '../../web/scene';
-import { until } from '../../web/signal';
+import type { Answer, Engine } from '../../web/solver/engine';
+import { MOST_TRIANGLES, type Phase, Refiner } from '../../web/solver/refiner';
+import { emptyScene } from '../../web/state/scene';
+import { until } from '../../web/state/signal';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
 const WAY: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
-import { moveSource, startSourceFrom } from '../../web/input/edit';
-import { DEFAULT_PARAMETERS, emptyScene, Scene } from '../../web/scene';
+import { moveSource, startSourceFrom } from '../../web/state/edit';
+import { DEFAULT_PARAMETERS, emptyScene, Scene } from '../../web/state/scene';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 

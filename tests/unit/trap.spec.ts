@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { OUT_OF_MEMORY } from '../../web/protocol';
-import { isOutOfMemory } from '../../web/trap';
+import { isOutOfMemory } from '../../web/solver/trap';
 
 const named = (name: string, message: string) => Object.assign(new Error(message), { name });
 

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import { Walk } from '../../web/walk';
+import { Walk } from '../../web/view/walk';
 
 const DIAMETER = 7;
 

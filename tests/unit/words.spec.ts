@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import type { DistanceField } from '../../web/protocol';
-import { errorWords, exactnessWords, refiningSentence } from '../../web/words';
+import { errorWords, exactnessWords, refiningSentence } from '../../web/ui/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),

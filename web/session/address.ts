@@ -1,0 +1,38 @@
+/** Keeps the address in step with the scene, so that it can be shared and reloaded, and follows a link that is pasted. */
+import { encodeLink } from '../state/link';
+import type { Scene } from '../state/scene';
+import { type Opener, startOf } from './opener';
+
+/** The address is written when the hand rests; browsers limit how often it may change. */
+const REST_MS = 300;
+
+export class Address {
+  readonly #scene: Scene;
+  readonly #opener: Opener;
+  readonly kiosk: boolean;
+  #timer = 0;
+
+  constructor(scene: Scene, opener: Opener) {
+    this.#scene = scene;
+    this.#opener = opener;
+    this.kiosk = new URLSearchParams(location.hash.slice(1)).get('kiosk') === '1';
+    scene.subscribe((state, previous) => {
+      if (state === previous) return;
+      clearTimeout(this.#timer);
+      this.#timer = window.setTimeout(() => this.#write(), REST_MS);
+    });
+    addEventListener('hashchange', () => void opener.link(location.hash));
+  }
+
+  /** The whole address of the present scene. */
+  link(): string {
+    const { state } = this.#scene;
+    const start = startOf(state.mesh) ?? state;
+    return new URL(`#${encodeLink(state, start)}`, location.href).href;
+  }
+
+  #write(): void {
+    // A link that still waits for its file must survive a reload.
+    if (!this.#opener.waiting) history.replaceState(null, '', this.link() + (this.kiosk ? '&kiosk=1' : ''));
+  }
+}

@@ -1,0 +1,172 @@
+/** Decides what to open: a preset, files from the user, or what a link names. */
+import type { MeshInput, NamedBytes, OpenedMesh } from '../protocol';
+import { Cancelled, WorkerLost } from '../solver/remote';
+import { isOutOfMemory } from '../solver/trap';
+import { decodeLink } from '../state/link';
+import { LANDING_VIEW, findPreset, FIRST_PRESET } from '../state/presets';
+import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
+import type { OpenRequest, Shown } from './prepare';
+import type { Session } from './session';
+
+export interface Action {
+  name: string;
+  run: () => void;
+}
+
+export interface Voice {
+  /** A mesh is shown. */
+  opened(mesh: OpenedMesh): void;
+  notice(text: string): void;
+  fail(text: string, details: string, remedy?: Action): void;
+  /** Stays until the file is there. */
+  askForFile(name: string): void;
+  /** The file that was asked for is no longer wanted. */
+  forgetFile(): void;
+}
+
+const MESH_FILE = /\.(obj|off|ply|stl|glb|gltf)$/i;
+export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin';
+
+/** The state in which a mesh starts out; null for a preset that does not exist. */
+export function startOf(mesh: MeshReference): SceneState | null {
+  return mesh.kind === 'file' ? emptyScene(mesh) : (findPreset(mesh.id)?.start ?? null);
+}
+
+const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
+
+export class Opener {
+  readonly #session: Session;
+  readonly #voice: Voice;
+  #load: (() => Promise<MeshInput>) | null = null;
+  /** What a link wants to see of a file that only the user can give. */
+  #awaited: SceneState | null = null;
+
+  constructor(session: Session, voice: Voice) {
+    this.#session = session;
+    this.#voice = voice;
+  }
+
+  /** True while a link waits for its file: the address must not change before. */
+  get waiting(): boolean {
+    return this.#awaited !== null;
+  }
+
+  async preset(id: string, state?: SceneState): Promise<void> {
+    const preset = findPreset(id);
+    if (!preset) return;
+    this.#forget();
+    const { title, load, view } = preset;
+    await this.#open({ title, load, state: state ?? preset.start, choosePlaces: false, view });
+  }
+
+  async files(files: readonly File[]): Promise<void> {
+    const meshes = files.filter(({ name }) => MESH_FILE.test(name));
+    const [main] = meshes;
+    if (!main) {
+      const names = files.map(({ name }) => name).join(', ');
+      this.#voice.fail(`No mesh among ${names || 'what was dropped'}; these can be opened: ${FORMATS}.`, names);
+      return;
+    }
+    if (meshes.length > 1) this.#voice.notice(`Opened ${main.name}, the first of ${meshes.length} meshes.`);
+    const companions = files.filter(({ name }) => !MESH_FILE.test(name));
+    const load = () => readFiles([main, ...companions]);
+    const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
+    const state = awaited ?? emptyScene({ kind: 'file', name: main.name, hash: '' });
+    const request = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
+    await this.#open(request, ({ opened }) => {
+      const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
+      this.#forget();
+      if (wanted && wanted !== opened.hash) {
+        this.#voice.notice(`This ${main.name} is not the file the link was made with; the places may not fit.`);
+      }
+    });
+  }
+
+  /** A shared scene, or the first preset when the fragment names none. */
+  async link(fragment: string): Promise<void> {
+    const decoded = decodeLink(fragment, startOf);
+    if (!decoded) {
+      if (/[#&]m=/.test(fragment))
+        this.#voice.notice('This link names a mesh that is not here; the first one is shown.');
+      await this.preset(FIRST_PRESET.id);
+      return;
+    }
+    for (const notice of decoded.notices) this.#voice.notice(notice);
+    const { mesh } = decoded.state;
+    if (mesh.kind === 'preset') {
+      await this.preset(mesh.id, decoded.state);
+      return;
+    }
+    if (!this.#session.shown.value) await this.preset(FIRST_PRESET.id);
+    this.#awaited = decoded.state;
+    this.#voice.askForFile(mesh.name);
+  }
+
+  /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
+  async parts(parts: readonly number[]): Promise<void> {
+    const { state } = this.#session.scene;
+    const title = this.#session.shown.value?.opened.name;
+    if (!this.#load || !title) return;
+    const next = { ...state, parts, sources: [], walker: null };
+    await this.#open({ title, load: this.#load, state: next, choosePlaces: true, view: null });
+  }
+
+  /** What can be done when a question to the mesh on screen has failed. */
+  remedy(failure: Error): Action | undefined {
+    const { state } = this.#session.scene;
+    const iterated = isOutOfMemory(failure) ? iteratively(state) : null;
+    if (iterated) return { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#again(iterated) };
+    if (failure instanceof WorkerLost) return { name: 'Open the mesh again', run: () => void this.#again(state) };
+    return undefined;
+  }
+
+  /** The same mesh once more, in a worker of its own. */
+  async #again(state: SceneState): Promise<void> {
+    const title = this.#session.shown.value?.opened.name;
+    if (!this.#load || !title) return;
+    await this.#open({ title, load: this.#load, state, choosePlaces: true, view: null });
+  }
+
+  /** When nothing is opened, the reason is told. */
+  async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
+    try {
+      const shown = await this.#session.open(request);
+      this.#load = request.load;
+      if (request.state.sources.length > this.#session.scene.state.sources.length) {
+        this.#voice.notice('Some sources of the link do not lie on this mesh and were left out.');
+      }
+      this.#voice.opened(shown.opened);
+      done(shown);
+    } catch (error) {
+      if (!(error instanceof Cancelled)) {
+        const failure = error instanceof Error ? error : new Error(String(error));
+        const { message, stack } = failure;
+        const iterated = isOutOfMemory(failure) ? iteratively(request.state) : null;
+        const remedy = iterated
+          ? { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#open({ ...request, state: iterated }, done) }
+          : undefined;
+        this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message, remedy);
+      }
+    }
+  }
+
+  #forget(): void {
+    if (!this.#awaited) return;
+    this.#awaited = null;
+    this.#voice.forgetFile();
+  }
+}
+
+/** The same with conjugate gradients, which need no factors; null where it has them already. */
+function iteratively(state: SceneState): SceneState | null {
+  const { parameters } = state;
+  return parameters.solver === 'cg' ? null : { ...state, parameters: { ...parameters, solver: 'cg' } };
+}
+
+async function readFiles(files: readonly File[]): Promise<MeshInput> {
+  return { kind: 'files', files: await Promise.all(files.map(readFile)) };
+}
+
+async function readFile(file: File): Promise<NamedBytes> {
+  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+}

@@ -1,0 +1,90 @@
+/** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
+import type { DistanceField, EdgeKind } from '../protocol';
+import type { Overlay, Painted } from '../state/scene';
+import type { Edges } from '../view/view';
+import type { Session } from './session';
+
+/** In the order in which they are drawn, so that the rarer ones stay on top. */
+const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
+  { overlay: 'edges', kind: 'mesh', colour: '#2b3036' },
+  { overlay: 'operator', kind: 'operator', colour: '#1667d9' },
+  { overlay: 'boundary', kind: 'boundary', colour: '#e0248a' },
+];
+
+export class Overlays {
+  readonly #session: Session;
+  /** Counts what was wanted: an answer to an older wish is dropped. */
+  #wish = 0;
+  #latest: Promise<void> = Promise.resolve();
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  /** Resolves when everything that is wanted is shown. */
+  async settled(): Promise<void> {
+    for (let latest; latest !== this.#latest;) {
+      latest = this.#latest;
+      await latest;
+    }
+  }
+
+  /** Keeps the view up to date from now on. */
+  follow(): void {
+    const session = this.#session;
+    session.scene.subscribe((state, previous) => {
+      if (state.overlays !== previous.overlays || state.painted !== previous.painted) this.#latest = this.#update(true);
+    });
+    session.shown.watch((shown, previous) => {
+      const anew = shown?.opened !== previous?.opened || shown?.answer.factoring !== previous?.answer.factoring;
+      if (shown) this.#latest = this.#update(anew);
+    });
+  }
+
+  /** Edges belong to the mesh and the parameters, the others to the field. */
+  async #update(anew: boolean): Promise<void> {
+    const wish = ++this.#wish;
+    const session = this.#session;
+    const { view } = session;
+    const { overlays, painted } = session.scene.state;
+    const field = session.shown.value?.answer.field ?? null;
+    try {
+      const edges = anew ? await this.#edges(overlays) : null;
+      const kind = (['distance', 'heat'] as const).find((vectors) => overlays.includes(vectors));
+      const arrows = kind && field ? await session.gradients(kind) : new Float32Array();
+      const instead = painted === 'distance' || !field ? null : await this.#instead(painted, field);
+      if (wish !== this.#wish) return;
+      if (edges) view.setEdges(edges);
+      view.setArrows(arrows);
+      session.paint(instead);
+    } catch (error) {
+      // A mesh that was closed meanwhile has nothing to show.
+      if (wish === this.#wish) session.failure.value = error instanceof Error ? error : new Error(String(error));
+    }
+  }
+
+  async #edges(overlays: readonly Overlay[]): Promise<Edges[]> {
+    const edges: Edges[] = [];
+    for (const { overlay, kind, colour } of EDGES) {
+      if (overlays.includes(overlay)) edges.push({ ends: await this.#session.edges(kind), colour });
+    }
+    return edges;
+  }
+
+  async #instead(painted: Painted, { distance, tangents }: DistanceField): Promise<Parameters<Session['paint']>[0]> {
+    if (painted === 'heat') {
+      // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
+      const cold = (await this.#session.heat()).map((logarithm) => -logarithm);
+      const whole = largest(cold);
+      return { field: { distance: cold, tangents, maxDistance: whole }, whole };
+    }
+    const errors = (await this.#session.errors()) ?? new Float32Array(distance.length);
+    // Errors are noise from vertex to vertex, so they have colours and no stripes.
+    const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+    return { field, whole: 0 };
+  }
+}
+
+function largest(values: Float32Array): number {
+  return values.reduce((most, value) => (Number.isFinite(value) && value > most ? value : most), 0);
+}

@@ -1,0 +1,54 @@
+/** The first answer of a mesh that has just been opened. */
+import type { MeshInput, OpenedMesh } from '../protocol';
+import type { Answer, Engine } from '../solver/engine';
+import { Cancelled } from '../solver/remote';
+import { Places } from '../state/places';
+import type { SceneState } from '../state/scene';
+
+export interface Shown {
+  opened: OpenedMesh;
+  places: Places;
+  answer: Answer;
+}
+
+export interface OpenRequest {
+  title: string;
+  load: () => Promise<MeshInput>;
+  state: SceneState;
+  /** Puts a source and a walker where the state has none. */
+  choosePlaces: boolean;
+  /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
+  view: readonly [number, number] | null;
+}
+
+/** Makes the state fit the mesh and solves it for the first time. */
+export async function prepare(engine: Engine, request: OpenRequest): Promise<{ state: SceneState; shown: Shown }> {
+  const { opened } = engine;
+  const places = new Places(opened);
+  const { parameters, way } = request.state;
+  let sources = request.state.sources.filter((source) => places.has(source));
+  let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
+  if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
+  let answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
+  if (request.choosePlaces && !walker && answer.field) {
+    walker = places.farthest(answer.field.distance);
+    answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
+  }
+  const { mesh } = request.state;
+  return {
+    state: {
+      ...request.state,
+      mesh: mesh.kind === 'file' ? { ...mesh, hash: opened.hash } : mesh,
+      sources,
+      walker,
+      selected: -1,
+    },
+    shown: { opened, places, answer },
+  };
+}
+
+async function ask(engine: Engine, question: Answer['question']): Promise<Answer> {
+  const answer = await engine.ask(question);
+  if (!answer) throw new Cancelled();
+  return answer;
+}

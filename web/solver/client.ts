@@ -1,0 +1,92 @@
+/**
+ * The client of the solver's workers. Every mesh gets a worker of its own: wasm memory never shrinks, so a fresh one is the
+ * only way to give it back, and while a mesh is being opened the one before stays whole and in use. Cancelling an opening
+ * terminates its worker and touches nothing else.
+ */
+import { proxy, transfer } from 'comlink';
+import type { MeshInput, Parameters, ProgressListener } from '../protocol';
+import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
+import { Engine } from './engine';
+import { Cancelled, SolverWorker } from './remote';
+
+export class SolverClient {
+  /** All workers share one, and with it the code that the browser has optimised so far. */
+  #module: Promise<WebAssembly.Module> | null = null;
+  #spare: SolverWorker | null = null;
+  #opening: SolverWorker | null = null;
+
+  constructor() {
+    // The module is on its way while the page is still being built.
+    void this.#compiled().catch(() => undefined);
+  }
+
+  /** `load` gives the input anew for each opening, because its buffers are handed over to the worker. */
+  async open(
+    load: () => Promise<MeshInput>,
+    parts: readonly number[],
+    parameters: Parameters,
+    progress: ProgressListener,
+  ): Promise<Engine> {
+    this.cancel();
+    const worker = this.#spare ?? new SolverWorker(this.#compiled());
+    this.#spare = null;
+    this.#opening = worker;
+    try {
+      const input = await worker.call(load());
+      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], parameters, proxy(progress));
+      const opened = await worker.call(opening);
+      return new Engine(worker, opened, parameters);
+    } catch (error) {
+      worker.end(new Cancelled());
+      throw error;
+    } finally {
+      if (this.#opening === worker) this.#opening = null;
+    }
+  }
+
+  /** Ends the opening that is under way, if any; it rejects with `Cancelled`. */
+  cancel(): void {
+    this.#opening?.end(new Cancelled());
+    this.#opening = null;
+  }
+
+  /** Starts the worker of the next mesh ahead of time; to be called when the page is idle. */
+  warmUp(): void {
+    if (this.#spare) return;
+    const spare = new SolverWorker(this.#compiled());
+    this.#spare = spare;
+    spare.call(spare.api.warmUp()).catch(() => {
+      // The worker that opens the next mesh says what is wrong, should it be wrong again.
+      spare.end(new Cancelled());
+      if (this.#spare === spare) this.#spare = null;
+    });
+  }
+
+  #compiled(): Promise<WebAssembly.Module> {
+    this.#module ??= compile().catch((error: unknown) => {
+      // The next opening tries again.
+      this.#module = null;
+      throw error;
+    });
+    return this.#module;
+  }
+}
+
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(wasmAddress);
+  // Compiling while it arrives needs the right type, which not every static host gives.
+  return response.headers.get('Content-Type') === 'application/wasm'
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}
+
+function buffersOf(input: MeshInput): Transferable[] {
+  switch (input.kind) {
+    case 'files':
+      return input.files.map(({ bytes }) => bytes.buffer);
+    case 'arrays':
+      return [input.positions.buffer, input.triangles.buffer];
+    case 'shape':
+      return [];
+  }
+}

@@ -1,0 +1,14 @@
+/** The ways in which a solver can end. */
+import { OUT_OF_MEMORY } from '../protocol';
+
+/** Whether a wasm module trapped, out of memory or by a defect: it must not be called again. */
+export function isTrap(error: Error): boolean {
+  return error.name === 'RuntimeError' || error instanceof RangeError;
+}
+
+/** Whether a call failed for want of memory, by a refusal or by a trap. */
+export function isOutOfMemory(error: Error): boolean {
+  if (error.name === OUT_OF_MEMORY) return true;
+  // The solver's panics say what broke. Memory that is refused ends it without a word of its own.
+  return isTrap(error) && /memory|allocation|unreachable|invalid (typed )?array length/i.test(error.message);
+}

@@ -1,0 +1,317 @@
+/** The worker: the solver's wasm module behind the interface of protocol.ts. */
+import { expose, transfer } from 'comlink';
+import type {
+  BuildReport,
+  DistanceField,
+  DrawMesh,
+  EdgeKind,
+  Factoring,
+  MeshInput,
+  OpenedMesh,
+  Parameters,
+  Solved,
+  SolverApi,
+  Source,
+  SurfacePath,
+  Timings,
+  TracedWay,
+  Way,
+} from '../../protocol';
+import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
+import { isTrap } from '../trap';
+
+/** Shares of reading, building and factoring in the time that opening takes, for the progress bar. */
+const BUILD_FROM = 0.1;
+const FACTOR_FROM = 0.3;
+
+/** A slice of refining lasts about this long, or this many solves where that is more: each slice ends with one. */
+const SLICE_MS = 150;
+const SLICE_SOLVES = 2;
+/** Windows of the first slice, and of any slice at least. */
+const FIRST_WORK = 20_000;
+const LEAST_WORK = 2_000;
+
+/** Ten thousand points: enough for every kernel to run often, and over before anybody opens a mesh. */
+const WARM_UP_SHAPE = 'icosphere';
+
+/** Calls that arrive while the module is still being compiled wait for it. */
+const { promise: ready, resolve: begin } = Promise.withResolvers<wasm.InitOutput>();
+
+interface Current {
+  solver: wasm.Solver;
+  timings: Timings;
+  /** Windows of the next slice of refining. */
+  work: number;
+  solveMs: number;
+  refineMs: number;
+}
+
+let current: Current | undefined;
+
+const api: SolverApi = {
+  async start(module) {
+    begin(initialise({ module_or_path: module }));
+    await ready;
+  },
+
+  async warmUp() {
+    await ready;
+    const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
+    const surface = file.surface(Uint32Array.of(0));
+    const solver = surface.factor({}, () => undefined);
+    for (const quick of [false, true]) solver.solve([{ vertex: 0 }], quick).free();
+    for (const used of [solver, surface, file]) used.free();
+  },
+
+  async open(input, parts, parameters, progress) {
+    const { memory } = await ready;
+    const hash = await hashOf(input);
+    const clock = stopwatch();
+    progress({ stage: 'Reading', fraction: 0, vertices: 0 });
+    const file = read(input);
+    try {
+      const readMs = clock();
+      progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
+      const names = file.part_names();
+      const triangles = file.part_triangles();
+      const walked = parts.length > 0 ? parts : names.map((_, index) => index);
+      const surface = file.surface(Uint32Array.from(walked));
+      try {
+        const report = reportOf(surface);
+        const buildMs = clock();
+        const solver = surface.factor(parameters, (stage: string, fraction: number) => {
+          progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices: report.vertices });
+        });
+        const timings: Timings = { readMs, buildMs, precomputeMs: clock() };
+        current?.solver.free();
+        current = { solver, timings, work: FIRST_WORK, solveMs: 0, refineMs: 0 };
+        const opened: OpenedMesh = {
+          name: nameOf(input),
+          hash,
+          parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
+          walked: [...walked],
+          surface: drawMesh(surface.drawing()),
+          inputVertices: surface.input_vertices(),
+          scenery: names.flatMap((_, part) =>
+            walked.includes(part) ? [] : [{ part, mesh: drawMesh(file.scenery(part)) }],
+          ),
+          report,
+          meanEdge: surface.mean_edge(),
+          ...factoringOf(current, memory),
+        };
+        return transfer(opened, [
+          ...buffersOf(opened.surface),
+          ...opened.scenery.flatMap(({ mesh }) => buffersOf(mesh)),
+          opened.inputVertices.buffer,
+        ]);
+      } finally {
+        surface.free();
+      }
+    } finally {
+      file.free();
+    }
+  },
+
+  async configure(parameters: Parameters): Promise<Factoring> {
+    const { memory } = await ready;
+    const mesh = openMesh();
+    const clock = stopwatch();
+    mesh.solver.configure(parameters, () => undefined);
+    mesh.timings = { ...mesh.timings, precomputeMs: clock() };
+    return factoringOf(mesh, memory);
+  },
+
+  solve(sources: Source[], quick: boolean, way: Way | null): Promise<Solved> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const field = mesh.solver.solve(sources, quick);
+    mesh.solveMs = clock();
+    mesh.refineMs = 0;
+    return solvedOf(field, mesh, way);
+  },
+
+  refine(way: Way | null): Promise<Solved> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const field = mesh.solver.refine(mesh.work);
+    const passed = clock();
+    mesh.refineMs += passed;
+    if (field.exact_below < Infinity) {
+      const wanted = Math.max(SLICE_MS, SLICE_SOLVES * mesh.solveMs);
+      // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
+      const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
+      mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
+    }
+    return solvedOf(field, mesh, way);
+  },
+
+  path(way: Way): Promise<TracedWay> {
+    const traced = trace(openMesh(), way);
+    return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
+  },
+
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
+    const vectors = openMesh().solver.gradients(kind);
+    return Promise.resolve(transfer(vectors, [vectors.buffer]));
+  },
+
+  heat(): Promise<Float32Array> {
+    const heat = openMesh().solver.heat();
+    return Promise.resolve(transfer(heat, [heat.buffer]));
+  },
+
+  crowd(count: number): Promise<void> {
+    openMesh().solver.set_crowd(count);
+    return Promise.resolve();
+  },
+
+  stepCrowd(step: number): Promise<Float32Array> {
+    const poses = openMesh().solver.step_crowd(step);
+    return Promise.resolve(transfer(poses, [poses.buffer]));
+  },
+
+  edges(kind: EdgeKind): Promise<Float32Array> {
+    const edges = openMesh().solver.edges(kind);
+    return Promise.resolve(transfer(edges, [edges.buffer]));
+  },
+
+  errors(): Promise<Float32Array | null> {
+    const errors = openMesh().solver.errors();
+    return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
+  },
+
+  async shapes(): Promise<string[]> {
+    await ready;
+    return wasm.shape_names();
+  },
+};
+
+function openMesh(): Current {
+  if (!current) throw new Error('No mesh is open.');
+  return current;
+}
+
+function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): Factoring {
+  return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
+}
+
+function solvedOf(field: wasm.Field, mesh: Current, way: Way | null): Promise<Solved> {
+  const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, way) };
+  return Promise.resolve(
+    transfer(solved, [solved.field.distance.buffer, solved.field.tangents.buffer, ...pathBuffersOf(solved)]),
+  );
+}
+
+function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): DistanceField {
+  const { mean_error: mean, max_error: max } = field;
+  const answer: DistanceField = {
+    distance: field.take_values(),
+    tangents: solver.tangents(),
+    maxDistance: field.max,
+    unreachableVertices: field.unreachable,
+    exactBelow: field.exact_below,
+    exactShare: field.exact_share,
+    timeFactor: field.time_factor,
+    error: mean !== undefined && max !== undefined ? { mean, max } : null,
+    solveMs,
+    refineMs,
+  };
+  field.free();
+  return answer;
+}
+
+function trace({ solver }: Current, way: Way | null): TracedWay {
+  const clock = stopwatch();
+  return { path: way && pathOf(solver, way), pathMs: clock() };
+}
+
+function pathOf(solver: wasm.Solver, { from, kind }: Way): SurfacePath | null {
+  try {
+    const path = solver.path(from, kind);
+    const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
+    path.free();
+    return answer;
+  } catch (error) {
+    if (error instanceof Error && isTrap(error)) throw error;
+    return null;
+  }
+}
+
+function pathBuffersOf({ path }: TracedWay): Transferable[] {
+  return path ? [path.points.buffer, path.normals.buffer] : [];
+}
+
+function read(input: MeshInput): wasm.MeshFile {
+  switch (input.kind) {
+    case 'files':
+      return wasm.MeshFile.read(
+        input.files.map(({ name }) => name),
+        input.files.map(({ bytes }) => bytes),
+      );
+    case 'shape':
+      return wasm.MeshFile.shape(input.shape);
+    case 'arrays':
+      return wasm.MeshFile.arrays(input.name, input.positions, input.triangles);
+  }
+}
+
+function nameOf(input: MeshInput): string {
+  switch (input.kind) {
+    case 'files':
+      return input.files[0]?.name ?? '';
+    case 'shape':
+      return input.shape;
+    case 'arrays':
+      return input.name;
+  }
+}
+
+function reportOf(surface: wasm.WalkedSurface): BuildReport {
+  const counts = surface.report();
+  const report: BuildReport = {
+    inputVertices: counts.input_vertices,
+    vertices: counts.vertices,
+    faces: counts.faces,
+    weldedVertices: counts.welded_vertices,
+    unreferencedVertices: counts.unreferenced_vertices,
+    degenerateFaces: counts.degenerate_faces,
+    duplicateFaces: counts.duplicate_faces,
+    turnedFaces: counts.turned_faces,
+    nonManifoldEdges: counts.non_manifold_edges,
+    components: counts.components,
+    boundaryLoops: counts.boundary_loops,
+    eulerCharacteristic: counts.euler_characteristic,
+  };
+  counts.free();
+  return report;
+}
+
+function drawMesh(mesh: wasm.DrawMesh): DrawMesh {
+  const arrays = { positions: mesh.take_positions(), normals: mesh.take_normals(), triangles: mesh.take_triangles() };
+  mesh.free();
+  return arrays;
+}
+
+function buffersOf({ positions, normals, triangles }: DrawMesh): Transferable[] {
+  return [positions.buffer, normals.buffer, triangles.buffer];
+}
+
+/** Milliseconds since the last call. */
+function stopwatch(): () => number {
+  let before = performance.now();
+  return () => {
+    const now = performance.now();
+    const passed = now - before;
+    before = now;
+    return passed;
+  };
+}
+
+/** SHA-256 of the mesh file; empty where the browser offers none (pages that are not served over HTTPS). */
+async function hashOf(input: MeshInput): Promise<string> {
+  if (input.kind !== 'files' || !input.files[0] || !('subtle' in crypto)) return '';
+  const digest = await crypto.subtle.digest('SHA-256', input.files[0].bytes as Uint8Array<ArrayBuffer>);
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+expose(api);

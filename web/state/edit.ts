@@ -1,0 +1,34 @@
+/** What hands and keys do to sources and walker. */
+import type { SurfacePoint } from '../protocol';
+import { type Scene, withOffset } from './scene';
+
+export function setSource(scene: Scene, point: SurfacePoint): void {
+  scene.place({ sources: [point], selected: -1 });
+}
+
+export function addSource(scene: Scene, point: SurfacePoint): void {
+  scene.place({ sources: [...scene.state.sources, point], selected: -1 });
+}
+
+export function moveSource(scene: Scene, index: number, point: SurfacePoint, gesture: object): void {
+  const { sources } = scene.state;
+  const source = withOffset(point, sources[index].offset ?? 0);
+  scene.place({ sources: sources.with(index, source), selected: index }, gesture);
+}
+
+/** The value that distance starts from at a source, in the unit of the file. */
+export function startSourceFrom(scene: Scene, index: number, offset: number, gesture: object): void {
+  const { sources } = scene.state;
+  scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
+}
+
+export function removeSelected(scene: Scene): boolean {
+  const { sources, selected } = scene.state;
+  if (selected < 0) return false;
+  scene.place({ sources: sources.toSpliced(selected, 1), selected: -1 });
+  return true;
+}
+
+export function sendWalker(scene: Scene, point: SurfacePoint): void {
+  scene.place({ walker: point });
+}

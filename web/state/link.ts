@@ -1,0 +1,245 @@
+/** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
+import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from '../protocol';
+import type { Finish, Look, MapName } from './looks';
+import { findLook, isRamp, LOOK_NUMBERS, LOOK_RANGES, MAPS, STYLES, SURROUNDINGS } from './looks';
+import { LARGEST_CROWD, type MeshReference, OVERLAYS, PAINTED, type SceneState, withOffset } from './scene';
+
+const VERSION = '1';
+const OPERATORS: readonly Operator[] = ['delaunay', 'plain', 'relocate'];
+const SOLVERS: readonly LinearSolver[] = ['cholesky', 'cg'];
+const BOUNDARIES: readonly Boundary[] = ['neumann', 'dirichlet', 'average'];
+const MULTI_SOURCES: readonly MultiSource[] = ['exact', 'superposed'];
+const WAYS: readonly PathKind[] = ['descent', 'straight', 'exact'];
+
+export const TIME_FACTOR_RANGE: readonly [number, number] = [0.1, 1000];
+/** In mean edges. */
+export const NEAR_FIELD_RANGE: readonly [number, number] = [0, 64];
+/** In MiB; wasm32 has 4 GiB. */
+const MEMORY_RANGE: readonly [number, number] = [0, 4096];
+
+export interface Decoded {
+  state: SceneState;
+  /** One sentence for each value that could not be used. */
+  notices: string[];
+}
+
+/** The state a mesh starts out with; null for a preset that does not exist. */
+export type StartOf = (mesh: MeshReference) => SceneState | null;
+
+export function encodeLink(state: SceneState, start: SceneState): string {
+  const entries: [string, string][] = [['v', VERSION]];
+  if (state.mesh.kind === 'preset') {
+    entries.push(['m', state.mesh.id]);
+  } else {
+    entries.push(['m', 'file'], ['name', encodeURIComponent(state.mesh.name)], ['hash', state.mesh.hash]);
+  }
+  const add = (key: string, value: string, initial: string) => {
+    if (value !== initial) entries.push([key, value]);
+  };
+  add('p', state.parts.join(','), start.parts.join(','));
+  add('hide', state.hidden.join(','), start.hidden.join(','));
+  add('s', encodePoints(state.sources), encodePoints(start.sources));
+  add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
+  const { parameters } = state;
+  add('t', dial(parameters.timeFactor), dial(start.parameters.timeFactor));
+  add('b', parameters.boundary, start.parameters.boundary);
+  add('multi', parameters.multi, start.parameters.multi);
+  add('near', dial(parameters.nearField), dial(start.parameters.nearField));
+  add('memory', dial(parameters.memory), dial(start.parameters.memory));
+  add('op', parameters.operator, start.parameters.operator);
+  add('solver', parameters.solver, start.parameters.solver);
+  add('way', state.way, start.way);
+  add('refine', flag(state.refine), flag(start.refine));
+  if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
+  add('look', state.look.name, start.look.name);
+  const look = baseLook(state.look.name, start.look);
+  add('paint', state.painted, start.painted);
+  add('show', state.overlays.join(',') || 'none', start.overlays.join(',') || 'none');
+  add('crowd', number(state.crowd), number(start.crowd));
+  add('ramp', state.look.ramp, look.ramp);
+  add('stripe', state.look.stripe.replace('#', ''), look.stripe.replace('#', ''));
+  add('style', state.look.style, look.style);
+  for (const key of LOOK_NUMBERS) add(key, number(state.look[key]), number(look[key]));
+  add('surface', encodeFinish(state.look.surface), encodeFinish(look.surface));
+  add('stripes', encodeFinish(state.look.stripes), encodeFinish(look.stripes));
+  add('maps', encodeMaps(state.look.maps), encodeMaps(look.maps));
+  add('around', state.look.surroundings, look.surroundings);
+  return entries.map(([key, value]) => `${key}=${value}`).join('&');
+}
+
+/** Null when the fragment names no mesh. */
+export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
+  const entries = new URLSearchParams(fragment.replace(/^#/, ''));
+  const m = entries.get('m');
+  if (m === null) return null;
+  const notices: string[] = [];
+  const mesh: MeshReference =
+    m === 'file'
+      ? { kind: 'file', name: entries.get('name') ?? '', hash: entries.get('hash') ?? '' }
+      : { kind: 'preset', id: m };
+  const start = startOf(mesh);
+  if (!start) return null;
+  if ((entries.get('v') ?? VERSION) !== VERSION) {
+    notices.push('This link comes from another version; what is understood of it is shown.');
+  }
+  const state = { ...start, parameters: { ...start.parameters } };
+  const read = <T>(key: string, parse: (text: string) => T | null, apply: (value: T) => void) => {
+    const text = entries.get(key);
+    if (text === null) return;
+    const value = parse(text);
+    if (value === null) notices.push(`The link's ${key}=${text.slice(0, 40)} cannot be read; the default stands in.`);
+    else apply(value);
+  };
+  read('p', parseIndices, (parts) => (state.parts = parts));
+  read('hide', parseIndices, (hidden) => (state.hidden = hidden));
+  read('s', listOf(parseSource), (sources) => (state.sources = sources));
+  read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
+  const { parameters } = state;
+  read('t', automaticOr(within(...TIME_FACTOR_RANGE)), (factor) => (parameters.timeFactor = factor));
+  read('b', oneOf(BOUNDARIES), (boundary) => (parameters.boundary = boundary));
+  read('multi', oneOf(MULTI_SOURCES), (multi) => (parameters.multi = multi));
+  read('near', automaticOr(within(...NEAR_FIELD_RANGE)), (radius) => (parameters.nearField = radius));
+  read('memory', automaticOr(within(...MEMORY_RANGE)), (most) => (parameters.memory = most));
+  read('op', oneOf(OPERATORS), (operator) => (parameters.operator = operator));
+  read('solver', oneOf(SOLVERS), (solver) => (parameters.solver = solver));
+  read('way', oneOf(WAYS), (way) => (state.way = way));
+  read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
+  read('cam', parseCamera, (camera) => (state.camera = camera));
+  read(
+    'look',
+    (name) => findLook(name) ?? null,
+    ({ name }) => (state.look = baseLook(name, start.look)),
+  );
+  read('paint', oneOf(PAINTED), (painted) => (state.painted = painted));
+  read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
+  read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
+  const change = (part: Partial<Look>) => (state.look = { ...state.look, ...part });
+  read(
+    'ramp',
+    (name) => (isRamp(name) ? name : null),
+    (ramp) => change({ ramp }),
+  );
+  read(
+    'stripe',
+    (text) => (isRamp(text) ? text : /^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
+    (stripe) => change({ stripe }),
+  );
+  read('style', oneOf(STYLES), (style) => change({ style }));
+  for (const key of LOOK_NUMBERS) {
+    const [low, high] = LOOK_RANGES[key];
+    read(key, within(low, high), (value) => change({ [key]: value }));
+  }
+  read('surface', parseFinish, (surface) => change({ surface }));
+  read('stripes', parseFinish, (stripes) => change({ stripes }));
+  read('maps', parseMaps, (maps) => change({ maps }));
+  read('around', oneOf(SURROUNDINGS), (surroundings) => change({ surroundings }));
+  return { state, notices };
+}
+
+/** A preset may refine its own look; any other look is as named. */
+function baseLook(name: string, start: Look): Look {
+  return name === start.name ? start : (findLook(name) ?? start);
+}
+
+function number(value: number): string {
+  return String(Number(value.toFixed(4)));
+}
+
+/** Six digits, whatever the file's unit is; a plus sign would read as a space. */
+function amount(value: number): string {
+  return String(Number(value.toPrecision(6))).replace('+', '');
+}
+
+function dial(value: number | 'auto'): string {
+  return value === 'auto' ? value : number(value);
+}
+
+function flag(value: boolean): string {
+  return value ? '1' : '0';
+}
+
+function encodePoints(points: readonly Source[]): string {
+  return points.length === 0 ? 'none' : points.map(encodePoint).join(',');
+}
+
+function encodePoint(point: Source): string {
+  const place = 'vertex' in point ? String(point.vertex) : `${point.face}:${point.weights.map(number).join('/')}`;
+  return point.offset ? `${place}@${amount(point.offset)}` : place;
+}
+
+function encodeFinish({ metalness, roughness, glow }: Finish): string {
+  return [metalness, roughness, glow].map(number).join('/');
+}
+
+/** A letter each: colour, normal, emission, specular. */
+function encodeMaps(maps: readonly MapName[]): string {
+  return (
+    MAPS.filter((map) => maps.includes(map))
+      .map((map) => map[0])
+      .join('') || 'none'
+  );
+}
+
+function parseFinish(text: string): Finish | null {
+  const [metalness, roughness, glow, ...more] = text.split('/').map(Number);
+  const [least, most] = [Math.min(metalness, roughness, glow), Math.max(metalness, roughness, glow / 3)];
+  return more.length === 0 && least >= 0 && most <= 1 ? { metalness, roughness, glow } : null;
+}
+
+function parseMaps(text: string): MapName[] | null {
+  if (text === 'none') return [];
+  return /^[cnes]+$/.test(text) ? MAPS.filter((map) => text.includes(map.charAt(0))) : null;
+}
+
+function listOf<T>(parse: (text: string) => T | null): (text: string) => T[] | null {
+  return (text) => {
+    if (text === 'none') return [];
+    const items = text.split(',').map(parse);
+    return items.every((item) => item !== null) ? items : null;
+  };
+}
+
+/** A place, and after `@` the value that distance starts from there. */
+function parseSource(text: string): Source | null {
+  const [place, start, ...more] = text.split('@');
+  const point = parsePoint(place);
+  if (!point || more.length > 0) return null;
+  if (start === undefined) return point;
+  const offset = /^\d[\d.]*(e-?\d+)?$/.test(start) ? Number(start) : Number.NaN;
+  return Number.isFinite(offset) ? withOffset(point, offset) : null;
+}
+
+function parsePoint(text: string): SurfacePoint | null {
+  if (/^\d{1,9}$/.test(text)) return { vertex: Number(text) };
+  const match = /^(\d{1,9}):([\d.]+)\/([\d.]+)\/([\d.]+)$/.exec(text);
+  if (!match) return null;
+  const [face, a, b, c] = match.slice(1).map(Number);
+  const sum = a + b + c;
+  // The digits of a link are rounded, so the weights may miss 1 by a little.
+  return Math.abs(sum - 1) < 0.01 ? { face, weights: [a / sum, b / sum, c / sum] } : null;
+}
+
+function parseIndices(text: string): number[] | null {
+  if (text === '') return [];
+  return /^\d{1,6}(,\d{1,6})*$/.test(text) ? text.split(',').map(Number) : null;
+}
+
+function oneOf<T extends string>(words: readonly T[]): (text: string) => T | null {
+  return (text) => words.find((word) => word === text) ?? null;
+}
+
+function automaticOr(parse: (text: string) => number | null): (text: string) => number | 'auto' | null {
+  return (text) => (text === 'auto' ? text : parse(text));
+}
+
+function parseCamera(text: string): number[] | null {
+  const values = text.split(',').map(Number);
+  return values.length === 6 && values.every(Number.isFinite) && values[2] > 0 ? values : null;
+}
+
+function within(low: number, high: number): (text: string) => number | null {
+  return (text) => {
+    const value = Number(text);
+    return text.trim() !== '' && value >= low && value <= high ? value : null;
+  };
+}

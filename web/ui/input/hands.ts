@@ -1,0 +1,233 @@
+/** Mouse and fingers on the stage. */
+import type { SurfacePoint } from '../../protocol';
+import { reducedMotion, type Session } from '../../session/session';
+import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
+import type { Signal } from '../../state/signal';
+import type { Readout } from '../overlay/readout';
+import type { Tool } from '../overlay/toolbar';
+import { type Finger, listenToWheel, pinch } from './orbit';
+import { type Target, targetAt } from './pick';
+
+const CLICK_PX = 4;
+const CLICK_MS = 250;
+const LONG_PRESS_MS = 500;
+const DOUBLE_MS = 300;
+const DOUBLE_PX = 8;
+
+type Mode = 'pressed' | 'orbit' | 'pan' | 'move' | 'pinch' | 'done';
+
+interface Press {
+  mode: Mode;
+  target: Target;
+  x: number;
+  y: number;
+  time: number;
+  touch: boolean;
+  /** One step of undo for a whole drag. */
+  gesture: object;
+}
+
+export interface HandsOptions {
+  session: Session;
+  readout: Readout;
+  tool: Signal<Tool>;
+  /** A hand did something: the hint may go. */
+  acted: () => void;
+  /** A hand moved the camera. */
+  cameraMoved: () => void;
+}
+
+export class Hands {
+  readonly #o: HandsOptions;
+  readonly #stage: HTMLElement;
+  readonly #pointers = new Map<number, Finger>();
+  #press: Press | null = null;
+  #longPress = 0;
+  #lastClick: { x: number; y: number; time: number; placed: boolean } | null = null;
+  #hover: PointerEvent | null = null;
+
+  constructor(options: HandsOptions) {
+    this.#o = options;
+    this.#stage = options.session.view.stage;
+  }
+
+  listen(): void {
+    const stage = this.#stage;
+    const { session, readout, acted, cameraMoved } = this.#o;
+    stage.addEventListener('pointerdown', (event) => this.#down(event));
+    stage.addEventListener('pointermove', (event) => this.#move(event));
+    stage.addEventListener('pointerup', (event) => this.#up(event));
+    stage.addEventListener('pointercancel', (event) => this.#cancel(event));
+    stage.addEventListener('pointerleave', () => {
+      this.#hover = null;
+      readout.hide();
+    });
+    stage.addEventListener('contextmenu', (event) => event.preventDefault());
+    listenToWheel(stage, session.view, () => {
+      acted();
+      cameraMoved();
+    });
+    // A field that arrives under a resting pointer changes what the read-out says.
+    session.shown.watch(() => this.#showHover());
+  }
+
+  #down(event: PointerEvent): void {
+    const { clientX: x, clientY: y } = event;
+    this.#stage.focus({ preventScroll: true });
+    this.#stage.setPointerCapture(event.pointerId);
+    this.#pointers.set(event.pointerId, { x, y });
+    clearTimeout(this.#longPress);
+    if (this.#pointers.size > 1) {
+      if (this.#press) {
+        this.#endMove(this.#press);
+        this.#press.mode = this.#pointers.size === 2 ? 'pinch' : 'done';
+      }
+      return;
+    }
+    const touch = event.pointerType === 'touch';
+    const target = targetAt(this.#o.session, x, y, touch);
+    this.#press = { mode: 'pressed', target, x, y, time: event.timeStamp, touch, gesture: {} };
+    if (touch && target.kind === 'surface') {
+      const { point } = target;
+      this.#longPress = window.setTimeout(() => this.#holdStill(point, x, y), LONG_PRESS_MS);
+    }
+  }
+
+  #holdStill(point: SurfacePoint, x: number, y: number): void {
+    if (this.#press?.mode !== 'pressed') return;
+    this.#press.mode = 'done';
+    sendWalker(this.#o.session.scene, point);
+    this.#o.readout.show(point, x, y);
+    this.#o.acted();
+  }
+
+  #move(event: PointerEvent): void {
+    const { clientX: x, clientY: y } = event;
+    const before = this.#pointers.get(event.pointerId);
+    if (!before || !this.#press) {
+      this.#hover = event;
+      this.#showHover();
+      return;
+    }
+    const press = this.#press;
+    if (press.mode === 'pinch') this.#pinch(event);
+    this.#pointers.set(event.pointerId, { x, y });
+    if (press.mode === 'pressed') {
+      const away = Math.hypot(x - press.x, y - press.y);
+      const slow = event.timeStamp - press.time > CLICK_MS;
+      if (away <= (slow ? 1 : CLICK_PX) || (press.touch && away <= 2 * CLICK_PX)) return;
+      clearTimeout(this.#longPress);
+      this.#beginDrag(press, event);
+    }
+    const { view } = this.#o.session;
+    const [dx, dy] = [x - before.x, y - before.y];
+    if (press.mode === 'orbit') view.orbit(dx, dy);
+    if (press.mode === 'pan') view.pan(dx, dy);
+    if (press.mode === 'orbit' || press.mode === 'pan') this.#o.cameraMoved();
+    if (press.mode === 'move') this.#moveSource(press, x, y);
+  }
+
+  #beginDrag(press: Press, event: PointerEvent): void {
+    const { session, readout, acted } = this.#o;
+    const plain = (event.buttons & 1) === 1 && !event.shiftKey;
+    press.mode = !plain ? 'pan' : press.target.kind === 'source' ? 'move' : 'orbit';
+    if (press.mode === 'move') session.dragging = true;
+    if (press.mode === 'orbit') session.view.hold();
+    this.#stage.dataset.cursor = press.mode === 'move' ? 'grabbing' : 'moving';
+    readout.hide();
+    acted();
+  }
+
+  #moveSource(press: Press, x: number, y: number): void {
+    const { scene, view } = this.#o.session;
+    if (press.target.kind !== 'source') return;
+    const hit = view.pick(x, y);
+    if (hit) moveSource(scene, press.target.index, hit.point, press.gesture);
+  }
+
+  #pinch(event: PointerEvent): void {
+    const fingers = [...this.#pointers.entries()].slice(0, 2);
+    if (fingers.length < 2) return;
+    const moved = ([id, finger]: [number, Finger]) =>
+      id === event.pointerId ? { x: event.clientX, y: event.clientY } : finger;
+    pinch(this.#o.session.view, [fingers[0][1], fingers[1][1]], [moved(fingers[0]), moved(fingers[1])]);
+    this.#o.cameraMoved();
+  }
+
+  #up(event: PointerEvent): void {
+    clearTimeout(this.#longPress);
+    this.#pointers.delete(event.pointerId);
+    const press = this.#press;
+    if (!press || this.#pointers.size > 0) {
+      if (press) press.mode = 'done';
+      return;
+    }
+    this.#press = null;
+    this.#stage.dataset.cursor = '';
+    this.#endMove(press);
+    if (press.mode === 'pressed' && event.button === 0) this.#click(press, event);
+    if (press.touch) this.#o.readout.hide();
+  }
+
+  #cancel(event: PointerEvent): void {
+    clearTimeout(this.#longPress);
+    this.#pointers.delete(event.pointerId);
+    if (this.#press) this.#endMove(this.#press);
+    if (this.#pointers.size === 0) this.#press = null;
+  }
+
+  #endMove(press: Press): void {
+    const { session, cameraMoved } = this.#o;
+    if (press.mode === 'move') session.dragging = false;
+    if (press.mode === 'orbit') {
+      session.view.letGo(!reducedMotion());
+      cameraMoved();
+    }
+  }
+
+  #click(press: Press, event: PointerEvent): void {
+    const { session, acted } = this.#o;
+    const { x, y, target } = press;
+    const last = this.#lastClick;
+    const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
+    acted();
+    if (double) {
+      // The first click of the two was not meant to move anything.
+      if (last.placed) session.scene.undo();
+      this.#lastClick = null;
+      const hit = session.view.pick(x, y);
+      if (hit) session.view.focus(hit.position);
+      else session.view.frame();
+      this.#o.cameraMoved();
+      return;
+    }
+    this.#lastClick = { x, y, time: event.timeStamp, placed: this.#act(target, event) };
+  }
+
+  /** True if sources or walker were moved. */
+  #act(target: Target, event: PointerEvent): boolean {
+    const { scene } = this.#o.session;
+    if (target.kind !== 'surface') {
+      scene.set({ selected: target.kind === 'source' ? target.index : -1 });
+      return false;
+    }
+    const tool = this.#o.tool.value;
+    if (event.altKey) sendWalker(scene, target.point);
+    else if (event.ctrlKey || event.metaKey || event.shiftKey || tool === 'add') addSource(scene, target.point);
+    else if (tool === 'walker') sendWalker(scene, target.point);
+    else setSource(scene, target.point);
+    return true;
+  }
+
+  #showHover(): void {
+    const event = this.#hover;
+    if (!event || this.#press || event.pointerType === 'touch') return;
+    const { session, readout } = this.#o;
+    const { clientX: x, clientY: y } = event;
+    const target = targetAt(session, x, y, false);
+    this.#stage.dataset.cursor = target.kind;
+    const point = target.kind === 'source' ? session.scene.state.sources[target.index] : null;
+    if (target.kind === 'empty') readout.hide();
+    else readout.show(point ?? (target.kind === 'surface' ? target.point : { vertex: 0 }), x, y);
+  }
+}

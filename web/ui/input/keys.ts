@@ -1,0 +1,159 @@
+/** The keyboard, and the reticle at the centre of the view that stands in for a pointer. */
+import type { SurfacePoint } from '../../protocol';
+import type { Session } from '../../session/session';
+import { addSource, moveSource, removeSelected, sendWalker, setSource } from '../../state/edit';
+import type { Signal } from '../../state/signal';
+import { h } from '../dom';
+import type { Readout } from '../overlay/readout';
+import type { Tool } from '../overlay/toolbar';
+
+const ORBIT_PX = 24;
+/** How far an arrow moves the selected source on the screen. */
+const NUDGE_PX = 6;
+const ZOOM_STEP = 1.15;
+
+const ARROWS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker' };
+
+export interface KeysOptions {
+  session: Session;
+  readout: Readout;
+  tool: Signal<Tool>;
+  chooseFile: () => void;
+  /** Closes the newest message; false if there was none. */
+  closeMessage: () => boolean;
+  acted: () => void;
+  cameraMoved: () => void;
+}
+
+export class Keys {
+  readonly reticle = h('div', { class: 'reticle', hidden: true, 'aria-hidden': 'true' });
+  readonly #o: KeysOptions;
+  /** Arrows in a row are one step of undo. */
+  #nudging: object | null = null;
+
+  constructor(options: KeysOptions) {
+    this.#o = options;
+    addEventListener('keydown', (event) => this.#key(event));
+    const { stage } = options.session.view;
+    stage.addEventListener('pointerdown', () => this.#hideReticle());
+    stage.addEventListener('blur', () => this.#hideReticle());
+    options.session.shown.watch(() => this.#showReading());
+  }
+
+  #key(event: KeyboardEvent): void {
+    const element = event.target instanceof HTMLElement ? event.target : document.body;
+    if (element.matches('input:not([type=checkbox]), select, textarea')) return;
+    const onStage = element === this.#o.session.view.stage || element === document.body;
+    const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
+    if (used) event.preventDefault();
+  }
+
+  #command(event: KeyboardEvent): boolean {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+    const { scene } = this.#o.session;
+    const key = event.key.toLowerCase();
+    if (key === 'z' && event.shiftKey) scene.redo();
+    else if (key === 'z') scene.undo();
+    else if (key === 'y') scene.redo();
+    else return false;
+    return true;
+  }
+
+  #camera(event: KeyboardEvent): boolean {
+    const { session, cameraMoved } = this.#o;
+    const { view, scene } = session;
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      const [x, y] = arrow;
+      this.#showReticle();
+      if (event.ctrlKey || event.metaKey) view.pan(-x * ORBIT_PX, -y * ORBIT_PX);
+      else if (scene.state.selected >= 0) this.#nudge(x, y);
+      else view.orbit(-x * ORBIT_PX, -y * ORBIT_PX);
+    } else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
+    else if (event.key === '-') view.zoom(1 / ZOOM_STEP);
+    else if (event.key.toLowerCase() === 'f' && !event.ctrlKey && !event.metaKey) view.frame();
+    else return false;
+    cameraMoved();
+    return true;
+  }
+
+  #view(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { session, tool, chooseFile, closeMessage } = this.#o;
+    if (event.key in TOOL_KEYS) tool.value = TOOL_KEYS[event.key];
+    else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
+    else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
+    else if (event.key.toLowerCase() === 'o') chooseFile();
+    else if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(session.scene);
+    else if (event.key === 'Escape') this.#escape(closeMessage);
+    else return false;
+    return true;
+  }
+
+  /** Backs out of one thing at a time. */
+  #escape(closeMessage: () => boolean): void {
+    const { session } = this.#o;
+    if (session.loading.value) session.cancelOpening();
+    else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
+    else if (!closeMessage()) this.#hideReticle();
+  }
+
+  #place(event: KeyboardEvent): boolean {
+    const walker = event.key.toLowerCase() === 'w';
+    if (event.key !== 'Enter' && !walker) return false;
+    const { session, acted } = this.#o;
+    this.#showReticle();
+    const point = this.#underReticle();
+    acted();
+    if (!point) return true;
+    if (walker) sendWalker(session.scene, point);
+    else if (event.shiftKey) addSource(session.scene, point);
+    else setSource(session.scene, point);
+    return true;
+  }
+
+  #nudge(x: number, y: number): void {
+    const { scene, shown, view } = this.#o.session;
+    const { sources, selected } = scene.state;
+    const position = shown.value?.places.at(sources[selected])?.position;
+    const pixel = position && view.project(position);
+    const hit = pixel && view.pick(pixel[0] + x * NUDGE_PX, pixel[1] + y * NUDGE_PX);
+    if (!hit) return;
+    this.#nudging ??= {};
+    moveSource(scene, selected, hit.point, this.#nudging);
+    addEventListener('keyup', () => (this.#nudging = null), { once: true });
+  }
+
+  #underReticle(): SurfacePoint | null {
+    return this.#o.session.view.pick(...this.#o.session.view.centre)?.point ?? null;
+  }
+
+  #showReticle(): void {
+    const [x, y] = this.#o.session.view.centre;
+    this.reticle.style.left = `${x}px`;
+    this.reticle.style.top = `${y}px`;
+    this.reticle.hidden = false;
+    this.#o.acted();
+    // The camera moves with the next frame.
+    requestAnimationFrame(() => this.#showReading());
+  }
+
+  #showReading(): void {
+    if (this.reticle.hidden) return;
+    const point = this.#underReticle();
+    if (point) this.#o.readout.show(point, ...this.#o.session.view.centre);
+    else this.#o.readout.hide();
+  }
+
+  #hideReticle(): void {
+    if (this.reticle.hidden) return;
+    this.reticle.hidden = true;
+    this.#o.readout.hide();
+  }
+}

@@ -1,0 +1,112 @@
+/** Messages at the bottom left. Errors stay until closed and can be copied. */
+import type { OpenedMesh } from '../../protocol';
+import type { Action, Voice } from '../../session/opener';
+import { h } from '../dom';
+import { openingSentence } from '../words';
+
+const SHOWN_MS = 8000;
+
+export class Messages implements Voice {
+  readonly element = h('div', { class: 'messages' });
+  readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
+  readonly #urgent = h('div', { role: 'alert' });
+  readonly #chooseFile: () => void;
+  #told: HTMLElement | null = null;
+  #failed: HTMLElement | null = null;
+  #asked: HTMLElement | null = null;
+  #blind: HTMLElement | null = null;
+
+  constructor(chooseFile: () => void) {
+    this.#chooseFile = chooseFile;
+    this.element.append(this.#urgent, this.#polite);
+  }
+
+  /** Tells what was done; replaces what was told before, and ends an error that is thereby past. */
+  opened(mesh: OpenedMesh): void {
+    this.#told?.remove();
+    this.#failed?.remove();
+    this.#told = this.#say(this.#polite, 'told', openingSentence(mesh), []);
+    this.#fade(this.#told);
+  }
+
+  notice(text: string): void {
+    this.#fade(this.#say(this.#polite, 'notice', text, []));
+  }
+
+  fail(text: string, details: string, remedy?: Action): void {
+    this.#failed?.remove();
+    this.#failed = this.#error(text, details, remedy);
+  }
+
+  /** Why nothing can be drawn; stays whatever else is told. Null: drawing works again. */
+  blind(reason: string | null, tryAgain: () => void): void {
+    this.#blind?.remove();
+    this.#blind = reason
+      ? this.#error(`Nothing can be drawn here, but the numbers still work. ${reason}`, navigator.userAgent, {
+          name: 'Try again',
+          run: tryAgain,
+        })
+      : null;
+  }
+
+  askForFile(name: string): void {
+    this.#asked?.remove();
+    const action = { name: 'Open the file…', run: this.#chooseFile };
+    this.#asked = this.#say(this.#polite, 'notice', `This link shows your file ${name}. Drop it here to see it.`, [
+      action,
+    ]);
+  }
+
+  forgetFile(): void {
+    this.#asked?.remove();
+    this.#asked = null;
+  }
+
+  /** Escape closes the newest message. */
+  closeNewest(): boolean {
+    const all = this.element.querySelectorAll('.message');
+    const newest = all[all.length - 1];
+    newest?.remove();
+    return newest !== undefined;
+  }
+
+  #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
+    const copy: Action = { name: 'Copy details', run: () => void copyDetails(message, `${text}\n${details}`) };
+    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+    return message;
+  }
+
+  #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
+    const message = h('div', { class: `message ${kind}` }, h('p', {}, text));
+    if (actions.length > 0) {
+      const buttons = actions.map(({ name, run }) => h('button', { class: 'link', onclick: run }, name));
+      message.append(h('div', { class: 'actions' }, ...buttons));
+    }
+    message.append(
+      h(
+        'button',
+        { class: 'close', 'aria-label': 'Close the message', title: 'Close (Esc)', onclick: () => message.remove() },
+        '×',
+      ),
+    );
+    place.append(message);
+    return message;
+  }
+
+  /** Waits while the message is under the pointer or has the focus. */
+  #fade(message: HTMLElement): void {
+    setTimeout(() => {
+      if (message.matches(':hover, :focus-within')) this.#fade(message);
+      else message.remove();
+    }, SHOWN_MS);
+  }
+}
+
+/** Without leave to use the clipboard the details are shown, to be copied by hand. */
+async function copyDetails(message: HTMLElement, details: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(details);
+  } catch {
+    if (!message.querySelector('pre')) message.append(h('pre', {}, details));
+  }
+}

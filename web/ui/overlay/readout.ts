@@ -1,0 +1,42 @@
+import type { SurfacePoint } from '../../protocol';
+import type { Session } from '../../session/session';
+import { h } from '../dom';
+import { length, percent } from '../words';
+
+/** Distance and nearest input vertex under the pointer or the reticle. */
+export class Readout {
+  readonly element = h('output', { class: 'readout', hidden: true });
+  readonly #session: Session;
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  show(point: SurfacePoint, x: number, y: number): void {
+    const text = readoutText(this.#session, point);
+    if (text === null) {
+      this.hide();
+      return;
+    }
+    this.element.hidden = false;
+    this.element.textContent = text;
+    const { offsetWidth, offsetHeight } = this.element;
+    const left = Math.min(x + 16, innerWidth - offsetWidth - 8);
+    const top = y + 20 + offsetHeight > innerHeight ? y - offsetHeight - 12 : y + 20;
+    this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+  }
+
+  hide(): void {
+    this.element.hidden = true;
+  }
+}
+
+function readoutText({ shown }: Session, point: SurfacePoint): string | null {
+  if (!shown.value) return null;
+  const { places, answer } = shown.value;
+  const vertex = `vertex ${places.nearestVertex(point)}`;
+  if (!answer.field) return vertex;
+  const distance = places.valueAt(point, answer.field.distance);
+  if (!Number.isFinite(distance)) return `out of reach · ${vertex}`;
+  return `${length(distance)} units · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+}

@@ -1,0 +1,89 @@
+import type { Session } from '../../session/session';
+import type { Signal } from '../../state/signal';
+import { h, icon } from '../dom';
+
+/** What a plain click or tap does; modifiers reach the others. */
+export type Tool = 'source' | 'add' | 'walker';
+
+const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
+  {
+    tool: 'source',
+    name: 'Source',
+    tip: 'Click sets the source (1)',
+    path: 'M10 18s-5-5.2-5-9a5 5 0 0 1 10 0c0 3.800-5 9-5 9zM10 9.100v-.2',
+  },
+  {
+    tool: 'add',
+    name: 'Add',
+    tip: 'Click adds a source (2); ctrl + click with any tool',
+    path: 'M8 18s-5-5.200-5-9a5 5 0 0 1 8.500-3.600M14 9v6M11 12h6',
+  },
+  {
+    tool: 'walker',
+    name: 'Walker',
+    tip: 'Click sends the walker (3); alt + click with any tool',
+    path: 'M11 3.500v.1M10.500 7l-1 5 3 2 1 4M9.500 12l-3 6M6 10l2-3h3l2 3 2 .5',
+  },
+];
+
+const PAUSE = 'M7 4v12M13 4v12';
+const PLAY = 'M6 4l10 6-10 6z';
+const FRAME = 'M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M10 10v.1';
+const TURN = 'M16.500 10a6.500 4 0 1 1-2.500-3.100M14 3.500v3.500h-3.500';
+const UNDO = 'M8 4L4 8l4 4M4 8h8a4 4 0 0 1 0 8H8';
+const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
+
+export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
+  const { scene, view, paused } = session;
+  const tools = TOOLS.map(({ tool: which, name, tip, path }) => {
+    const choose = () => {
+      tool.value = which;
+    };
+    const button = h('button', { class: 'tool', title: tip, onclick: choose }, icon(path), h('span', {}, name));
+    tool.watch((value) => button.setAttribute('aria-pressed', String(value === which)));
+    return button;
+  });
+  const undo = plain('Undo', 'Undo (ctrl + Z)', UNDO, () => scene.undo());
+  const redo = plain('Redo', 'Redo (ctrl + shift + Z)', REDO, () => scene.redo());
+  const showHistory = () => {
+    undo.disabled = !scene.canUndo;
+    redo.disabled = !scene.canRedo;
+  };
+  scene.subscribe(showHistory);
+  showHistory();
+
+  const pause = plain('Pause', '', PAUSE, () => {
+    paused.value = !paused.value;
+  });
+  paused.watch((value) => {
+    const name = value ? 'Let the walker go' : 'Pause the walker';
+    pause.title = `${name} (P)`;
+    pause.setAttribute('aria-label', name);
+    pause.replaceChildren(icon(value ? PLAY : PAUSE));
+  });
+  const frame = plain('Frame', 'See the whole model (F)', FRAME, () => view.frame());
+  const turn = plain('Turntable', 'Turn the model (T)', TURN, () => {
+    session.turntable.value = !session.turntable.value;
+  });
+  session.turntable.watch((on) => turn.setAttribute('aria-pressed', String(on)));
+  return h(
+    'div',
+    { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' },
+    ...tools,
+    rule(),
+    undo,
+    redo,
+    rule(),
+    pause,
+    turn,
+    frame,
+  );
+}
+
+function rule(): HTMLElement {
+  return h('hr', { 'aria-orientation': 'vertical' });
+}
+
+function plain(name: string, tip: string, path: string, run: () => void): HTMLButtonElement {
+  return h('button', { class: 'tool', 'aria-label': name, title: tip, onclick: run }, icon(path));
+}

@@ -1,0 +1,55 @@
+import type { PathKind } from '../../protocol';
+import type { Shown } from '../../session/prepare';
+import type { Session } from '../../session/session';
+import { h } from '../dom';
+import { bytes, count, finePercent, length, milliseconds, percentDown } from '../words';
+
+const WAY_WORDS: Record<PathKind, string> = { descent: 'steepest', straight: 'straightened', exact: 'exact' };
+
+/** What the mesh is and what it cost. */
+export function numbersSection(session: Session): HTMLElement {
+  const table = h('dl', { class: 'numbers' });
+  const cells = new Map<string, HTMLElement>();
+  const put = (name: string, value: string) => {
+    let cell = cells.get(name);
+    if (!cell) {
+      cell = h('dd');
+      cells.set(name, cell);
+      table.append(h('dt', {}, name), cell);
+    }
+    if (cell.textContent !== value) cell.textContent = value;
+  };
+  session.shown.watch((shown) => {
+    if (shown) for (const [name, value] of figures(shown)) put(name, value);
+  });
+  session.view.backend.watch((backend) => put('Drawn with', backend ?? 'nothing'));
+  return table;
+}
+
+function figures({ opened, answer, places }: Shown): [string, string][] {
+  const { report } = opened;
+  const { field, path, factoring } = answer;
+  const { timings } = factoring;
+  return [
+    ['Triangles', count(report.faces)],
+    ['Vertices', count(report.vertices)],
+    ['Components', count(report.components)],
+    ['Boundaries', count(report.boundaryLoops)],
+    ['Euler characteristic', count(report.eulerCharacteristic)],
+    ['Mean edge', `${length(opened.meanEdge)} units`],
+    ['Diameter', `${length(places.diameter)} units`],
+    ['Largest distance', field ? `${length(field.maxDistance)} units` : '–'],
+    ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
+    ['Mean error of heat', field?.error ? finePercent(field.error.mean) : '–'],
+    ['Largest error', field?.error ? finePercent(field.error.max) : '–'],
+    ['Way home', path ? `${length(path.length)} units, ${WAY_WORDS[answer.pathKind]}` : '–'],
+    ['Time factor m', field ? length(field.timeFactor) : '–'],
+    ['Read', milliseconds(timings.readMs)],
+    ['Build', milliseconds(timings.buildMs)],
+    ['Factor', milliseconds(timings.precomputeMs)],
+    ['Solve', field ? milliseconds(field.solveMs) : '–'],
+    ['Refine', field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],
+    ['Factor entries', count(factoring.factorNonzeros)],
+    ['Memory', bytes(factoring.memoryBytes)],
+  ];
+}

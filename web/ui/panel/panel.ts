@@ -1,0 +1,61 @@
+/** The floating panel: sections that fold and remember it; on a narrow window a sheet with two stops. */
+import { h } from '../dom';
+
+export interface Section {
+  id: string;
+  title: string;
+  element: HTMLElement;
+  /** Until somebody folds or unfolds it. */
+  open: boolean;
+}
+
+const MEMORY = 'heatwalk.panel';
+
+export function buildPanel(sections: readonly Section[]): HTMLElement {
+  const memory = remembered();
+  const body = h('div', { class: 'panel-body', id: 'panel-body' });
+  for (const { id, title, element, open } of sections) {
+    const details = h('details', { open: memory[id] ?? open, id: `section-${id}` }, h('summary', {}, title), element);
+    details.addEventListener('toggle', () => remember(id, details.open));
+    body.append(details);
+  }
+  const panel = h('aside', { class: 'panel', 'aria-label': 'Panel' });
+  const handle = h('button', {
+    class: 'panel-handle',
+    'aria-controls': 'panel-body',
+    onclick: () => setOpen(panel.dataset.open !== 'true'),
+  });
+  const setOpen = (open: boolean) => {
+    panel.dataset.open = String(open);
+    handle.setAttribute('aria-expanded', String(open));
+    const name = open ? 'Fold the panel' : 'Unfold the panel';
+    handle.setAttribute('aria-label', name);
+    handle.title = name;
+    body.inert = !open;
+    remember('panel', open);
+  };
+  panel.append(handle, body);
+  // On a narrow window the sheet begins at its lower stop, so that the model is seen first.
+  setOpen(narrow() ? false : (memory.panel ?? true));
+  return panel;
+}
+
+export function narrow(): boolean {
+  return matchMedia('(max-width: 719px)').matches;
+}
+
+function remembered(): Record<string, boolean> {
+  try {
+    return JSON.parse(localStorage.getItem(MEMORY) ?? '{}') as Record<string, boolean>;
+  } catch {
+    return {};
+  }
+}
+
+function remember(id: string, open: boolean): void {
+  try {
+    localStorage.setItem(MEMORY, JSON.stringify({ ...remembered(), [id]: open }));
+  } catch {
+    // Storage may be forbidden; then the panel starts anew each time.
+  }
+}

@@ -1,0 +1,71 @@
+import type { OpenedMesh } from '../../protocol';
+import type { Opener } from '../../session/opener';
+import type { Session } from '../../session/session';
+import { h } from '../dom';
+import { count, counted } from '../words';
+
+interface Row {
+  element: HTMLElement;
+  show: (hidden: readonly number[]) => void;
+}
+
+/** Which parts of a file are walked on, and which of the others are shown. */
+export function partsControl(session: Session, opener: Opener): HTMLElement {
+  const { scene } = session;
+  const list = h('fieldset', { class: 'parts', hidden: true });
+  let rows: readonly Row[] = [];
+
+  const fill = ({ parts, walked }: OpenedMesh) => {
+    const choose = (index: number, on: boolean) => {
+      const others = walked.filter((part) => part !== index);
+      void opener.parts(on ? [...others, index].toSorted((a, b) => a - b) : others);
+    };
+    rows = parts.map(({ name, triangles }, index) => {
+      const isWalked = walked.includes(index);
+      const called = name || `Part ${index + 1}`;
+      const box = h('input', {
+        type: 'checkbox',
+        checked: isWalked,
+        // The last part stays: there must be something to walk on.
+        disabled: isWalked && walked.length === 1,
+        onchange: () => {
+          choose(index, box.checked);
+          // What is shown stays until the other parts are solved.
+          box.checked = isWalked;
+        },
+      });
+      const size = h('small', { title: counted(triangles, 'triangle') }, count(triangles));
+      const eye = isWalked ? null : h('button', { onclick: () => toggle(index) });
+      const show = (hidden: readonly number[]) => {
+        if (!eye) return;
+        eye.textContent = hidden.includes(index) ? 'Show' : 'Hide';
+        eye.setAttribute('aria-label', `${eye.textContent} ${called}`);
+      };
+      return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, called), size), eye), show };
+    });
+    list.hidden = parts.length < 2;
+    list.replaceChildren(
+      h('legend', {}, `Parts walked on, ${walked.length} of ${parts.length}`),
+      ...rows.map(({ element }) => element),
+    );
+  };
+
+  const showHidden = () => {
+    for (const { show } of rows) show(scene.state.hidden);
+  };
+  const toggle = (index: number) => {
+    const { hidden } = scene.state;
+    const others = hidden.filter((part) => part !== index);
+    scene.set({ hidden: hidden.includes(index) ? others : [...others, index].toSorted((a, b) => a - b) });
+  };
+
+  session.shown.watch((shown, previous) => {
+    if (!shown || shown.opened === previous?.opened) return;
+    fill(shown.opened);
+    showHidden();
+  });
+  scene.subscribe((state, previous) => {
+    if (state.hidden !== previous.hidden) showHidden();
+  });
+  return list;
+}

@@ -1,0 +1,59 @@
+import type { Opener } from '../../session/opener';
+import { FORMATS } from '../../session/opener';
+import type { Session } from '../../session/session';
+import { PRESETS } from '../../state/presets';
+import { h } from '../dom';
+import { partsControl } from './parts';
+
+/** Address of each preset's picture by its path; `npm run gallery` draws them. */
+const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
+  eager: true,
+  query: '?url&no-inline',
+  import: 'default',
+});
+
+function thumbnail(id: string): HTMLElement | null {
+  const address = THUMBNAILS[`../../thumbnails/${id}.webp`];
+  return address
+    ? h('img', { src: address, alt: '', width: 84, height: 63, loading: 'lazy', draggable: 'false' })
+    : null;
+}
+
+/** Gallery of presets, the file button, and which parts of a file are walked on. */
+export function sceneSection(session: Session, opener: Opener, chooseFile: () => void): HTMLElement {
+  const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
+  const buttons = PRESETS.map((preset) => {
+    const button = h(
+      'button',
+      { class: 'card', title: `${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
+      thumbnail(preset.id),
+      h('span', {}, preset.title),
+    );
+    gallery.append(button);
+    return { button, id: preset.id };
+  });
+  const credit = h('p', { class: 'quiet' });
+
+  const showScene = () => {
+    const { mesh } = session.scene.state;
+    for (const { button, id } of buttons) {
+      button.setAttribute('aria-pressed', String(mesh.kind === 'preset' && mesh.id === id));
+    }
+    const preset = mesh.kind === 'preset' ? PRESETS.find(({ id }) => id === mesh.id) : undefined;
+    credit.textContent = preset ? `${preset.title}: ${preset.credit}` : '';
+    credit.hidden = !preset;
+  };
+  session.scene.subscribe((state, previous) => {
+    if (state.mesh !== previous.mesh) showScene();
+  });
+  showScene();
+
+  return h(
+    'div',
+    { class: 'stack' },
+    gallery,
+    credit,
+    h('button', { class: 'wide', title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
+    partsControl(session, opener),
+  );
+}

@@ -1,0 +1,85 @@
+import type { Session } from '../../session/session';
+import { LARGEST_CROWD, type Overlay, OVERLAYS, type Painted, PAINTED } from '../../state/scene';
+import { h, select, slider, toggle } from '../dom';
+import { count, percent } from '../words';
+
+const OVERLAY_WORDS: Record<Overlay, string> = {
+  scenery: 'Parts not walked on',
+  edges: 'Edges of the mesh',
+  boundary: 'Edges of the boundary',
+  operator: 'Edges of the operator',
+  heat: 'Arrows, gradient of heat',
+  distance: 'Arrows, gradient of distance',
+};
+/** Both have arrows: one takes the other's place. */
+const ARROWS: readonly Overlay[] = ['heat', 'distance'];
+
+const PAINTED_WORDS: Record<Painted, string> = {
+  distance: 'distance',
+  heat: 'heat, log scale',
+  error: 'error of the heat method',
+};
+
+/** Steps of the slider, which grows as the square: few walkers are chosen as finely as many. */
+const CROWD_STEPS = 100;
+
+/** Which field is painted, what is drawn upon it, and how many walk there. */
+export function showSection(session: Session): HTMLElement {
+  const { scene } = session;
+  const painted = select<Painted>(
+    'Painted',
+    PAINTED.map((name) => [name, PAINTED_WORDS[name]] as const),
+    (value) => scene.set({ painted: value }),
+  );
+  const legend = h('p', { class: 'quiet', role: 'status' });
+  const overlays = OVERLAYS.map((overlay) => {
+    const { element, show } = toggle(OVERLAY_WORDS[overlay], (on) => {
+      const gone = ARROWS.includes(overlay) ? ARROWS : [overlay];
+      const rest = scene.state.overlays.filter((other) => !gone.includes(other));
+      scene.set({ overlays: on ? [...rest, overlay] : rest });
+    });
+    return { overlay, element, show };
+  });
+  const crowd = slider({
+    label: 'Crowd',
+    min: 0,
+    max: CROWD_STEPS,
+    step: 1,
+    // A link may ask for a number between two steps.
+    describe: () => (scene.state.crowd === 0 ? 'nobody' : count(scene.state.crowd)),
+    change: (value) => scene.set({ crowd: walkersAt(value) }),
+  });
+  const showLegend = () => {
+    legend.textContent = legendOf(session, scene.state.painted);
+    legend.hidden = legend.textContent === '';
+  };
+  const show = () => {
+    painted.show(scene.state.painted);
+    for (const { overlay, show: showToggle } of overlays) showToggle(scene.state.overlays.includes(overlay));
+    crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
+    showLegend();
+  };
+  scene.subscribe(show);
+  session.shown.watch(showLegend);
+  show();
+  return h(
+    'div',
+    { class: 'stack' },
+    painted.element,
+    legend,
+    ...overlays.map(({ element }) => element),
+    crowd.element,
+  );
+}
+
+function walkersAt(step: number): number {
+  return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
+}
+
+function legendOf(session: Session, painted: Painted): string {
+  const error = session.shown.value?.answer.field?.error;
+  if (painted === 'heat') return 'The ramp runs from the hottest place to the coldest, in powers of ten.';
+  if (painted === 'distance') return '';
+  if (!error) return 'The error is known once every distance is exact.';
+  return `Relative to the exact distance: ${percent(error.mean)} in the mean; the ramp ends at ${percent(error.max)}.`;
+}

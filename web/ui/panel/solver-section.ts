@@ -1,0 +1,136 @@
+import type { Boundary, LinearSolver, MultiSource, Operator, Parameters, PathKind } from '../../protocol';
+import type { Session } from '../../session/session';
+import { NEAR_FIELD_RANGE, TIME_FACTOR_RANGE } from '../../state/link';
+import { automaticSlider, h, select, toggle } from '../dom';
+import { refiningSentence } from '../words';
+
+type Choices<T> = readonly (readonly [T, string])[];
+
+const WAYS: Choices<PathKind> = [
+  ['descent', 'Steepest descent'],
+  ['straight', 'Straightened'],
+  ['exact', 'Exact'],
+];
+const BOUNDARIES: Choices<Boundary> = [
+  ['neumann', 'Insulated (Neumann)'],
+  ['dirichlet', 'Held at zero (Dirichlet)'],
+  ['average', 'Mean of both'],
+];
+const MULTI_SOURCES: Choices<MultiSource> = [
+  ['exact', 'Exact'],
+  ['superposed', 'Superposed'],
+];
+const OPERATORS: Choices<Operator> = [
+  ['delaunay', 'Delaunay'],
+  ['plain', 'As in the file'],
+  ['relocate', 'Relocated vertices'],
+];
+const SOLVERS: Choices<LinearSolver> = [
+  ['cholesky', 'Cholesky'],
+  ['cg', 'Conjugate gradients'],
+];
+
+/** Exactness and way home first, then the dials of the method, the rarer ones folded away. */
+export function solverSection(session: Session): HTMLElement {
+  const { scene } = session;
+  /** The radius in mean edges that the solver chose last. */
+  let chosenNear = 0;
+  const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
+  const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
+  const way = select('Way home', WAYS, (value) => scene.set({ way: value }));
+  const [low, high] = TIME_FACTOR_RANGE;
+  const factor = automaticSlider({
+    label: 'Time factor m',
+    min: Math.log10(low),
+    max: Math.log10(high),
+    step: 0.05,
+    describe: (value) => `${fromLogarithm(value)}`,
+    change: (value) => change({ timeFactor: value === 'auto' ? value : fromLogarithm(value) }),
+  });
+  const boundary = select('Boundary', BOUNDARIES, (value) => change({ boundary: value }));
+  const near = automaticSlider({
+    label: 'Near field',
+    min: NEAR_FIELD_RANGE[0],
+    max: NEAR_FIELD_RANGE[1],
+    step: 1,
+    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? 'about ' : ''}${value} mean edges`),
+    change: (value) => change({ nearField: value }),
+  });
+  const multi = select('Multi-source', MULTI_SOURCES, (value) => change({ multi: value }));
+  const operator = select('Operator', OPERATORS, (value) => change({ operator: value }));
+  const solver = select('Linear solver', SOLVERS, (value) => change({ solver: value }));
+
+  const show = () => {
+    const { parameters, ...state } = scene.state;
+    refine.show(state.refine);
+    way.show(state.way);
+    factor.show(
+      parameters.timeFactor === 'auto' ? 'auto' : Math.log10(parameters.timeFactor),
+      Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
+    );
+    boundary.show(parameters.boundary);
+    near.show(parameters.nearField, chosenNear);
+    multi.show(parameters.multi);
+    operator.show(parameters.operator);
+    solver.show(parameters.solver);
+  };
+  scene.subscribe((state, previous) => {
+    if (state.parameters !== previous.parameters || state.way !== previous.way || state.refine !== previous.refine)
+      show();
+  });
+  session.shown.watch((shown, previous) => {
+    const field = shown?.answer.field;
+    if (!shown || !field || field === previous?.answer.field) return;
+    // What refining has reached since is not what was chosen.
+    if (field.refineMs === 0) {
+      const edges = Math.round(field.exactBelow / shown.opened.meanEdge);
+      chosenNear = Math.min(Math.max(edges, NEAR_FIELD_RANGE[0]), NEAR_FIELD_RANGE[1]);
+    }
+    show();
+  });
+  show();
+
+  return h(
+    'div',
+    { class: 'stack' },
+    refine.element,
+    refiningStatus(session),
+    way.element,
+    factor.element,
+    h('p', { class: 'quiet' }, 'Heat flows for t = m h², with h the mean edge. Larger m gives smoother distance.'),
+    boundary.element,
+    h(
+      'details',
+      { class: 'more' },
+      h('summary', {}, 'More of the method'),
+      h(
+        'div',
+        { class: 'stack' },
+        near.element,
+        h('p', { class: 'quiet' }, 'Distances this near to a source are exact at once.'),
+        multi.element,
+        operator.element,
+        solver.element,
+      ),
+    ),
+  );
+}
+
+/** In a sentence how exact the distance is. Only where refining ends is it read out: the numbers on the way are many. */
+function refiningStatus(session: Session): HTMLElement {
+  const status = h('p', { class: 'quiet', role: 'status' });
+  const show = () => {
+    const { phase, settled } = session.refiner;
+    const field = session.shown.value?.answer.field;
+    const sentence = field ? refiningSentence(phase.value, field, session.scene.state.way) : '';
+    status.setAttribute('aria-live', settled ? 'polite' : 'off');
+    if (status.textContent !== sentence) status.textContent = sentence;
+  };
+  session.shown.watch(show);
+  session.refiner.phase.watch(show);
+  return status;
+}
+
+function fromLogarithm(value: number): number {
+  return Number((10 ** value).toPrecision(2));
+}

@@ -1,0 +1,136 @@
+/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
+import type { DistanceField, PathKind, SurfacePoint } from '../protocol';
+import type { Session } from '../session/session';
+import type { Phase } from '../solver/refiner';
+import { PRESETS } from '../state/presets';
+import type { SceneState } from '../state/scene';
+import { until } from '../state/signal';
+import { png } from '../view/picture';
+
+export interface Heatwalk {
+  /** Resolves when the first scene is solved and drawn, or when it is certain that nothing can be drawn. */
+  readonly ready: Promise<void>;
+  /**
+   * Resolves when nothing is being opened or solved and refining has ended: everything is exact, or `refining` says why not.
+   */
+  settled(): Promise<void>;
+  /** "WebGPU", "WebGL2", or null when nothing can be drawn. */
+  readonly backend: string | null;
+  readonly scene: SceneState;
+  /** Where the camera is now: yaw, pitch (rad), distance and offset from the centre in bounding radii. */
+  readonly camera: readonly number[] | null;
+  /** Names of the presets, as links write them. */
+  readonly presets: readonly string[];
+  /** The CSS pixel of the window on which models are centred. */
+  readonly centre: readonly [number, number];
+  readonly mesh: {
+    name: string;
+    triangles: number;
+    vertices: number;
+    components: number;
+    boundaryLoops: number;
+    parts: readonly string[];
+    walked: readonly number[];
+    diameter: number;
+  } | null;
+  /** Of the field that is shown. */
+  readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
+  /** What is being done about exactness: see `Phase`. */
+  readonly refining: Phase;
+  /** Fields solved and shown since the page was opened; the slices of refining are not counted. */
+  readonly solves: number;
+  /** Arc lengths, and what kind of way it is; null when nobody walks. */
+  readonly walker: { arc: number; length: number; arrived: boolean; kind: PathKind } | null;
+  /** Distance at a place of the shown field; Infinity out of reach; NaN where the mesh has no such place. */
+  distanceAt(point: SurfacePoint): number;
+  /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
+  gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
+  /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
+  heat(): Promise<Float32Array>;
+  /** A PNG of the scene once all is settled, `scale` times as large as the window, on a transparent ground if `clear`. */
+  picture(scale?: number, clear?: boolean): Promise<Blob>;
+  /** The place under a CSS pixel of the window. */
+  placeAt(x: number, y: number): SurfacePoint | null;
+  /** The CSS pixel of the window where a place is seen. */
+  pixelOf(point: SurfacePoint): [number, number] | null;
+}
+
+declare global {
+  interface Window {
+    readonly heatwalk: Heatwalk;
+  }
+}
+
+/** `decorated` resolves when what is shown beside the field is there. */
+export function expose(session: Session, ready: Promise<void>, decorated: () => Promise<void>): void {
+  const face: Heatwalk = {
+    ready,
+    async settled() {
+      await ready;
+      await until(() => session.settled, session.loading, session.refiner.phase);
+    },
+    get backend() {
+      return session.view.backend.value;
+    },
+    get scene() {
+      return structuredClone(session.scene.state);
+    },
+    get camera() {
+      return session.view.camera;
+    },
+    presets: PRESETS.map(({ id }) => id),
+    get centre() {
+      return session.view.centre;
+    },
+    get mesh() {
+      if (!session.shown.value) return null;
+      const { opened, places } = session.shown.value;
+      return {
+        name: opened.name,
+        triangles: opened.report.faces,
+        vertices: opened.report.vertices,
+        components: opened.report.components,
+        boundaryLoops: opened.report.boundaryLoops,
+        parts: opened.parts.map(({ name }) => name),
+        walked: [...opened.walked],
+        diameter: places.diameter,
+      };
+    },
+    get field() {
+      const field = session.shown.value?.answer.field;
+      if (!field) return null;
+      const { distance: _distance, tangents: _tangents, ...figures } = field;
+      return figures;
+    },
+    get refining() {
+      return session.refiner.phase.value;
+    },
+    get solves() {
+      return session.solves;
+    },
+    get walker() {
+      const { arc, length, arrived } = session.walk;
+      const kind = session.shown.value?.answer.pathKind;
+      return kind && length > 0 ? { arc, length, arrived, kind } : null;
+    },
+    distanceAt(point) {
+      const shown = session.shown.value;
+      return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field.distance) : Number.NaN;
+    },
+    gradients: (kind) => session.gradients(kind),
+    heat: () => session.heat(),
+    async picture(scale = 1, clear = false) {
+      await face.settled();
+      // What is wanted since the field came is asked for in the next frame.
+      await new Promise(requestAnimationFrame);
+      await decorated();
+      return png(session.view, scale, clear);
+    },
+    placeAt: (x, y) => session.view.pick(x, y)?.point ?? null,
+    pixelOf(point) {
+      const position = session.shown.value?.places.at(point)?.position;
+      return position ? session.view.project(position) : null;
+    },
+  };
+  Object.defineProperty(window, 'heatwalk', { value: Object.freeze(face) });
+}

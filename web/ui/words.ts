@@ -1,0 +1,134 @@
+/** Numbers and sentences as the page says them. */
+import type { BuildReport, DistanceField, FieldError, OpenedMesh, PathKind } from '../protocol';
+import { MOST_SECONDS, MOST_TRIANGLES, type Phase } from '../solver/refiner';
+
+const GROUPED = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+const THREE_DIGITS = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false });
+
+export function count(value: number): string {
+  return GROUPED.format(value);
+}
+
+export function counted(value: number, noun: string, plural = `${noun}s`): string {
+  return `${count(value)} ${value === 1 ? noun : plural}`;
+}
+
+export function length(value: number): string {
+  return THREE_DIGITS.format(value);
+}
+
+export function percent(share: number): string {
+  return `${Math.round(100 * share)} %`;
+}
+
+/** 100 % is not said before it is true. */
+export function percentDown(share: number): string {
+  return `${Math.floor(100 * share)} %`;
+}
+
+/** Errors are small: one digit after the point where the share is under 10 %. */
+export function finePercent(share: number): string {
+  return share < 0.1 ? `${(100 * share).toFixed(1)} %` : percent(share);
+}
+
+export function milliseconds(value: number): string {
+  return value < 10
+    ? `${value.toFixed(1)} ms`
+    : value < 10_000
+      ? `${Math.round(value)} ms`
+      : `${(value / 1000).toFixed(1)} s`;
+}
+
+export function bytes(value: number): string {
+  return `${(value / 2 ** 20).toFixed(value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
+}
+
+/** One sentence of what was done to the triangles of a file. */
+export function openingSentence({ name, report }: OpenedMesh): string {
+  const done = repairs(report);
+  const shape = `${counted(report.components, 'component')}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
+  return done.length > 0
+    ? `${name}: ${done.join(', ')}; ${shape}.`
+    : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+}
+
+function repairs(report: BuildReport): string[] {
+  const done: string[] = [];
+  const say = (verb: string, value: number, noun: string, plural?: string) => {
+    if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
+  };
+  say('welded', report.weldedVertices, 'seam vertex', 'seam vertices');
+  say('left out', report.unreferencedVertices, 'vertex without triangles', 'vertices without triangles');
+  say('dropped', report.degenerateFaces, 'empty triangle');
+  say('dropped', report.duplicateFaces, 'doubled triangle');
+  say('turned', report.turnedFaces, 'triangle');
+  say(
+    'cut along',
+    report.nonManifoldEdges,
+    'edge shared by more than two triangles',
+    'edges shared by more than two triangles',
+  );
+  return done;
+}
+
+/** How much of a field is exact, in as few words as the heading has room for; empty for none. */
+export function exactnessWords({ exactBelow, exactShare }: DistanceField): string {
+  if (exactBelow === Infinity) return 'exact';
+  return exactShare >= 0.01 ? `exact to ${percentDown(exactShare)}` : '';
+}
+
+export function errorWords({ mean, max }: FieldError): string {
+  return `${finePercent(mean)} on average, ${finePercent(max)} at most`;
+}
+
+/** What is being done about exactness, or why nothing more is. */
+export function refiningSentence(phase: Phase, field: DistanceField, way: PathKind): string {
+  const reached = exactnessWords(field) || 'not exact yet';
+  const soFar = reached[0].toUpperCase() + reached.slice(1);
+  switch (phase) {
+    case 'exact':
+      return field.error ? `Exact. Heat was off by ${errorWords(field.error)}.` : 'Exact.';
+    case 'large': {
+      const limit = `${count(MOST_TRIANGLES)} triangles`;
+      const home = way === 'exact' ? ', and the way home is straightened instead of exact' : '';
+      return `${soFar}. Meshes of more than ${limit} are not refined${home}.`;
+    }
+    case 'late':
+      return `${soFar}. Refining was ended after ${MOST_SECONDS} seconds.`;
+    case 'stuck':
+      return `${soFar}. Refining made no progress and was ended.`;
+    case 'off':
+      return `${soFar}. Refining is switched off.`;
+    case 'solving':
+    case 'resting':
+    case 'refining':
+    case 'failed':
+    case 'idle':
+      return `${soFar}.`;
+  }
+}
+
+/** What no source reaches, named by parts where the triangles tell; null if everything is reached. */
+export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
+  const { unreachableVertices } = field;
+  if (unreachableVertices === 0) return null;
+  const names = unreachedParts(opened, field);
+  const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
+  const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A separate component (${share})`;
+  return `${what} cannot be reached from the sources; it is drawn hatched. Add a source there.`;
+}
+
+/** Triangles keep the order of the file, so while none was dropped the counts of the parts say which is whose. */
+function unreachedParts({ parts, walked, surface }: OpenedMesh, { distance }: DistanceField): string[] {
+  const total = walked.reduce((sum, part) => sum + parts[part].triangles, 0);
+  if (walked.length < 2 || 3 * total !== surface.triangles.length) return [];
+  const names: string[] = [];
+  let first = 0;
+  for (const part of walked) {
+    const end = first + 3 * parts[part].triangles;
+    if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity))
+      names.push(parts[part].name);
+    first = end;
+  }
+  return names;
+}

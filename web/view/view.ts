@@ -1,0 +1,361 @@
+/** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
+import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from '../protocol';
+import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from '../state/looks';
+import type { Place, Vector } from '../state/places';
+import { Signal } from '../state/signal';
+import init, { Viewer } from '../wasm/viewer/heatwalk_viewer.js';
+import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
+
+export interface PointHit {
+  point: SurfacePoint;
+  position: Vector;
+}
+
+/** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
+export type PaintedField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
+
+/** Segments, #E × 2 × 3, and their CSS colour. */
+export interface Edges {
+  ends: Float32Array;
+  colour: string;
+}
+
+/** The order in which the parts of a picture must be given: the surface clears what depends on it. */
+const ORDER = [
+  'background',
+  'surface',
+  'scenery',
+  'surroundings',
+  'look',
+  'offset',
+  'field',
+  'pins',
+  'path',
+  'walker',
+  'crowd',
+  'arrows',
+  'edges',
+  'spin',
+] as const;
+type Layer = (typeof ORDER)[number];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
+
+/** How far panels reach in from the edges of the stage; CSS pixels. */
+export interface Insets {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** A picture that takes longer never comes. */
+const CAPTURE_MS = 30_000;
+
+const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
+const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
+
+export class View {
+  readonly stage: HTMLElement;
+  readonly #forceWebgl: boolean;
+  #canvas: HTMLCanvasElement;
+  #viewer: Viewer | null = null;
+  readonly #layers = new Map<Layer, (viewer: Viewer) => void>();
+  #camera: Float64Array | null = null;
+  #frameFirst = false;
+  #ratio = 1;
+  /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
+  #size: [width: number, height: number] = [1, 1];
+  #insets: Insets = NO_INSETS;
+  #ready: Promise<unknown> | null = null;
+  /** "WebGPU", "WebGL2", or null while there is none. */
+  readonly backend = new Signal<string | null>(null);
+  /** Why nothing can be drawn. */
+  readonly trouble = new Signal<string | null>(null);
+
+  constructor(stage: HTMLElement, forceWebgl: boolean) {
+    this.stage = stage;
+    this.#forceWebgl = forceWebgl;
+    this.#canvas = this.#freshCanvas();
+    const observer = new ResizeObserver(([entry]) => this.#resize(entry));
+    try {
+      observer.observe(stage, { box: 'device-pixel-content-box' });
+    } catch {
+      observer.observe(stage);
+    }
+  }
+
+  /** Makes a renderer on a fresh canvas: a canvas whose context was lost gives no other. */
+  async start(): Promise<void> {
+    this.#viewer = null;
+    this.backend.value = null;
+    try {
+      this.#ready ??= init({ module_or_path: wasmAddress });
+      await this.#ready;
+      const fresh = this.#freshCanvas();
+      this.#canvas.replaceWith(fresh);
+      this.#canvas = fresh;
+      const viewer = await Viewer.create(fresh, this.#forceWebgl);
+      this.#fit(viewer);
+      for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
+      if (this.#camera) viewer.set_camera(this.#camera);
+      if (this.#frameFirst) viewer.frame();
+      this.#frameFirst = false;
+      this.#viewer = viewer;
+      this.trouble.value = null;
+      this.backend.value = viewer.backend();
+    } catch (error) {
+      this.trouble.value = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  setBackground(top: string, bottom: string): void {
+    this.#show('background', (viewer) => viewer.set_background(unitColour(top), unitColour(bottom)));
+  }
+
+  setMesh(surface: DrawMesh, scenery: readonly DrawMesh[]): void {
+    for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
+    this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
+    this.setScenery(scenery);
+  }
+
+  setScenery(parts: readonly DrawMesh[]): void {
+    const { positions, normals, triangles } = joined(parts);
+    this.#show('scenery', (viewer) => viewer.set_scenery(positions, normals, triangles));
+  }
+
+  /** Null where there is none. */
+  setField(field: PaintedField | null): void {
+    const { distance, tangents, maxDistance } = field ?? NO_FIELD;
+    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
+  }
+
+  /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
+  setLook(look: Look, whole: number, facing: number): void {
+    const period = look.period * whole;
+    const uses = (map: MapName) => look.maps.includes(map);
+    const { metalness, roughness } = uses('specular') ? look.stripes : look.surface;
+    const { glow } = uses('emission') ? look.stripes : look.surface;
+    this.#show('surroundings', (viewer) =>
+      viewer.set_environment(look.surroundings, facing + (look.light * Math.PI) / 180),
+    );
+    this.#show('look', (viewer) => {
+      viewer.set_ramps(rampBytes(look));
+      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(look.surface), finishOf({ metalness, roughness, glow }));
+      if (look.style === 'lines') viewer.set_lines(period, look.width * WIDEST_LINE);
+      else viewer.set_bands(period, look.width, look.sharpness, uses('normal') ? look.relief : 0);
+    });
+  }
+
+  /** Moves the pattern away from the sources, in periods. */
+  setOffset(periods: number): void {
+    this.#show('offset', (viewer) => viewer.set_offset(periods));
+  }
+
+  setPins(places: readonly Place[], selected: number): void {
+    const positions = Float32Array.from(places.flatMap(({ position }) => position));
+    const normals = Float32Array.from(places.flatMap(({ normal }) => normal));
+    this.#show('pins', (viewer) => viewer.set_pins(positions, normals, selected));
+  }
+
+  setPath(path: SurfacePath | null): void {
+    const points = path?.points ?? new Float32Array();
+    const normals = path?.normals ?? new Float32Array();
+    this.#show('path', (viewer) => viewer.set_path(points, normals));
+    if (!path) this.#show('walker', (viewer) => viewer.hide_walker());
+  }
+
+  setWalker(arc: number): void {
+    this.#show('walker', (viewer) => viewer.set_walker(arc));
+  }
+
+  /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
+  setCrowd(poses: Float32Array): void {
+    this.#show('crowd', (viewer) => viewer.set_crowd(poses));
+  }
+
+  /** One vector a triangle; empty for none. */
+  setArrows(vectors: Float32Array): void {
+    this.#show('arrows', (viewer) => viewer.set_arrows(vectors));
+  }
+
+  setEdges(kinds: readonly Edges[]): void {
+    this.#show('edges', (viewer) => {
+      viewer.clear_edges();
+      for (const { ends, colour } of kinds) viewer.add_edges(ends, unitColour(colour));
+    });
+  }
+
+  /** Models are centred on what the insets leave free. */
+  set insets(insets: Insets) {
+    this.#insets = insets;
+    if (this.#viewer) this.#fit(this.#viewer);
+  }
+
+  /** Where models are centred: the middle of what the insets leave free, in CSS pixels of the window. */
+  get centre(): [number, number] {
+    const stage = this.stage.getBoundingClientRect();
+    const { left, top, right, bottom } = this.#insets;
+    return [(stage.left + left + stage.right - right) / 2, (stage.top + top + stage.bottom - bottom) / 2];
+  }
+
+  /** Device pixels for one CSS pixel. */
+  get ratio(): number {
+    return this.#ratio;
+  }
+
+  orbit(dx: number, dy: number): void {
+    this.#viewer?.orbit(dx, dy);
+  }
+
+  /** A hand takes hold to turn. */
+  hold(): void {
+    this.#viewer?.hold();
+  }
+
+  /** The hand lets go; the camera glides on or stops. */
+  letGo(glides: boolean): void {
+    this.#viewer?.let_go(glides);
+  }
+
+  /** Turns by itself, in radians a second; 0 stops. */
+  set spin(spin: number) {
+    this.#show('spin', (viewer) => viewer.set_spin(spin));
+  }
+
+  pan(dx: number, dy: number): void {
+    this.#viewer?.pan(dx, dy);
+  }
+
+  zoom(factor: number): void {
+    this.#viewer?.zoom(factor);
+  }
+
+  /** The canvas drawn on now: another one after the renderer was lost. */
+  get canvas(): HTMLCanvasElement {
+    return this.#canvas;
+  }
+
+  /** A renderer that is still starting frames as soon as it can. */
+  frame(): void {
+    this.#frameFirst = this.#viewer === null;
+    this.#viewer?.frame();
+  }
+
+  focus(position: Vector): void {
+    this.#viewer?.focus(...position);
+  }
+
+  /** Yaw, pitch, distance, offset; null before the first picture. */
+  get camera(): readonly number[] | null {
+    return this.#viewer ? [...this.#viewer.camera()] : this.#camera && [...this.#camera];
+  }
+
+  set camera(camera: readonly number[]) {
+    this.#frameFirst = false;
+    this.#camera = Float64Array.from(camera);
+    this.#viewer?.set_camera(this.#camera);
+  }
+
+  /** `x`, `y` in CSS pixels of the window. */
+  pick(x: number, y: number): PointHit | null {
+    const { left, top } = this.stage.getBoundingClientRect();
+    const hit = this.#viewer?.pick((x - left) * this.#ratio, (y - top) * this.#ratio);
+    if (!hit) return null;
+    const [a, b, c] = hit.weights;
+    const [px, py, pz] = hit.point;
+    const found: PointHit = { point: { face: hit.triangle, weights: [a, b, c] }, position: [px, py, pz] };
+    hit.free();
+    return found;
+  }
+
+  /** CSS pixels of the window; null behind the camera. */
+  project(position: Vector): [number, number] | null {
+    const pixel = this.#viewer?.project(...position);
+    if (!pixel) return null;
+    const { left, top } = this.stage.getBoundingClientRect();
+    return [left + pixel[0] / this.#ratio, top + pixel[1] / this.#ratio];
+  }
+
+  /** True if a frame was drawn. */
+  render(seconds: number): boolean {
+    const viewer = this.#viewer;
+    if (!viewer?.needs_frame()) return false;
+    if (viewer.render(seconds)) {
+      this.#camera = viewer.camera();
+    } else {
+      void this.start();
+    }
+    return true;
+  }
+
+  /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
+  async capture(scale: number, clear: boolean): Promise<ImageData> {
+    if (!this.#viewer) throw new Error('There is nothing to draw a picture of yet.');
+    const picture = this.#viewer.capture(scale, clear);
+    const { width, height } = picture;
+    for (const since = performance.now(); !picture.is_ready();) {
+      if (performance.now() - since > CAPTURE_MS)
+        throw new Error('The graphics device did not give the picture back. Try a smaller one.');
+      await new Promise((resolve) => setTimeout(resolve, 5));
+    }
+    return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);
+  }
+
+  #show(layer: Layer, apply: (viewer: Viewer) => void): void {
+    this.#layers.set(layer, apply);
+    if (this.#viewer) apply(this.#viewer);
+  }
+
+  #freshCanvas(): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = this.#size;
+    if (!this.#canvas) this.stage.prepend(canvas);
+    return canvas;
+  }
+
+  #resize(entry: ResizeObserverEntry): void {
+    const { width, height } = entry.contentRect;
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const w = pixels(width, exact?.inlineSize);
+    const h = pixels(height, exact?.blockSize);
+    this.#ratio = w / Math.max(1, width);
+    this.#size = [w, h];
+    if (this.#viewer) this.#fit(this.#viewer);
+  }
+
+  #fit(viewer: Viewer): void {
+    const { left, top, right, bottom } = this.#insets;
+    viewer.resize(...this.#size);
+    viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
+  }
+}
+
+/** The exact count of device pixels differs from the product by rounding only; on an emulated screen it is not scaled. */
+function pixels(length: number, exact: number | undefined): number {
+  const product = Math.max(1, Math.round(length * devicePixelRatio));
+  return exact !== undefined && Math.abs(exact - product) <= 1 ? Math.max(1, exact) : product;
+}
+
+function joined(meshes: readonly DrawMesh[]): DrawMesh {
+  const numbers = meshes.reduce((sum, { positions }) => sum + positions.length, 0);
+  const corners = meshes.reduce((sum, { triangles }) => sum + triangles.length, 0);
+  const positions = new Float32Array(numbers);
+  const normals = new Float32Array(numbers);
+  const triangles = new Uint32Array(corners);
+  let [vertex, corner] = [0, 0];
+  for (const mesh of meshes) {
+    positions.set(mesh.positions, 3 * vertex);
+    normals.set(mesh.normals, 3 * vertex);
+    for (const index of mesh.triangles) triangles[corner++] = vertex + index;
+    vertex += mesh.positions.length / 3;
+  }
+  return { positions, normals, triangles };
+}
+
+function finishOf({ metalness, roughness, glow }: Finish): Float32Array {
+  return Float32Array.of(metalness, roughness, glow);
+}
+
+function unitColour(css: string): Float32Array {
+  return Float32Array.from(parseColour(css), (value) => value / 255);
+}
