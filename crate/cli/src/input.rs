@@ -5,7 +5,8 @@ use std::path::{Component, Path};
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{Soup, io, shapes};
+use heatwalk::{Soup, io};
+use heatwalk_scene::shapes;
 
 use crate::report::milliseconds;
 

@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{Error, Soup, Source, Surface, SurfacePoint, edge_polyline};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
@@ -76,7 +77,7 @@ impl Place {
         match *self {
             Self::Vertex(vertex) if vertex >= vertices => {
                 let problem = format!("does not exist; there are {vertices}, counted from 0");
-                Err(Error::BadVertex { vertex, problem }.into())
+                Err(Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
             }
             Self::Triangle { triangle, .. } if triangle >= triangles => {
                 bail!("triangle {triangle} does not exist; there are {triangles}, counted from 0")
@@ -107,8 +108,8 @@ impl Place {
                 let point = SurfacePoint::Face { face, weights: surface.inputs_of_face[face].map(weight_of) };
                 point.validated(surface).map_err(|error| match error {
                     // In the file's words.
-                    Error::BadPoint { problem, .. } => {
-                        Error::BadPoint { face: triangle, weights: format!("{weights:?}"), problem }.into()
+                    SurfaceError::BadPoint { problem, .. } => {
+                        SurfaceError::BadPoint { face: triangle, weights: format!("{weights:?}"), problem }.into()
                     }
                     error => error.into(),
                 })
@@ -141,5 +142,5 @@ impl Line {
 fn point_of_vertex(surface: &Surface, vertex: usize) -> Result<u32> {
     let point = surface.point_of_input.get(vertex).copied().flatten();
     let problem = "is used by no triangle; choose another".to_owned();
-    point.ok_or_else(|| Error::BadVertex { vertex, problem }.into())
+    point.ok_or_else(|| Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
 }

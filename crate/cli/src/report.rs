@@ -53,7 +53,7 @@ impl Report {
     }
 
     pub fn push_parts(&mut self, soup: &Soup) {
-        let part = |(index, part): (usize, &heatwalk::soup::Part)| json!({ "part": index, "name": part.name, "faces": part.triangles.len() });
+        let part = |(index, part): (usize, &heatwalk::surface::soup::Part)| json!({ "part": index, "name": part.name, "faces": part.triangles.len() });
         self.push("parts", soup.parts.iter().enumerate().map(part).collect::<Vec<_>>());
     }
 

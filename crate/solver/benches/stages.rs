@@ -12,9 +12,9 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, Crowd, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend,
-    shapes, straighten,
+    Boundary, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend, straighten,
 };
+use heatwalk_scene::{Crowd, shapes};
 
 const LEVEL: u32 = 5;
 const STAGES: [Stage; 4] = [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::Factoring];

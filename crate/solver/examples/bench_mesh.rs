@@ -10,7 +10,8 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use heatwalk::{Soup, Surface, io, shapes};
+use heatwalk::{Soup, Surface, io};
+use heatwalk_scene::shapes;
 use serde_json::json;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -7,7 +7,8 @@ use std::error::Error;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{HeatSolver, Parameters, RelativeError, Soup, Surface, SurfacePoint, shapes};
+use heatwalk::{HeatSolver, Parameters, RelativeError, Soup, Surface, SurfacePoint};
+use heatwalk_scene::shapes;
 
 /// Vertices that measure the spheres: one of the twelve with five neighbours, and another.
 const SPHERE_SOURCES: [u32; 2] = [0, 777];

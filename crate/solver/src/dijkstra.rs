@@ -4,12 +4,12 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::csr::NONE;
 use crate::error::{Error, Result};
-use crate::halfedge::Halfedge;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::csr::NONE;
+use heatwalk_surface::halfedge::Halfedge;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// The shortest way along edges from one point to another, both included; one point where they are the same.
 ///

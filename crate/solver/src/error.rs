@@ -9,86 +9,9 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The file's extension and first bytes match no reader.
-    #[error("{name}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY or STL")]
-    UnknownFormat {
-        /// File name as given.
-        name: String,
-    },
-    /// The file breaks the rules of its format.
-    #[error("{format}, {place}: {problem}")]
-    Malformed {
-        /// Format, for example `"PLY"`.
-        format: &'static str,
-        /// Where: a line, a byte offset or the name of an element.
-        place: String,
-        /// What is wrong and what to do about it.
-        problem: String,
-    },
-    /// The file needs something that is not read here (a compression extension, say).
-    #[error("{format}: {feature} is not supported; {remedy}")]
-    Unsupported {
-        /// Format, for example `"glTF"`.
-        format: &'static str,
-        /// What is needed.
-        feature: String,
-        /// What to do.
-        remedy: String,
-    },
-    /// A file that this one refers to was not given.
-    #[error("the file refers to {uri}, which was not given; open both together")]
-    MissingResource {
-        /// The reference as written in the file.
-        uri: String,
-    },
-    /// No triangle is left to work on.
-    #[error("no triangles: {reason}")]
-    Empty {
-        /// Why there is none.
-        reason: String,
-    },
-    /// A triangle names a vertex that does not exist.
-    #[error("triangle {triangle} refers to vertex {vertex}, but there are only {vertices} vertices")]
-    IndexOutOfRange {
-        /// Triangle, counted from 0.
-        triangle: usize,
-        /// The index it uses.
-        vertex: u64,
-        /// Number of vertices.
-        vertices: usize,
-    },
-    /// A vertex has a NaN or infinite coordinate.
-    #[error("vertex {vertex} has a coordinate that is not a finite number; repair the file")]
-    NotFinite {
-        /// Vertex of the input, counted from 0.
-        vertex: usize,
-    },
-    /// There is no such part.
-    #[error("there is no part {part}; the file has {parts}, counted from 0")]
-    NoSuchPart {
-        /// The part asked for.
-        part: usize,
-        /// Number of parts.
-        parts: usize,
-    },
-    /// There is no such input vertex, or no triangle uses it.
-    #[error("vertex {vertex} {problem}")]
-    BadVertex {
-        /// Vertex of the input, counted from 0.
-        vertex: usize,
-        /// What is wrong with it.
-        problem: String,
-    },
-    /// A surface point names a face that does not exist or weights that do not sum to 1.
-    #[error("face {face} with weights {weights} is not a point of the surface: {problem}")]
-    BadPoint {
-        /// Face of the mesh, counted from 0.
-        face: usize,
-        /// Barycentric weights as given.
-        weights: String,
-        /// What is wrong.
-        problem: String,
-    },
+    /// A file that cannot be read, triangles that make no surface, or a place that is not on it.
+    #[error(transparent)]
+    Surface(#[from] heatwalk_surface::Error),
     /// A distance was asked for without a source.
     #[error("no source: give at least one")]
     NoSource,
@@ -139,6 +62,27 @@ pub enum Error {
     /// The work was stopped by the caller's progress callback.
     #[error("cancelled")]
     Cancelled,
+}
+
+impl From<heatwalk_sparse::Error> for Error {
+    fn from(error: heatwalk_sparse::Error) -> Self {
+        Self::of_matrices(&error, &[])
+    }
+}
+
+impl Error {
+    /// Of linear algebra on matrices of these names.
+    pub(crate) fn of_matrices(error: &heatwalk_sparse::Error, names: &[&'static str]) -> Self {
+        use heatwalk_sparse::Error as Sparse;
+        match *error {
+            Sparse::NotPositiveDefinite { matrix, row } => {
+                Self::NotPositiveDefinite { matrix: names.get(matrix).copied().unwrap_or("system"), vertex: row }
+            }
+            Sparse::NotConverged { iterations } => Self::NotConverged { iterations },
+            Sparse::OutOfMemory { stage } => Self::OutOfMemory { stage },
+            _ => Self::Cancelled,
+        }
+    }
 }
 
 /// In the unit that suits.

@@ -4,10 +4,10 @@
 
 use glam::DVec3;
 
-use crate::halfedge::FaceData;
 use crate::heat::Distance;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::FaceData;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// `#F × 3`, gradient of the linear interpolation of `values` (`#P`) on each face; zero where it is not finite.
 pub fn face_gradients(surface: &Surface, values: &[f64]) -> FaceData<DVec3> {

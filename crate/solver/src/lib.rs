@@ -5,7 +5,8 @@
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use heatwalk::{HeatSolver, Parameters, Surface, SurfacePoint, descend, shapes};
+//! use heatwalk::{HeatSolver, Parameters, Surface, SurfacePoint, descend};
+//! use heatwalk_scene::shapes;
 //!
 //! # fn main() -> heatwalk::Result<()> {
 //! let surface = Surface::build(&shapes::icosphere(3))?;
@@ -23,45 +24,30 @@
 //! ```
 
 pub mod accuracy;
-pub mod crowd;
-mod csr;
 mod dijkstra;
-pub mod drawing;
-mod edges;
-pub mod error;
+mod error;
 pub mod exact;
 mod extremum;
 pub mod gradient;
-pub mod halfedge;
 pub mod heat;
-pub mod io;
-mod linear;
-mod memory;
 pub mod operator;
-pub mod overlay;
 pub mod path;
-mod random;
-pub mod shapes;
-pub mod soup;
-pub mod sources;
-pub mod surface;
-mod touching;
-mod triangle;
-mod union_find;
-mod weld;
+
+/// Linear algebra, which knows no surface.
+pub use heatwalk_sparse as sparse;
+/// The surface and all that it is made of.
+pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
-pub use crowd::{Crowd, Walker};
 pub use dijkstra::{edge_path, edge_polyline};
-pub use drawing::{DrawMesh, draw_mesh};
 pub use error::{Error, Result};
-pub use halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
 pub use heat::{
     Boundary, Distance, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress,
     Refinement, Stage, TimeStep,
 };
+pub use heatwalk_surface::{
+    BuildReport, Face, FaceData, Halfedge, HalfedgeMesh, Path, PathPoint, SNAP, Soup, Source, Surface, SurfacePoint,
+    Vertex, VertexData, io,
+};
 pub use operator::Operator;
-pub use path::{Path, PathPoint, Straightest, descend, straighten, straightest};
-pub use soup::Soup;
-pub use sources::{Source, SurfacePoint};
-pub use surface::{BuildReport, Surface};
+pub use path::{Straightest, descend, straighten, straightest};

@@ -7,7 +7,8 @@ mod common;
 
 use common::{distance_from, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
-use heatwalk::{Boundary, LinearSolver, Parameters, RelativeError, SurfacePoint, TimeStep, shapes};
+use heatwalk::{Boundary, LinearSolver, Parameters, RelativeError, SurfacePoint, TimeStep};
+use heatwalk_scene::shapes;
 
 fn sphere_error(subdivisions: u32) -> f64 {
     let (solver, distance) = distance_from(&shapes::icosphere(subdivisions), 0);

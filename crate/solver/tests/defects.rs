@@ -7,10 +7,12 @@ mod common;
 
 use common::{solver_with, soup};
 use glam::DVec3;
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Distance, Error, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters,
-    Soup, Surface, SurfacePoint, TimeStep, shapes,
+    Boundary, Distance, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters, Soup,
+    Surface, SurfacePoint, TimeStep,
 };
+use heatwalk_scene::shapes;
 
 /// Far from the defect and from the poles of numbering.
 const SOURCE: u32 = 700;
@@ -174,14 +176,14 @@ fn errors_name_the_element() {
     let clean = ball();
     let mut not_a_number = clean.clone();
     not_a_number.positions[17].y = f64::NAN;
-    assert_eq!(Surface::build(&not_a_number).err(), Some(Error::NotFinite { vertex: 17 }));
+    assert_eq!(Surface::build(&not_a_number).err(), Some(SurfaceError::NotFinite { vertex: 17 }));
 
     let mut out_of_range = clean.clone();
     out_of_range.triangles[23][1] = 99_999;
     let vertices = clean.positions.len();
     assert_eq!(
         Surface::build(&out_of_range).err(),
-        Some(Error::IndexOutOfRange { triangle: 23, vertex: 99_999, vertices })
+        Some(SurfaceError::IndexOutOfRange { triangle: 23, vertex: 99_999, vertices })
     );
 }
 

@@ -11,7 +11,9 @@ use std::sync::Arc;
 use common::{band, book, flat, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
-use heatwalk::{Error, Face, Halfedge, Path, Soup, Surface, SurfacePoint, shapes};
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk::{Error, Face, Halfedge, Path, Soup, Surface, SurfacePoint};
+use heatwalk_scene::shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
 const EXACT: f64 = 1e-9;
@@ -266,7 +268,7 @@ fn bad_requests_are_refused() {
     let offset = exact_distance(&surface, &[(SurfacePoint::Vertex(0), -1.0)], &mut go_on);
     assert!(matches!(offset, Err(Error::BadParameter { .. })));
     let vertex = exact_distance(&surface, &[(SurfacePoint::Vertex(1000), 0.0)], &mut go_on);
-    assert!(matches!(vertex, Err(Error::BadVertex { .. })));
+    assert!(matches!(vertex, Err(Error::Surface(SurfaceError::BadVertex { .. }))));
     let values = exact_distance(&surface, &[(SurfacePoint::Vertex(0), 1.0)], &mut go_on).expect("values");
     assert_eq!(values[0], 1.0);
 }

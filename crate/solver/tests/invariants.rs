@@ -10,7 +10,9 @@ use std::ops::ControlFlow;
 use common::{band, distance_from, random, solver, soup, square, surface};
 use glam::{DQuat, DVec3};
 use heatwalk::operator::laplacian::Laplacian;
-use heatwalk::{Boundary, Error, Face, HeatSolver, Operator, Parameters, Soup, Stage, SurfacePoint, draw_mesh, shapes};
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk::{Boundary, Error, Face, HeatSolver, Operator, Parameters, Soup, Stage, SurfacePoint};
+use heatwalk_scene::{draw_mesh, shapes};
 
 /// Largest difference of two distances, as a share of the largest distance.
 fn difference(a: &[f64], b: &[f64]) -> f64 {
@@ -153,9 +155,12 @@ fn face_source_lies_between_vertices() {
     }
     for bad in [[0.5, 0.5, 0.5], [-0.2, 0.6, 0.6], [f64::NAN, 0.5, 0.5]] {
         let source = SurfacePoint::Face { face: Face(0), weights: bad };
-        assert!(matches!(solver.distance(&[source]), Err(Error::BadPoint { face: 0, .. })));
+        assert!(matches!(solver.distance(&[source]), Err(Error::Surface(SurfaceError::BadPoint { face: 0, .. }))));
     }
-    assert!(matches!(solver.distance(&[SurfacePoint::Vertex(u32::MAX)]), Err(Error::BadVertex { .. })));
+    assert!(matches!(
+        solver.distance(&[SurfacePoint::Vertex(u32::MAX)]),
+        Err(Error::Surface(SurfaceError::BadVertex { .. }))
+    ));
     assert_eq!(solver.distance::<SurfacePoint>(&[]), Err(Error::NoSource));
 }
 

@@ -7,8 +7,9 @@ use std::sync::Arc;
 
 use common::solver_with;
 use heatwalk::{
-    Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Result, Surface, SurfacePoint, TimeStep, shapes,
+    Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Result, Surface, SurfacePoint, TimeStep,
 };
+use heatwalk_scene::shapes;
 
 const NUMBER: u64 = size_of::<f64>() as u64;
 

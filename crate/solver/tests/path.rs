@@ -7,7 +7,8 @@ mod common;
 
 use common::{band, book, distance_from, nearest, random, solver, square};
 use glam::DVec3;
-use heatwalk::{Boundary, Error, Face, HeatSolver, Path, Soup, SurfacePoint, descend, shapes};
+use heatwalk::{Boundary, Error, Face, HeatSolver, Path, Soup, SurfacePoint, descend};
+use heatwalk_scene::shapes;
 
 /// Points of a path follow each other through the faces that they name, and end at a source.
 fn check(solver: &HeatSolver, path: &Path, from: SurfacePoint, sources: &[SurfacePoint]) {

@@ -12,10 +12,12 @@ use common::{band, book, square};
 use glam::DVec3;
 use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Crowd, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
-    SurfacePoint, TimeStep, descend, shapes, straighten,
+    Boundary, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
+    SurfacePoint, TimeStep, descend, straighten,
 };
+use heatwalk_scene::{Crowd, shapes};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -125,7 +127,7 @@ fn check<S: Strategy>(cases: u32, strategy: &S, test: impl Fn(S::Value) -> Resul
 fn surface_of(soup: &Soup) -> Result<Arc<Surface>, TestCaseError> {
     match Surface::build(soup) {
         Ok(surface) => Ok(Arc::new(surface)),
-        Err(Error::Empty { .. }) => Err(TestCaseError::reject("no triangle")),
+        Err(SurfaceError::Empty { .. }) => Err(TestCaseError::reject("no triangle")),
         Err(error) => Err(TestCaseError::fail(error.to_string())),
     }
 }

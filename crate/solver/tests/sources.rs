@@ -15,8 +15,9 @@ use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
     Boundary, Error, Face, LinearSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
-    SurfacePoint, shapes,
+    SurfacePoint,
 };
+use heatwalk_scene::shapes;
 
 /// The heat method alone on the triangles as they are.
 fn plain() -> Parameters {

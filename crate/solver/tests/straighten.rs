@@ -11,8 +11,9 @@ use common::shortness::{check_valid, largest_kink, sharpest_turn};
 use common::{band, book, nearest, random, solver, soup, square, surface};
 use glam::{DVec3, Vec3Swizzles};
 use heatwalk::{
-    Boundary, Face, HeatSolver, Path, Soup, Surface, SurfacePoint, descend, edge_path, shapes, straighten, straightest,
+    Boundary, Face, HeatSolver, Path, Soup, Surface, SurfacePoint, descend, edge_path, straighten, straightest,
 };
+use heatwalk_scene::shapes;
 
 /// Straightens and checks all that must hold on any surface.
 fn straightened(surface: &Surface, path: &Path) -> Path {

@@ -9,10 +9,11 @@ use std::f64::consts::{PI, TAU};
 
 use common::{band, book, nearest, random, soup, square, surface};
 use glam::DVec3;
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Error, Face, Halfedge, Soup, Straightest, Surface, SurfacePoint, edge_path, edge_polyline, shapes, straighten,
-    straightest,
+    Error, Face, Halfedge, Soup, Straightest, Surface, SurfacePoint, edge_path, edge_polyline, straighten, straightest,
 };
+use heatwalk_scene::shapes;
 
 /// Walks, and checks what holds for any walk.
 fn walk(surface: &Surface, from: SurfacePoint, face: Option<Face>, direction: DVec3, length: f64) -> Straightest {
@@ -248,8 +249,8 @@ fn what_is_wrong_with_a_walk_is_said() {
     let from = SurfacePoint::Vertex(6);
     let name_of = |from, face, direction, length| match straightest(&surface, from, face, direction, length) {
         Err(Error::BadParameter { name, .. }) => name,
-        Err(Error::BadPoint { .. }) => "point",
-        Err(Error::BadVertex { .. }) => "vertex",
+        Err(Error::Surface(SurfaceError::BadPoint { .. })) => "point",
+        Err(Error::Surface(SurfaceError::BadVertex { .. })) => "vertex",
         other => panic!("{other:?}"),
     };
     assert_eq!(name_of(from, None, DVec3::ZERO, 1.0), "direction");
@@ -313,7 +314,7 @@ fn edge_polyline_joins_once() {
     assert_eq!(edge_polyline(&surface, &[b], true), Ok(vec![b]));
     assert_eq!(edge_polyline(&surface, &[b, b], true), Ok(vec![b]));
     assert!(matches!(edge_polyline(&surface, &[], false), Err(Error::BadParameter { .. })));
-    assert!(matches!(edge_path(&surface, 0, 999), Err(Error::BadVertex { vertex: 999, .. })));
+    assert!(matches!(edge_path(&surface, 0, 999), Err(Error::Surface(SurfaceError::BadVertex { vertex: 999, .. }))));
 }
 
 #[test]

@@ -8,7 +8,9 @@ mod common;
 use common::{band, book, distance_from, flat, soup, square, surface};
 use glam::DVec3;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
-use heatwalk::{Error, Halfedge, HalfedgeMesh, Soup, Surface, Vertex, shapes};
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk::{Halfedge, HalfedgeMesh, Soup, Surface, Vertex};
+use heatwalk_scene::shapes;
 
 /// The documented invariants of a half-edge mesh.
 fn check(surface: &Surface) {
@@ -222,15 +224,15 @@ fn separate_parts_are_infinitely_far() {
 fn bad_input_is_named() {
     let corners = || flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
     let error = |positions, triangles| Surface::build(&soup(positions, triangles)).err();
-    let out_of_range = Error::IndexOutOfRange { triangle: 1, vertex: 3, vertices: 3 };
+    let out_of_range = SurfaceError::IndexOutOfRange { triangle: 1, vertex: 3, vertices: 3 };
     assert_eq!(error(corners(), vec![[0, 1, 2], [0, 1, 3]]), Some(out_of_range));
     for bad in [f64::NAN, f64::INFINITY] {
         let mut positions = corners();
         positions[2].y = bad;
-        assert_eq!(error(positions, vec![[0, 1, 2]]), Some(Error::NotFinite { vertex: 2 }));
+        assert_eq!(error(positions, vec![[0, 1, 2]]), Some(SurfaceError::NotFinite { vertex: 2 }));
     }
-    assert!(matches!(error(corners(), vec![]), Some(Error::Empty { .. })));
-    assert!(matches!(error(corners(), vec![[0, 1, 1]]), Some(Error::Empty { .. })));
+    assert!(matches!(error(corners(), vec![]), Some(SurfaceError::Empty { .. })));
+    assert!(matches!(error(corners(), vec![[0, 1, 1]]), Some(SurfaceError::Empty { .. })));
 }
 
 #[test]

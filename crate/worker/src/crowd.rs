@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use heatwalk::{Crowd, Result, Surface};
+use heatwalk::{Result, Surface};
+use heatwalk_scene::Crowd;
 
 /// Height of a walker in bounding radii of the surface: seen from afar, and small enough for thousands.
 const HEIGHT: f64 = 0.03;

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 use heatwalk::halfedge::Face;
-use heatwalk::{DrawMesh as Mesh, Source, Surface, SurfacePoint, draw_mesh};
+use heatwalk::{Source, Surface, SurfacePoint};
+use heatwalk_scene::{DrawMesh as Mesh, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 

@@ -16,8 +16,9 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::soup::Soup;
-use heatwalk::{Surface, io, shapes};
+use heatwalk::Soup;
+use heatwalk::{Surface, io};
+use heatwalk_scene::shapes;
 use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{HeatSolver, Refinement, Stage};
-use heatwalk::{Crowd, Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
+use heatwalk::{Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
+use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function};
 use wasm_bindgen::prelude::*;
 
@@ -166,9 +167,9 @@ impl Solver {
     pub fn edges(&self, kind: &str) -> Result<Vec<f32>, JsError> {
         let surface = self.solver.surface();
         let edges = match kind {
-            "mesh" => surface.inner_edges(),
-            "boundary" => surface.boundary_edges(),
-            "operator" => self.solver.operator_edges(),
+            "mesh" => overlay::inner_edges(surface),
+            "boundary" => overlay::boundary_edges(surface),
+            "operator" => overlay::operator_edges(&self.solver),
             other => return Err(JsError::new(&format!("there are no edges '{other}'"))),
         };
         Ok(edges.as_flattened().iter().flat_map(|point| point.as_vec3().to_array()).collect())

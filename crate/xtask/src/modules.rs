@@ -33,6 +33,9 @@ pub const SOLVER: Module = Module {
 pub const VIEWER: Module =
     Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "", profile: "viewer" };
 
+/// The packages whose tests run on wasm32 too.
+const TESTED: [&str; 4] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk", "heatwalk-scene"];
+
 impl Module {
     fn target_folder(&self) -> PathBuf {
         workspace().join("target").join(format!("wasm-{}", self.name))
@@ -73,7 +76,8 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
     let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
     run(SOLVER
         .cargo(toolchain, "test")
-        .args(["--package", "heatwalk", "--tests"])
+        .args(TESTED.iter().flat_map(|package| ["--package", package]))
+        .arg("--tests")
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
 }
 

@@ -12,8 +12,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use heatwalk::Soup;
 use heatwalk::io::write;
-use heatwalk::{Soup, shapes};
+use heatwalk_scene::shapes;
 use serde_json::Value;
 
 /// A flat unit square whose coordinates are exact. Vertex `(i, j)` is number `9 i + j`, at x = i / 8, z = −j / 8.

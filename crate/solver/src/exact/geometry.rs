@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use super::window::GRAZE;
-use crate::halfedge::Face;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// How shortest paths can bend at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]

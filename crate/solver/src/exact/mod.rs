@@ -29,9 +29,9 @@ pub use geometry::ExactGeometry;
 pub use wavefront::Wavefront;
 
 use crate::error::{Error, Result};
-use crate::path::Path;
-use crate::sources::{Source, SurfacePoint};
-use crate::surface::Surface;
+use heatwalk_surface::Path;
+use heatwalk_surface::point::{Source, SurfacePoint};
+use heatwalk_surface::surface::Surface;
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
 const WORK_BETWEEN_CALLS: usize = 20_000;
@@ -83,5 +83,5 @@ fn validated<S: Copy + Into<Source>>(surface: &Surface, sources: &[S]) -> Result
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    sources.iter().map(|&source| source.into().validated(surface)).collect()
+    sources.iter().map(|&source| Ok(source.into().validated(surface)?)).collect()
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::geometry::{Bend, ExactGeometry, Frame, Turn, after};
 use super::wavefront::{Origin, Wavefront};
 use super::window::{Window, length};
-use crate::sources::{Source, SurfacePoint};
+use heatwalk_surface::point::{Source, SurfacePoint};
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;

@@ -3,8 +3,8 @@
 use super::geometry::{ExactGeometry, Frame};
 use super::wavefront::Origin;
 use super::window::{GRAZE, Window, length};
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
 
 /// A target in one of the faces that it lies on.
 #[derive(Debug)]

@@ -5,9 +5,9 @@ use super::wavefront::{Origin, Wavefront};
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
-use crate::halfedge::{Face, Halfedge};
-use crate::path::{self, Path, PathPoint};
-use crate::sources::SurfacePoint;
+use heatwalk_surface::halfedge::{Face, Halfedge};
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::{Path, PathPoint};
 
 /// A line that passes a vertex at no more than this share of its length may go through it instead, if the vertex's
 /// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.
@@ -100,9 +100,7 @@ impl Wavefront {
             }
             place = self.at_point(root);
         }
-        let points = trace.points;
-        let normals = points.iter().map(|point| path::normal(&self.surface, point)).collect();
-        Ok(Path { points, normals })
+        Ok(Path::new(&self.surface, trace.points))
     }
 
     fn location_of_root(&self, root: u32) -> SurfacePoint {

@@ -7,8 +7,8 @@ use super::geometry::{ExactGeometry, Frame, after};
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{GRAZE, Window, length};
-use crate::sources::{Source, SurfacePoint};
-use crate::surface::Surface;
+use heatwalk_surface::point::{Source, SurfacePoint};
+use heatwalk_surface::surface::Surface;
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 1.0;
@@ -85,7 +85,7 @@ impl Wavefront {
     }
 
     /// Starts anew at other sources, without targets, in the memory held: clears only what has been touched.
-    pub(crate) fn restart(&mut self, sources: &[Source]) {
+    pub fn restart(&mut self, sources: &[Source]) {
         self.sources = sources.to_vec();
         self.targets = Targets::new(&self.surface, &self.geometry, &[]);
         for point in self.reached.drain(..) {

@@ -6,7 +6,7 @@ use crate::extremum::larger;
 use crate::heat::field::divergence;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
-use crate::sources::{Source, SurfacePoint};
+use heatwalk_surface::point::{Source, SurfacePoint};
 
 /// Share of its starting value by which the distance at a source may miss it for rounding.
 const ROUNDING: f64 = 1e-9;

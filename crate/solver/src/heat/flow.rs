@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
-use crate::linear::constraints::{Functional, Gram, System};
-use crate::sources::Source;
+use heatwalk_sparse::{Functional, Gram, System};
+use heatwalk_surface::point::Source;
 
 /// Heat at a source. Near the largest float, so that heat falls through 1,375 e-folds, not 708, before it reaches the
 /// smallest normal float.

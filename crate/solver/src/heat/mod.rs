@@ -17,13 +17,13 @@ use std::sync::{Arc, Mutex};
 use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
-use crate::linear::cholesky::Symbolic;
-use crate::linear::constraints::System;
-use crate::linear::responses::Responses;
-use crate::memory;
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
-use crate::surface::Surface;
+use heatwalk_sparse::Responses;
+use heatwalk_sparse::Symbolic;
+use heatwalk_sparse::System;
+use heatwalk_surface::memory;
+use heatwalk_surface::surface::Surface;
 
 pub use distance::{Distance, Refinement};
 use parameters::report;
@@ -67,7 +67,7 @@ const BYTES_PER_FACE: u64 = 256;
 pub struct HeatSolver {
     surface: Arc<Surface>,
     parameters: Parameters,
-    pub(crate) elements: Elements,
+    elements: Elements,
     laplacian: Laplacian,
     solve: Solve,
     /// `L`, with `pinned` held.
@@ -158,7 +158,7 @@ impl HeatSolver {
         let values = laplacian.combine(1.0 / time, |point| condition == Condition::Held && held[point]);
         let [from, to] = FACTORING_SHARES;
         let [poisson, system] = solve.systems(&laplacian, [(grounded, "Poisson"), (values, "heat")], &mut |share| {
-            report(progress, Stage::Factoring, from + (to - from) * share)
+            progress(Stage::Factoring, from + (to - from) * share)
         })?;
         let mut solver = Self {
             surface,
@@ -211,7 +211,7 @@ impl HeatSolver {
             let values = self.laplacian.combine(1.0 / time, |point| condition == Condition::Held && self.held[point]);
             let [system] = self.solve.systems(&self.laplacian, [(values, "heat")], &mut |share| {
                 let share = (index as f64 + share) / absent.len() as f64;
-                report(progress, Stage::Factoring, done + (1.0 - done) * share)
+                progress(Stage::Factoring, done + (1.0 - done) * share)
             })?;
             made.push(Heat { condition, time, system, responses: Mutex::default() });
         }
@@ -258,6 +258,12 @@ impl HeatSolver {
     /// What exact distances and paths need of the surface.
     pub fn exact_geometry(&self) -> &Arc<ExactGeometry> {
         &self.exact
+    }
+
+    /// The edges of the triangles that carry the operators: points, the lower first, and length, in the file's unit. Edges
+    /// of the same points whose lengths differ by a share of `tolerance` at most are there once.
+    pub fn operator_edges(&self, tolerance: f64) -> Vec<([u32; 2], f64)> {
+        self.elements.edges(tolerance)
     }
 
     /// The parameters in force.

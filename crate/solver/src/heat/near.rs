@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::exact::Wavefront;
 use crate::heat::{HeatSolver, NearField};
-use crate::sources::Source;
+use heatwalk_surface::point::Source;
 
 /// A radius that work has cut short is rounded down to a power of this in mean edges, so that moving or adding a
 /// source mostly leaves it, and with it the responses kept from before.
@@ -42,7 +42,7 @@ impl<'a> Near<'a> {
 
 impl HeatSolver {
     /// The wavefront of exact distances from some sources.
-    pub(crate) fn wavefront(&self, sources: &[Source]) -> Wavefront {
+    pub fn wavefront(&self, sources: &[Source]) -> Wavefront {
         Wavefront::new(Arc::clone(&self.surface), Arc::clone(&self.exact), sources, &[])
     }
 

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
-use crate::linear::constraints::{Functional, Gram, Response, System, evaluate};
-use crate::sources::Source;
-use crate::union_find::UnionFind;
+use heatwalk_sparse::{Functional, Gram, Response, System, evaluate};
+use heatwalk_surface::point::Source;
+use heatwalk_surface::union_find::UnionFind;
 
 /// Added to every entry of the Gram matrix of constraints whose amounts sum to 0, which it does not change: a
 /// constraint at the pinned point alone has a response of 0 and would not be seen.

@@ -1,14 +1,15 @@
 //! How the heat and Poisson systems of one surface are made ready, and whether there is room for it.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::parameters::MemoryLimit;
 use crate::error::{Error, Result};
-use crate::linear::cholesky::Symbolic;
-use crate::linear::conjugate_gradients::Matrix;
-use crate::linear::constraints::System;
-use crate::memory;
 use crate::operator::laplacian::Laplacian;
+use heatwalk_sparse::Matrix;
+use heatwalk_sparse::Symbolic;
+use heatwalk_sparse::System;
+use heatwalk_surface::memory;
 
 /// Matrices that are factored at the same time, at most.
 const SIDE_BY_SIDE: usize = 2;
@@ -54,13 +55,16 @@ impl Solve {
         &self,
         laplacian: &Laplacian,
         matrices: [(Vec<f64>, &'static str); N],
-        progress: &mut dyn FnMut(f64) -> Result<()>,
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<[System; N]> {
-        progress(0.0)?;
+        if progress(0.0).is_break() {
+            return Err(Error::Cancelled);
+        }
         Ok(match self {
             Self::Factored(symbolic) => {
-                let matrices = matrices.each_ref().map(|(values, name)| (values.as_slice(), *name));
-                symbolic.factor(matrices, progress)?.map(System::Cholesky)
+                let names = matrices.each_ref().map(|&(_, name)| name);
+                let factors = symbolic.factor(matrices.each_ref().map(|(values, _)| values.as_slice()), progress);
+                factors.map_err(|error| Error::of_matrices(&error, &names))?.map(System::Cholesky)
             }
             Self::Iterated => matrices
                 .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
@@ -68,7 +72,7 @@ impl Solve {
     }
 
     pub(super) fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
-        let [system] = self.systems(laplacian, [(values, name)], &mut |_| Ok(()))?;
+        let [system] = self.systems(laplacian, [(values, name)], &mut |_| ControlFlow::Continue(()))?;
         Ok(system)
     }
 }

@@ -1,8 +1,8 @@
 //! Linear elements: each triangle laid out in a plane of its own. All operators need no more of a surface.
 
-use crate::halfedge::{Face, Halfedge};
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::{Face, Halfedge};
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// A triangle in the plane with corners (0, 0), (`x1`, 0) and (`x2`, `y2`), counter-clockwise.
 #[derive(Debug, Clone, Copy)]

@@ -3,11 +3,11 @@
 //! Fisher, Springborn, Schröder, Bobenko, "An algorithm for the construction of intrinsic Delaunay triangulations"
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
-use crate::csr::NONE;
-use crate::halfedge::Halfedge;
 use crate::operator::elements::{Element, Elements, edge_statistics};
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::csr::NONE;
+use heatwalk_surface::halfedge::Halfedge;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// Share of the mean edge by which every triangle must miss being flat after mollification (Sharp and Crane, 4.5).
 const MOLLIFICATION: f64 = 1e-5;

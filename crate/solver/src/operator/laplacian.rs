@@ -4,10 +4,10 @@
 
 use std::sync::Arc;
 
-use crate::linear::Pattern;
 use crate::operator::Operator;
 use crate::operator::elements::Elements;
-use crate::surface::Surface;
+use heatwalk_sparse::Pattern;
+use heatwalk_surface::surface::Surface;
 
 /// The operators of one surface. Matrices are lower triangles in compressed columns: of each column the diagonal
 /// comes first, then the rows below in ascending order.

@@ -5,8 +5,8 @@ pub mod intrinsic;
 pub mod laplacian;
 mod relocate;
 
-use crate::surface::Surface;
 use elements::Elements;
+use heatwalk_surface::surface::Surface;
 use intrinsic::IntrinsicTriangulation;
 
 /// Which triangles carry the cotan weights.

@@ -5,8 +5,8 @@
 
 use glam::DVec3;
 
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// A triangle is bad where its height over the longest edge is less than this share of that edge: an angle of more
 /// than about 157°, or one below about 6°.

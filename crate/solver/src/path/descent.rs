@@ -7,14 +7,14 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{Path, PathPoint, faces_at, snapped, weights_in};
 use crate::dijkstra;
 use crate::error::{Error, Result};
-use crate::halfedge::Face;
 use crate::heat::Distance;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
+use heatwalk_surface::{Path, PathPoint};
 
 /// Follows the distance from `from` down to a source.
 ///
@@ -22,7 +22,7 @@ use crate::triangle;
 /// [`Error::Unreachable`] where the distance is infinite; [`Error::BadVertex`] and [`Error::BadPoint`] as
 /// [`SurfacePoint::validated`].
 pub fn descend(surface: &Surface, distance: &Distance, from: SurfacePoint) -> Result<Path> {
-    let start = snapped(surface, from.validated(surface)?);
+    let start = from.validated(surface)?.snapped(surface);
     if start.interpolate(surface, &distance.values).is_infinite() {
         return Err(Error::Unreachable);
     }
@@ -54,12 +54,12 @@ impl<'a> Descent<'a> {
     fn new(surface: &'a Surface, distance: &'a Distance, location: SurfacePoint) -> Self {
         let mut sources_of_face: HashMap<Face, Vec<SurfacePoint>> = HashMap::new();
         for &source in &distance.sources {
-            let source = snapped(surface, source);
-            for face in faces_at(surface, source) {
+            let source = source.snapped(surface);
+            for face in source.faces(surface) {
                 sources_of_face.entry(face).or_default().push(source);
             }
         }
-        let face = faces_at(surface, location).first().copied().unwrap_or(Face(0));
+        let face = location.faces(surface).first().copied().unwrap_or(Face(0));
         let points = vec![PathPoint { position: location.position(surface), location, face }];
         Self { surface, values: &distance.values, sources_of_face, location, points }
     }
@@ -82,7 +82,7 @@ impl<'a> Descent<'a> {
     fn arrive(&mut self) -> bool {
         let here = self.location.position(self.surface);
         let mut nearest: Option<(f64, SurfacePoint, Face)> = None;
-        for face in faces_at(self.surface, self.location) {
+        for face in self.location.faces(self.surface) {
             for &source in self.sources_of_face.get(&face).into_iter().flatten() {
                 let distance = triangle::length(source.position(self.surface) - here);
                 if nearest.is_none_or(|(best, ..)| distance < best) {
@@ -106,7 +106,7 @@ impl<'a> Descent<'a> {
             }
         };
         let (here, value) = (self.location.position(self.surface), self.value());
-        for face in faces_at(self.surface, self.location) {
+        for face in self.location.faces(self.surface) {
             if let Some((slope, location)) = self.cross(face) {
                 offer(slope, location, face);
             }
@@ -135,7 +135,7 @@ impl<'a> Descent<'a> {
     /// Where the line of steepest descent leaves a face, and its slope; `None` where it does not enter the face.
     fn cross(&self, face: Face) -> Option<(f64, SurfacePoint)> {
         let corners = self.surface.corners(face);
-        let weights = weights_in(self.surface, self.location, face);
+        let weights = self.location.weights_in(self.surface, face);
         let fall = Fall::new(corners, self.surface.faces[face].map(|point| self.values[point as usize]));
         let enters = |k: usize| weights[k] > 0.0 || fall.rates[k] >= 0.0;
         if !(0..3).all(enters) {
@@ -150,12 +150,12 @@ impl<'a> Descent<'a> {
             return None;
         }
         let weights = after.map(|weight| weight / sum);
-        Some((slope, snapped(self.surface, SurfacePoint::Face { face, weights })))
+        Some((slope, SurfacePoint::Face { face, weights }.snapped(self.surface)))
     }
 
     /// The lowest point of the faces around, where it is lower than here.
     fn lowest_corner(&self) -> Option<(SurfacePoint, Face)> {
-        let faces = faces_at(self.surface, self.location);
+        let faces = self.location.faces(self.surface);
         let corners = faces.iter().flat_map(|&face| self.surface.faces[face].map(|point| (point, face)));
         let (point, face) = corners.min_by(|a, b| self.values[a.0 as usize].total_cmp(&self.values[b.0 as usize]))?;
         (self.values[point as usize] < self.value()).then_some((SurfacePoint::Vertex(point), face))
@@ -173,7 +173,9 @@ impl<'a> Descent<'a> {
         let way = dijkstra::way_to(self.surface, start, goal)
             .expect("a finite distance means a source on the same connected piece");
         for point in way {
-            let shared = faces_at(self.surface, self.location)
+            let shared = self
+                .location
+                .faces(self.surface)
                 .into_iter()
                 .find(|&face| self.surface.faces[face].contains(&point))
                 .expect("consecutive points of a way along edges share a face");
@@ -185,7 +187,7 @@ impl<'a> Descent<'a> {
 }
 
 /// The steepest descent of a linear function on a triangle.
-pub(crate) struct Fall {
+pub struct Fall {
     /// Rates at which the barycentric weights change on the way down, to a common scale.
     pub rates: [f64; 3],
     /// Length of the gradient times twice the area.
@@ -217,7 +219,7 @@ impl Fall {
 
 /// The side, by the corner opposite, where a way with these rates leaves a triangle, and the multiple of the rates to
 /// there; `None` where all rates are zero.
-pub(crate) fn leaves(weights: [f64; 3], rates: [f64; 3]) -> Option<(usize, f64)> {
+pub fn leaves(weights: [f64; 3], rates: [f64; 3]) -> Option<(usize, f64)> {
     let mut first: Option<(usize, f64)> = None;
     for k in (0..3).filter(|&k| rates[k] < 0.0) {
         let step = weights[k] / -rates[k];

@@ -5,10 +5,10 @@ use std::collections::VecDeque;
 use glam::{DVec2, DVec3};
 
 use super::strip::{Portal, Strip, unfold};
-use crate::halfedge::Face;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// A line that passes a vertex within this share of the edge touches it: rounding of unfolding some ten faces.
 const TOUCH: f64 = 1e-14;

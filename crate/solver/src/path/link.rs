@@ -8,9 +8,9 @@ use std::collections::BinaryHeap;
 
 use super::funnel::Heading;
 use super::strip::Step;
-use crate::halfedge::Face;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// A way around a vertex from one direction to another.
 #[derive(Debug, Clone)]

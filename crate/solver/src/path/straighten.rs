@@ -15,11 +15,11 @@ use glam::DVec2;
 use super::funnel::{Piece, share_of, tighten};
 use super::link::{Turn, shortest_turn};
 use super::strip::{Step, Strip, unfold};
-use super::{Path, PathPoint, crossing, reduced};
-use crate::csr::NONE;
-use crate::halfedge::Face;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
+use heatwalk_surface::csr::NONE;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Path, PathPoint};
 
 /// A turn by less than this short of π, in radians, is none: to cut it would shorten the path by 10⁻¹⁵ of it, which is
 /// its rounding.
@@ -67,10 +67,10 @@ impl<'a> Chain<'a> {
     fn new(surface: &'a Surface, path: &Path) -> Option<Self> {
         let (first, rest) = path.points.split_first()?;
         let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), last_face: first.face };
-        let mut last = chain.add(reduced(surface, first.location), NONE);
+        let mut last = chain.add(first.location.reduced(surface), NONE);
         let mut strip = Strip::new(first.face);
         for (k, point) in rest.iter().enumerate() {
-            let location = reduced(surface, point.location);
+            let location = point.location.reduced(surface);
             match location {
                 SurfacePoint::Edge { halfedge, .. } if k + 1 < rest.len() => {
                     let [a, b] = surface.ends(halfedge);
@@ -219,8 +219,8 @@ impl<'a> Chain<'a> {
                 let (portals, end) = unfold(surface, &piece.strip, node.location, piece.to);
                 for (portal, step) in portals.iter().zip(&piece.strip.steps) {
                     let share = share_of(portal, DVec2::ZERO, end);
-                    let location = crossing(surface, step.face, portal.ends, share);
-                    add(reduced(surface, location), step.face);
+                    let location = SurfacePoint::on_edge(surface, step.face, portal.ends, share);
+                    add(location.reduced(surface), step.face);
                 }
             }
             last_face = piece.strip.last();

@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{Path, PathPoint, SNAP, crossing, faces_at, snapped, weights_in};
 use crate::error::{Error, Result};
-use crate::halfedge::Face;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
+use heatwalk_surface::{Path, PathPoint, SNAP};
 
 /// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
 const MOST_FACES: usize = 1 << 20;
@@ -46,7 +46,7 @@ pub fn straightest(
     direction: DVec3,
     length: f64,
 ) -> Result<Straightest> {
-    let location = snapped(surface, from.validated(surface)?);
+    let location = from.validated(surface)?.snapped(surface);
     if !(length >= 0.0 && length.is_finite()) {
         return Err(Error::BadParameter { name: "length", value: length.to_string(), range: "0 or more, and finite" });
     }
@@ -58,13 +58,14 @@ pub fn straightest(
     if !direction.is_finite() {
         return Err(bad_direction());
     }
-    let faces = faces_at(surface, location);
+    let faces = location.faces(surface);
     let direction = triangle::unit(direction);
     let (face, direction) = match face {
         Some(face) if faces.contains(&face) => (face, in_plane(surface, face, direction)),
         Some(face) => {
             let problem = "the point to start from does not lie on it".to_owned();
-            return Err(Error::BadPoint { face: face.0 as usize, weights: format!("{from:?}"), problem });
+            let weights = format!("{from:?}");
+            return Err(heatwalk_surface::Error::BadPoint { face: face.0 as usize, weights, problem }.into());
         }
         None => best_face(surface, location, &faces, direction),
     };
@@ -109,7 +110,7 @@ fn best_face(surface: &Surface, location: SurfacePoint, faces: &[Face], directio
 
 /// Whether a unit vector in the plane of a face leads from a point of it into it, or along its side but for rounding.
 fn points_inside(surface: &Surface, location: SurfacePoint, face: Face, direction: DVec3) -> bool {
-    let weights = weights_in(surface, location, face);
+    let weights = location.weights_in(surface, face);
     let rates = rates(surface, face, direction);
     let edges = triangle::edges(surface.corners(face));
     (0..3).all(|k| weights[k] > 0.0 || rates[k] >= -SNAP * triangle::length(edges[k]))
@@ -157,7 +158,7 @@ impl Walk<'_> {
     /// To where the line leaves the face, or to its end.
     fn cross_face(&mut self) {
         let (surface, face, here) = (self.surface, self.face, self.here());
-        let weights = weights_in(surface, here, face);
+        let weights = here.weights_in(surface, face);
         let rates = rates(surface, face, self.direction);
         let corners = surface.faces[face];
         let twice_area = triangle::length(triangle::area_vector(surface.corners(face)));
@@ -172,12 +173,12 @@ impl Walk<'_> {
                 let inside: [f64; 3] = std::array::from_fn(|k| (weights[k] + rate * rates[k]).max(0.0));
                 let sum: f64 = inside.iter().sum();
                 self.left = 0.0;
-                snapped(surface, SurfacePoint::Face { face, weights: inside.map(|weight| weight / sum) })
+                SurfacePoint::Face { face, weights: inside.map(|weight| weight / sum) }.snapped(surface)
             }
             Some((exit, length)) => {
                 let [i, j] = [(exit + 1) % 3, (exit + 2) % 3];
                 let [a, b] = [i, j].map(|k| (weights[k] + length / twice_area * rates[k]).max(0.0));
-                snapped(surface, crossing(surface, face, [corners[i], corners[j]], b / (a + b)))
+                SurfacePoint::on_edge(surface, face, [corners[i], corners[j]], b / (a + b)).snapped(surface)
             }
             // Among the rounding errors of a sliver: along it.
             None => {

@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::halfedge::Face;
-use crate::sources::SurfacePoint;
-use crate::surface::Surface;
-use crate::triangle;
+use heatwalk_surface::halfedge::Face;
+use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::triangle;
 
 /// Into the next face of a strip.
 #[derive(Debug, Clone, Copy)]

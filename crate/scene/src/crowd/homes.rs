@@ -1,0 +1,82 @@
+//! Where walkers arrive, and where they start.
+
+use crate::random::random_share;
+use heatwalk::Face;
+use heatwalk::Surface;
+use heatwalk::SurfacePoint;
+use heatwalk::surface::csr::Csr;
+
+/// The sources of a distance in the faces that they lie on, and the area that they can be reached from.
+#[derive(Debug, Clone)]
+pub(super) struct Homes {
+    sources: Vec<SurfacePoint>,
+    /// Barycentric weights of each source in each of its faces.
+    weights: Vec<[f64; 3]>,
+    /// `#F`, indices into `weights`.
+    of_face: Csr,
+    /// Per connected piece whether it has a source.
+    is_reached: Vec<bool>,
+    /// `#F`, area of the faces up to and with each; those on pieces without a source count nothing.
+    areas: Vec<f64>,
+}
+
+impl Homes {
+    pub fn new(surface: &Surface) -> Self {
+        Self {
+            sources: Vec::new(),
+            weights: Vec::new(),
+            of_face: Csr::group(surface.face_count(), std::iter::empty()),
+            is_reached: Vec::new(),
+            areas: Vec::new(),
+        }
+    }
+
+    /// Takes over the sources of a distance, which must have one at least.
+    pub fn follow(&mut self, surface: &Surface, sources: &[SurfacePoint]) {
+        if self.sources == sources {
+            return;
+        }
+        self.sources = sources.to_vec();
+        self.weights.clear();
+        let mut faces = Vec::new();
+        let mut is_reached = vec![false; surface.report.components];
+        for &source in sources {
+            is_reached[source.component(surface) as usize] = true;
+            let source = source.snapped(surface);
+            for face in source.faces(surface) {
+                faces.push(face.0);
+                self.weights.push(source.weights_in(surface, face));
+            }
+        }
+        self.of_face = Csr::group(surface.face_count(), faces.iter().copied());
+        if self.is_reached != is_reached {
+            let area = |face: Face| {
+                let piece = surface.component_of_point[surface.faces[face][0] as usize];
+                if is_reached[piece as usize] { surface.face_area(face) } else { 0.0 }
+            };
+            let sums = surface.mesh.faces().scan(0.0, |sum, face| {
+                *sum += area(face);
+                Some(*sum)
+            });
+            self.areas = sums.collect();
+            self.is_reached = is_reached;
+        }
+    }
+
+    /// Barycentric weights of the sources on a face.
+    pub fn in_face(&self, face: Face) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.of_face.row(face.0).iter().map(|&home| self.weights[home as usize])
+    }
+
+    /// A random point, by area, that a source can be reached from: its face and barycentric weights.
+    pub fn random_place(&self, state: &mut u64) -> (Face, [f64; 3]) {
+        let total = self.areas.last().copied().unwrap_or(0.0);
+        let wanted = random_share(state) * total;
+        // The product may round to the total; the face that completes it has an area, the last face need not have one.
+        let face = self.areas.partition_point(|&area| area <= wanted && area < total);
+        let [a, b] = [(); 2].map(|()| random_share(state));
+        // The other half of the parallelogram is turned onto the triangle.
+        let [a, b] = if a + b > 1.0 { [1.0 - a, 1.0 - b] } else { [a, b] };
+        (Face(face as u32), [1.0 - a - b, a, b])
+    }
+}

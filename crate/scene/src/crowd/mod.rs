@@ -1,0 +1,236 @@
+//! A crowd of walkers that go home down one distance: each along the steepest descent of the linear interpolation in its
+//! face, as [`descend`](crate::descend) does, but by one step at a time, so that the distance may change under way.
+//!
+//! Where it arrives a walker starts again elsewhere. So it does where nothing falls and no source is near (a minimum
+//! that heat made), and where its piece of the surface has lost its last source.
+
+mod flow;
+mod homes;
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use flow::{Flow, Place, combined};
+use heatwalk::Distance;
+use heatwalk::Face;
+use heatwalk::Surface;
+use heatwalk::surface::triangle;
+use heatwalk::{Error, Result};
+
+/// Faces that a walker enters in one step at most: more than any step of some edges goes through, and so few that a
+/// crowd among slivers does not hold up a frame for long. The rest of such a step is lost.
+const MOST_LEGS: usize = 256;
+
+/// Steps after which walkers are put in order again. On the way they go a few faces further, which costs little order,
+/// and ordering takes about as long as a step.
+const ORDERED_FOR: usize = 16;
+
+/// Numbers a walker in [`Crowd::poses`].
+const POSE: usize = 10;
+
+/// Someone on the way home.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Walker {
+    /// A face that it stands on.
+    pub face: Face,
+    /// Where in that face: barycentric weights, non-negative, of sum 1 but for rounding.
+    pub weights: [f64; 3],
+    /// The same place, in the file's unit.
+    pub position: DVec3,
+    /// Unit normal there, interpolated between the points' normals; the face's where those point below it.
+    pub upright: DVec3,
+    /// Unit vector at right angles to `upright`. It turns with the way over about a figure's height.
+    pub heading: DVec3,
+    /// Length walked since it started, in the file's unit.
+    pub arc: f64,
+}
+
+/// Walkers on a surface.
+#[derive(Debug, Clone)]
+pub struct Crowd {
+    surface: Arc<Surface>,
+    /// `#P`, position and normal of each point, the latter of unit length or zero where faces cancel. Walkers come to
+    /// points in no order, and find both in one place of memory.
+    footing: Vec<[DVec3; 2]>,
+    height: f64,
+    count: usize,
+    walkers: Vec<Walker>,
+    /// The walkers by face, as they stood up to [`ORDERED_FOR`] steps ago. In this order they are moved, so that most of
+    /// what a walker needs was just used by the one before: a step is mostly waiting for memory.
+    order: Vec<u32>,
+    /// Steps since.
+    steps: usize,
+    flow: Flow,
+    /// Of the random numbers.
+    state: u64,
+}
+
+impl Crowd {
+    /// A crowd of `count` walkers, `height` high in the file's unit. With the same `seed` they start at the same places.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] for a height that is not positive and finite.
+    pub fn new(surface: impl Into<Arc<Surface>>, count: usize, height: f64, seed: u64) -> Result<Self> {
+        if !(height > 0.0 && height.is_finite()) {
+            let value = height.to_string();
+            return Err(Error::BadParameter { name: "the height of walkers", value, range: "positive and finite" });
+        }
+        let surface = surface.into();
+        let points = 0..surface.point_count() as u32;
+        let footing = points.map(|point| [surface.position(point), surface.point_normal(point)]).collect();
+        let flow = Flow::new(&surface);
+        Ok(Self {
+            surface,
+            footing,
+            height,
+            count,
+            walkers: Vec::new(),
+            order: Vec::new(),
+            steps: 0,
+            flow,
+            state: seed,
+        })
+    }
+
+    /// The walkers that are out; none before the first [`advance`](Self::advance).
+    pub fn walkers(&self) -> &[Walker] {
+        &self.walkers
+    }
+
+    /// Changes the number of walkers. The first ones go on; more come with the next [`advance`](Self::advance).
+    pub fn set_count(&mut self, count: usize) {
+        self.count = count;
+        self.walkers.truncate(count);
+    }
+
+    /// Sends the walkers down a distance, from where they are.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`] for a distance without sources.
+    ///
+    /// # Panics
+    /// If the distance has another number of points than the surface.
+    pub fn follow(&mut self, distance: &Distance) -> Result<()> {
+        if distance.sources.is_empty() {
+            return Err(Error::NoSource);
+        }
+        assert_eq!(distance.values.len(), self.surface.point_count(), "the distance belongs to another surface");
+        self.flow.follow(&self.surface, distance);
+        Ok(())
+    }
+
+    /// Moves every walker by `step`, in the file's unit, along the surface down the distance. Those who arrive on the way
+    /// start again, and those who are missing start, spread by area over the pieces with a source; they stand there
+    /// until the next call. Without a distance to [`follow`](Self::follow) nobody is out.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] for a step that is negative or not finite.
+    pub fn advance(&mut self, step: f64) -> Result<()> {
+        if !(step >= 0.0 && step.is_finite()) {
+            return Err(Error::BadParameter { name: "step", value: step.to_string(), range: "0 or more, and finite" });
+        }
+        if self.flow.is_empty() {
+            return Ok(());
+        }
+        if self.steps.is_multiple_of(ORDERED_FOR) || self.order.len() != self.walkers.len() {
+            self.order = (0..self.walkers.len() as u32).collect();
+            self.order.sort_by_cached_key(|&walker| self.walkers[walker as usize].face);
+            self.steps = 0;
+        }
+        self.steps += 1;
+        let turn = -(-step / self.height).exp_m1();
+        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, turn };
+        for &walker in &self.order {
+            let walker = &mut self.walkers[walker as usize];
+            *walker = ground.walked(walker, step).unwrap_or_else(|| ground.start(&mut self.state));
+        }
+        let missing = self.count - self.walkers.len();
+        self.walkers.extend((0..missing).map(|_| ground.start(&mut self.state)));
+        Ok(())
+    }
+
+    /// `#walkers × 10`, each walker's position, upright, heading (three numbers each) and arc.
+    pub fn poses(&self) -> Vec<f32> {
+        let mut poses = Vec::with_capacity(POSE * self.walkers.len());
+        for walker in &self.walkers {
+            for vector in [walker.position, walker.upright, walker.heading] {
+                poses.extend(vector.as_vec3().to_array());
+            }
+            poses.push(walker.arc as f32);
+        }
+        poses
+    }
+}
+
+/// What walkers walk on in one step.
+struct Ground<'a> {
+    surface: &'a Surface,
+    flow: &'a Flow,
+    /// `#P`, position and normal.
+    footing: &'a [[DVec3; 2]],
+    /// Share of a turn that a step makes.
+    turn: f64,
+}
+
+impl Ground<'_> {
+    /// A walker after a step; `None` where its way ends before.
+    fn walked(&self, walker: &Walker, step: f64) -> Option<Walker> {
+        let mut place = Place { face: walker.face, weights: walker.weights };
+        let mut left = step;
+        for _ in 0..MOST_LEGS {
+            let leg = self.flow.leg(self.surface, place)?;
+            if left < leg.length {
+                place = leg.at(left / leg.length);
+                left = 0.0;
+                break;
+            }
+            if leg.is_last {
+                return None;
+            }
+            place = leg.end();
+            left -= leg.length;
+        }
+        let (position, upright) = self.stand(place);
+        let heading = turned(walker.heading, position - walker.position, upright, self.turn);
+        let Place { face, weights } = place;
+        Some(Walker { face, weights, position, upright, heading, arc: walker.arc + (step - left) })
+    }
+
+    /// A walker at a random place, facing the way that it will go.
+    fn start(&self, state: &mut u64) -> Walker {
+        let (face, weights) = self.flow.homes.random_place(state);
+        let place = Place { face, weights };
+        let (position, upright) = self.stand(place);
+        let ahead = self.flow.leg(self.surface, place).map_or(DVec3::ZERO, |leg| leg.way(self.surface));
+        let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
+        Walker { face, weights, position, upright, heading, arc: 0.0 }
+    }
+
+    /// Position and upright at a place.
+    fn stand(&self, Place { face, weights }: Place) -> (DVec3, DVec3) {
+        let footing = self.surface.faces[face].map(|point| self.footing[point as usize]);
+        let corners = footing.map(|[position, _]| position);
+        let mean = combined(footing.map(|[_, normal]| normal), weights);
+        let is_above = mean.dot(triangle::area_vector(corners)) > 0.0;
+        let upright = if is_above { mean.normalize() } else { self.surface.face_normal(face) };
+        (combined(corners, weights), upright)
+    }
+}
+
+/// The heading after a share of the turn to a direction, both laid at right angles to `upright`.
+fn turned(heading: DVec3, direction: DVec3, upright: DVec3, share: f64) -> DVec3 {
+    let laid = |vector: DVec3| vector - upright * upright.dot(vector);
+    let (heading, direction) = (laid(heading), laid(direction).normalize_or_zero());
+    // The mean with a direction behind would hardly turn, or vanish: first to the side.
+    let goal = if heading.dot(direction) < 0.0 {
+        let left = upright.cross(heading);
+        if left.dot(direction) < 0.0 { -left } else { left }
+    } else if direction == DVec3::ZERO {
+        heading
+    } else {
+        direction
+    };
+    // Laid again, for a vector along the normal leaves nothing but rounding.
+    laid(heading + (goal - heading) * share).try_normalize().unwrap_or_else(|| upright.any_orthonormal_vector())
+}

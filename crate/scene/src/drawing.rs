@@ -1,0 +1,98 @@
+//! Vertices for drawing: smooth normals, split at creases and where the file has seams.
+
+use glam::DVec3;
+
+use heatwalk::Surface;
+use heatwalk::surface::triangle;
+use heatwalk::{Face, Halfedge};
+
+/// Flat arrays ready for a graphics card.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct DrawMesh {
+    /// `#D × 3`, in the file's unit.
+    pub positions: Vec<f32>,
+    /// `#D × 3`, unit length: face normals around the vertex, weighted by angle, up to the creases.
+    pub normals: Vec<f32>,
+    /// `#F × 3` drawn vertices, in the order and orientation of the surface's faces.
+    pub triangles: Vec<u32>,
+    /// `#D`, the point of each drawn vertex.
+    pub point_of_drawn: Vec<u32>,
+    /// `#D`, the soup vertex of each drawn vertex, with its texture coordinates.
+    pub input_of_drawn: Vec<u32>,
+}
+
+/// Makes the vertices to draw. An edge is a crease where the normals of its faces differ by more than `crease_angle`
+/// (radians, 0 to π), and where the surface is cut or ends.
+pub fn draw_mesh(surface: &Surface, crease_angle: f64) -> DrawMesh {
+    let face_normals: Vec<DVec3> = surface.mesh.faces().map(|face| surface.face_normal(face)).collect();
+    let corners = surface.face_count() * 3;
+    let mut sectors = Sectors { parent: (0..corners as u32).collect() };
+    let least_cosine = crease_angle.cos();
+    for halfedge in (0..corners as u32).map(Halfedge) {
+        let twin = surface.mesh.twin(halfedge);
+        if twin < halfedge || surface.mesh.is_boundary(surface.mesh.face(twin)) {
+            continue;
+        }
+        let [left, right] = [halfedge, twin].map(|side| face_normals[surface.mesh.face(side).0 as usize]);
+        if left.dot(right) >= least_cosine {
+            // A half-edge is also the corner that it leaves.
+            sectors.join(halfedge.0, surface.mesh.next(twin).0);
+            sectors.join(twin.0, surface.mesh.next(halfedge).0);
+        }
+    }
+    let mut sector_normals = vec![DVec3::ZERO; corners];
+    for corner in 0..corners {
+        let (face, k) = (corner / 3, corner % 3);
+        let mut positions = surface.corners(Face(face as u32));
+        positions.rotate_left(k);
+        let sector = sectors.root(corner as u32);
+        sector_normals[sector as usize] += face_normals[face] * triangle::angle(positions);
+    }
+    let mut drawing = DrawMesh { triangles: vec![0; corners], ..DrawMesh::default() };
+    let mut around: Vec<(u32, u32, u32)> = Vec::new();
+    for point in 0..surface.point_count() as u32 {
+        around.clear();
+        around.extend(surface.corners_of_point(point).map(|(face, k)| {
+            let corner = face.0 * 3 + k as u32;
+            (sectors.root(corner), surface.inputs_of_face[face][k], corner)
+        }));
+        around.sort_unstable();
+        for group in around.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let (sector, input, corner) = group[0];
+            let drawn = drawing.point_of_drawn.len() as u32;
+            let mut normal = triangle::unit(sector_normals[sector as usize]);
+            if normal == DVec3::ZERO {
+                normal = face_normals[corner as usize / 3];
+            }
+            drawing.positions.extend(surface.position(point).as_vec3().to_array());
+            drawing.normals.extend(normal.as_vec3().to_array());
+            drawing.point_of_drawn.push(point);
+            drawing.input_of_drawn.push(input);
+            for &(_, _, corner) in group {
+                drawing.triangles[corner as usize] = drawn;
+            }
+        }
+    }
+    drawing
+}
+
+/// Disjoint sets of corners that share a normal.
+struct Sectors {
+    parent: Vec<u32>,
+}
+
+impl Sectors {
+    fn root(&mut self, mut corner: u32) -> u32 {
+        while self.parent[corner as usize] != corner {
+            let above = self.parent[corner as usize];
+            self.parent[corner as usize] = self.parent[above as usize];
+            corner = above;
+        }
+        corner
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b) as usize] = a.min(b);
+    }
+}

@@ -1,0 +1,73 @@
+//! Generated surfaces: everything a page or a test needs without a file. All are deterministic, `y` is up, triangles
+//! are counter-clockwise seen from outside.
+
+mod animal;
+mod bodies;
+mod figure;
+mod horse;
+mod implicit;
+mod maze;
+mod parametric;
+mod skull;
+mod terrain;
+mod triceratops;
+
+pub use animal::animal;
+pub use bodies::{high_genus, ring};
+pub use horse::horse;
+pub use maze::maze;
+pub use parametric::{cylinder, grid, hemisphere, icosphere, strip, torus, uv_sphere};
+pub use skull::skull;
+pub use terrain::terrain;
+pub use triceratops::triceratops;
+
+use heatwalk::Soup;
+use heatwalk::{Error, Result};
+
+const NAMES: [&str; 13] = [
+    "animal",
+    "horse",
+    "triceratops",
+    "skull",
+    "maze",
+    "high_genus",
+    "ring",
+    "hemisphere",
+    "terrain",
+    "torus",
+    "icosphere",
+    "uv_sphere",
+    "strip",
+];
+const NAMES_IN_WORDS: &str = "one of animal, horse, triceratops, skull, maze, high_genus, ring, hemisphere, terrain, \
+                              torus, icosphere, uv_sphere, strip";
+
+/// The names that [`by_name`] takes.
+pub fn names() -> &'static [&'static str] {
+    &NAMES
+}
+
+/// A shape at its default resolution, 5,000 to 50,000 triangles.
+///
+/// # Errors
+/// [`Error::BadParameter`] for a name that is not in [`names`].
+pub fn by_name(name: &str) -> Result<Soup> {
+    Ok(match name {
+        "animal" => animal(0.024),
+        "horse" => horse(0.022),
+        "triceratops" => triceratops(0.032),
+        "skull" => skull(0.032),
+        "maze" => maze(10, 6),
+        "high_genus" => high_genus(0.065),
+        "ring" => ring(0.034),
+        "hemisphere" => hemisphere(48),
+        "terrain" => terrain(128),
+        "torus" => torus(1.0, 0.4, 144, 60),
+        "icosphere" => icosphere(5),
+        "uv_sphere" => uv_sphere(96, 48),
+        "strip" => strip(1.0, 40.0, 8),
+        _ => {
+            return Err(Error::BadParameter { name: "shape", value: name.to_owned(), range: NAMES_IN_WORDS });
+        }
+    })
+}

@@ -1,0 +1,62 @@
+//! Lines that show how a surface is meshed.
+
+#[path = "../../solver/tests/common/mod.rs"]
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::surface;
+use glam::DVec3;
+use heatwalk::{HeatSolver, Operator, Parameters};
+use heatwalk_scene::overlay::{self, Segment};
+use heatwalk_scene::shapes;
+
+fn total(segments: &[Segment]) -> f64 {
+    segments.iter().map(|[a, b]| a.distance(*b)).sum()
+}
+
+#[test]
+fn a_closed_surface_has_half_as_many_edges_again_as_faces_and_no_boundary() {
+    let torus = surface(&shapes::torus(1.0, 0.4, 24, 12));
+    assert_eq!(2 * overlay::inner_edges(&torus).len(), 3 * torus.face_count());
+    assert!(overlay::boundary_edges(&torus).is_empty());
+}
+
+#[test]
+fn the_boundary_of_a_strip_is_its_outline() {
+    let strip = surface(&shapes::strip(1.0, 4.0, 2));
+    // Sums of a few dozen lengths.
+    assert!((total(&overlay::boundary_edges(&strip)) - 10.0).abs() < 1e-12);
+}
+
+#[test]
+fn edges_of_the_plain_operator_are_those_of_the_mesh() {
+    let sphere = surface(&shapes::uv_sphere(24, 12));
+    let edges = overlay::inner_edges(&sphere).len();
+    let plain = Parameters { operator: Operator::Plain, ..Parameters::default() };
+    let solver = HeatSolver::new(sphere, plain, &mut |_, _| ControlFlow::Continue(())).expect("a sphere");
+    assert_eq!(overlay::operator_edges(&solver).len(), edges);
+}
+
+#[test]
+fn a_flipped_edge_is_drawn_across_faces_with_its_own_length() {
+    // Two obtuse triangles folded along their longest edge, closed by four long ones: the Delaunay edge
+    // crosses the fold.
+    let corners = [[-0.2, 0.0, 0.4], [4.0, 0.5, 0.0], [-4.0, 0.5, 0.0], [0.2, 0.0, -0.4], [0.0, -8.0, 0.0]];
+    let triangles = vec![[0, 1, 2], [3, 2, 1], [1, 0, 4], [0, 2, 4], [2, 3, 4], [3, 1, 4]];
+    let tent = surface(&common::soup(corners.map(DVec3::from_array).to_vec(), triangles));
+    let expected = {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|point| tent.position(point));
+        // Unfolded about the edge between b and c.
+        let along = (c - b).normalize();
+        let place = |p: DVec3| ((p - b).dot(along), (p - b).cross(along).length());
+        let ((ax, ay), (dx, dy)) = (place(a), place(d));
+        (ax - dx).hypot(ay + dy)
+    };
+    let solver = HeatSolver::new(tent, Parameters::default(), &mut |_, _| ControlFlow::Continue(())).expect("a tent");
+    let is_on_fold = |point: &DVec3| point.y == 0.5 && point.x.abs() < 1.0;
+    let crossing: Vec<Segment> =
+        overlay::operator_edges(&solver).into_iter().filter(|ends| ends.iter().any(is_on_fold)).collect();
+    assert_eq!(crossing.len(), 2);
+    assert!((total(&crossing) - expected).abs() < 1e-12 * expected, "{crossing:?}");
+}

@@ -1,0 +1,83 @@
+//! Conjugate gradients with multigrid as preconditioner: little to prepare, little memory, tens of steps at every solve.
+//!
+//! Hestenes and Stiefel (1952); Notay, "Flexible conjugate gradients" (2000), because the preconditioner is not linear.
+//! It stops at a residual relative to the right side, so all that is smaller than that share of the largest value is
+//! noise: heat far from its sources is lost, which a factorisation keeps.
+
+use std::sync::Arc;
+
+use crate::error::{Error, Result};
+use crate::multigrid::Multigrid;
+use crate::pattern::Pattern;
+use crate::vector::dot;
+
+/// The residual at which it stops, as a share of the right side.
+const TOLERANCE: f64 = 1e-12;
+
+/// A symmetric positive definite matrix, to be solved iteratively.
+#[derive(Debug)]
+pub struct Matrix {
+    multigrid: Multigrid,
+}
+
+impl Matrix {
+    /// A matrix of these values of the lower triangle, with its coarser grids.
+    pub fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
+        Self { multigrid: Multigrid::new(pattern, values) }
+    }
+
+    /// Number of rows.
+    pub fn size(&self) -> usize {
+        self.multigrid.size()
+    }
+
+    /// The solution for one right side.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
+        self.solve_counting(right).map(|(solution, _)| solution)
+    }
+
+    /// The solution, and the steps that it took.
+    pub fn solve_counting(&self, right: &[f64]) -> Result<(Vec<f64>, usize)> {
+        let size = right.len();
+        // Heat comes near the largest float, whose square would overflow.
+        let scale = right.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        if scale == 0.0 {
+            return Ok((vec![0.0; size], 0));
+        }
+        let mut residual: Vec<f64> = right.iter().map(|value| value / scale).collect();
+        let goal = TOLERANCE * TOLERANCE * dot(&residual, &residual);
+        let mut scratch = self.multigrid.scratch();
+        let mut solution = vec![0.0; size];
+        let mut guess = vec![0.0; size];
+        let mut direction = vec![0.0; size];
+        let mut image = vec![0.0; size];
+        // Of the last direction with its image; none at first.
+        let mut curvature = f64::INFINITY;
+        // In exact arithmetic as many steps as unknowns are enough; rounding may take a few times more.
+        let most = 10 * size + 100;
+        for steps in 0..most {
+            if dot(&residual, &residual) <= goal {
+                return Ok((solution.into_iter().map(|value| value * scale).collect(), steps));
+            }
+            self.multigrid.precondition(&residual, &mut guess, &mut scratch);
+            let share = dot(&guess, &image) / curvature;
+            for (direction, guess) in direction.iter_mut().zip(&guess) {
+                *direction = guess - share * *direction;
+            }
+            self.multigrid.multiply(&direction, &mut image);
+            curvature = dot(&direction, &image);
+            let step = dot(&guess, &residual) / curvature;
+            if !step.is_finite() {
+                break;
+            }
+            for row in 0..size {
+                solution[row] += step * direction[row];
+                residual[row] -= step * image[row];
+            }
+        }
+        Err(Error::NotConverged { iterations: most })
+    }
+}

@@ -1,0 +1,176 @@
+//! Solves with a Cholesky factor: whole vectors, and right sides that are zero almost everywhere.
+//!
+//! Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 3.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::cholesky::{Supernode, Symbolic};
+use crate::columns::Column;
+use crate::error::{Error, Result};
+use crate::multifrontal::{Factorisation, Failure};
+use crate::substitution;
+use crate::vector::{Work, widest};
+
+/// Sparse right sides that are gone through side by side.
+const LANES: usize = 8;
+
+/// The Cholesky factor `C` of one matrix `A = C Cᵀ`.
+#[derive(Debug)]
+pub struct Factor {
+    symbolic: Arc<Symbolic>,
+    /// Supernodes one after another, each a dense column-major block of its own rows, then the rows below.
+    values: Vec<f64>,
+}
+
+impl Symbolic {
+    /// Factors matrices of the pattern side by side, which takes less time than one after another. Each is given by
+    /// the values of its lower triangle. `progress` is told the share of the work done; `Break` ends it.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`] with the row of the failing pivot; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    pub fn factor<const N: usize>(
+        self: &Arc<Self>,
+        matrices: [&[f64]; N],
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<[Factor; N]> {
+        match widest(Factorisation { symbolic: self, matrices, progress }) {
+            Ok(factors) => Ok(factors.map(|values| Factor { symbolic: Arc::clone(self), values })),
+            Err(Failure::Stopped) => Err(Error::Cancelled),
+            Err(Failure::OutOfMemory) => Err(Error::OutOfMemory { stage: "factoring" }),
+            Err(Failure::NotPositive { unknown, lane }) => {
+                Err(Error::NotPositiveDefinite { matrix: lane, row: self.permutation.old_of_new[unknown] as usize })
+            }
+        }
+    }
+}
+
+impl Factor {
+    /// Number of stored entries, zeros inside supernodes counted.
+    pub fn nonzeros(&self) -> usize {
+        self.values.len()
+    }
+
+    /// A supernode and its dense block.
+    #[inline(always)]
+    fn block(&self, index: usize) -> (Supernode<'_>, &[f64]) {
+        let supernode = self.symbolic.supernode(index);
+        let block = &self.values[supernode.values.clone()];
+        (supernode, block)
+    }
+
+    /// `C⁻¹ right`, in the elimination order.
+    pub(crate) fn forward(&self, right: &[f64]) -> Vec<f64> {
+        let old_of_new = &self.symbolic.permutation.old_of_new;
+        let mut x: Vec<f64> = old_of_new.iter().map(|&old| right[old as usize]).collect();
+        widest(Forward { factor: self, supernodes: 0..self.symbolic.supernode_count(), x: &mut x });
+        x
+    }
+
+    /// The same for a right side that is zero but at a few rows, given as `(row, value)`: only the ancestors of these
+    /// rows in the elimination tree are touched.
+    pub(crate) fn forward_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+        let mut x = vec![0.0; self.symbolic.size()];
+        for &(row, value) in right {
+            x[self.unknown(row)] += value;
+        }
+        let supernodes = self.reach(right);
+        widest(Forward { factor: self, supernodes: supernodes.iter().map(|&index| index as usize), x: &mut x });
+        x
+    }
+
+    /// `C⁻ᵀ x` for a vector in the elimination order; the result is in the order of the matrix.
+    pub(crate) fn backward(&self, mut x: Vec<f64>) -> Vec<f64> {
+        widest(Backward { factor: self, x: &mut x });
+        let new_of_old = &self.symbolic.permutation.new_of_old;
+        new_of_old.iter().map(|&new| x[new as usize]).collect()
+    }
+
+    /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
+    pub(crate) fn columns(&self, rights: &[&[(u32, f64)]]) -> Vec<Column> {
+        rights.chunks(LANES).flat_map(|rights| widest(Columns { factor: self, rights })).collect()
+    }
+
+    fn reach(&self, right: &[(u32, f64)]) -> Vec<u32> {
+        self.symbolic.reach(right.iter().map(|&(row, _)| self.unknown(row)))
+    }
+
+    fn unknown(&self, row: u32) -> usize {
+        self.symbolic.permutation.new_of_old[row as usize] as usize
+    }
+}
+
+/// `x ← C⁻¹ x`, by the supernodes that matter.
+struct Forward<'a, I> {
+    factor: &'a Factor,
+    supernodes: I,
+    x: &'a mut [f64],
+}
+
+impl<I: Iterator<Item = usize>> Work for Forward<'_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
+        let mut change = Vec::new();
+        for index in self.supernodes {
+            let (supernode, block) = self.factor.block(index);
+            substitution::forward::<FUSED>(&supernode, block, self.x, &mut change);
+        }
+    }
+}
+
+/// `x ← C⁻ᵀ x`.
+struct Backward<'a> {
+    factor: &'a Factor,
+    x: &'a mut [f64],
+}
+
+impl Work for Backward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
+        let mut known = Vec::new();
+        for index in (0..self.factor.symbolic.supernode_count()).rev() {
+            let (supernode, block) = self.factor.block(index);
+            substitution::backward::<FUSED>(&supernode, block, self.x, &mut known);
+        }
+    }
+}
+
+/// `C⁻¹ right` for up to [`LANES`] sparse right sides: each block of the factor is read once for all.
+struct Columns<'a> {
+    factor: &'a Factor,
+    rights: &'a [&'a [(u32, f64)]],
+}
+
+impl Work for Columns<'_> {
+    type Output = Vec<Column>;
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) -> Vec<Column> {
+        let Self { factor, rights } = self;
+        let mut x = vec![[0.0; LANES]; factor.symbolic.size()];
+        // Every supernode that is touched, with the right sides that touch it.
+        let mut touched: Vec<(u32, u32)> = Vec::new();
+        for (lane, right) in rights.iter().enumerate() {
+            for &(row, value) in *right {
+                x[factor.unknown(row)][lane] += value;
+            }
+            touched.extend(factor.reach(right).into_iter().map(|index| (index, lane as u32)));
+        }
+        touched.sort_unstable();
+        let mut columns = vec![Column::default(); rights.len()];
+        let mut change = Vec::new();
+        for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
+            let (supernode, block) = factor.block(lanes[0].0 as usize);
+            substitution::forward_lanes::<LANES, FUSED>(&supernode, block, &mut x, &mut change);
+            let own = &x[supernode.start..supernode.start + supernode.width];
+            for &(_, lane) in lanes {
+                columns[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));
+            }
+        }
+        columns
+    }
+}

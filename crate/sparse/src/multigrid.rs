@@ -1,0 +1,198 @@
+//! Algebraic multigrid as preconditioner: an approximate inverse in time and memory proportional to the unknowns.
+//!
+//! Notay, "An aggregation-based algebraic multigrid method" (2010): the K-cycle of section 3, with a Gauss-Seidel sweep
+//! up and one down. What neighbours share is solved on a coarser grid, each of whose unknowns stands for some five of
+//! the finer, and there in the same way, until no rows are coupled.
+
+mod aggregation;
+
+use std::sync::Arc;
+
+use crate::pattern::NONE;
+use crate::pattern::Pattern;
+use crate::vector::dot;
+use aggregation::{Coarse, coarsen};
+
+/// Least share of the second of two directions that is not along the first. Rounding of the sums before is some 1e-15.
+const DEPENDENT: f64 = 1e-11;
+
+/// A symmetric positive definite matrix with its coarser grids.
+#[derive(Debug)]
+pub(crate) struct Multigrid {
+    /// The matrix itself first.
+    grids: Vec<Grid>,
+}
+
+#[derive(Debug)]
+struct Grid {
+    pattern: Arc<Pattern>,
+    values: Vec<f64>,
+    /// Of the diagonal entries: each row waits for the one before, and a division would be most of that.
+    inverse: Vec<f64>,
+    /// Row of the next grid that each row is part of; [`NONE`] where it is in none, empty on the last grid.
+    aggregates: Vec<u32>,
+}
+
+/// Memory for the cycle on one grid: vectors of its size, of which the finest grid needs the first only.
+#[derive(Debug)]
+pub(crate) struct Scratch {
+    rest: Vec<f64>,
+    right: Vec<f64>,
+    solution: Vec<f64>,
+    image: Vec<f64>,
+    second: Vec<f64>,
+}
+
+impl Multigrid {
+    /// Makes the coarser grids, which have about a third of the matrix's entries together.
+    pub(crate) fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
+        let mut grids = vec![Grid::new(pattern, values)];
+        loop {
+            let last = grids.last_mut().expect("there is always one");
+            let Coarse { aggregates, pattern, values } = coarsen(&last.pattern, &last.values);
+            if pattern.size() == 0 {
+                return Self { grids };
+            }
+            last.aggregates = aggregates;
+            grids.push(Grid::new(Arc::new(pattern), values));
+        }
+    }
+
+    /// Number of rows.
+    pub(crate) fn size(&self) -> usize {
+        self.grids[0].pattern.size()
+    }
+
+    /// `result = A vector`.
+    pub(crate) fn multiply(&self, vector: &[f64], result: &mut [f64]) {
+        self.grids[0].multiply(vector, result);
+    }
+
+    /// Memory for [`Multigrid::precondition`].
+    pub(crate) fn scratch(&self) -> Vec<Scratch> {
+        let of_grid = |(index, grid): (usize, &Grid)| {
+            let size = grid.pattern.size();
+            let coarse = || vec![0.0; if index > 0 { size } else { 0 }];
+            Scratch { rest: vec![0.0; size], right: coarse(), solution: coarse(), image: coarse(), second: coarse() }
+        };
+        self.grids.iter().enumerate().map(of_grid).collect()
+    }
+
+    /// Writes an approximation of `A⁻¹ right` to `solution`. It is not linear in `right`.
+    pub(crate) fn precondition(&self, right: &[f64], solution: &mut [f64], scratch: &mut [Scratch]) {
+        cycle(&self.grids, right, solution, scratch);
+    }
+}
+
+/// Smooths, corrects by the next grid, smooths again.
+fn cycle(grids: &[Grid], right: &[f64], solution: &mut [f64], scratch: &mut [Scratch]) {
+    let [grid, coarser @ ..] = grids else { return };
+    let [Scratch { rest, .. }, scratch @ ..] = scratch else { return };
+    grid.smooth_up(right, solution, rest);
+    if !coarser.is_empty() {
+        scratch[0].right.fill(0.0);
+        for (&aggregate, rest) in grid.aggregates.iter().zip(&*rest) {
+            if aggregate != NONE {
+                scratch[0].right[aggregate as usize] += rest;
+            }
+        }
+        correct(coarser, scratch);
+        for (&aggregate, value) in grid.aggregates.iter().zip(&mut *solution) {
+            if aggregate != NONE {
+                *value += scratch[0].solution[aggregate as usize];
+            }
+        }
+    }
+    grid.smooth_down(right, solution, rest);
+}
+
+/// Solves roughly for the right side of the first of these grids, by two steps of conjugate gradients. Notay leaves the
+/// second out where the first did well; then the preconditioner is another one from step to step, and on obtuse
+/// triangles the steps outside become several times as many.
+fn correct(grids: &[Grid], scratch: &mut [Scratch]) {
+    visit(grids, scratch, |scratch| &mut scratch.solution);
+    let Scratch { right, solution, image, .. } = &mut scratch[0];
+    grids[0].multiply(solution, image);
+    let energy = dot(solution, image);
+    if energy <= 0.0 {
+        return;
+    }
+    let mut step = dot(solution, right) / energy;
+    for (right, image) in right.iter_mut().zip(&*image) {
+        *right -= step * image;
+    }
+    visit(grids, scratch, |scratch| &mut scratch.second);
+    let Scratch { rest, right, solution, image, second } = &mut scratch[0];
+    grids[0].multiply(second, rest);
+    let (shared, whole) = (dot(second, image), dot(second, rest));
+    let own = whole - shared * shared / energy;
+    let mut second_step = 0.0;
+    if own > DEPENDENT * whole {
+        second_step = dot(second, right) / own;
+        step -= shared / energy * second_step;
+    }
+    for (value, second) in solution.iter_mut().zip(&*second) {
+        *value = step * *value + second_step * second;
+    }
+}
+
+/// A cycle for the right side of the first of these grids, its solution written where `target` says.
+fn visit(grids: &[Grid], scratch: &mut [Scratch], target: impl Fn(&mut Scratch) -> &mut Vec<f64>) {
+    let right = std::mem::take(&mut scratch[0].right);
+    let mut solution = std::mem::take(target(&mut scratch[0]));
+    cycle(grids, &right, &mut solution, scratch);
+    scratch[0].right = right;
+    *target(&mut scratch[0]) = solution;
+}
+
+impl Grid {
+    fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
+        let inverse = (0..pattern.size()).map(|row| 1.0 / values[pattern.column(row).start]).collect();
+        Self { pattern, values, inverse, aggregates: Vec::new() }
+    }
+
+    /// The entries of a column below its diagonal, as `(row, value)`.
+    #[inline(always)]
+    fn below(&self, column: usize) -> impl Iterator<Item = (usize, f64)> {
+        let std::ops::Range { start, end } = self.pattern.column(column);
+        let rows = self.pattern.rows[start + 1..end].iter();
+        rows.zip(&self.values[start + 1..end]).map(|(&row, &value)| (row as usize, value))
+    }
+
+    /// `result = A vector`.
+    fn multiply(&self, vector: &[f64], result: &mut [f64]) {
+        result.fill(0.0);
+        self.pattern.multiply_add(&self.values, vector, result);
+    }
+
+    /// A Gauss-Seidel sweep from zero, in ascending order; leaves the residual in `rest`.
+    fn smooth_up(&self, right: &[f64], solution: &mut [f64], rest: &mut [f64]) {
+        rest.copy_from_slice(right);
+        for column in 0..right.len() {
+            let value = rest[column] * self.inverse[column];
+            solution[column] = value;
+            for (row, entry) in self.below(column) {
+                rest[row] -= entry * value;
+            }
+        }
+        // Each row was solved with zeros for the rows after it; what they became is its residual.
+        for column in 0..right.len() {
+            rest[column] = -self.below(column).map(|(row, entry)| entry * solution[row]).sum::<f64>();
+        }
+    }
+
+    /// A Gauss-Seidel sweep in descending order. `rest` is memory for it.
+    fn smooth_down(&self, right: &[f64], solution: &mut [f64], rest: &mut [f64]) {
+        rest.copy_from_slice(right);
+        for column in 0..right.len() {
+            let value = solution[column];
+            for (row, entry) in self.below(column) {
+                rest[row] -= entry * value;
+            }
+        }
+        for column in (0..right.len()).rev() {
+            let later: f64 = self.below(column).map(|(row, entry)| entry * solution[row]).sum();
+            solution[column] = (rest[column] - later) * self.inverse[column];
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What can go wrong, with the element at fault and a remedy.
+
+use thiserror::Error;
+
+/// Result with this crate's [`enum@Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Every failure of the crate. The message is one sentence for a person: what is wrong, where, what to do.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file's extension and first bytes match no reader.
+    #[error("{name}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY or STL")]
+    UnknownFormat {
+        /// File name as given.
+        name: String,
+    },
+    /// The file breaks the rules of its format.
+    #[error("{format}, {place}: {problem}")]
+    Malformed {
+        /// Format, for example `"PLY"`.
+        format: &'static str,
+        /// Where: a line, a byte offset or the name of an element.
+        place: String,
+        /// What is wrong and what to do about it.
+        problem: String,
+    },
+    /// The file needs something that is not read here (a compression extension, say).
+    #[error("{format}: {feature} is not supported; {remedy}")]
+    Unsupported {
+        /// Format, for example `"glTF"`.
+        format: &'static str,
+        /// What is needed.
+        feature: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A file that this one refers to was not given.
+    #[error("the file refers to {uri}, which was not given; pass both")]
+    MissingResource {
+        /// The reference as written in the file.
+        uri: String,
+    },
+    /// No triangle is left to work on.
+    #[error("no triangles: {reason}")]
+    Empty {
+        /// Why there is none.
+        reason: String,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} refers to vertex {vertex}, but there are only {vertices} vertices")]
+    IndexOutOfRange {
+        /// Triangle, counted from 0.
+        triangle: usize,
+        /// The index it uses.
+        vertex: u64,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// A vertex has a NaN or infinite coordinate.
+    #[error("vertex {vertex} has a coordinate that is not a finite number; repair the file")]
+    NotFinite {
+        /// Vertex of the input, counted from 0.
+        vertex: usize,
+    },
+    /// There is no such part.
+    #[error("there is no part {part}; the file has {parts}, counted from 0")]
+    NoSuchPart {
+        /// The part asked for.
+        part: usize,
+        /// Number of parts.
+        parts: usize,
+    },
+    /// There is no such input vertex, or no triangle uses it.
+    #[error("vertex {vertex} {problem}")]
+    BadVertex {
+        /// Vertex of the input, counted from 0.
+        vertex: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A surface point names a face that does not exist or weights that do not sum to 1.
+    #[error("face {face} with weights {weights} is not a point of the surface: {problem}")]
+    BadPoint {
+        /// Face of the mesh, counted from 0.
+        face: usize,
+        /// Barycentric weights as given.
+        weights: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A parameter is outside its range.
+    #[error("{name} is {value}; it must be {range}")]
+    BadParameter {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Its value.
+        value: String,
+        /// The range allowed.
+        range: &'static str,
+    },
+    /// Something other than the factors does not fit into memory.
+    #[error("out of memory while {stage}; use a mesh with fewer triangles, or the native program on a larger machine")]
+    OutOfMemory {
+        /// What was being done.
+        stage: &'static str,
+    },
+}

@@ -1,0 +1,25 @@
+//! Triangle surfaces: readers, welding, half-edges, points and paths.
+//!
+//! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges).
+
+pub mod csr;
+pub mod edges;
+mod error;
+pub mod halfedge;
+pub mod io;
+pub mod memory;
+pub mod path;
+pub mod point;
+pub mod soup;
+pub mod surface;
+mod touching;
+pub mod triangle;
+pub mod union_find;
+mod weld;
+
+pub use error::{Error, Result};
+pub use halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
+pub use path::{Path, PathPoint};
+pub use point::{SNAP, Source, SurfacePoint};
+pub use soup::Soup;
+pub use surface::{BuildReport, Surface};

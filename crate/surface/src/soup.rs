@@ -1,0 +1,83 @@
+//! Triangle soup: what a file holds, before any connectivity.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+
+/// Triangles over shared vertices, in the order of the file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Soup {
+    /// `#V × 3`, input vertices in file order, in the file's unit, node transforms applied.
+    pub positions: Vec<DVec3>,
+    /// `#F × 3`, indices into `positions`; polygons are already triangulated. Triangles of one part are consecutive.
+    pub triangles: Vec<[u32; 3]>,
+    /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
+    pub parts: Vec<Part>,
+}
+
+/// A selectable piece of a file: a glTF mesh node, an OBJ group or object, a whole OFF, PLY or STL file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// Name in the file, or a made one.
+    pub name: String,
+    /// Its triangles, as a range of `Soup::triangles`.
+    pub triangles: std::ops::Range<usize>,
+}
+
+impl Soup {
+    /// A soup of one part.
+    pub fn single(name: &str, positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
+        let parts = vec![Part { name: name.to_owned(), triangles: 0..triangles.len() }];
+        Self { positions, triangles, parts }
+    }
+
+    /// Makes one more part of the triangles that have come since the last one; of none, nothing.
+    pub fn end_part(&mut self, name: impl Into<String>) {
+        let start = self.parts.last().map_or(0, |part| part.triangles.end);
+        let end = self.triangles.len();
+        if end > start {
+            self.parts.push(Part { name: name.into(), triangles: start..end });
+        }
+    }
+
+    /// The chosen parts alone, in file order, with the vertices that they use, in file order. Choosing every part
+    /// keeps every vertex, used or not.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPart`]; [`Error::IndexOutOfRange`] where a chosen triangle names a missing vertex.
+    pub fn select(&self, parts: &[usize]) -> Result<Self> {
+        if let Some(&part) = parts.iter().find(|&&part| part >= self.parts.len()) {
+            return Err(Error::NoSuchPart { part, parts: self.parts.len() });
+        }
+        let chosen = |index: usize| parts.contains(&index);
+        if (0..self.parts.len()).all(chosen) {
+            return Ok(self.clone());
+        }
+        let mut used = vec![false; self.positions.len()];
+        let mut selection = Self::default();
+        for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
+            let start = selection.triangles.len();
+            for index in part.triangles.clone() {
+                let triangle = self.triangles[index];
+                for vertex in triangle {
+                    *used.get_mut(vertex as usize).ok_or(Error::IndexOutOfRange {
+                        triangle: index,
+                        vertex: vertex.into(),
+                        vertices: self.positions.len(),
+                    })? = true;
+                }
+                selection.triangles.push(triangle);
+            }
+            selection.parts.push(Part { name: part.name.clone(), triangles: start..selection.triangles.len() });
+        }
+        let mut renumbered = vec![u32::MAX; self.positions.len()];
+        for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
+            renumbered[vertex] = selection.positions.len() as u32;
+            selection.positions.push(self.positions[vertex]);
+        }
+        for corner in selection.triangles.iter_mut().flatten() {
+            *corner = renumbered[*corner as usize];
+        }
+        Ok(selection)
+    }
+}

@@ -1,0 +1,286 @@
+//! glTF and GLB: containers, scenes, accessors, deformation, damage.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod reading;
+
+use glam::DVec3;
+use heatwalk_surface::Soup;
+use heatwalk_surface::io;
+use heatwalk_surface::{Error, Result};
+use serde_json::{Value, json};
+
+use crate::reading::{areas, part_names, read};
+
+/// Builds a glTF document around a growing buffer.
+struct Builder {
+    root: Value,
+    binary: Vec<u8>,
+}
+
+impl Builder {
+    fn new(nodes: Value, meshes: Value) -> Self {
+        let mut root = json!({ "asset": { "version": "2.0" }, "accessors": [], "bufferViews": [] });
+        root["nodes"] = nodes;
+        root["meshes"] = meshes;
+        Self { root, binary: Vec::new() }
+    }
+
+    fn view(&mut self, bytes: &[u8]) -> usize {
+        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
+        let view = json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() });
+        self.binary.extend(bytes);
+        let views = self.root["bufferViews"].as_array_mut().unwrap();
+        views.push(view);
+        views.len() - 1
+    }
+
+    fn accessor(&mut self, component: u32, kind: &str, count: usize, bytes: &[u8]) -> &mut Value {
+        let view = self.view(bytes);
+        let accessors = self.root["accessors"].as_array_mut().unwrap();
+        accessors.push(json!({ "bufferView": view, "componentType": component, "type": kind, "count": count }));
+        accessors.last_mut().unwrap()
+    }
+
+    fn floats(&mut self, kind: &str, count: usize, values: &[f32]) -> &mut Value {
+        self.accessor(5126, kind, count, &values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<_>>())
+    }
+
+    fn glb(&self) -> Vec<u8> {
+        let mut root = self.root.clone();
+        root["buffers"] = json!([{ "byteLength": self.binary.len() }]);
+        let mut text = root.to_string().into_bytes();
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let mut bytes = b"glTF\x02\0\0\0".to_vec();
+        bytes.extend((28 + text.len() as u32 + self.binary.len() as u32).to_le_bytes());
+        bytes.extend((text.len() as u32).to_le_bytes());
+        bytes.extend(b"JSON");
+        bytes.extend(text);
+        bytes.extend((self.binary.len() as u32).to_le_bytes());
+        bytes.extend(b"BIN\0");
+        bytes.extend(&self.binary);
+        bytes
+    }
+
+    fn gltf(&self, uri: &str) -> String {
+        let mut root = self.root.clone();
+        root["buffers"] = json!([{ "byteLength": self.binary.len(), "uri": uri }]);
+        root.to_string()
+    }
+
+    fn read(&self) -> Result<Soup> {
+        read("mesh.glb", self.glb())
+    }
+}
+
+const SQUARE: [f32; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
+
+/// A unit square: accessor 0 positions, accessor 1 the indices of two triangles.
+fn square(nodes: Value) -> Builder {
+    let mut builder =
+        Builder::new(nodes, json!([{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }]));
+    builder.floats("VEC3", 4, &SQUARE);
+    builder.accessor(5121, "SCALAR", 6, &[0, 1, 2, 0, 2, 3]);
+    builder
+}
+
+#[test]
+fn gltf_from_glb_data_uri_and_file() {
+    let builder = square(json!([{ "mesh": 0, "name": "Square" }]));
+    let expected = builder.read().unwrap();
+    assert_eq!(part_names(&expected), ["Square"]);
+    assert_eq!(expected.triangles, [[0, 1, 2], [0, 2, 3]]);
+    let external = builder.gltf("my%20buffer.bin");
+    let resources = |uri: &str| (uri == "my buffer.bin").then(|| builder.binary.clone());
+    assert_eq!(io::read("mesh.gltf", external.as_bytes(), &resources).unwrap(), expected);
+    assert_eq!(read("mesh.gltf", &external).unwrap_err(), Error::MissingResource { uri: "my buffer.bin".to_owned() });
+    const ALPHABET: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut encoded = String::from("data:application/octet-stream;base64,");
+    for chunk in builder.binary.chunks(3) {
+        let word = chunk.iter().fold(0_u32, |word, &byte| word << 8 | u32::from(byte)) << (8 * (3 - chunk.len()));
+        (0..=chunk.len()).for_each(|i| encoded.push(ALPHABET[(word >> (18 - 6 * i) & 63) as usize].into()));
+        encoded.extend(std::iter::repeat_n('=', 3 - chunk.len()));
+    }
+    assert_eq!(read("no_extension", builder.gltf(&encoded)).unwrap(), expected);
+    assert!(matches!(read("mesh.gltf", builder.gltf("data:;base64,AA?A")), Err(Error::Malformed { .. })));
+}
+
+#[test]
+fn node_transforms_compose_and_meshes_are_instanced() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let builder = square(json!([
+        { "children": [1, 2], "translation": [10, 0, 0], "rotation": [0, 0, half, half] },
+        { "mesh": 0, "scale": [2, 3, 1] },
+        { "mesh": 0, "name": "mirror", "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1] }
+    ]));
+    let soup = builder.read().unwrap();
+    assert_eq!(part_names(&soup), ["node 1", "mirror"]);
+    assert_eq!((soup.positions.len(), soup.triangles.len()), (8, 4));
+    // (1, 1) scaled to (2, 3), turned by 90° to (-3, 2), moved. The quaternion is read as f32 and normalised.
+    assert!(soup.positions[2].distance(DVec3::new(7.0, 2.0, 0.0)) < 1e-7);
+    assert!(soup.positions[6].distance(DVec3::new(9.0, 4.0, 0.0)) < 1e-7);
+    assert!(areas(&soup).iter().all(|&area| area > 0.0), "a mirrored node keeps its outside");
+}
+
+#[test]
+fn only_the_default_scene_is_read() {
+    let mut builder = square(json!([{ "mesh": 0 }, { "mesh": 0, "name": "shown" }]));
+    builder.root["scenes"] = json!([{ "nodes": [0] }, { "nodes": [1] }]);
+    builder.root["scene"] = json!(1);
+    assert_eq!(part_names(&builder.read().unwrap()), ["shown"]);
+    builder.root["scene"] = json!(7);
+    assert!(matches!(builder.read(), Err(Error::Malformed { .. })));
+}
+
+#[test]
+fn nodes_that_are_no_tree_are_refused() {
+    for nodes in [
+        json!([{ "children": [1] }, { "children": [0], "mesh": 0 }]),
+        json!([{ "children": [0], "mesh": 0 }]),
+        json!([{ "children": [1, 1] }, { "mesh": 0 }]),
+        json!([{ "children": [9], "mesh": 0 }]),
+    ] {
+        let mut builder = square(nodes);
+        builder.root["scenes"] = json!([{ "nodes": [0] }]);
+        assert!(matches!(builder.read(), Err(Error::Malformed { .. })));
+    }
+    let mut nodes: Vec<Value> = (1..20_000).map(|child| json!({ "children": [child] })).collect();
+    nodes.push(json!({ "mesh": 0 }));
+    assert!(square(Value::Array(nodes)).read().is_ok(), "depth does not matter");
+}
+
+#[test]
+fn quantised_positions() {
+    let normalized = [0_i16, 0, 0, 0, 32767, 0, 0, 0, 32767, 32767, 0, 0, 0, 32767, 0, 0];
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    let bytes: Vec<u8> = normalized.iter().flat_map(|value| value.to_le_bytes()).collect();
+    *builder.accessor(5122, "VEC3", 4, &bytes) =
+        json!({ "bufferView": 2, "componentType": 5122, "type": "VEC3", "count": 4, "normalized": true });
+    builder.root["bufferViews"][2]["byteStride"] = json!(8);
+    builder.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = json!(2);
+    let expected = square(json!([{ "mesh": 0 }])).read().unwrap();
+    assert_eq!(builder.read().unwrap(), expected);
+    for (component, bytes) in [(5120, [0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0]), (5121, [0; 16])] {
+        let mut builder = square(json!([{ "mesh": 0 }]));
+        builder.accessor(component, "VEC3", 4, &bytes);
+        builder.root["bufferViews"][2]["byteStride"] = json!(4);
+        builder.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = json!(2);
+        let soup = builder.read().unwrap();
+        assert_eq!(soup.positions[2].x, f64::from(bytes[8]));
+    }
+}
+
+#[test]
+fn sparse_accessors_replace_elements() {
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    let indices = builder.view(&[2, 0]);
+    let values = builder.view(&[3.0_f32, 4.0, 5.0].map(f32::to_le_bytes).concat());
+    builder.root["accessors"][0]["sparse"] = json!({
+        "count": 1, "indices": { "bufferView": indices, "componentType": 5123 }, "values": { "bufferView": values }
+    });
+    assert_eq!(builder.read().unwrap().positions[2], DVec3::new(3.0, 4.0, 5.0));
+    let base = builder.root["accessors"][0].as_object_mut().unwrap();
+    base.remove("bufferView");
+    let soup = builder.read().unwrap();
+    assert_eq!((soup.positions[1], soup.positions[2]), (DVec3::ZERO, DVec3::new(3.0, 4.0, 5.0)));
+    builder.root["accessors"][0]["count"] = json!(1_u64 << 40);
+    assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "a count without bytes reserves nothing");
+}
+
+#[test]
+fn strips_fans_lists_and_what_is_no_surface() {
+    for (mode, indices, expected) in [
+        (4, Some([0, 1, 2, 0, 2, 3]), vec![[0, 1, 2], [0, 2, 3]]),
+        (5, None, vec![[0, 1, 2], [1, 3, 2]]),
+        (6, None, vec![[1, 2, 0], [2, 3, 0]]),
+        (4, None, vec![[0, 1, 2]]),
+    ] {
+        let mut builder = square(json!([{ "mesh": 0 }]));
+        let primitive = &mut builder.root["meshes"][0]["primitives"][0];
+        primitive["mode"] = json!(mode);
+        if indices.is_none() {
+            primitive.as_object_mut().unwrap().remove("indices");
+        }
+        assert_eq!(builder.read().unwrap().triangles, expected, "mode {mode}");
+    }
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    builder.root["meshes"][0]["primitives"][0]["mode"] = json!(1);
+    assert!(matches!(builder.read(), Err(Error::Empty { .. })), "lines are no surface");
+    let primitive = json!({ "attributes": { "POSITION": 0 }, "indices": 1 });
+    builder.root["meshes"][0]["primitives"] = json!([primitive, primitive]);
+    let soup = builder.read().unwrap();
+    assert_eq!((soup.positions.len(), soup.parts.len()), (4, 1), "primitives share their vertices and make one part");
+}
+
+#[test]
+fn skins_stand_in_their_rest_pose() {
+    let mut builder = square(json!([
+        { "mesh": 0, "skin": 0, "translation": [100, 0, 0] },
+        { "translation": [0, 0, 1], "children": [2] },
+        { "translation": [0, 0, 2] }
+    ]));
+    builder.accessor(5121, "VEC4", 4, &[0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0]);
+    builder.floats("VEC4", 4, &[1., 0., 0., 0., 0., 1., 0., 0., 0.5, 0.5, 0., 0., 0., 0., 0., 0.]);
+    let bind = [1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., 0., 5., 0., 1.];
+    builder.floats("MAT4", 2, &[bind, bind].concat());
+    builder.root["skins"] = json!([{ "joints": [1, 2], "inverseBindMatrices": 4 }]);
+    let attributes = &mut builder.root["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = json!(2);
+    attributes["WEIGHTS_0"] = json!(3);
+    let positions = builder.read().unwrap().positions;
+    assert_eq!(positions[..3], [DVec3::new(0., 5., 1.), DVec3::new(1., 5., 3.), DVec3::new(1., 6., 2.)]);
+    assert_eq!(positions[3], DVec3::new(0.0, 1.0, 0.0), "no weights, no move");
+    builder.root["skins"][0]["joints"] = json!([1]);
+    assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "a joint that does not exist");
+}
+
+#[test]
+fn morph_targets_apply_their_default_weights() {
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    builder.floats("VEC3", 4, &[0., 0., 2., 0., 0., 0., 0., 0., 0., 0., 0., 0.]);
+    builder.root["meshes"][0]["primitives"][0]["targets"] = json!([{ "POSITION": 2 }]);
+    assert_eq!(builder.read().unwrap().positions[0].z, 0.0);
+    builder.root["meshes"][0]["weights"] = json!([0.5]);
+    assert_eq!(builder.read().unwrap().positions[0].z, 1.0);
+    builder.root["nodes"][0]["weights"] = json!([0.25]);
+    assert_eq!(builder.read().unwrap().positions[0].z, 0.5);
+}
+
+#[test]
+fn compressed_geometry_names_the_extension_and_the_remedy() {
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    builder.root["extensionsUsed"] = json!(["KHR_draco_mesh_compression"]);
+    assert!(builder.read().is_ok(), "uncompressed data beside it is fine");
+    builder.root["accessors"][0].as_object_mut().unwrap().remove("bufferView");
+    let error = builder.read().unwrap_err().to_string();
+    assert!(error.contains("KHR_draco_mesh_compression") && error.contains("export"), "{error}");
+}
+
+#[test]
+fn gltf_indices_are_checked() {
+    let mut builder = square(json!([{ "mesh": 0 }]));
+    builder.binary[48] = 9;
+    assert_eq!(builder.read().unwrap_err(), Error::IndexOutOfRange { triangle: 0, vertex: 9, vertices: 4 });
+    for (key, value) in [
+        ("count", json!(5)),
+        ("byteOffset", json!(4)),
+        ("byteOffset", json!(u64::MAX)),
+        ("componentType", json!(5130)),
+        ("type", json!("VEC2")),
+        ("bufferView", json!(77)),
+    ] {
+        let mut builder = square(json!([{ "mesh": 0 }]));
+        builder.root["accessors"][0][key] = value;
+        assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "{key}");
+    }
+}
+
+#[test]
+fn damaged_files_do_not_panic() {
+    let builder = square(json!([{ "mesh": 0, "scale": [1, 2, 3] }]));
+    for (name, bytes) in [("a.glb", builder.glb()), ("a.gltf", builder.gltf("data:;base64,AAAA").into_bytes())] {
+        reading::cut_short_at_every_byte(name, &bytes);
+        reading::flip_bytes(name, &bytes);
+    }
+}
