@@ -9,6 +9,7 @@ export const root = fileURLToPath(new URL('..', import.meta.url));
 
 const OLDEST_NODE = 20;
 const OLDEST_RUST = [1, 95];
+const TYPOS = '1.52.0';
 
 /** Ends the program with a sentence for a person. */
 export function fail(sentence) {
@@ -80,6 +81,20 @@ export function buildModules() {
     ['xtask', 'wasm'],
     'The message above names the cause.',
   );
+}
+
+/** The path of the spell-checker: pip brings the program itself, cargo compiles it. */
+export function requireTypos() {
+  const folder = join(root, 'target', 'typos');
+  const program = join(folder, 'bin', 'typos');
+  const found = () => output(program, ['--version'])?.endsWith(TYPOS);
+  if (found()) return program;
+  const pip = ['-m', 'pip', 'install', '--quiet', '--upgrade', '--target', folder, `typos==${TYPOS}`];
+  console.log('\n— Installing the spell-checker typos');
+  if (output('python3', pip) !== undefined && found()) return program;
+  const compile = ['install', 'typos-cli', '--version', TYPOS, '--root', folder, '--force'];
+  cargo('Compiling the spell-checker typos (minutes, once)', compile, 'Is the crate registry reachable?');
+  return program;
 }
 
 /** The path of a Chromium for the browser tests, installed by apt-get where there is none. */
