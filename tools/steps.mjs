@@ -1,7 +1,7 @@
 // What every command is made of: named steps that say what they do and fail with one plain sentence.
 
 import { spawnSync } from 'node:child_process';
-import { existsSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -9,6 +9,7 @@ export const root = fileURLToPath(new URL('..', import.meta.url));
 
 const OLDEST_NODE = 20;
 const OLDEST_RUST = [1, 95];
+const TYPOS = '1.52.0';
 
 /** Ends the program with a sentence for a person. */
 export function fail(sentence) {
@@ -82,20 +83,48 @@ export function buildModules() {
   );
 }
 
+/** The path of the spell-checker: pip brings the program itself, cargo compiles it. */
+export function requireTypos() {
+  const folder = join(root, 'target', 'typos');
+  const program = join(folder, 'bin', 'typos');
+  const found = () => output(program, ['--version'])?.endsWith(TYPOS);
+  if (found()) return program;
+  const pip = ['-m', 'pip', 'install', '--quiet', '--upgrade', '--target', folder, `typos==${TYPOS}`];
+  console.log('\n— Installing the spell-checker typos');
+  if (output('python3', pip) !== undefined && found()) return program;
+  const compile = ['install', 'typos-cli', '--version', TYPOS, '--root', folder, '--force'];
+  cargo('Compiling the spell-checker typos (minutes, once)', compile, 'Is the crate registry reachable?');
+  return program;
+}
+
+/** Installs packages where there is apt-get. */
+function installDebian(saying, packages, remedy) {
+  if (!output('which', ['apt-get'])) return;
+  const [command, ...prefix] = process.getuid?.() === 0 ? ['apt-get'] : ['sudo', '--non-interactive', 'apt-get'];
+  run('Updating the package lists', command, [...prefix, 'update', '--quiet'], remedy);
+  const install = ['install', '--yes', '--quiet', '--no-install-recommends', ...packages];
+  run(saying, command, [...prefix, ...install], remedy, { DEBIAN_FRONTEND: 'noninteractive' });
+}
+
+function chromium() {
+  const names = ['chromium', 'chromium-browser', 'google-chrome'];
+  return process.env.CHROMIUM || names.map((name) => output('which', [name])).find(Boolean);
+}
+
 /** The path of a Chromium for the browser tests, installed by apt-get where there is none. */
 export function requireChromium() {
-  const found = () =>
-    process.env.CHROMIUM ||
-    ['chromium', 'chromium-browser', 'google-chrome'].map((name) => output('which', [name])).find(Boolean);
-  if (found()) return found();
-  const packages = ['install', '--yes', '--quiet', '--no-install-recommends', 'chromium'];
-  if (output('which', ['apt-get'])) {
-    const [command, ...prefix] = process.getuid?.() === 0 ? ['apt-get'] : ['sudo', '--non-interactive', 'apt-get'];
-    const remedy = 'Install Chromium and name it in the environment variable CHROMIUM.';
-    run('Updating the package lists', command, [...prefix, 'update', '--quiet'], remedy);
-    run('Installing Chromium for the browser tests', command, [...prefix, ...packages], remedy, {
-      DEBIAN_FRONTEND: 'noninteractive',
-    });
-  }
-  return found() ?? fail('No Chromium was found. Install it and name its path in the environment variable CHROMIUM.');
+  const remedy = 'Install Chromium and name it in the environment variable CHROMIUM.';
+  if (!chromium()) installDebian('Installing Chromium for the browser tests', ['chromium'], remedy);
+  return chromium() ?? fail(`No Chromium was found. ${remedy}`);
+}
+
+/** Whether the native image tests have a software Vulkan driver, installed by apt-get where there is none. */
+export function hasSoftwareVulkan() {
+  const drivers = '/usr/share/vulkan/icd.d';
+  const found = () => existsSync(drivers) && readdirSync(drivers).some((name) => name.startsWith('lvp_icd'));
+  const remedy = 'Install the Debian package mesa-vulkan-drivers.';
+  if (!found())
+    installDebian('Installing a software Vulkan driver for the image tests', ['mesa-vulkan-drivers'], remedy);
+  if (!found()) console.log(`\nThe native image tests are skipped without a software Vulkan driver. ${remedy}`);
+  return found();
 }

@@ -1,13 +1,14 @@
 // npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium.
 
-import { cargo, npmProgram, prepare, requireChromium, root, run } from './steps.mjs';
+import { cargo, hasSoftwareVulkan, npmProgram, prepare, requireChromium, root, run } from './steps.mjs';
 
 const named = 'The message above names the test.';
 
 prepare();
 const chromium = requireChromium();
+const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 run('Checking format, lint and types', process.execPath, [`${root}tools/check.mjs`], 'npm run check repeats it.');
-cargo('Running the Rust tests', ['test', '--workspace'], named);
+cargo('Running the Rust tests', ['test', '--workspace'], named, gpu);
 cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
 run('Building the page', process.execPath, [`${root}tools/build.mjs`], 'npm run build repeats it.');
 npmProgram('Running the page in Chromium', '@playwright/test/cli.js', ['test'], named, { CHROMIUM: chromium });

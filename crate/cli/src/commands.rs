@@ -3,6 +3,7 @@
 use anyhow::Result;
 use serde_json::json;
 
+use crate::answer::Answer;
 use crate::args::{Command, Info};
 use crate::distance::distance;
 use crate::input::Input;
@@ -10,18 +11,6 @@ use crate::path::path;
 use crate::report::Report;
 use crate::table::table;
 use crate::timing::build;
-
-/// What a command prints, and a sentence for each mesh that failed while others were done.
-pub struct Answer {
-    pub text: String,
-    pub failures: Vec<String>,
-}
-
-impl From<String> for Answer {
-    fn from(text: String) -> Self {
-        Self { text, failures: Vec::new() }
-    }
-}
 
 pub fn run(command: &Command) -> Result<Answer> {
     match command {

@@ -1,5 +1,6 @@
 //! `heatwalk`: geodesic distance and paths on mesh files.
 
+mod answer;
 mod args;
 mod commands;
 mod dials;

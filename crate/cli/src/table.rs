@@ -6,8 +6,8 @@ use anyhow::{Context, Result};
 use heatwalk::{LinearSolver, MultiSource, RelativeError, SurfacePoint};
 use serde_json::{Value, json};
 
+use crate::answer::Answer;
 use crate::args::Table;
-use crate::commands::Answer;
 use crate::exact;
 use crate::input::Input;
 use crate::markdown;

@@ -1,14 +1,18 @@
-//! Build steps that need Rust: `cargo xtask wasm [solver|viewer]`, `cargo xtask test-wasm`, `cargo xtask clippy-wasm`.
+//! Build steps that need Rust: `cargo xtask wasm [solver|viewer]`, `cargo xtask test-wasm`, `cargo xtask clippy-wasm`;
+//! and a check, `cargo xtask cycles [FOLDER]`.
 
+mod cycles;
 mod modules;
 mod toolchain;
+
+use std::path::Path;
 
 use anyhow::{Result, bail};
 
 use crate::modules::{SOLVER, VIEWER};
 use crate::toolchain::Toolchain;
 
-const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | test-wasm | clippy-wasm";
+const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | test-wasm | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -23,6 +27,8 @@ fn main() -> Result<()> {
         ["wasm", "viewer"] => modules::build(&VIEWER, &Toolchain::find()?),
         ["test-wasm"] => modules::test_solver(&Toolchain::find()?),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
+        ["cycles"] => cycles::check(Path::new("crate")),
+        ["cycles", folder] => cycles::check(Path::new(folder)),
         // Cargo calls this with the test's .wasm file as the first argument: see `modules::test_solver`.
         ["test-runner", ..] => {
             wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os().skip(1))
