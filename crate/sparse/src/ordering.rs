@@ -90,10 +90,10 @@ fn postordered(graph: &Graph, permutation: &Permutation) -> Permutation {
     while let Some(vertex) = stack.pop() {
         reversed.push(permutation.old_of_new[vertex as usize]);
         let before = stack.len();
-        let previous = |&child: &u32| Some(previous_child[child as usize]);
-        stack.extend(
-            std::iter::successors(Some(last_child[vertex as usize]), previous).take_while(|&child| child != NONE),
-        );
+        let some = |child: u32| Some(child).filter(|&child| child != NONE);
+        let children =
+            std::iter::successors(some(last_child[vertex as usize]), |&child| some(previous_child[child as usize]));
+        stack.extend(children);
         // The last child is taken first.
         stack[before..].reverse();
     }
