@@ -107,6 +107,9 @@ session.turntable.watch((turns, turned) => {
 
 followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
+view.failure.watch((failure) => {
+  if (failure) messages.fail(failure.message, failure.stack ?? '');
+});
 session.failure.watch((failure) => {
   if (!failure) return;
   messages.fail(failure.message, failure.stack ?? '', opener.remedy(failure));

@@ -19,6 +19,8 @@ export class Frames {
   /** Until when what moves by itself waits, and since when it has. */
   #rests = 0;
   #moved = performance.now();
+  /** What went wrong in a frame last. */
+  #told = '';
   /** Where the camera was a frame ago, while a hand's move is still settling. */
   #settling: string | null = null;
 
@@ -27,8 +29,16 @@ export class Frames {
     this.#crowd = crowd;
   }
 
+  /** Frames follow one another whatever happens in one of them. */
   start(): void {
-    requestAnimationFrame((now) => this.#frame(now));
+    requestAnimationFrame((now) => {
+      this.start();
+      try {
+        this.#frame(now);
+      } catch (error) {
+        this.#tell(error instanceof Error ? error : new Error(String(error)));
+      }
+    });
   }
 
   /** A hand moved the camera: once at rest it belongs to the scene. */
@@ -48,10 +58,16 @@ export class Frames {
     }
     // So do pictures of fields that a hand asks for faster than they can be drawn.
     const waits = now < this.#rests && this.#session.dragging;
-    this.#drew = !waits && this.#session.view.render(step(passed));
     this.#last = now;
+    this.#drew = !waits && this.#session.view.render(step(passed));
     if (this.#settling !== null) this.#settle();
-    this.start();
+  }
+
+  /** Once, though it may go wrong in every frame. */
+  #tell(error: Error): void {
+    if (error.message === this.#told) return;
+    this.#told = error.message;
+    this.#session.view.failure.value = error;
   }
 
   #settle(): void {

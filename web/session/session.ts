@@ -186,10 +186,11 @@ export class Session {
   }
 
   #adopt(engine: Engine, state: SceneState, shown: Shown, view: OpenRequest['view']): void {
+    // The one step that can fail, so the first: until then nothing of the old scene is let go.
+    this.view.setMesh(shown.opened.surface, visible(shown.opened.scenery, state));
     this.#engine?.dispose();
     this.#engine = engine;
     this.failure.value = null;
-    this.view.setMesh(shown.opened.surface, visible(shown.opened.scenery, state));
     if (view) this.#facing = view[0];
     this.#whole = shown.places.diameter;
     this.view.setLook(state.look, this.#whole, this.#facing);

@@ -2,8 +2,9 @@
 import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from '../state/looks';
 import type { Place, Vector } from '../state/places';
+import { isTrap } from '../solver/trap';
 import { Signal } from '../state/signal';
-import init, { Viewer } from '../wasm/viewer/heatwalk_viewer.js';
+import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
 
 export interface PointHit {
@@ -48,6 +49,9 @@ export interface Insets {
   bottom: number;
 }
 
+/** A renderer that fails again within this time fails for a reason that is still there. */
+const RELAPSE_MS = 10_000;
+
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
@@ -59,7 +63,7 @@ export class View {
   readonly #forceWebgl: boolean;
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
-  readonly #layers = new Map<Layer, (viewer: Viewer) => void>();
+  #layers = new Map<Layer, (viewer: Viewer) => void>();
   #camera: Float64Array | null = null;
   #frameFirst = false;
   #ratio = 1;
@@ -67,10 +71,14 @@ export class View {
   #size: [width: number, height: number] = [1, 1];
   #insets: Insets = NO_INSETS;
   #ready: Promise<unknown> | null = null;
+  /** When the renderer failed last. */
+  #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<string | null>(null);
+  /** What went wrong while drawing goes on. */
+  readonly failure = new Signal<Error | null>(null);
 
   constructor(stage: HTMLElement, forceWebgl: boolean) {
     this.stage = stage;
@@ -84,19 +92,27 @@ export class View {
     }
   }
 
-  /** Makes a renderer on a fresh canvas: a canvas whose context was lost gives no other. */
+  /**
+   * Makes a renderer on a fresh canvas, since a canvas whose context was lost gives no other, and in a fresh instance of
+   * the module, since one that trapped cannot be called again.
+   */
   async start(): Promise<void> {
     this.#viewer = null;
     this.backend.value = null;
     try {
-      this.#ready ??= init({ module_or_path: wasmAddress });
-      await this.#ready;
+      if (this.#ready) {
+        await this.#ready;
+        resetInstance();
+      } else {
+        this.#ready = init({ module_or_path: wasmAddress });
+        await this.#ready;
+      }
       const fresh = this.#freshCanvas();
       this.#canvas.replaceWith(fresh);
       this.#canvas = fresh;
       const viewer = await Viewer.create(fresh, this.#forceWebgl);
       this.#fit(viewer);
-      for (const layer of ORDER) this.#layers.get(layer)?.(viewer);
+      if (!this.#replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
       if (this.#frameFirst) viewer.frame();
       this.#frameFirst = false;
@@ -108,14 +124,55 @@ export class View {
     }
   }
 
+  /** Shows everything again. What the renderer refuses is left out from now on. False: the instance trapped on it. */
+  #replay(viewer: Viewer): boolean {
+    for (const layer of ORDER) {
+      try {
+        this.#layers.get(layer)?.(viewer);
+      } catch (error) {
+        this.#layers.delete(layer);
+        this.failure.value = asError(error);
+        if (isTrap(this.failure.value)) return false;
+      }
+    }
+    return true;
+  }
+
+  /** Calls the renderer, if there is one. Where that breaks it, another one takes its place, and an error says so. */
+  #use<T>(call: (viewer: Viewer) => T): T | undefined {
+    if (!this.#viewer) return undefined;
+    try {
+      return call(this.#viewer);
+    } catch (cause) {
+      const error = asError(cause);
+      if (!isTrap(error)) throw error;
+      this.#viewer = null;
+      this.backend.value = null;
+      const now = performance.now();
+      const relapsed = now - this.#failed < RELAPSE_MS;
+      this.#failed = now;
+      if (relapsed) this.trouble.value = `The renderer fails again and again: ${error.message}`;
+      else void this.start();
+      throw new Error('The renderer failed and was started again; the scene is as it was.', { cause });
+    }
+  }
+
   setBackground(top: string, bottom: string): void {
     this.#show('background', (viewer) => viewer.set_background(unitColour(top), unitColour(bottom)));
   }
 
+  /** If this throws, everything is shown as before. */
   setMesh(surface: DrawMesh, scenery: readonly DrawMesh[]): void {
-    for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
-    this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
-    this.setScenery(scenery);
+    const before = new Map(this.#layers);
+    try {
+      this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
+      for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
+      this.setScenery(scenery);
+    } catch (error) {
+      this.#layers = before;
+      if (this.#viewer) this.#replay(this.#viewer);
+      throw error;
+    }
   }
 
   setScenery(parts: readonly DrawMesh[]): void {
@@ -188,7 +245,7 @@ export class View {
   /** Models are centred on what the insets leave free. */
   set insets(insets: Insets) {
     this.#insets = insets;
-    if (this.#viewer) this.#fit(this.#viewer);
+    this.#use((viewer) => this.#fit(viewer));
   }
 
   /** Where models are centred: the middle of what the insets leave free, in CSS pixels of the window. */
@@ -204,17 +261,17 @@ export class View {
   }
 
   orbit(dx: number, dy: number): void {
-    this.#viewer?.orbit(dx, dy);
+    this.#use((viewer) => viewer.orbit(dx, dy));
   }
 
-  /** A hand takes hold to turn. */
+  /** The pointer takes hold to orbit. */
   hold(): void {
-    this.#viewer?.hold();
+    this.#use((viewer) => viewer.begin_orbit());
   }
 
-  /** The hand lets go; the camera glides on or stops. */
+  /** The pointer lets go; the camera glides on or stops. */
   letGo(glides: boolean): void {
-    this.#viewer?.let_go(glides);
+    this.#use((viewer) => viewer.end_orbit(glides));
   }
 
   /** Turns by itself, in radians a second; 0 stops. */
@@ -223,11 +280,11 @@ export class View {
   }
 
   pan(dx: number, dy: number): void {
-    this.#viewer?.pan(dx, dy);
+    this.#use((viewer) => viewer.pan(dx, dy));
   }
 
   zoom(factor: number): void {
-    this.#viewer?.zoom(factor);
+    this.#use((viewer) => viewer.zoom(factor));
   }
 
   /** The canvas drawn on now: another one after the renderer was lost. */
@@ -238,28 +295,30 @@ export class View {
   /** A renderer that is still starting frames as soon as it can. */
   frame(): void {
     this.#frameFirst = this.#viewer === null;
-    this.#viewer?.frame();
+    this.#use((viewer) => viewer.frame());
   }
 
   focus(position: Vector): void {
-    this.#viewer?.focus(...position);
+    this.#use((viewer) => viewer.focus(...position));
   }
 
   /** Yaw, pitch, distance, offset; null before the first picture. */
   get camera(): readonly number[] | null {
-    return this.#viewer ? [...this.#viewer.camera()] : this.#camera && [...this.#camera];
+    const camera = this.#use((viewer) => viewer.camera()) ?? this.#camera;
+    return camera && [...camera];
   }
 
   set camera(camera: readonly number[]) {
     this.#frameFirst = false;
-    this.#camera = Float64Array.from(camera);
-    this.#viewer?.set_camera(this.#camera);
+    const numbers = Float64Array.from(camera);
+    this.#camera = numbers;
+    this.#use((viewer) => viewer.set_camera(numbers));
   }
 
   /** `x`, `y` in CSS pixels of the window. */
   pick(x: number, y: number): PointHit | null {
     const { left, top } = this.stage.getBoundingClientRect();
-    const hit = this.#viewer?.pick((x - left) * this.#ratio, (y - top) * this.#ratio);
+    const hit = this.#use((viewer) => viewer.pick((x - left) * this.#ratio, (y - top) * this.#ratio));
     if (!hit) return null;
     const [a, b, c] = hit.weights;
     const [px, py, pz] = hit.point;
@@ -270,28 +329,28 @@ export class View {
 
   /** CSS pixels of the window; null behind the camera. */
   project(position: Vector): [number, number] | null {
-    const pixel = this.#viewer?.project(...position);
+    const pixel = this.#use((viewer) => viewer.project(...position));
     if (!pixel) return null;
     const { left, top } = this.stage.getBoundingClientRect();
     return [left + pixel[0] / this.#ratio, top + pixel[1] / this.#ratio];
   }
 
-  /** True if a frame was drawn. */
+  /** True if a frame was drawn. Throws what the graphics device refused; the next frame may be drawn all the same. */
   render(seconds: number): boolean {
-    const viewer = this.#viewer;
-    if (!viewer?.needs_frame()) return false;
-    if (viewer.render(seconds)) {
-      this.#camera = viewer.camera();
-    } else {
-      void this.start();
-    }
-    return true;
+    const drawn = this.#use((viewer) => {
+      if (!viewer.needs_frame()) return null;
+      const isWell = viewer.render(seconds);
+      if (isWell) this.#camera = viewer.camera();
+      return isWell;
+    });
+    if (drawn === false) void this.start();
+    return typeof drawn === 'boolean';
   }
 
   /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
   async capture(scale: number, clear: boolean): Promise<ImageData> {
-    if (!this.#viewer) throw new Error('There is nothing to draw a picture of yet.');
-    const picture = this.#viewer.capture(scale, clear);
+    const picture = this.#use((viewer) => viewer.capture(scale, clear));
+    if (!picture) throw new Error('There is nothing to draw a picture of yet.');
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
       if (performance.now() - since > CAPTURE_MS)
@@ -302,8 +361,8 @@ export class View {
   }
 
   #show(layer: Layer, apply: (viewer: Viewer) => void): void {
+    this.#use(apply);
     this.#layers.set(layer, apply);
-    if (this.#viewer) apply(this.#viewer);
   }
 
   #freshCanvas(): HTMLCanvasElement {
@@ -320,7 +379,7 @@ export class View {
     const h = pixels(height, exact?.blockSize);
     this.#ratio = w / Math.max(1, width);
     this.#size = [w, h];
-    if (this.#viewer) this.#fit(this.#viewer);
+    this.#use((viewer) => this.#fit(viewer));
   }
 
   #fit(viewer: Viewer): void {
@@ -328,6 +387,10 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
+}
+
+function asError(thrown: unknown): Error {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
 /** The exact count of device pixels differs from the product by rounding only; on an emulated screen it is not scaled. */

@@ -4,8 +4,10 @@ use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::pick::Picker;
-use crate::shared::{PipelineRecipe, Place, Shared, shader};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
+use crate::vertex::vertex_layout;
 
 /// Arrows at most: more would hide the surface, and each other.
 const MOST: usize = 4_000;
@@ -13,20 +15,21 @@ const MOST: usize = 4_000;
 const LENGTH: f32 = 0.7;
 const LONGEST: f32 = 0.05;
 
-/// Middle and vector.
-type Instance = [f32; 6];
+/// World space.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct Arrow {
+    middle: Vec3,
+    vector: Vec3,
+}
 
-const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Instance>() as u64,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32x3],
-};
+const ARROW: wgpu::VertexBufferLayout<'static> = vertex_layout!(Arrow, per Instance: 3 => middle, 4 => vector);
 
 /// Draws a vector field, an arrow a triangle.
 pub(crate) struct Arrows {
     pipeline: wgpu::RenderPipeline,
     solid: SolidBuffers,
-    instances: Instances<Instance>,
+    instances: Instances<Arrow>,
 }
 
 impl Arrows {
@@ -40,7 +43,7 @@ impl Arrows {
             module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
             vertex: "vs_arrow",
             fragment: "fs_arrow",
-            buffers: &[Some(SolidBuffers::LAYOUT), Some(INSTANCE)],
+            buffers: &[Some(SolidBuffers::LAYOUT), Some(ARROW)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place: Place::Solid,
         }
@@ -57,8 +60,7 @@ impl Arrows {
             let [a, b, c] = picker.corners(triangle).map(|vertex| picker.positions()[vertex as usize]);
             let side = (0.5 * (b - a).cross(c - a).length() * step as f32).sqrt();
             let vector = (LENGTH * side).min(LONGEST * radius) * direction;
-            let middle = (a + b + c) / 3.0;
-            Some([middle.x, middle.y, middle.z, vector.x, vector.y, vector.z])
+            Some(Arrow { middle: (a + b + c) / 3.0, vector })
         });
         self.instances.set(context, arrows);
     }

@@ -1,19 +1,31 @@
-use glam::{Vec3, Vec4};
+use encase::ShaderType;
+use glam::Vec3;
 
+use crate::binding::uniform_layout;
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Place, Shared, shader, uniform, uniform_layout};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
+use crate::uniform::Uniform;
+
+/// `Background` of background.wgsl.
+#[derive(ShaderType)]
+struct BackgroundUniform {
+    top: Vec3,
+    bottom: Vec3,
+}
 
 /// The gradient behind the surface.
 pub(crate) struct Background {
     pipeline: wgpu::RenderPipeline,
-    buffer: wgpu::Buffer,
+    colors: Uniform<BackgroundUniform>,
     group: wgpu::BindGroup,
 }
 
 impl Background {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
         let layout = uniform_layout(context, "background layout");
-        let (buffer, group) = uniform(context, &layout, "background uniform", 2);
+        let colors = Uniform::new(context, "background uniform");
+        let group = colors.group(context, &layout, "background");
         let pipeline = PipelineRecipe {
             label: "background",
             layouts: &[Some(&shared.frame_layout), None, Some(&layout)],
@@ -25,15 +37,14 @@ impl Background {
             place: Place::Behind,
         }
         .build(context);
-        let background = Self { pipeline, buffer, group };
+        let background = Self { pipeline, colors, group };
         background.set_colors(context, Vec3::new(0.96, 0.97, 0.98), Vec3::new(0.80, 0.83, 0.86));
         background
     }
 
     /// Colours of the upper and lower edge; sRGB, 0..1.
     pub(crate) fn set_colors(&self, context: &Context, top: Vec3, bottom: Vec3) {
-        let colors: [Vec4; 2] = [top, bottom].map(|color| color.extend(1.0));
-        context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&colors));
+        self.colors.write(context, &BackgroundUniform { top, bottom });
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {

@@ -1,9 +1,9 @@
 // A soft vertical gradient behind everything.
 
 struct Background {
-    // sRGB colours; w unused.
-    top: vec4f,
-    bottom: vec4f,
+    // sRGB colours of the upper and the lower edge.
+    top: vec3f,
+    bottom: vec3f,
 }
 
 @group(2) @binding(0) var<uniform> background: Background;
@@ -28,7 +28,7 @@ fn noise(pixel: vec2f) -> f32 {
 @fragment
 fn fs_background(corner: Corner) -> @location(0) vec4f {
     // Mixed as sRGB, which is close to how the eye spaces greys.
-    let mixed = mix(background.bottom.rgb, background.top.rgb, smoothstep(0.0, 1.0, corner.height));
+    let mixed = mix(background.bottom, background.top, smoothstep(0.0, 1.0, corner.height));
     // A gradient over a whole window shows bands of single byte values unless dithered.
     return vec4f(mixed + noise(corner.clip.xy) / 255.0, 1.0);
 }

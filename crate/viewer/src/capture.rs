@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::context::{Context, Targets};
-use crate::error::Error;
+use crate::context::Context;
+use crate::targets::Targets;
 
-/// A picture on its way from the device.
+/// A picture that the device draws.
 pub struct Capture {
     device: wgpu::Device,
     buffer: wgpu::Buffer,
@@ -19,16 +19,14 @@ pub struct Capture {
 }
 
 impl Capture {
-    /// Draws a picture of so many pixels with `record`, after what `encoder` holds.
-    ///
-    /// # Errors
-    /// [`Error::PictureTooLarge`] when the device has no texture of that size.
+    /// Draws a picture of so many pixels, which the device must have a texture for, with `record`, after what `encoder`
+    /// holds.
     pub(crate) fn new(
         context: &Context,
         (width, height): (u32, u32),
         mut encoder: wgpu::CommandEncoder,
         record: impl FnOnce(&mut wgpu::RenderPass<'_>),
-    ) -> Result<Self, Error> {
+    ) -> Self {
         let stride = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let texture = context.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("capture"),
@@ -61,7 +59,7 @@ impl Capture {
             move |result| is_ready.store(result.is_ok(), Ordering::Relaxed)
         });
         let is_blue_first = context.format == wgpu::TextureFormat::Bgra8Unorm;
-        Ok(Self { device: context.device.clone(), buffer, width, height, stride, is_blue_first, is_ready })
+        Self { device: context.device.clone(), buffer, width, height, stride, is_blue_first, is_ready }
     }
 
     /// Pixels across and down.

@@ -2,14 +2,15 @@ use glam::Vec3;
 
 use crate::buffer::Growing;
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Place, Shared, shader};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
+use crate::vertex::{attribute, single};
 
 const POINT_SIZE: u64 = size_of::<Vec3>() as u64;
 
 /// The same points, shifted by one from slot to slot: a segment sees the point before, its ends and the point after.
-const fn shifted(attributes: &'static [wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'static> {
-    wgpu::VertexBufferLayout { array_stride: POINT_SIZE, step_mode: wgpu::VertexStepMode::Instance, attributes }
-}
+const SHIFTED: [[wgpu::VertexAttribute; 1]; 4] =
+    [[attribute::<Vec3>(0)], [attribute::<Vec3>(1)], [attribute::<Vec3>(2)], [attribute::<Vec3>(3)]];
 
 /// Draws a path on the surface.
 pub(crate) struct Curve {
@@ -27,12 +28,7 @@ impl Curve {
             module: &shader(context, "curve.wgsl", include_str!("curve.wgsl")),
             vertex: "vs_curve",
             fragment: "fs_curve",
-            buffers: &[
-                Some(shifted(&wgpu::vertex_attr_array![0 => Float32x3])),
-                Some(shifted(&wgpu::vertex_attr_array![1 => Float32x3])),
-                Some(shifted(&wgpu::vertex_attr_array![2 => Float32x3])),
-                Some(shifted(&wgpu::vertex_attr_array![3 => Float32x3])),
-            ],
+            buffers: &SHIFTED.each_ref().map(|point| Some(single::<Vec3>(wgpu::VertexStepMode::Instance, point))),
             topology: wgpu::PrimitiveTopology::TriangleStrip,
             place: Place::Solid,
         }

@@ -40,21 +40,21 @@ fn vs_curve(
     let along = direction(start, end);
     let bend = along + select(direction(before, start), direction(end, after), at_end);
     let tangent = select(along, normalize(bend), dot(bend, bend) > 0.0);
-    let to_eye = normalize(frame.eye.xyz - here);
+    let to_eye = normalize(frame.eye - here);
     let side = normalize(cross(tangent, to_eye));
     let across = select(-1.0, 1.0, (corner & 1u) == 1u);
     let half_width = HALF_WIDTH * css_pixel(here);
     let mitre = half_width / max(dot(tangent, along), MITRE_LIMIT);
     let position = here + across * mitre * side;
-    let lift = max(LIFT_WIDTHS * half_width, LIFT_RADII * frame.eye.w);
+    let lift = max(LIFT_WIDTHS * half_width, LIFT_RADII * frame.radius);
     // Moving along the line of sight changes the depth and leaves the pixel.
-    let lifted = position + lift * normalize(frame.eye.xyz - position);
+    let lifted = position + lift * normalize(frame.eye - position);
     return Fragment(frame.clip_from_world * vec4f(lifted, 1.0), position, side, across);
 }
 
 @fragment
 fn fs_curve(fragment: Fragment) -> @location(0) vec4f {
-    let to_eye = normalize(frame.eye.xyz - fragment.position);
+    let to_eye = normalize(frame.eye - fragment.position);
     let across = clamp(fragment.across, -1.0, 1.0);
     let normal = normalize(across * fragment.side + sqrt(1.0 - 0.9 * across * across) * to_eye);
     let feather = fwidth(fragment.across);

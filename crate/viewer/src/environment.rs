@@ -3,15 +3,13 @@
 
 use std::f32::consts::PI;
 
-use glam::{Vec3, Vec4};
+use encase::ShaderType;
+use glam::Vec3;
 
-use crate::shared::linear_from_srgb;
+use crate::color::linear_from_srgb;
 
 /// Lights of every environment; the first is the key light, which casts the shadows.
 pub(crate) const LIGHT_COUNT: usize = 4;
-
-/// Vec4s of an environment in the frame's uniform: three colours and three a light.
-pub(crate) const ENVIRONMENT_VECTORS: usize = 3 + 3 * LIGHT_COUNT;
 
 /// Surroundings to choose from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -127,21 +125,36 @@ impl Environment {
         key / (key + around)
     }
 
-    /// As shared.wgsl reads it.
-    pub(crate) fn vectors(self) -> [Vec4; ENVIRONMENT_VECTORS] {
+    /// Linear colours of the zenith, the horizon and the nadir.
+    pub(crate) fn colors(self) -> [Vec3; 3] {
         let room = self.room();
-        let mut vectors = [Vec4::ZERO; ENVIRONMENT_VECTORS];
-        for (vector, color) in vectors.iter_mut().zip([room.zenith, room.horizon, room.nadir]) {
-            *vector = linear_from_srgb(Vec3::from(color)).extend(0.0);
-        }
-        for (light, vectors) in room.lights.iter().zip(vectors[3..].as_chunks_mut::<3>().0) {
-            let [towards, right] = self.axes(light);
-            let [width, height] = light.half;
-            let radiance = light.strength * linear_from_srgb(Vec3::from(light.color));
-            *vectors = [towards.extend(width), right.extend(height), radiance.extend(solid_angle(light.half) / PI)];
-        }
-        vectors
+        [room.zenith, room.horizon, room.nadir].map(|color| linear_from_srgb(Vec3::from(color)))
     }
+
+    pub(crate) fn lights(self) -> [Light; LIGHT_COUNT] {
+        self.room().lights.each_ref().map(|light| {
+            let [towards, right] = self.axes(light);
+            let [half_width, half_height] = light.half;
+            let radiance = light.strength * linear_from_srgb(Vec3::from(light.color));
+            Light { towards, half_width, right, half_height, radiance, share: solid_angle(light.half) / PI }
+        })
+    }
+}
+
+/// `Light` of shared.wgsl.
+#[derive(Clone, Copy, Debug, ShaderType)]
+pub(crate) struct Light {
+    /// Direction to its middle, unit length.
+    towards: Vec3,
+    /// Over its distance, as the half height.
+    half_width: f32,
+    /// Direction along its width, unit length.
+    right: Vec3,
+    half_height: f32,
+    /// Linear colour.
+    radiance: Vec3,
+    /// Solid angle over π.
+    share: f32,
 }
 
 /// Of a rectangle straight ahead, from half its sides over its distance; steradians.

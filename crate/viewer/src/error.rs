@@ -70,10 +70,39 @@ pub enum Error {
         /// Vertices present.
         vertex_count: usize,
     },
-    /// A coordinate is infinite or not a number.
-    #[error("Vertex {vertex} has a coordinate that is not a finite number.")]
+    /// A component is infinite or not a number.
+    #[error("The {what} hold a vector, number {index}, that is not finite.")]
     NotFinite {
-        /// The offending vertex.
-        vertex: usize,
+        /// Which array.
+        what: &'static str,
+        /// The offending vector.
+        index: usize,
+    },
+    /// A coordinate is too large to be drawn in single precision.
+    #[error("The {what} hold a place, number {index}, with a coordinate too large to be drawn. Centre and scale them.")]
+    OutOfRange {
+        /// Which array.
+        what: &'static str,
+        /// The offending place.
+        index: usize,
+    },
+    /// A number is infinite, negative or not a number.
+    #[error("The {what} is not a finite number of 0 or more.")]
+    NoNumber {
+        /// Which number.
+        what: &'static str,
+    },
+    /// The device has no memory left.
+    #[error(
+        "The graphics device is out of memory, so the picture is incomplete. Close other 3D pages or open a smaller mesh."
+    )]
+    OutOfMemory,
+    /// The device refused a step of drawing.
+    #[error(
+        "The graphics device refused a step, so the picture may be incomplete. Reload the page if it stays so. ({reason})"
+    )]
+    Refused {
+        /// What the device says.
+        reason: String,
     },
 }

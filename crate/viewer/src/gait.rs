@@ -1,15 +1,14 @@
 //! How a figure walks: where its feet are, and the body between them. Lengths are in heights of the figure.
 //!
-//! Feet are planted at fixed places of the way and only move in the air, so they cannot slide.
+//! Feet are planted at fixed places of the path and only move in the air, so they cannot slide.
 
 use std::f32::consts::{PI, TAU};
 
 use glam::{Vec3, Vec4};
 
-use crate::pose::{Pose, Track};
-use crate::walker::POSE_NUMBERS;
+use crate::pose::{CrowdPose, Pose, Track};
 
-/// Way of a full cycle, a step with each foot, about.
+/// Length of a full cycle, a step with each foot, about.
 pub(crate) const STRIDE: f32 = 0.66;
 /// Share of the cycle that a foot is in the air.
 const AIRBORNE: f32 = 0.4;
@@ -25,15 +24,15 @@ const STEP_HEIGHT: f32 = 0.075;
 /// Greatest turn of a foot in the air, and of the arms; radians.
 const FOOT_PITCH: f32 = 0.55;
 const ARM_SWING: f32 = 0.6;
-/// A way whose end is not in sight: far enough for a stride of usual length.
+/// A path whose end is not in sight: far enough for a stride of usual length.
 const FAR: f32 = 1e5;
 /// Length over which heading and upright are taken, to either side.
 const REACH: f32 = 0.35;
 
-/// A foot on its way.
+/// A foot of a walking figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Foot {
-    /// Place along the way.
+    /// Place along the path.
     arc: f32,
     lift: f32,
     /// Toes down, radians.
@@ -41,12 +40,12 @@ struct Foot {
     is_planted: bool,
 }
 
-/// Way of a full cycle on a way of a length: a whole number of steps lead to its end.
+/// Length of a full cycle on a path of a length: a whole number of steps lead to its end.
 fn stride(length: f32) -> f32 {
     2.0 * length / (2.0 * length / STRIDE).round().max(1.0)
 }
 
-/// The foot whose plants are at `(k + offset)` strides, for the body at an arc of a way of a length.
+/// The foot whose plants are at `(k + offset)` strides, for the body at an arc of a path of a length.
 fn foot(arc: f32, length: f32, offset: f32) -> Foot {
     let stride = stride(length);
     let planted = 0.5 * (1.0 - AIRBORNE);
@@ -99,15 +98,20 @@ impl Figure {
         Self::between(&pose, height, arc / height, length, [ankle(0.0, 1.0), ankle(0.5, -1.0)])
     }
 
-    /// From the numbers of a walker of the crowd, on ground that is flat as far as its feet go.
-    pub(crate) fn in_crowd(numbers: &[f32; POSE_NUMBERS], height: f32) -> Self {
-        let [position, normal, tangent] = [0, 3, 6].map(|start| Vec3::from_slice(&numbers[start..]));
-        let arc = numbers[9] / height;
+    /// One of the crowd, on ground that is flat as far as its feet go.
+    pub(crate) fn in_crowd(&CrowdPose { position, normal, heading, arc }: &CrowdPose, height: f32) -> Self {
+        let arc = arc / height;
         let ankle = |offset: f32, side: f32| {
             let foot = foot(arc, FAR, offset);
             (Vec3::new(side * SIDE, ANKLE + foot.lift, foot.arc - arc), foot)
         };
-        Self::between(&Pose { position, normal, tangent }, height, arc, FAR, [ankle(0.0, 1.0), ankle(0.5, -1.0)])
+        Self::between(
+            &Pose { position, normal, tangent: heading },
+            height,
+            arc,
+            FAR,
+            [ankle(0.0, 1.0), ankle(0.5, -1.0)],
+        )
     }
 
     fn between(pose: &Pose, height: f32, arc: f32, length: f32, ankles: [(Vec3, Foot); 2]) -> Self {

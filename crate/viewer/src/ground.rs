@@ -1,22 +1,30 @@
-use glam::Vec4;
+use encase::ShaderType;
+use glam::Vec3;
 
+use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
 use crate::contact::{CONTACT_SIZE, Floor};
 use crate::context::Context;
+use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shadow::SHADOW_REACH;
-use crate::shared::{
-    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, smooth_sampler, uniform_buffer,
-    uniform_entry,
-};
+use crate::shared::Shared;
+use crate::uniform::Uniform;
+
+/// `Ground` of ground.wgsl.
+#[derive(ShaderType)]
+struct GroundUniform {
+    center: Vec3,
+    reach: f32,
+    key_share: f32,
+    shadow_reach: f32,
+}
 
 /// The shadow that the scene casts on the floor below it.
 pub(crate) struct Ground {
     pipeline: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
-    buffer: wgpu::Buffer,
+    uniform: Uniform<GroundUniform>,
     contact: wgpu::Texture,
     floor: Option<Floor>,
-    /// Middle of the floor and half a side, as ground.wgsl has them.
-    place: Vec4,
 }
 
 impl Ground {
@@ -29,7 +37,7 @@ impl Ground {
                 fragment_entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
             ],
         });
-        let buffer = uniform_buffer(context, "ground uniform", 2);
+        let uniform: Uniform<GroundUniform> = Uniform::new(context, "ground uniform");
         let size = CONTACT_SIZE as u32;
         let contact = context.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("contact"),
@@ -47,7 +55,7 @@ impl Ground {
             label: Some("ground"),
             layout: &layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 0, resource: uniform.buffer.as_entire_binding() },
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
                 wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
@@ -63,13 +71,12 @@ impl Ground {
             place: Place::Over,
         }
         .build(context);
-        Self { pipeline, group, buffer, contact, floor: None, place: Vec4::ZERO }
+        Self { pipeline, group, uniform, contact, floor: None }
     }
 
     /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact).
     pub(crate) fn set(&mut self, context: &Context, floor: Floor, contact: &[u8]) {
         self.floor = Some(floor);
-        self.place = floor.center.extend(floor.reach);
         let row = Some(CONTACT_SIZE as u32);
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
         context.queue.write_texture(self.contact.as_image_copy(), contact, layout, self.contact.size());
@@ -82,8 +89,8 @@ impl Ground {
 
     /// Tells the key light's share of the light on the floor.
     pub(crate) fn set_light(&self, context: &Context, key_share: f32) {
-        let vectors = [self.place, Vec4::new(key_share, SHADOW_REACH, 0.0, 0.0)];
-        context.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&vectors));
+        let Some(Floor { center, reach }) = self.floor else { return };
+        self.uniform.write(context, &GroundUniform { center, reach, key_share, shadow_reach: SHADOW_REACH });
     }
 
     /// Seen from below the floor is not there.

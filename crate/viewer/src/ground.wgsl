@@ -1,10 +1,13 @@
 // The floor: nothing but the shadow on it, so that any background goes with it.
 
 struct Ground {
-    // Middle of the floor; w: half a side.
-    place: vec4f,
-    // The key light's share of the light on the floor, and how far from the middle of the shadow maps shadows can be.
-    light: vec4f,
+    // Its middle and half a side; world space.
+    center: vec3f,
+    reach: f32,
+    // The key light's share of the light on it.
+    key_share: f32,
+    // How far from the middle of the shadow maps shadows can be; clip space.
+    shadow_reach: f32,
 }
 
 @group(2) @binding(0) var<uniform> ground: Ground;
@@ -24,7 +27,7 @@ struct Fragment {
 @vertex
 fn vs_ground(@builtin(vertex_index) corner: u32) -> Fragment {
     let place = vec2f(f32(corner & 1u), f32(corner >> 1u)) * 2.0 - 1.0;
-    let position = ground.place.xyz + ground.place.w * vec3f(place.x, 0.0, place.y);
+    let position = ground.center + ground.reach * vec3f(place.x, 0.0, place.y);
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, place);
 }
 
@@ -38,14 +41,14 @@ fn fs_ground(fragment: Fragment) -> @location(0) vec4f {
     let dark = textureSampleLevel(contact, contact_sampler, 0.5 + 0.5 * fragment.place, 0.0).r;
     let place = (frame.shadow_from_world * vec4f(fragment.position, 1.0)).xy;
     var visible = 1.0;
-    if length(place) < ground.light.y {
+    if length(place) < ground.shadow_reach {
         visible = key_visibility(fragment.position, up);
     }
     if visible == 1.0 && dark == 0.0 {
         return vec4f(0.0);
     }
     // What the floor gets of the light that it would get with nothing on it.
-    let key = ground.light.x;
+    let key = ground.key_share;
     let left = key * visible + (1.0 - key) * (1.0 - CONTACT_DEPTH * dark);
     // The canvas blends sRGB bytes: what is left of the light there is about this power of what is left of it in truth.
     let shadow = fade * (1.0 - pow(clamp(left, 0.0, 1.0), 1.0 / 2.2));

@@ -7,10 +7,14 @@
 
 mod arrow;
 mod background;
+mod binding;
 mod bounds;
 mod buffer;
 mod camera;
+mod canvas;
 mod capture;
+mod check;
+mod color;
 mod contact;
 mod context;
 mod curve;
@@ -18,35 +22,40 @@ mod environment;
 mod error;
 mod gait;
 mod ground;
-mod light;
-mod look;
+mod lighting;
 mod mesh;
 mod occlusion;
 mod pick;
 mod pin;
+mod pipeline;
 mod pose;
 mod renderer;
 mod scatter;
 mod shadow;
 mod shared;
 mod solid;
+mod style;
 mod surface;
+mod targets;
+mod uniform;
+mod vertex;
 mod walker;
 #[cfg(target_arch = "wasm32")]
 mod web;
 mod wire;
 
 pub use bounds::Bounds;
-pub use camera::{Camera, Eye, View};
+pub use camera::{Camera, Eye, Insets, View};
+pub use canvas::Canvas;
 pub use capture::Capture;
 pub use context::{Backend, Context};
 pub use environment::Surroundings;
 pub use error::Error;
-pub use look::{Finish, Look, Pattern, RAMP_SIZE};
 pub use mesh::MeshArrays;
 pub use pick::{Hit, Picker, Ray};
-pub use pose::{Pose, Track};
-pub use renderer::{Renderer, SurfaceHit, numbers_from_view, view_from_numbers};
+pub use pose::{CrowdPose, Pose, Track};
+pub use renderer::{Renderer, SurfaceHit};
+pub use style::{Finish, Pattern, RAMP_SIZE, Style};
 pub use surface::RAMP_BYTES;
 
 #[cfg(test)]
@@ -54,7 +63,7 @@ mod shader_tests {
     use wgpu::naga::front::wgsl;
     use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    use crate::shared::SHARED_WGSL;
+    use crate::pipeline::SHARED_WGSL;
 
     #[test]
     fn every_shader_is_valid() {

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::bounds::Bounds;
+use crate::check;
 use crate::context::Context;
 use crate::error::Error;
 use crate::pick::Picker;
@@ -21,16 +22,9 @@ pub struct MeshArrays {
 impl MeshArrays {
     fn check(&self) -> Result<(), Error> {
         let vertex_count = self.positions.len();
-        if self.normals.len() != vertex_count {
-            return Err(Error::WrongLength {
-                what: "normals",
-                expected: 3 * vertex_count,
-                found: 3 * self.normals.len(),
-            });
-        }
-        if let Some(vertex) = self.positions.iter().position(|position| !position.is_finite()) {
-            return Err(Error::NotFinite { vertex });
-        }
+        check::same_length("normals", &self.positions, &self.normals)?;
+        check::places("positions", &self.positions)?;
+        check::vectors("normals", &self.normals)?;
         for (triangle, corners) in self.triangles.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
                 return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });

@@ -3,17 +3,23 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::shared::{PipelineRecipe, Place, Shared, shader};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
+use crate::vertex::vertex_layout;
 
-/// Foot, direction, selected.
-type Instance = [f32; 7];
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct Pin {
+    /// World space.
+    foot: Vec3,
+    /// Unit length.
+    up: Vec3,
+    /// 1 for the selected one, else 0.
+    selected: f32,
+}
 
-const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Instance>() as u64,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32x3, 5 => Float32],
-};
+const PIN: wgpu::VertexBufferLayout<'static> = vertex_layout!(Pin, per Instance: 3 => foot, 4 => up, 5 => selected);
 
 /// Shares of the pin's height.
 const BALL_RADIUS: f32 = 0.2;
@@ -28,7 +34,7 @@ pub(crate) struct Pins {
     pipeline: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
     solid: SolidBuffers,
-    instances: Instances<Instance>,
+    instances: Instances<Pin>,
 }
 
 impl Pins {
@@ -43,7 +49,7 @@ impl Pins {
             module: &shader(context, "pin.wgsl", include_str!("pin.wgsl")),
             vertex: "vs_pin",
             fragment: "fs_pin",
-            buffers: &[Some(SolidBuffers::LAYOUT), Some(INSTANCE)],
+            buffers: &[Some(SolidBuffers::LAYOUT), Some(PIN)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place: Place::Solid,
         };
@@ -58,10 +64,10 @@ impl Pins {
 
     /// Replaces the pins; one direction a foot point.
     pub(crate) fn set(&mut self, context: &Context, feet: &[Vec3], directions: &[Vec3], selected: Option<usize>) {
-        let pins = feet.iter().zip(directions).enumerate().map(|(index, (foot, direction))| {
-            let up = direction.try_normalize().unwrap_or(Vec3::Y);
-            let emphasis = if selected == Some(index) { 1.0 } else { 0.0 };
-            [foot.x, foot.y, foot.z, up.x, up.y, up.z, emphasis]
+        let pins = feet.iter().zip(directions).enumerate().map(|(index, (&foot, direction))| Pin {
+            foot,
+            up: direction.try_normalize().unwrap_or(Vec3::Y),
+            selected: if selected == Some(index) { 1.0 } else { 0.0 },
         });
         self.instances.set(context, pins);
     }
@@ -76,7 +82,7 @@ impl Pins {
 
     /// Around each pin; `radius` is the surface's bounding radius.
     pub(crate) fn balls(&self, radius: f32) -> impl Iterator<Item = (Vec3, f32)> + '_ {
-        self.instances.items().iter().map(move |&[x, y, z, ..]| (Vec3::new(x, y, z), TALLEST * radius))
+        self.instances.items().iter().map(move |pin| (pin.foot, TALLEST * radius))
     }
 
     /// Whether there are any.

@@ -29,7 +29,7 @@ fn vs_pin(
     @location(5) selected: f32,
 ) -> Fragment {
     let axes = basis(up);
-    let size = min(SIZE * frame.eye.w, MAX_PIXELS * css_pixel(foot)) * mix(1.0, 1.22, selected);
+    let size = min(SIZE * frame.radius, MAX_PIXELS * css_pixel(foot)) * mix(1.0, 1.22, selected);
     let position = foot + size * (axes * solid);
     let normal = axes * solid_normal;
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, tags.x, selected);

@@ -20,6 +20,26 @@ pub struct Pose {
     pub tangent: Vec3,
 }
 
+/// How one of the crowd stands.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct CrowdPose {
+    /// World space.
+    pub position: Vec3,
+    /// Up, unit length.
+    pub normal: Vec3,
+    /// Ahead, unit length.
+    pub heading: Vec3,
+    /// Length walked so far; world units.
+    pub arc: f32,
+}
+
+impl CrowdPose {
+    pub(crate) fn is_finite(&self) -> bool {
+        self.position.is_finite() && self.normal.is_finite() && self.heading.is_finite() && self.arc.is_finite()
+    }
+}
+
 impl Track {
     /// A track through points with one normal each, or None when fewer than two points differ.
     #[must_use]

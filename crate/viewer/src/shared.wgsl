@@ -2,36 +2,48 @@
 // light until `encode`.
 
 struct Light {
-    // Direction to its middle, unit length; w: half its width over its distance.
-    towards: vec4f,
-    // Direction along its width, unit length; w: half its height over its distance.
-    right: vec4f,
-    // Linear colour; w: solid angle over π.
-    radiance: vec4f,
+    // Direction to its middle, unit length.
+    towards: vec3f,
+    // Over its distance, as the half height.
+    half_width: f32,
+    // Direction along its width, unit length.
+    right: vec3f,
+    half_height: f32,
+    // Linear colour.
+    radiance: vec3f,
+    // Solid angle over π.
+    share: f32,
 }
 
 // The number is that of environment.rs.
 const LIGHT_COUNT = 4;
 
+// Its layout is that of `FrameUniform` in shared.rs.
 struct Frame {
     clip_from_world: mat4x4f,
-    // The camera's axes in world space; w of the second: world size of a texel of the shadow maps.
-    right: vec4f,
-    up: vec4f,
-    back: vec4f,
-    // World position of the eye; w: bounding radius of the surface.
-    eye: vec4f,
-    // Width and height in physical pixels, physical pixels a CSS pixel, world size of a pixel at unit distance.
-    screen: vec4f,
-    // The part of the shadow maps that shadows of what moves can fall on: least x and y, greatest x and y; clip space.
-    moving: vec4f,
-    // The cube of the occlusion grid: its least corner; w: its side. World space.
-    occlusion: vec4f,
     // From world space to the shadow maps: clip space seen from the key light.
     shadow_from_world: mat4x4f,
-    zenith: vec4f,
-    horizon: vec4f,
-    nadir: vec4f,
+    // The camera's axis against the line of sight; world space.
+    back: vec3f,
+    // World size of a physical pixel at unit distance.
+    pixel_slope: f32,
+    // World position.
+    eye: vec3f,
+    // Bounding radius of the surface.
+    radius: f32,
+    // The cube of the occlusion grid: its least corner and its side. World space.
+    occlusion_low: vec3f,
+    occlusion_side: f32,
+    // The part of the shadow maps that shadows of what moves can fall on; clip space.
+    moving_low: vec2f,
+    moving_high: vec2f,
+    zenith: vec3f,
+    // Physical pixels a CSS pixel.
+    pixel_ratio: f32,
+    horizon: vec3f,
+    // World size of a texel of the shadow maps.
+    shadow_texel: f32,
+    nadir: vec3f,
     // The first casts the shadows.
     lights: array<Light, LIGHT_COUNT>,
 }
@@ -57,7 +69,7 @@ struct Material {
 
 // World size of a CSS pixel at a world position.
 fn css_pixel(position: vec3f) -> f32 {
-    return frame.screen.w * frame.screen.z * dot(frame.eye.xyz - position, frame.back.xyz);
+    return frame.pixel_slope * frame.pixel_ratio * dot(frame.eye - position, frame.back);
 }
 
 // Axes at right angles, the second along a unit vector. Duff et al., "Building an orthonormal basis, revisited" (2017).
@@ -77,13 +89,13 @@ fn blurred_step(x: f32) -> f32 {
 
 // Share of a light that a mirror shows in a direction, where `blur` is the tangent of the angle that it is blurred over.
 fn light_share(light: Light, direction: vec3f, blur: f32) -> f32 {
-    let ahead = dot(direction, light.towards.xyz);
+    let ahead = dot(direction, light.towards);
     if ahead <= 0.0 {
         return 0.0;
     }
-    let up = cross(light.towards.xyz, light.right.xyz);
-    let at = abs(vec2f(dot(direction, light.right.xyz), dot(direction, up))) / (blur * max(ahead, 0.05));
-    let half = vec2f(light.towards.w, light.right.w) / blur;
+    let up = cross(light.towards, light.right);
+    let at = abs(vec2f(dot(direction, light.right), dot(direction, up))) / (blur * max(ahead, 0.05));
+    let half = vec2f(light.half_width, light.half_height) / blur;
     let low = smoothstep(vec2f(0.0), vec2f(1.0), 0.5 + 0.36 * (half - at));
     let high = smoothstep(vec2f(0.0), vec2f(1.0), 0.5 - 0.36 * (half + at));
     let inside = low - high;
@@ -93,8 +105,8 @@ fn light_share(light: Light, direction: vec3f, blur: f32) -> f32 {
 // Sky and floor in a direction, blurred likewise.
 fn surroundings(direction: vec3f, blur: f32) -> vec3f {
     let height = direction.y;
-    let sky = mix(frame.horizon.rgb, frame.zenith.rgb, smoothstep(0.0, 0.9, max(height, 0.0)));
-    let floor = mix(frame.horizon.rgb, frame.nadir.rgb, smoothstep(-0.1, 0.5 + 0.4 * blur, -height));
+    let sky = mix(frame.horizon, frame.zenith, smoothstep(0.0, 0.9, max(height, 0.0)));
+    let floor = mix(frame.horizon, frame.nadir, smoothstep(-0.1, 0.5 + 0.4 * blur, -height));
     return mix(floor, sky, blurred_step(height / (0.08 + 0.7 * blur)));
 }
 
@@ -107,13 +119,13 @@ fn wrapped(cosine: f32) -> f32 {
 
 // Share of the key light that comes through to a point whose normal faces the eye.
 fn key_visibility(position: vec3f, normal: vec3f) -> f32 {
-    let facing = dot(normal, frame.lights[0].towards.xyz);
+    let facing = dot(normal, frame.lights[0].towards);
     // Triangles seen edge on by the light would speckle: there the light itself fades instead.
     let certain = smoothstep(0.02, 0.3, facing);
     if certain <= 0.0 {
         return 1.0;
     }
-    let lifted = position + normal * (2.5 * frame.up.w);
+    let lifted = position + normal * (2.5 * frame.shadow_texel);
     let clip = (frame.shadow_from_world * vec4f(lifted, 1.0)).xyz;
     let place = vec2f(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y);
     // The floor reaches beyond the map: what is behind the scene is as far as nothing.
@@ -122,7 +134,7 @@ fn key_visibility(position: vec3f, normal: vec3f) -> f32 {
     // A square turned, so that the four blend along rows and columns.
     var taps = array<vec2f, 4>(vec2f(-0.4, -1.0), vec2f(1.0, -0.4), vec2f(0.4, 1.0), vec2f(-1.0, 0.4));
     // Few points are near what moves.
-    let is_near = all(clip.xy >= frame.moving.xy) && all(clip.xy <= frame.moving.zw);
+    let is_near = all(clip.xy >= frame.moving_low) && all(clip.xy <= frame.moving_high);
     var lit = 0.0;
     for (var i = 0; i < 4; i++) {
         let tap = place + step * taps[i];
@@ -141,7 +153,7 @@ const OCCLUSION_LIFT = 0.027;
 
 // The mean direction (xyz) and the mean share (w) of the light that comes to a place on a surface.
 fn openness(position: vec3f, normal: vec3f) -> vec4f {
-    let place = (position - frame.occlusion.xyz) / frame.occlusion.w + OCCLUSION_LIFT * normal;
+    let place = (position - frame.occlusion_low) / frame.occlusion_side + OCCLUSION_LIFT * normal;
     let texel = textureSampleLevel(occlusion_grid, occlusion_sampler, place, 0.0);
     return vec4f(0.5 * texel.rgb - 0.25, texel.a);
 }
@@ -185,14 +197,14 @@ struct Lit {
 }
 
 fn lit_by(light: Light, normal: vec3f, mirrored: vec3f, blur: f32) -> Lit {
-    let share = light.radiance.w * wrapped(dot(normal, light.towards.xyz));
-    return Lit(light.radiance.rgb * share, light.radiance.rgb * light_share(light, mirrored, blur));
+    let share = light.share * wrapped(dot(normal, light.towards));
+    return Lit(light.radiance * share, light.radiance * light_share(light, mirrored, blur));
 }
 
 // Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
 // roughness. `normal` is that of the relief upon the surface, whose own is `geometric`; both face the eye.
 fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -> vec3f {
-    let to_eye = normalize(frame.eye.xyz - position);
+    let to_eye = normalize(frame.eye - position);
     let facing = clamp(dot(normal, to_eye), 0.02, 1.0);
     let mirrored = reflect(-to_eye, normal);
     let blur = 0.012 + 1.1 * material.roughness * material.roughness;
@@ -228,7 +240,7 @@ fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -
 // The shading normal turned towards the eye. The side is read from the triangle itself: vertex normals of an open or
 // badly wound mesh may point either way. w: 1 for the outside, 0 for the inside.
 fn normal_to_eye(position: vec3f, normal: vec3f) -> vec4f {
-    let to_eye = frame.eye.xyz - position;
+    let to_eye = frame.eye - position;
     var face = cross(dpdx(position), dpdy(position));
     face = face * select(-1.0, 1.0, dot(face, to_eye) > 0.0);
     let outside = dot(normal, face) >= 0.0;

@@ -1,13 +1,21 @@
 use std::f32::consts::{PI, TAU};
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
+use crate::vertex::vertex_layout;
 
-/// Position, normal, and two tags whose meaning is the shader's own.
-type Vertex = [f32; 8];
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct Vertex {
+    position: Vec3,
+    /// Unit length.
+    normal: Vec3,
+    /// Their meaning is the shader's own.
+    tags: Vec2,
+}
 
 /// How finely round parts are cut.
 #[derive(Clone, Copy)]
@@ -52,8 +60,7 @@ impl Solid {
                 let radial = cos * right + sin * ahead;
                 let position = base + height * axis + radius * radial;
                 let normal = (rise * radial - growth * axis).normalize();
-                self.vertices
-                    .push([position.x, position.y, position.z, normal.x, normal.y, normal.z, tags[0], tags[1]]);
+                self.vertices.push(Vertex { position, normal, tags: tags.into() });
             }
         }
         let row = sectors as u16 + 1;
@@ -111,11 +118,8 @@ pub(crate) struct SolidBuffers {
 }
 
 impl SolidBuffers {
-    pub(crate) const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-        array_stride: size_of::<Vertex>() as u64,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2],
-    };
+    pub(crate) const LAYOUT: wgpu::VertexBufferLayout<'static> =
+        vertex_layout!(Vertex, per Vertex: 0 => position, 1 => normal, 2 => tags);
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, instances: u32) {
         pass.set_vertex_buffer(0, self.vertices.slice(..));
@@ -133,13 +137,12 @@ mod tests {
         let mut solid = Solid::new(Detail::FINE);
         let center = Vec3::new(1.0, 2.0, 3.0);
         solid.ball(center, Vec3::Y, 0.5, 0.5, [0.0; 2]);
-        for vertex in &solid.vertices {
-            let (position, normal) = (Vec3::from_slice(vertex), Vec3::from_slice(&vertex[3..]));
+        for &Vertex { position, normal, .. } in &solid.vertices {
             assert!(normal.is_normalized());
             assert!(normal.dot((position - center).normalize()) > 0.98, "profile differences turn a normal a little");
         }
         solid.limb((Vec3::ZERO, 0.2), (Vec3::X, 0.1), [0.0; 2]);
-        assert!(solid.vertices.iter().all(|vertex| Vec3::from_slice(&vertex[3..]).is_normalized()));
+        assert!(solid.vertices.iter().all(|vertex| vertex.normal.is_normalized()));
         assert!(solid.indices.iter().all(|&index| usize::from(index) < solid.vertices.len()));
     }
 }

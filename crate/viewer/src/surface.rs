@@ -1,39 +1,25 @@
 use glam::Vec3;
 
+use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
-use crate::look::{LOOK_VECTORS, Look, RAMP_SIZE};
-use crate::shared::{
-    FILTERED_TEXTURE, PipelineRecipe, Place, Shared, fragment_entry, shader, smooth_sampler, uniform_buffer,
-    uniform_entry,
-};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
+use crate::style::{RAMP_SIZE, Style, StyleUniform};
+use crate::uniform::Uniform;
+use crate::vertex::{Snorm8x4, attribute, single};
 
 /// Bytes of the ramp of the surface and that of the stripes: RGBA.
 pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
 /// Stands for "unreachable" in a vertex buffer: interpolating an infinity gives NaN on some devices.
 const UNREACHABLE: f32 = -1.0;
 
-const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Vec3>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-};
-const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Vec3>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![1 => Float32x3],
-};
-const DISTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<f32>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![2 => Float32],
-};
-const TANGENT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<[i8; 4]>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![3 => Snorm8x4],
-};
+const POSITION: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(0)]);
+const NORMAL: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(1)]);
+const DISTANCE: wgpu::VertexBufferLayout<'static> = single::<f32>(PER_VERTEX, &[attribute::<f32>(2)]);
+const TANGENT: wgpu::VertexBufferLayout<'static> = single::<Snorm8x4>(PER_VERTEX, &[attribute::<Snorm8x4>(3)]);
+const PER_VERTEX: wgpu::VertexStepMode = wgpu::VertexStepMode::Vertex;
 
 /// A triangle mesh on the device.
 pub(crate) struct MeshBuffers {
@@ -86,7 +72,7 @@ pub(crate) struct FieldBuffers {
     tangents: wgpu::Buffer,
     /// What goes to the device; kept, so that a new field allocates nothing.
     values: Vec<f32>,
-    directions: Vec<[i8; 4]>,
+    directions: Vec<Snorm8x4>,
     /// False until a field was written.
     has_field: bool,
 }
@@ -109,14 +95,13 @@ impl FieldBuffers {
         self.has_field = false;
     }
 
-    /// Lets `fill` write one distance a vertex (infinite or NaN = unreachable) and the direction in which it grows (127 for
-    /// a unit, the fourth number unused), and uploads them.
-    pub(crate) fn write(&mut self, context: &Context, fill: impl FnOnce(&mut [f32], &mut [i8])) {
+    /// Lets `fill` write one value a vertex (infinite or NaN = unreachable) and the direction in which it grows (127 for a
+    /// unit, the fourth number unused), and uploads them, the values over `max`: the shader's arithmetic does not depend on
+    /// their unit.
+    pub(crate) fn write(&mut self, context: &Context, max: f64, fill: impl FnOnce(&mut [f32], &mut [i8])) {
         fill(&mut self.values, bytemuck::cast_slice_mut(&mut self.directions));
         for value in &mut self.values {
-            if !value.is_finite() {
-                *value = UNREACHABLE;
-            }
+            *value = if value.is_finite() { (f64::from(*value) / max) as f32 } else { UNREACHABLE };
         }
         context.queue.write_buffer(&self.distances, 0, bytemuck::cast_slice(&self.values));
         context.queue.write_buffer(&self.tangents, 0, bytemuck::cast_slice(&self.directions));
@@ -131,14 +116,14 @@ pub(crate) struct SurfaceRenderer {
     scenery: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
-    look: wgpu::Buffer,
+    style: Uniform<StyleUniform>,
     ramps: wgpu::Texture,
 }
 
 impl SurfaceRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
-        let layout = look_layout(context);
-        let look = uniform_buffer(context, "look uniform", LOOK_VECTORS);
+        let layout = style_layout(context);
+        let style: Uniform<StyleUniform> = Uniform::new(context, "style uniform");
         let ramps = context.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("ramps"),
             size: wgpu::Extent3d { width: RAMP_SIZE as u32, height: 2, depth_or_array_layers: 1 },
@@ -152,10 +137,10 @@ impl SurfaceRenderer {
         let sampler = smooth_sampler(context, None);
         let view = ramps.create_view(&wgpu::TextureViewDescriptor { label: Some("ramps"), ..Default::default() });
         let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("look"),
+            label: Some("style"),
             layout: &layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: look.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 0, resource: style.buffer.as_entire_binding() },
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
                 wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
@@ -184,23 +169,23 @@ impl SurfaceRenderer {
             }
             .build_shadow(context),
             group,
-            look,
+            style,
             ramps,
         };
         renderer.set_ramps(context, &[236; RAMP_BYTES]);
         renderer
     }
 
-    /// Colours over distance / max, of the surface and then of the stripes; sRGB bytes, RGBA.
+    /// Colours over value / max, of the surface and then of the stripes; sRGB bytes, RGBA.
     pub(crate) fn set_ramps(&self, context: &Context, texels: &[u8; RAMP_BYTES]) {
         let row = Some(4 * RAMP_SIZE as u32);
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
         context.queue.write_texture(self.ramps.as_image_copy(), texels, layout, self.ramps.size());
     }
 
-    /// `max` is the distance at the ramps' end; world units.
-    pub(crate) fn set_look(&self, context: &Context, look: &Look, max: f32) {
-        context.queue.write_buffer(&self.look, 0, bytemuck::cast_slice(&look.vectors(max)));
+    /// `max` is the largest value of the field.
+    pub(crate) fn set_style(&self, context: &Context, style: &Style, max: f64) {
+        self.style.write(context, &style.uniform(max));
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers, field: &FieldBuffers) {
@@ -227,10 +212,10 @@ impl SurfaceRenderer {
     }
 }
 
-fn look_layout(context: &Context) -> wgpu::BindGroupLayout {
+fn style_layout(context: &Context) -> wgpu::BindGroupLayout {
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
     context.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("look layout"),
+        label: Some("style layout"),
         entries: &[uniform_entry(0), fragment_entry(1, FILTERED_TEXTURE), fragment_entry(2, sampler)],
     })
 }

@@ -1,18 +1,31 @@
 // The surface with its distance pattern, and the scenery around it.
 
-// See `Look::vectors`.
-struct Look {
-    // 1 / period, 1 / max, offset in periods, share of the stripes' own colour.
-    scale: vec4f,
-    // Of bands: share of the period covered, half the width of a flank (periods), height (periods). w: half the width of
-    // lines, CSS pixels; 0 for bands.
-    shape: vec4f,
-    // Metalness, roughness, glow: between the stripes, and on them.
-    surface: vec4f,
-    stripe: vec4f,
+struct Finish {
+    metalness: f32,
+    roughness: f32,
+    glow: f32,
 }
 
-@group(2) @binding(0) var<uniform> look: Look;
+// Its layout is that of `StyleUniform` in style.rs.
+struct Style {
+    // Periods from no distance to the largest.
+    periods: f32,
+    // In periods.
+    offset: f32,
+    // Opacity of the stripes' own colour.
+    stripe_opacity: f32,
+    // Half the width of lines, CSS pixels; 0 for bands.
+    line_half_width: f32,
+    // Of bands: share of the period covered, half the width of a flank and height, both in periods.
+    width: f32,
+    flank: f32,
+    relief: f32,
+    // Between the stripes, and on them.
+    @align(16) surface: Finish,
+    @align(16) stripe: Finish,
+}
+
+@group(2) @binding(0) var<uniform> style: Style;
 // Two rows: colours of the surface and of the stripes.
 @group(2) @binding(1) var ramps: texture_2d<f32>;
 @group(2) @binding(2) var ramp_sampler: sampler;
@@ -34,6 +47,7 @@ struct Fragment {
     @builtin(position) clip: vec4f,
     @location(0) position: vec3f,
     @location(1) normal: vec3f,
+    // Over the largest.
     @location(2) distance: f32,
     // 1 at vertices that distance is known at, 0 at others.
     @location(3) reached: f32,
@@ -145,10 +159,10 @@ fn finish(given: Material, position: vec3f, normal: vec3f, geometric: vec4f) -> 
 fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
-    let phase = fragment.distance * look.scale.x - look.scale.z;
+    let phase = fragment.distance * style.periods - style.offset;
     let span = length(vec2f(dpdx(phase), dpdy(phase)));
 
-    let along = clamp(fragment.distance * look.scale.y, 0.0, 1.0);
+    let along = clamp(fragment.distance, 0.0, 1.0);
     let u = (along * (RAMP_SIZE - 1.0) + 0.5) / RAMP_SIZE;
     let surface_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.25), 0.0).rgb;
     let stripe_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.75), 0.0).rgb;
@@ -159,26 +173,26 @@ fn fs_field(fragment: Fragment) -> @location(0) vec4f {
 
     var share = 0.0;
     var normal = geometric.xyz;
-    if look.shape.w > 0.0 {
-        let half = look.shape.w * frame.screen.z;
+    if style.line_half_width > 0.0 {
+        let half = style.line_half_width * frame.pixel_ratio;
         let thin = lines(phase * SUBDIVISIONS, span * SUBDIVISIONS, 0.55 * half);
         share = max(lines(phase, span, half), 0.45 * thin);
     } else {
-        let pattern = bands(phase, span, look.shape.x, look.shape.y);
+        let pattern = bands(phase, span, style.width, style.flank);
         share = pattern.x;
         let uphill = fragment.tangent - normal * dot(normal, fragment.tangent);
-        normal = normalize(normal - uphill * (look.shape.z * pattern.y));
-        turned += look.shape.z * look.shape.z * dot(uphill, uphill) * pattern.z;
+        normal = normalize(normal - uphill * (style.relief * pattern.y));
+        turned += style.relief * style.relief * dot(uphill, uphill) * pattern.z;
     }
     var material = Material(
-        mix(surface_color, stripe_color, share * look.scale.w),
-        mix(look.surface.x, look.stripe.x, share),
-        roughened(mix(look.surface.y, look.stripe.y, share), turned),
-        surface_color * (look.surface.z * (1.0 - share)) + stripe_color * (look.stripe.z * share),
+        mix(surface_color, stripe_color, share * style.stripe_opacity),
+        mix(style.surface.metalness, style.stripe.metalness, share),
+        roughened(mix(style.surface.roughness, style.stripe.roughness, share), turned),
+        surface_color * (style.surface.glow * (1.0 - share)) + stripe_color * (style.stripe.glow * share),
     );
     if fragment.reached < 0.999 {
-        let diagonal = (fragment.clip.x + fragment.clip.y) / (HATCH_PERIOD * frame.screen.z);
-        let hatch = bands(diagonal, 1.0 / (HATCH_PERIOD * frame.screen.z), HATCH_WIDTH, 0.05);
+        let diagonal = (fragment.clip.x + fragment.clip.y) / (HATCH_PERIOD * frame.pixel_ratio);
+        let hatch = bands(diagonal, 1.0 / (HATCH_PERIOD * frame.pixel_ratio), HATCH_WIDTH, 0.05);
         material = Material(UNREACHABLE * (1.0 - 0.22 * hatch.x), 0.0, 0.6, vec3f(0.0));
         normal = geometric.xyz;
     }

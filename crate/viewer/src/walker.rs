@@ -4,9 +4,11 @@ use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::gait::{ANKLE, Figure};
-use crate::pose::Track;
-use crate::shared::{PipelineRecipe, Place, Shared, shader};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pose::{CrowdPose, Track};
+use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
+use crate::vertex::vertex_layout;
 
 /// The walker's height in bounding radii of the surface.
 pub(crate) const HEIGHT: f32 = 0.105;
@@ -28,14 +30,8 @@ const SKIN: f32 = 1.0;
 const CAP: f32 = 2.0;
 const DARK: f32 = 3.0;
 
-const FIGURE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Figure>() as u64,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4],
-};
-
-/// Numbers of a walker of the crowd: position, normal and heading (three each), and the length walked.
-pub const POSE_NUMBERS: usize = 10;
+const FIGURE: wgpu::VertexBufferLayout<'static> =
+    vertex_layout!(Figure, per Instance: 3 => place, 4 => up, 5 => ahead, 6 => left, 7 => right);
 
 /// Draws the figure that walks along the path, and the crowd.
 pub(crate) struct Walkers {
@@ -93,8 +89,14 @@ impl Walkers {
         self.walker.figures.clear();
     }
 
+    /// Takes walker and crowd away.
+    pub(crate) fn clear(&mut self) {
+        self.walker.figures.clear();
+        self.crowd.figures.clear();
+    }
+
     /// Replaces the crowd; `radius` is the surface's bounding radius.
-    pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[[f32; POSE_NUMBERS]], radius: f32) {
+    pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[CrowdPose], radius: f32) {
         let height = CROWD_HEIGHT * radius;
         self.crowd.figures.set(context, poses.iter().map(|pose| Figure::in_crowd(pose, height)));
     }

@@ -53,9 +53,9 @@ fn hang(v: vec3f, along: vec3f) -> vec3f {
 
 // Parts of a leg between the hip and an ankle (w: pitch of the foot). The knee bends forwards.
 fn leg(part: f32, solid: Posed, hip: vec3f, ankle: vec4f) -> Posed {
-    let way = ankle.xyz - hip;
-    let span = min(length(way), 1.999 * BONE);
-    let along = normalize(way);
+    let bone_ends = ankle.xyz - hip;
+    let span = min(length(bone_ends), 1.999 * BONE);
+    let along = normalize(bone_ends);
     let middle = hip + 0.5 * span * along;
     let out = sqrt(max(BONE * BONE - 0.25 * span * span, 0.0));
     let knee = middle + out * normalize(vec3f(0.0, along.z, -along.y));

@@ -1,22 +1,29 @@
 use glam::Vec3;
 
 use crate::buffer::Instances;
+use crate::color::linear_from_srgb;
 use crate::context::Context;
-use crate::shared::{PipelineRecipe, Place, Shared, linear_from_srgb, shader};
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
+use crate::vertex::vertex_layout;
 
-/// Two ends and a colour.
-type Instance = [f32; 9];
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct Segment {
+    /// World space.
+    start: Vec3,
+    end: Vec3,
+    /// Linear light.
+    color: Vec3,
+}
 
-const INSTANCE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Instance>() as u64,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3],
-};
+const SEGMENT: wgpu::VertexBufferLayout<'static> =
+    vertex_layout!(Segment, per Instance: 0 => start, 1 => end, 2 => color);
 
 /// Draws edges as thin lines.
 pub(crate) struct Wires {
     pipeline: wgpu::RenderPipeline,
-    segments: Instances<Instance>,
+    segments: Instances<Segment>,
 }
 
 impl Wires {
@@ -27,7 +34,7 @@ impl Wires {
             module: &shader(context, "wire.wgsl", include_str!("wire.wgsl")),
             vertex: "vs_wire",
             fragment: "fs_wire",
-            buffers: &[Some(INSTANCE)],
+            buffers: &[Some(SEGMENT)],
             topology: wgpu::PrimitiveTopology::TriangleStrip,
             place: Place::Over,
         }
@@ -38,7 +45,7 @@ impl Wires {
     /// Adds segments, two ends each, of one colour; sRGB, 0..1.
     pub(crate) fn add(&mut self, context: &Context, ends: &[[Vec3; 2]], color: Vec3) {
         let color = linear_from_srgb(color);
-        let segment = |[a, b]: &[Vec3; 2]| [a.x, a.y, a.z, b.x, b.y, b.z, color.x, color.y, color.z];
+        let segment = |&[start, end]: &[Vec3; 2]| Segment { start, end, color };
         self.segments.extend(context, ends.iter().map(segment));
     }
 

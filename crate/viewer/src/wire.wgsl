@@ -23,12 +23,12 @@ fn vs_wire(
     @location(2) color: vec3f,
 ) -> Fragment {
     let here = select(start, end, corner >= 2u);
-    let to_eye = normalize(frame.eye.xyz - here);
+    let to_eye = normalize(frame.eye - here);
     let side = normalize(cross(end - start, to_eye));
-    let half_width = HALF_WIDTH * frame.screen.z;
+    let half_width = HALF_WIDTH * frame.pixel_ratio;
     let across = select(-1.0, 1.0, (corner & 1u) == 1u) * (half_width + FEATHER);
-    let pixel = css_pixel(here) / frame.screen.z;
-    let position = here + across * pixel * side + LIFT * frame.eye.w * to_eye;
+    let pixel = css_pixel(here) / frame.pixel_ratio;
+    let position = here + across * pixel * side + LIFT * frame.radius * to_eye;
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), color, across, half_width);
 }
 

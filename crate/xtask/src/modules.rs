@@ -18,6 +18,8 @@ pub struct Module {
     flags: &'static str,
     /// The profile of Cargo.toml that it is compiled with.
     profile: &'static str,
+    /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
+    is_restartable: bool,
 }
 
 /// The solver: float64 arithmetic that gains from SIMD.
@@ -27,11 +29,18 @@ pub const SOLVER: Module = Module {
     file: "heatwalk_worker",
     flags: "-Ctarget-feature=+simd128",
     profile: "release",
+    is_restartable: false,
 };
 
 /// The viewer: its arithmetic is the GPU's.
-pub const VIEWER: Module =
-    Module { name: "viewer", package: "heatwalk-viewer", file: "heatwalk_viewer", flags: "", profile: "viewer" };
+pub const VIEWER: Module = Module {
+    name: "viewer",
+    package: "heatwalk-viewer",
+    file: "heatwalk_viewer",
+    flags: "",
+    profile: "viewer",
+    is_restartable: true,
+};
 
 /// The packages whose tests run on wasm32 too.
 const TESTED: [&str; 4] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk", "heatwalk-scene"];
@@ -63,6 +72,7 @@ pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
         .input_path(&compiled)
         .web(true)?
         .typescript(true)
+        .reset_state_function(module.is_restartable)
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate(&folder)

@@ -1,9 +1,9 @@
 //! What keeps light off the scene, as shaders read it: shadow maps and ambient occlusion.
 
+use crate::binding::{fragment_entry, smooth_sampler, texture};
 use crate::context::Context;
 use crate::occlusion::OCCLUSION_SIZE;
 use crate::shadow::ShadowMaps;
-use crate::shared::{fragment_entry, smooth_sampler, texture};
 
 /// The shadow maps and the occlusion grid, and the group that binds them.
 pub(crate) struct Lighting {

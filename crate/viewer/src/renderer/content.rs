@@ -1,0 +1,213 @@
+//! What is shown.
+
+use glam::Vec3;
+
+use super::Renderer;
+use crate::bounds::Bounds;
+use crate::check;
+use crate::environment::{Environment, Surroundings};
+use crate::error::Error;
+use crate::mesh::{Mesh, MeshArrays};
+use crate::pose::{CrowdPose, Track};
+use crate::style::Style;
+use crate::surface::{FieldBuffers, RAMP_BYTES};
+
+impl Renderer {
+    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges. The view stays the same relative to the
+    /// bounds.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together, or the device, or are no finite places; the old surface then stays.
+    pub fn set_surface(&mut self, arrays: MeshArrays) -> Result<(), Error> {
+        let vertex_count = arrays.positions.len();
+        self.surface = match Mesh::new(&self.context, arrays)? {
+            Some(mesh) => Some((mesh, FieldBuffers::new(&self.context, vertex_count)?)),
+            None => None,
+        };
+        self.pins.set(&self.context, &[], &[], None);
+        self.curve.set_points(&self.context, &[]);
+        self.track = None;
+        self.walkers.clear();
+        self.arrows.clear();
+        self.wires.clear();
+        self.update_bounds();
+        Ok(())
+    }
+
+    /// Replaces the scenery; without triangles there is none.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together, or the device, or are no finite places; the old scenery then stays.
+    pub fn set_scenery(&mut self, arrays: MeshArrays) -> Result<(), Error> {
+        self.scenery = Mesh::new(&self.context, arrays)?;
+        self.update_bounds();
+        Ok(())
+    }
+
+    fn update_bounds(&mut self) {
+        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
+        let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
+        let all = if self.scenery.is_some() { all() } else { None };
+        self.scene = all.unwrap_or(surface);
+        self.camera.set_bounds(surface, self.scene);
+        (self.dirty, self.shadows_dirty, self.occlusion_dirty) = (true, true, true);
+    }
+
+    /// Replaces the field: `fill` writes one value a vertex, infinite where unreachable, and the direction in which it
+    /// grows, four numbers a vertex, 127 for a unit. `max` is the largest finite value, 0 where none is above. `count`
+    /// values come; none removes the field.
+    ///
+    /// # Errors
+    /// When the count is not the surface's number of vertices, or `max` is no finite number; the old field then stays.
+    pub fn set_field(&mut self, count: usize, max: f64, fill: impl FnOnce(&mut [f32], &mut [i8])) -> Result<(), Error> {
+        let expected = self.surface.as_ref().map_or(0, |(_, field)| field.vertex_count());
+        if count != 0 && count != expected {
+            return Err(Error::WrongLength { what: "distances", expected, found: count });
+        }
+        if !(max >= 0.0 && max.is_finite()) {
+            return Err(Error::NoNumber { what: "largest distance" });
+        }
+        let Some((_, field)) = &mut self.surface else { return Ok(()) };
+        self.dirty = true;
+        if count == 0 {
+            field.clear();
+            return Ok(());
+        }
+        // All are 0 where the largest is.
+        self.max = if max > 0.0 { max } else { 1.0 };
+        field.write(&self.context, self.max, fill);
+        self.surfaces.set_style(&self.context, &self.style, self.max);
+        Ok(())
+    }
+
+    /// How the field is drawn.
+    #[must_use]
+    pub fn style(&self) -> Style {
+        self.style
+    }
+
+    /// Draws the field in another style.
+    pub fn set_style(&mut self, style: Style) {
+        self.style = style;
+        self.surfaces.set_style(&self.context, &self.style, self.max);
+        self.dirty = true;
+    }
+
+    /// Colours over distance / max: 256 RGBA texels of the surface and as many of the stripes, sRGB bytes.
+    ///
+    /// # Errors
+    /// When there are more or fewer.
+    pub fn set_ramps(&mut self, texels: &[u8]) -> Result<(), Error> {
+        let texels = texels.try_into().map_err(|_| Error::WrongLength {
+            what: "ramp texels",
+            expected: RAMP_BYTES,
+            found: texels.len(),
+        })?;
+        self.surfaces.set_ramps(&self.context, texels);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// What lights the scene, facing a camera of this yaw; radians.
+    pub fn set_environment(&mut self, surroundings: Surroundings, yaw: f32) {
+        self.environment = Environment { surroundings, yaw };
+        (self.dirty, self.shadows_dirty) = (true, true);
+    }
+
+    /// Colours of the background's upper and lower edge; sRGB, 0..1.
+    pub fn set_background(&mut self, top: Vec3, bottom: Vec3) {
+        self.background.set_colors(&self.context, top, bottom);
+        self.dirty = true;
+    }
+
+    /// Replaces the pins; one normal a position.
+    ///
+    /// # Errors
+    /// When their numbers differ or one is not finite.
+    pub fn set_pins(&mut self, positions: &[Vec3], normals: &[Vec3], selected: Option<usize>) -> Result<(), Error> {
+        check::same_length("pin normals", positions, normals)?;
+        check::places("pin positions", positions)?;
+        check::vectors("pin normals", normals)?;
+        self.pins.set(&self.context, positions, normals, selected);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Replaces the path, from start to source; one normal a point, empty for none. The walker leaves.
+    ///
+    /// # Errors
+    /// When their numbers differ or one is not finite.
+    pub fn set_path(&mut self, points: &[Vec3], normals: &[Vec3]) -> Result<(), Error> {
+        check::same_length("path normals", points, normals)?;
+        check::places("path points", points)?;
+        check::vectors("path normals", normals)?;
+        self.curve.set_points(&self.context, points);
+        self.track = Track::new(points.to_vec(), normals.to_vec());
+        self.walkers.hide();
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Replaces the arrows: one vector a triangle of the surface, of any length; empty for none.
+    ///
+    /// # Errors
+    /// When there are more or fewer, or one is not finite.
+    pub fn set_arrows(&mut self, vectors: &[Vec3]) -> Result<(), Error> {
+        let triangles = self.surface.as_ref().map_or(0, |(mesh, _)| mesh.picker.triangles().len());
+        if !vectors.is_empty() && vectors.len() != triangles {
+            return Err(Error::WrongLength { what: "arrows", expected: 3 * triangles, found: 3 * vectors.len() });
+        }
+        check::vectors("arrows", vectors)?;
+        self.dirty = true;
+        self.arrows.clear();
+        let Some((mesh, _)) = self.surface.as_ref().filter(|_| !vectors.is_empty()) else { return Ok(()) };
+        self.arrows.set(&self.context, &mesh.picker, vectors, mesh.bounds.radius);
+        Ok(())
+    }
+
+    /// Takes all edges away.
+    pub fn clear_edges(&mut self) {
+        self.wires.clear();
+        self.dirty = true;
+    }
+
+    /// Adds edges, two ends each, of one colour; sRGB, 0..1.
+    ///
+    /// # Errors
+    /// When an end is no finite place.
+    pub fn add_edges(&mut self, ends: &[[Vec3; 2]], color: Vec3) -> Result<(), Error> {
+        check::places("edges", ends.as_flattened())?;
+        self.wires.add(&self.context, ends, color);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Stands the walker on the path at an arc length from its start; nothing happens without a path.
+    pub fn set_walker(&mut self, arc: f32) {
+        let arc = if arc.is_finite() { arc } else { 0.0 };
+        let radius = self.radius();
+        let Some(track) = &self.track else { return };
+        self.walkers.stand(&self.context, track, arc, radius);
+        self.dirty = true;
+    }
+
+    /// Takes the walker away.
+    pub fn hide_walker(&mut self) {
+        self.walkers.hide();
+        self.dirty = true;
+    }
+
+    /// Replaces the crowd.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub fn set_crowd(&mut self, poses: &[CrowdPose]) -> Result<(), Error> {
+        if let Some(index) = poses.iter().position(|pose| !pose.is_finite()) {
+            return Err(Error::NotFinite { what: "poses", index });
+        }
+        let radius = self.radius();
+        self.walkers.set_crowd(&self.context, poses, radius);
+        self.dirty = true;
+        Ok(())
+    }
+}

@@ -1,0 +1,140 @@
+//! A frame, from what is shown to the canvas or to a picture.
+
+use super::Renderer;
+use crate::camera::{Camera, Eye};
+use crate::canvas::NextFrame;
+use crate::capture::Capture;
+use crate::contact::{Contact, Floor};
+use crate::error::Error;
+use crate::occlusion::{Cube, Occlusion};
+use crate::shadow::{Casters, ShadowView};
+use crate::shared::Frame;
+
+impl Renderer {
+    /// True when the last frame is out of date, the camera moves, or the device was lost or refused a step (which
+    /// only `render` can tell).
+    #[must_use]
+    pub fn needs_frame(&self) -> bool {
+        self.dirty || self.camera.is_moving() || self.context.has_news()
+    }
+
+    /// Draws one frame onto the canvas; `seconds` since the last one. Returns false when there is no canvas, or it or the
+    /// device was lost.
+    ///
+    /// # Errors
+    /// What the device refused since the last frame. It may be this frame or an earlier call; the next frame may work.
+    pub fn render(&mut self, seconds: f64) -> Result<bool, Error> {
+        self.camera.advance(seconds);
+        let Some(canvas) = &self.canvas else { return Ok(false) };
+        let frame = match canvas.next_frame(&self.context) {
+            NextFrame::Ready(frame) => frame,
+            // The picture stays out of date, so that the page asks again.
+            NextFrame::Later => return Ok(true),
+            NextFrame::Lost => return Ok(false),
+        };
+        self.occlude();
+        let encoder = self.prepare(&self.camera);
+        if let Some(canvas) = &self.canvas {
+            canvas.present(&self.context, frame, encoder, |pass| self.draw(pass, self.camera.eye(), false));
+        }
+        (self.dirty, self.shadows_dirty) = (false, false);
+        self.context.take_error().map_or(Ok(true), Err)
+    }
+
+    /// Draws the same beside the canvas, `scale` times as large. `is_clear` leaves the background out.
+    ///
+    /// # Errors
+    /// [`Error::PictureTooLarge`].
+    pub fn capture(&mut self, scale: f32, is_clear: bool) -> Result<Capture, Error> {
+        let limit = self.context.device.limits().max_texture_dimension_2d;
+        let camera = self.camera.scaled(scale);
+        let (width, height) = camera.size();
+        if width.max(height) > limit {
+            return Err(Error::PictureTooLarge { width, height, limit });
+        }
+        self.occlude();
+        let encoder = self.prepare(&camera);
+        let capture =
+            Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, camera.eye(), is_clear));
+        self.shadows_dirty = false;
+        // The frame's uniform is now that of the picture.
+        self.dirty = true;
+        Ok(capture)
+    }
+
+    /// Writes the frame's uniform and draws the shadows that have changed.
+    fn prepare(&self, camera: &Camera) -> wgpu::CommandEncoder {
+        let shadows = ShadowView::new(self.scene, self.environment.key());
+        let moves = self.walkers.are_out() || !self.pins.is_empty();
+        let radius = self.radius();
+        self.shared.write(
+            &self.context,
+            &Frame {
+                eye: camera.eye(),
+                radius,
+                pixel_ratio: camera.pixel_ratio(),
+                shadows,
+                moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
+                cube: Cube::around(self.scene),
+                environment: self.environment,
+            },
+        );
+        let mut encoder = self.context.encoder();
+        if self.shadows_dirty {
+            self.ground.set_light(&self.context, self.environment.key_share());
+            self.shared.lighting.maps.draw(&mut encoder, Casters::Still, |pass| {
+                pass.set_bind_group(0, &self.shared.shadow_group, &[]);
+                for mesh in self.meshes() {
+                    self.surfaces.draw_shadow(pass, &mesh.buffers);
+                }
+            });
+        }
+        if moves {
+            self.shared.lighting.maps.draw(&mut encoder, Casters::Moving, |pass| {
+                pass.set_bind_group(0, &self.shared.shadow_group, &[]);
+                self.walkers.draw_shadow(pass);
+                self.pins.draw_shadow(pass);
+            });
+        }
+        encoder
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye: Eye, is_clear: bool) {
+        pass.set_bind_group(0, &self.shared.camera_group, &[]);
+        pass.set_bind_group(1, &self.shared.lighting.group, &[]);
+        if !is_clear {
+            self.background.draw(pass);
+        }
+        self.ground.draw(pass, eye.position.y as f32);
+        if let Some((mesh, field)) = &self.surface {
+            self.surfaces.draw(pass, &mesh.buffers, field);
+        }
+        if let Some(mesh) = &self.scenery {
+            self.surfaces.draw_scenery(pass, &mesh.buffers);
+        }
+        self.walkers.draw(pass);
+        self.pins.draw(pass);
+        self.arrows.draw(pass);
+        self.curve.draw(pass);
+        self.wires.draw(pass);
+    }
+
+    /// Finds out anew, if need be, what the scene keeps off the floor and off itself.
+    fn occlude(&mut self) {
+        if !std::mem::take(&mut self.occlusion_dirty) {
+            return;
+        }
+        if self.meshes().next().is_none() {
+            return self.ground.clear();
+        }
+        let floor = Floor::new(self.scene);
+        let mut contact = Contact::new(floor, self.scene);
+        let mut occlusion = Occlusion::new(Cube::around(self.scene));
+        for mesh in self.meshes() {
+            contact.add(mesh.picker.positions(), mesh.picker.triangles());
+            occlusion.add(mesh.picker.positions(), mesh.picker.triangles());
+        }
+        self.ground.set(&self.context, floor, &contact.into_texels());
+        self.shared.lighting.set_occlusion(&self.context, &occlusion.into_texels());
+    }
+}

@@ -1,0 +1,181 @@
+//! What is shown.
+
+use glam::Vec3;
+use js_sys::{Float32Array, Int8Array};
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use super::Viewer;
+use super::numbers::{color, finish, mesh_arrays, points};
+use crate::environment::Surroundings;
+use crate::error::Error;
+use crate::pose::CrowdPose;
+use crate::style::{Pattern, Style};
+
+#[wasm_bindgen]
+impl Viewer {
+    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges.
+    ///
+    /// # Errors
+    /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown
+    /// stays.
+    pub fn set_surface(&mut self, positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Result<(), JsError> {
+        Ok(self.renderer.set_surface(mesh_arrays(positions, normals, triangles)?)?)
+    }
+
+    /// Replaces the scenery; empty for none.
+    ///
+    /// # Errors
+    /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown
+    /// stays.
+    pub fn set_scenery(&mut self, positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Result<(), JsError> {
+        Ok(self.renderer.set_scenery(mesh_arrays(positions, normals, triangles)?)?)
+    }
+
+    /// One value a drawn vertex, Infinity = unreachable, and the direction in which it grows, four numbers a drawn vertex,
+    /// 127 for a unit; empty = no field.
+    ///
+    /// # Errors
+    /// Throws when the numbers of values are not those of the surface's vertices, or `max`, the largest finite value, is no
+    /// finite number.
+    pub fn set_field(&mut self, values: &Float32Array, tangents: &Int8Array, max: f64) -> Result<(), JsError> {
+        let count = values.length() as usize;
+        let found = tangents.length() as usize;
+        if found != 4 * count {
+            return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found }.into());
+        }
+        Ok(self.renderer.set_field(count, max, |distances, directions| {
+            values.copy_to(distances);
+            tangents.copy_to(directions);
+        })?)
+    }
+
+    /// Stripes: period in the unit of the field's values, share of it covered, sharpness 0..1, height in periods.
+    pub fn set_bands(&mut self, period: f64, width: f32, sharpness: f32, relief: f32) {
+        self.change_style(|style| Style { period, pattern: Pattern::Bands { width, sharpness, relief }, ..style });
+    }
+
+    /// Thin lines: period in the unit of the field's values, width in CSS pixels.
+    pub fn set_lines(&mut self, period: f64, width: f32) {
+        self.change_style(|style| Style { period, pattern: Pattern::Lines { width }, ..style });
+    }
+
+    /// Opacity of the stripes' own colour, then metalness, roughness and glow of the surface and of the stripes.
+    ///
+    /// # Errors
+    /// Throws when a finish has not three numbers.
+    pub fn set_finish(&mut self, stripe_opacity: f32, surface: &[f32], stripe: &[f32]) -> Result<(), JsError> {
+        let (surface, stripe) = (finish("surface finish", surface)?, finish("stripe finish", stripe)?);
+        self.change_style(|style| Style { stripe_opacity, surface, stripe, ..style });
+        Ok(())
+    }
+
+    /// Moves the pattern away from the sources; periods.
+    pub fn set_offset(&mut self, offset: f32) {
+        self.change_style(|style| Style { offset, ..style });
+    }
+
+    /// 256 × 4 sRGB bytes over value / max for the surface, then as many for the stripes.
+    ///
+    /// # Errors
+    /// Throws when the length differs.
+    pub fn set_ramps(&mut self, ramps: &[u8]) -> Result<(), JsError> {
+        Ok(self.renderer.set_ramps(ramps)?)
+    }
+
+    /// What lights the scene: "studio", "sky" or "night", facing a camera of this yaw in radians.
+    ///
+    /// # Errors
+    /// Throws for another name.
+    pub fn set_environment(&mut self, name: &str, yaw: f32) -> Result<(), JsError> {
+        let surroundings = match name {
+            "studio" => Surroundings::Studio,
+            "sky" => Surroundings::Sky,
+            "night" => Surroundings::Night,
+            other => return Err(JsError::new(&format!("There are no surroundings '{other}'."))),
+        };
+        self.renderer.set_environment(surroundings, yaw);
+        Ok(())
+    }
+
+    /// Colours of the upper and lower edge; sRGB 0..1.
+    ///
+    /// # Errors
+    /// Throws when a colour has not three numbers.
+    pub fn set_background(&mut self, top: &[f32], bottom: &[f32]) -> Result<(), JsError> {
+        self.renderer.set_background(color("top color", top)?, color("bottom color", bottom)?);
+        Ok(())
+    }
+
+    /// `#P × 3` positions and normals; selected −1 = none.
+    ///
+    /// # Errors
+    /// Throws when the arrays do not fit together or hold no finite places.
+    pub fn set_pins(&mut self, positions: &[f32], normals: &[f32], selected: i32) -> Result<(), JsError> {
+        let selected = usize::try_from(selected).ok();
+        Ok(self.renderer.set_pins(&points("pin positions", positions)?, &points("pin normals", normals)?, selected)?)
+    }
+
+    /// `#P × 3` points and normals from start to source; empty = none.
+    ///
+    /// # Errors
+    /// Throws when the arrays do not fit together or hold no finite places.
+    pub fn set_path(&mut self, path: &[f32], normals: &[f32]) -> Result<(), JsError> {
+        Ok(self.renderer.set_path(&points("path points", path)?, &points("path normals", normals)?)?)
+    }
+
+    /// `#F × 3` vectors, of any length, drawn as arrows; empty = none.
+    ///
+    /// # Errors
+    /// Throws when their number is not that of the surface's triangles.
+    pub fn set_arrows(&mut self, vectors: &[f32]) -> Result<(), JsError> {
+        Ok(self.renderer.set_arrows(&points("arrows", vectors)?)?)
+    }
+
+    /// Takes all edges away.
+    pub fn clear_edges(&mut self) {
+        self.renderer.clear_edges();
+    }
+
+    /// Adds `#E × 2 × 3` ends of edges in an sRGB colour, 0..1.
+    ///
+    /// # Errors
+    /// Throws when the numbers are no pairs of points or the colour has not three numbers.
+    pub fn add_edges(&mut self, ends: &[f32], rgb: &[f32]) -> Result<(), JsError> {
+        let (pairs, rest) = ends.as_chunks::<6>();
+        if !rest.is_empty() {
+            return Err(Error::WrongLength { what: "edges", expected: 6 * pairs.len(), found: ends.len() }.into());
+        }
+        let ends: Vec<[Vec3; 2]> =
+            pairs.iter().map(|&[a, b, c, d, e, f]| [Vec3::new(a, b, c), Vec3::new(d, e, f)]).collect();
+        Ok(self.renderer.add_edges(&ends, color("edge color", rgb)?)?)
+    }
+
+    /// Stands the walker at an arc length of the path.
+    pub fn set_walker(&mut self, arc: f32) {
+        self.renderer.set_walker(arc);
+    }
+
+    /// `#walkers × 10`: position, unit normal, unit heading, length walked; empty = none.
+    ///
+    /// # Errors
+    /// Throws when the numbers are no tens or not finite.
+    pub fn set_crowd(&mut self, poses: &[f32]) -> Result<(), JsError> {
+        let walkers: &[CrowdPose] = bytemuck::try_cast_slice(poses).map_err(|_| {
+            let expected = poses.len() - poses.len() % (size_of::<CrowdPose>() / size_of::<f32>());
+            Error::WrongLength { what: "poses", expected, found: poses.len() }
+        })?;
+        Ok(self.renderer.set_crowd(walkers)?)
+    }
+
+    /// Takes the walker away.
+    pub fn hide_walker(&mut self) {
+        self.renderer.hide_walker();
+    }
+}
+
+impl Viewer {
+    fn change_style(&mut self, change: impl FnOnce(Style) -> Style) {
+        self.renderer.set_style(change(self.renderer.style()));
+    }
+}

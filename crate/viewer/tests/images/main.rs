@@ -1,0 +1,117 @@
+//! Pictures that the renderer draws without a canvas, against reference images.
+//!
+//! They need a Vulkan device; the processor's own is taken where there is one, so that every machine draws the same. Where
+//! there is none the tests are ignored and say so, unless `HEATWALK_REQUIRE_GPU=1` makes that a failure.
+//! `WRITE_REFERENCES=1` writes the reference images anew.
+
+mod image;
+mod scenes;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use heatwalk_viewer::{Context, Error, MeshArrays, Renderer};
+use libtest_mimic::{Arguments, Failed, Trial};
+
+use self::image::Image;
+use self::scenes::SCENES;
+
+type Test = fn(&Context) -> Result<(), Failed>;
+
+fn main() -> ExitCode {
+    // Wherever pictures are drawn by the processor, one at a time is fastest.
+    let arguments = Arguments { test_threads: Some(1), ..Arguments::from_args() };
+    let device = pollster::block_on(Context::offscreen(true)).map_err(|error| error.to_string());
+    let is_required = std::env::var("HEATWALK_REQUIRE_GPU").is_ok_and(|value| value == "1");
+    if let Err(error) = &device {
+        println!(
+            "No software Vulkan device: the image tests are ignored. On Debian, mesa-vulkan-drivers has one. {error}"
+        );
+    }
+    let is_ignored = device.is_err() && !is_required;
+    let pictures = SCENES.iter().map(|scene| {
+        let device = device.clone();
+        Trial::test(scene.name, move || {
+            compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
+        })
+    });
+    let others: [(_, Test); 2] = [
+        ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
+        ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
+    ];
+    let others = others.map(|(name, test)| {
+        let device = device.clone();
+        Trial::test(name, move || test(&device?))
+    });
+    let trials = pictures.chain(others).map(|trial| trial.with_ignored_flag(is_ignored)).collect();
+    libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+/// A renderer of pictures of the images' size that shows a scene.
+fn shown(device: &Context, show: fn(&mut Renderer) -> Result<(), Error>) -> Result<Renderer, Failed> {
+    let mut renderer = Renderer::new(device.clone(), None)?;
+    renderer.resize(image::WIDTH, image::HEIGHT, 1.0);
+    show(&mut renderer)?;
+    Ok(renderer)
+}
+
+fn picture(renderer: &mut Renderer) -> Result<Image, Failed> {
+    let capture = renderer.capture(1.0, false)?;
+    while !capture.is_ready() {
+        std::thread::yield_now();
+    }
+    if let Some(error) = renderer.take_error() {
+        return Err(error.into());
+    }
+    Ok(Image::of(&capture.into_pixels()))
+}
+
+fn reference(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/images/reference").join(format!("{name}.png"))
+}
+
+fn compare_with_reference(name: &str, drawn: &Image) -> Result<(), Failed> {
+    let path = reference(name);
+    if std::env::var("WRITE_REFERENCES").is_ok_and(|value| value == "1") {
+        drawn.write(&path)?;
+    }
+    let difference = drawn.difference(&Image::read(&path)?);
+    if difference.is_small() {
+        return Ok(());
+    }
+    let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
+    drawn.write(&kept)?;
+    Err(format!("{difference} from {}; what was drawn is in {}", path.display(), kept.display()).into())
+}
+
+fn a_refused_mesh_leaves_the_picture_as_it_is(device: &Context) -> Result<(), Failed> {
+    let scene = SCENES.iter().find(|scene| scene.name == "pins_path_and_walker").expect("a scene with everything");
+    let mut renderer = shown(device, scene.show)?;
+    let before = picture(&mut renderer)?;
+    for spoil in [f32::NAN, f32::INFINITY, 1e25] {
+        let MeshArrays { mut positions, normals, triangles } = scenes::sphere().arrays();
+        positions[7].y = spoil;
+        let refused = renderer.set_surface(MeshArrays { positions, normals, triangles });
+        assert!(refused.is_err(), "a coordinate of {spoil}");
+    }
+    let MeshArrays { positions, normals, mut triangles } = scenes::sphere().arrays();
+    triangles[3][1] = u32::MAX;
+    assert!(renderer.set_surface(MeshArrays { positions, normals, triangles }).is_err(), "a vertex that is not there");
+    assert_eq!(picture(&mut renderer)?.difference(&before).pixels, 0);
+    Ok(())
+}
+
+/// The same stripes at any size that a single-precision number has.
+fn the_unit_of_a_field_does_not_matter(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |_| Ok(()))?;
+    let mut drawn = |unit| {
+        scenes::stripes_in_unit(&mut renderer, unit)?;
+        picture(&mut renderer)
+    };
+    let usual = drawn(1.0)?;
+    for unit in [1e-30, 1e30] {
+        let difference = drawn(unit)?.difference(&usual);
+        assert!(difference.is_small(), "{difference} at {unit:e}");
+    }
+    Ok(())
+}
