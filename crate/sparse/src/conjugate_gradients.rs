@@ -4,26 +4,24 @@
 //! It stops at a residual relative to the right side, so all that is smaller than that share of the largest value is
 //! noise: heat far from its sources is lost, which a factorisation keeps.
 
-use std::sync::Arc;
-
 use crate::error::{Error, Result};
+use crate::matrix::SymmetricMatrix;
 use crate::multigrid::Multigrid;
-use crate::pattern::Pattern;
-use crate::vector::dot;
+use crate::simd::dot;
 
 /// The residual at which it stops, as a share of the right side.
 const TOLERANCE: f64 = 1e-12;
 
-/// A symmetric positive definite matrix, to be solved iteratively.
+/// A symmetric positive definite matrix, to be solved by conjugate gradients.
 #[derive(Debug)]
-pub struct Matrix {
+pub struct ConjugateGradients {
     multigrid: Multigrid,
 }
 
-impl Matrix {
-    /// A matrix of these values of the lower triangle, with its coarser grids.
-    pub fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
-        Self { multigrid: Multigrid::new(pattern, values) }
+impl ConjugateGradients {
+    /// A matrix with its coarser grids.
+    pub fn new(matrix: SymmetricMatrix) -> Self {
+        Self { multigrid: Multigrid::new(matrix) }
     }
 
     /// Number of rows.

@@ -5,12 +5,13 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cholesky::{Supernode, Symbolic};
-use crate::columns::Column;
 use crate::error::{Error, Result};
+use crate::matrix::SymmetricMatrix;
 use crate::multifrontal::{Factorisation, Failure};
+use crate::simd::{Work, dispatch};
+use crate::sparse_vector::SparseVector;
 use crate::substitution;
-use crate::vector::{Work, widest};
+use crate::symbolic::{Supernode, Symbolic};
 
 /// Sparse right sides that are gone through side by side.
 const LANES: usize = 8;
@@ -24,17 +25,26 @@ pub struct Factor {
 }
 
 impl Symbolic {
-    /// Factors matrices of the pattern side by side, which takes less time than one after another. Each is given by
-    /// the values of its lower triangle. `progress` is told the share of the work done; `Break` ends it.
+    /// Factors matrices of the pattern, one or two side by side, which takes less time than one after another. `progress`
+    /// is told the share of the work done; `Break` ends it.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] with the row of the failing pivot; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    /// [`Error::PatternMismatch`]; [`Error::NotPositiveDefinite`] with the row of the failing pivot;
+    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn factor<const N: usize>(
         self: &Arc<Self>,
-        matrices: [&[f64]; N],
+        matrices: [&SymmetricMatrix; N],
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<[Factor; N]> {
-        match widest(Factorisation { symbolic: self, matrices, progress }) {
+        const { assert!(N == 1 || N == 2, "one matrix or two are factored at a time") };
+        let has_pattern = |matrix: &SymmetricMatrix| {
+            Arc::ptr_eq(matrix.pattern(), &self.pattern) || *matrix.pattern() == self.pattern
+        };
+        if let Some(matrix) = matrices.iter().position(|matrix| !has_pattern(matrix)) {
+            return Err(Error::PatternMismatch { matrix });
+        }
+        let matrices = matrices.map(SymmetricMatrix::values);
+        match dispatch(Factorisation { symbolic: self, matrices, progress }) {
             Ok(factors) => Ok(factors.map(|values| Factor { symbolic: Arc::clone(self), values })),
             Err(Failure::Stopped) => Err(Error::Cancelled),
             Err(Failure::OutOfMemory) => Err(Error::OutOfMemory { stage: "factoring" }),
@@ -46,9 +56,30 @@ impl Symbolic {
 }
 
 impl Factor {
-    /// Number of stored entries, zeros inside supernodes counted.
+    /// Number of rows.
+    pub fn size(&self) -> usize {
+        self.symbolic.size()
+    }
+
+    /// Number of nonzeros, zeros inside supernodes counted.
     pub fn nonzeros(&self) -> usize {
         self.values.len()
+    }
+
+    /// The solution (`#rows`) for one right side (`#rows`).
+    ///
+    /// # Panics
+    /// Where the right side has another length.
+    pub fn solve(&self, right: &[f64]) -> Vec<f64> {
+        self.backward(self.forward(right))
+    }
+
+    /// The solution for a right side that is zero but at a few rows, given as `(row, value)`.
+    ///
+    /// # Panics
+    /// Where a row is not in the matrix.
+    pub fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+        self.backward(self.forward_sparse(right))
     }
 
     /// A supernode and its dense block.
@@ -61,34 +92,35 @@ impl Factor {
 
     /// `C⁻¹ right`, in the elimination order.
     pub(crate) fn forward(&self, right: &[f64]) -> Vec<f64> {
+        assert_eq!(right.len(), self.size(), "a right side has the size of the matrix");
         let old_of_new = &self.symbolic.permutation.old_of_new;
         let mut x: Vec<f64> = old_of_new.iter().map(|&old| right[old as usize]).collect();
-        widest(Forward { factor: self, supernodes: 0..self.symbolic.supernode_count(), x: &mut x });
+        dispatch(Forward { factor: self, supernodes: 0..self.symbolic.supernode_count(), x: &mut x });
         x
     }
 
     /// The same for a right side that is zero but at a few rows, given as `(row, value)`: only the ancestors of these
     /// rows in the elimination tree are touched.
-    pub(crate) fn forward_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+    fn forward_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
         let mut x = vec![0.0; self.symbolic.size()];
         for &(row, value) in right {
             x[self.unknown(row)] += value;
         }
         let supernodes = self.reach(right);
-        widest(Forward { factor: self, supernodes: supernodes.iter().map(|&index| index as usize), x: &mut x });
+        dispatch(Forward { factor: self, supernodes: supernodes.iter().map(|&index| index as usize), x: &mut x });
         x
     }
 
     /// `C⁻ᵀ x` for a vector in the elimination order; the result is in the order of the matrix.
     pub(crate) fn backward(&self, mut x: Vec<f64>) -> Vec<f64> {
-        widest(Backward { factor: self, x: &mut x });
+        dispatch(Backward { factor: self, x: &mut x });
         let new_of_old = &self.symbolic.permutation.new_of_old;
         new_of_old.iter().map(|&new| x[new as usize]).collect()
     }
 
     /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
-    pub(crate) fn columns(&self, rights: &[&[(u32, f64)]]) -> Vec<Column> {
-        rights.chunks(LANES).flat_map(|rights| widest(Columns { factor: self, rights })).collect()
+    pub(crate) fn forward_sparse_all(&self, rights: &[&[(u32, f64)]]) -> Vec<SparseVector> {
+        rights.chunks(LANES).flat_map(|rights| dispatch(ForwardSparse { factor: self, rights })).collect()
     }
 
     fn reach(&self, right: &[(u32, f64)]) -> Vec<u32> {
@@ -140,16 +172,16 @@ impl Work for Backward<'_> {
 }
 
 /// `C⁻¹ right` for up to [`LANES`] sparse right sides: each block of the factor is read once for all.
-struct Columns<'a> {
+struct ForwardSparse<'a> {
     factor: &'a Factor,
     rights: &'a [&'a [(u32, f64)]],
 }
 
-impl Work for Columns<'_> {
-    type Output = Vec<Column>;
+impl Work for ForwardSparse<'_> {
+    type Output = Vec<SparseVector>;
 
     #[inline(always)]
-    fn run<const FUSED: bool>(self) -> Vec<Column> {
+    fn run<const FUSED: bool>(self) -> Vec<SparseVector> {
         let Self { factor, rights } = self;
         let mut x = vec![[0.0; LANES]; factor.symbolic.size()];
         // Every supernode that is touched, with the right sides that touch it.
@@ -161,16 +193,16 @@ impl Work for Columns<'_> {
             touched.extend(factor.reach(right).into_iter().map(|index| (index, lane as u32)));
         }
         touched.sort_unstable();
-        let mut columns = vec![Column::default(); rights.len()];
+        let mut vectors = vec![SparseVector::default(); rights.len()];
         let mut change = Vec::new();
         for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
             let (supernode, block) = factor.block(lanes[0].0 as usize);
             substitution::forward_lanes::<LANES, FUSED>(&supernode, block, &mut x, &mut change);
             let own = &x[supernode.start..supernode.start + supernode.width];
             for &(_, lane) in lanes {
-                columns[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));
+                vectors[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));
             }
         }
-        columns
+        vectors
     }
 }

@@ -3,7 +3,7 @@
 //! All arrays hold the entries of `N` matrices interleaved: the lanes of one entry lie next to each other, so that fronts
 //! of a few rows, which are most of them, still fill vector registers, and every index is computed once for all.
 
-use crate::vector::{Pair, array, multiply_add};
+use crate::simd::{Pair, array, multiply_add};
 
 /// Numbers of a packed block: rows of the front times lanes.
 const BLOCK: usize = 8;

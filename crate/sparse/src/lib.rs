@@ -1,30 +1,35 @@
 //! Sparse symmetric positive definite systems, native and on wasm32.
 //!
-//! The way of the data: [`Pattern`] → [`Symbolic`] (elimination order and pattern of the factors, once for all matrices of
-//! one pattern) → [`Factor`] → [`System`], which solves whole right sides, sparse ones, and right sides under linear
-//! constraints without factoring again. Where factors do not fit, [`Matrix`] solves by conjugate gradients with multigrid.
+//! The way of the data: [`Pattern`] and [`SymmetricMatrix`] → [`Permutation`] (elimination order) → [`Symbolic`] (pattern
+//! of the factors, once for all matrices of one pattern) → [`Factor`] → [`System`], which solves whole right sides, sparse
+//! ones, and right sides under linear constraints without factoring again. Where factors do not fit,
+//! [`ConjugateGradients`] solves with multigrid as preconditioner.
 
-mod cholesky;
-mod columns;
 mod conjugate_gradients;
-mod constraints;
 mod dissection;
 mod error;
 mod factor;
 mod front;
+mod matrix;
 mod multifrontal;
 mod multigrid;
 mod ordering;
 mod pattern;
-mod responses;
+mod schur;
+mod schur_cache;
+mod simd;
+mod sparse_vector;
 mod substitution;
-mod vector;
+mod symbolic;
+mod system;
 
-pub use cholesky::Symbolic;
-pub use conjugate_gradients::Matrix;
-pub use constraints::{Begun, Functional, Gram, Response, System, evaluate};
+pub use conjugate_gradients::ConjugateGradients;
 pub use error::{Error, Result};
 pub use factor::Factor;
+pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
-pub use responses::Responses;
+pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
+pub use schur_cache::SchurCache;
+pub use symbolic::{FactorMemory, Symbolic};
+pub use system::{PartialSolve, System};

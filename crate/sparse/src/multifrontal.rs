@@ -7,9 +7,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::cholesky::{Supernode, Symbolic};
 use crate::front::{Front, NotPositive, packed_start};
-use crate::vector::{Work, array};
+use crate::simd::{Work, array};
+use crate::symbolic::{Supernode, Symbolic};
 
 /// Share of the work after which progress is told.
 const TELLING: f64 = 1.0 / 64.0;
@@ -42,7 +42,7 @@ impl<const N: usize> Work for Factorisation<'_, N> {
         let Self { symbolic, matrices, progress } = self;
         let mut factors: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
         for factor in &mut factors {
-            factor.try_reserve_exact(symbolic.factor_length()).map_err(|_| Failure::OutOfMemory)?;
+            factor.try_reserve_exact(symbolic.factor_nonzeros()).map_err(|_| Failure::OutOfMemory)?;
         }
         let mut stack: Vec<f64> = Vec::new();
         stack.try_reserve_exact(symbolic.stack_length() * N).map_err(|_| Failure::OutOfMemory)?;

@@ -6,11 +6,9 @@
 
 mod aggregation;
 
-use std::sync::Arc;
-
+use crate::matrix::SymmetricMatrix;
 use crate::pattern::NONE;
-use crate::pattern::Pattern;
-use crate::vector::dot;
+use crate::simd::dot;
 use aggregation::{Coarse, coarsen};
 
 /// Least share of the second of two directions that is not along the first. Rounding of the sums before is some 1e-15.
@@ -25,8 +23,7 @@ pub(crate) struct Multigrid {
 
 #[derive(Debug)]
 struct Grid {
-    pattern: Arc<Pattern>,
-    values: Vec<f64>,
+    matrix: SymmetricMatrix,
     /// Of the diagonal entries: each row waits for the one before, and a division would be most of that.
     inverse: Vec<f64>,
     /// Row of the next grid that each row is part of; [`NONE`] where it is in none, empty on the last grid.
@@ -45,22 +42,22 @@ pub(crate) struct Scratch {
 
 impl Multigrid {
     /// Makes the coarser grids, which have about a third of the matrix's entries together.
-    pub(crate) fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
-        let mut grids = vec![Grid::new(pattern, values)];
+    pub(crate) fn new(matrix: SymmetricMatrix) -> Self {
+        let mut grids = vec![Grid::new(matrix)];
         loop {
             let last = grids.last_mut().expect("there is always one");
-            let Coarse { aggregates, pattern, values } = coarsen(&last.pattern, &last.values);
-            if pattern.size() == 0 {
+            let Coarse { aggregates, matrix } = coarsen(&last.matrix);
+            if matrix.size() == 0 {
                 return Self { grids };
             }
             last.aggregates = aggregates;
-            grids.push(Grid::new(Arc::new(pattern), values));
+            grids.push(Grid::new(matrix));
         }
     }
 
     /// Number of rows.
     pub(crate) fn size(&self) -> usize {
-        self.grids[0].pattern.size()
+        self.grids[0].matrix.size()
     }
 
     /// `result = A vector`.
@@ -71,7 +68,7 @@ impl Multigrid {
     /// Memory for [`Multigrid::precondition`].
     pub(crate) fn scratch(&self) -> Vec<Scratch> {
         let of_grid = |(index, grid): (usize, &Grid)| {
-            let size = grid.pattern.size();
+            let size = grid.matrix.size();
             let coarse = || vec![0.0; if index > 0 { size } else { 0 }];
             Scratch { rest: vec![0.0; size], right: coarse(), solution: coarse(), image: coarse(), second: coarse() }
         };
@@ -146,23 +143,24 @@ fn visit(grids: &[Grid], scratch: &mut [Scratch], target: impl Fn(&mut Scratch) 
 }
 
 impl Grid {
-    fn new(pattern: Arc<Pattern>, values: Vec<f64>) -> Self {
-        let inverse = (0..pattern.size()).map(|row| 1.0 / values[pattern.column(row).start]).collect();
-        Self { pattern, values, inverse, aggregates: Vec::new() }
+    fn new(matrix: SymmetricMatrix) -> Self {
+        let diagonal = (0..matrix.size()).map(|row| matrix[matrix.pattern().column(row).start]);
+        let inverse = diagonal.map(|value| 1.0 / value).collect();
+        Self { matrix, inverse, aggregates: Vec::new() }
     }
 
     /// The entries of a column below its diagonal, as `(row, value)`.
     #[inline(always)]
     fn below(&self, column: usize) -> impl Iterator<Item = (usize, f64)> {
-        let std::ops::Range { start, end } = self.pattern.column(column);
-        let rows = self.pattern.rows[start + 1..end].iter();
-        rows.zip(&self.values[start + 1..end]).map(|(&row, &value)| (row as usize, value))
+        let std::ops::Range { start, end } = self.matrix.pattern().column(column);
+        let rows = self.matrix.pattern().rows()[start + 1..end].iter();
+        rows.zip(&self.matrix.values()[start + 1..end]).map(|(&row, &value)| (row as usize, value))
     }
 
     /// `result = A vector`.
     fn multiply(&self, vector: &[f64], result: &mut [f64]) {
         result.fill(0.0);
-        self.pattern.multiply_add(&self.values, vector, result);
+        self.matrix.multiply_add(vector, result);
     }
 
     /// A Gauss-Seidel sweep from zero, in ascending order; leaves the residual in `rest`.

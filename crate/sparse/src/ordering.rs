@@ -9,7 +9,7 @@ use faer::sparse::linalg::amd;
 
 use crate::dissection::{Graph, nested_dissection};
 use crate::error::{Error, Result};
-use crate::pattern::NONE;
+use crate::pattern::{NONE, Pattern};
 
 #[cfg(test)]
 mod tests;
@@ -22,8 +22,8 @@ const DISSECTION_PAYS: f64 = 10_000.0;
 /// as long as to dissect.
 const DISSECTION_CERTAIN: usize = 500_000;
 
-/// A renumbering of the unknowns.
-#[derive(Debug, Clone)]
+/// An elimination order: a postorder of the elimination tree of the pattern that it was made for.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Permutation {
     /// Old number of each new one.
     pub(crate) old_of_new: Vec<u32>,
@@ -32,34 +32,76 @@ pub struct Permutation {
 }
 
 impl Permutation {
-    fn new(old_of_new: Vec<u32>) -> Self {
+    /// Orders the unknowns of a pattern for little fill: by approximate minimum degree, or by nested dissection where that
+    /// leaves much to do.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn fill_reducing(pattern: &Pattern) -> Result<Self> {
+        let graph = Graph::of_lower_triangle(pattern);
+        if pattern.size() < DISSECTION_CERTAIN {
+            let (permutation, multiplications) = minimum_degree(pattern)?;
+            if multiplications < DISSECTION_PAYS * pattern.size() as f64 {
+                return Ok(postordered(&graph, &permutation));
+            }
+        }
+        Ok(postordered(&graph, &Self::of_order(nested_dissection(&graph))))
+    }
+
+    /// An order given as the row of each place. It becomes a postorder of the pattern's elimination tree, which has the
+    /// same fill.
+    ///
+    /// # Errors
+    /// [`Error::InvalidPermutation`] where it has not every row of the pattern once.
+    pub fn new(pattern: &Pattern, old_of_new: Vec<u32>) -> Result<Self> {
+        let size = pattern.size();
+        let mut is_placed = vec![false; size];
+        for (place, &row) in old_of_new.iter().enumerate() {
+            match is_placed.get_mut(row as usize) {
+                Some(is_placed) if !*is_placed => *is_placed = true,
+                _ => return Err(Error::InvalidPermutation { place, size }),
+            }
+        }
+        if old_of_new.len() < size {
+            return Err(Error::InvalidPermutation { place: old_of_new.len(), size });
+        }
+        Ok(postordered(&Graph::of_lower_triangle(pattern), &Self::of_order(old_of_new)))
+    }
+
+    fn of_order(old_of_new: Vec<u32>) -> Self {
         let mut new_of_old = vec![0; old_of_new.len()];
         for (new, &old) in old_of_new.iter().enumerate() {
             new_of_old[old as usize] = new as u32;
         }
         Self { old_of_new, new_of_old }
     }
+
+    /// Number of rows.
+    pub fn size(&self) -> usize {
+        self.old_of_new.len()
+    }
+
+    /// Row of the matrix of each place in the elimination order.
+    pub fn old_of_new(&self) -> &[u32] {
+        &self.old_of_new
+    }
+
+    /// Place in the elimination order of each row of the matrix.
+    pub fn new_of_old(&self) -> &[u32] {
+        &self.new_of_old
+    }
 }
 
-/// Orders the unknowns of a symmetric pattern, given by its lower triangle: by approximate minimum degree, or by
-/// nested dissection where that leaves much to do. The order is a postorder of its elimination tree.
-///
-/// # Errors
-/// [`Error::OutOfMemory`].
-pub(crate) fn order(pattern: SymbolicSparseColMatRef<'_, u32>) -> Result<Permutation> {
-    let graph = Graph::of_lower_triangle(pattern.col_ptr(), pattern.row_idx());
-    if pattern.nrows() < DISSECTION_CERTAIN {
-        let (permutation, multiplications) = minimum_degree(pattern)?;
-        if multiplications < DISSECTION_PAYS * pattern.nrows() as f64 {
-            return Ok(postordered(&graph, &permutation));
-        }
-    }
-    Ok(postordered(&graph, &Permutation::new(nested_dissection(&graph))))
+/// The pattern as faer takes it.
+pub(crate) fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
+    let size = pattern.size();
+    SymbolicSparseColMatRef::new_checked(size, size, pattern.column_start(), None, pattern.rows())
 }
 
 /// The order, and a bound of the multiplications of a factorisation.
-fn minimum_degree(pattern: SymbolicSparseColMatRef<'_, u32>) -> Result<(Permutation, f64)> {
+fn minimum_degree(pattern: &Pattern) -> Result<(Permutation, f64)> {
     let out_of_memory = || Error::OutOfMemory { stage: "ordering the unknowns" };
+    let pattern = view(pattern);
     let size = pattern.nrows();
     let mut permutation = Permutation { old_of_new: vec![0; size], new_of_old: vec![0; size] };
     let scratch = amd::order_maybe_unsorted_scratch::<u32>(size, pattern.compute_nnz());
@@ -98,7 +140,7 @@ fn postordered(graph: &Graph, permutation: &Permutation) -> Permutation {
         stack[before..].reverse();
     }
     reversed.reverse();
-    Permutation::new(reversed)
+    Permutation::of_order(reversed)
 }
 
 /// The parent of each unknown, all in the elimination order: the row of the first entry below the diagonal in its

@@ -1,8 +1,8 @@
 //! One supernode's part in solving with a Cholesky factor. Its block is dense and column-major: its own rows, then those
 //! below.
 
-use crate::cholesky::Supernode;
-use crate::vector::{Pair, array, multiply_add};
+use crate::simd::{Pair, array, multiply_add};
+use crate::symbolic::Supernode;
 
 /// Columns that are gone through side by side. Most supernodes have no more.
 const GROUP: usize = 4;

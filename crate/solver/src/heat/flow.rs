@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
-use heatwalk_sparse::{Functional, Gram, System};
+use heatwalk_sparse::{Functional, SchurComplement, System};
 use heatwalk_surface::point::Source;
 
 /// Heat at a source. Near the largest float, so that heat falls through 1,375 e-folds, not 708, before it reaches the
@@ -75,7 +75,7 @@ impl HeatSolver {
                 is_fixed[point as usize] = true;
             }
             let values = self.laplacian.combine(1.0 / heat.time, |point| is_fixed[point]);
-            constrained = self.solve.system(&self.laplacian, values, "heat")?;
+            constrained = self.solve.system(values, "heat")?;
             &constrained
         } else {
             &heat.system
@@ -109,12 +109,12 @@ impl HeatSolver {
             _ => {
                 let functionals: Vec<Functional> = constraints.iter().map(|(_, free)| free.clone()).collect();
                 let responses = if is_constrained {
-                    system.responses(&functionals)?
+                    system.schur_columns(&functionals)?
                 } else {
                     let mut kept = heat.responses.lock().expect("no holder of the lock panics");
-                    kept.of(system, &functionals, self.most_kept(system))?
+                    kept.columns(system, &functionals, self.most_kept(system))?
                 };
-                let mut begun = system.begin(&right)?;
+                let mut begun = system.partial_solve(&right)?;
                 let missing: Vec<f64> = constraints
                     .iter()
                     .zip(&responses)
@@ -123,12 +123,12 @@ impl HeatSolver {
                         level - source.point.interpolate(surface, &prescribed) - begun.evaluate(response)
                     })
                     .collect();
-                let amounts = Gram::new(&responses, 0.0).solve(&missing);
+                let amounts = SchurComplement::new(&responses, 0.0).solve(&missing);
                 for ((&(index, _), response), &amount) in constraints.iter().zip(&responses).zip(&amounts) {
                     begun.add(amount, response);
                     supplies[index] = amount;
                 }
-                system.finish(begun)
+                begun.finish()
             }
         };
         if any_prescribed {
@@ -187,6 +187,6 @@ impl HeatSolver {
 
     /// Numbers that kept responses may take: as many as the factor itself.
     pub(super) fn most_kept(&self, system: &System) -> usize {
-        system.nonzeros().max(self.surface.point_count())
+        system.factor_nonzeros().max(self.surface.point_count())
     }
 }

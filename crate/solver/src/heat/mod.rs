@@ -19,9 +19,7 @@ use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
-use heatwalk_sparse::Responses;
-use heatwalk_sparse::Symbolic;
-use heatwalk_sparse::System;
+use heatwalk_sparse::{Permutation, SchurCache, Symbolic, System};
 use heatwalk_surface::memory;
 use heatwalk_surface::surface::Surface;
 
@@ -72,7 +70,7 @@ pub struct HeatSolver {
     solve: Solve,
     /// `L`, with `pinned` held.
     poisson: System,
-    poisson_responses: Mutex<Responses>,
+    poisson_responses: Mutex<SchurCache>,
     /// Those that the parameters need, after others that were needed before.
     heats: Vec<Heat>,
     /// Per point whether Dirichlet holds it: the boundary of pieces that also have an inside.
@@ -95,7 +93,7 @@ struct Heat {
     condition: Condition,
     time: f64,
     system: System,
-    responses: Mutex<Responses>,
+    responses: Mutex<SchurCache>,
 }
 
 /// What becomes of heat at the boundary.
@@ -138,9 +136,9 @@ impl HeatSolver {
         let solve = match parameters.solver {
             LinearSolver::Cholesky => {
                 report(progress, Stage::Ordering, 0.1)?;
-                let permutation = Symbolic::order(&laplacian.pattern)?;
+                let permutation = Permutation::fill_reducing(laplacian.pattern())?;
                 report(progress, Stage::Analysing, 0.2)?;
-                Solve::Factored(Arc::new(Symbolic::analyse(permutation, &laplacian.pattern)?))
+                Solve::Factored(Arc::new(Symbolic::analyse(laplacian.pattern(), permutation)?))
             }
             LinearSolver::ConjugateGradients => Solve::Iterated,
         };
@@ -157,7 +155,7 @@ impl HeatSolver {
         let grounded = laplacian.combine(0.0, |point| is_pinned[point]);
         let values = laplacian.combine(1.0 / time, |point| condition == Condition::Held && held[point]);
         let [from, to] = FACTORING_SHARES;
-        let [poisson, system] = solve.systems(&laplacian, [(grounded, "Poisson"), (values, "heat")], &mut |share| {
+        let [poisson, system] = solve.systems([(grounded, "Poisson"), (values, "heat")], &mut |share| {
             progress(Stage::Factoring, from + (to - from) * share)
         })?;
         let mut solver = Self {
@@ -209,7 +207,7 @@ impl HeatSolver {
         let mut made = Vec::with_capacity(absent.len());
         for (index, &condition) in absent.iter().enumerate() {
             let values = self.laplacian.combine(1.0 / time, |point| condition == Condition::Held && self.held[point]);
-            let [system] = self.solve.systems(&self.laplacian, [(values, "heat")], &mut |share| {
+            let [system] = self.solve.systems([(values, "heat")], &mut |share| {
                 let share = (index as f64 + share) / absent.len() as f64;
                 progress(Stage::Factoring, done + (1.0 - done) * share)
             })?;
@@ -221,7 +219,7 @@ impl HeatSolver {
             std::mem::take(&mut self.heats).into_iter().partition(is_needed);
         let mut numbers = 0;
         let first = spare.iter().rposition(|heat| {
-            numbers += heat.system.nonzeros();
+            numbers += heat.system.factor_nonzeros();
             numbers > SPARE_NUMBERS
         });
         spare.drain(..first.map_or(0, |index| index + 1));
@@ -240,8 +238,8 @@ impl HeatSolver {
     }
 
     fn check_memory(&self, matrices: usize, limit: MemoryLimit) -> Result<()> {
-        let heats = self.heats.iter().map(|heat| heat.system.nonzeros());
-        self.solve.check_memory(self.poisson.nonzeros() + heats.sum::<usize>(), matrices, limit)
+        let heats = self.heats.iter().map(|heat| heat.system.factor_nonzeros());
+        self.solve.check_memory(self.poisson.factor_nonzeros() + heats.sum::<usize>(), matrices, limit)
     }
 
     /// The heat systems that the parameters need.
@@ -291,7 +289,7 @@ impl HeatSolver {
 
     /// Stored entries of all factors that the parameters need, zeros inside supernodes counted; 0 for conjugate gradients.
     pub fn factor_nonzeros(&self) -> usize {
-        self.poisson.nonzeros() + self.needed_heats().map(|heat| heat.system.nonzeros()).sum::<usize>()
+        self.poisson.factor_nonzeros() + self.needed_heats().map(|heat| heat.system.factor_nonzeros()).sum::<usize>()
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
-use heatwalk_sparse::{Functional, Gram, Response, System, evaluate};
+use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, System, evaluate};
 use heatwalk_surface::point::Source;
 use heatwalk_surface::union_find::UnionFind;
 
@@ -74,9 +74,9 @@ impl HeatSolver {
                 is_fixed[point as usize] = true;
             }
             let matrix = self.laplacian.combine(0.0, |point| is_fixed[point]);
-            let system = self.solve.system(&self.laplacian, matrix, "Poisson")?;
+            let system = self.solve.system(matrix, "Poisson")?;
             let wanted = self.wanted(known, &fixed);
-            let responses = system.responses(&functionals(&wanted))?;
+            let responses = system.schur_columns(&functionals(&wanted))?;
             return self.joined(&system, right, &fixed, &wanted, &responses);
         }
         let fixed = self.pins();
@@ -85,7 +85,7 @@ impl HeatSolver {
             let functionals = functionals(&wanted);
             let responses = {
                 let mut kept = self.poisson_responses.lock().expect("no holder of the lock panics");
-                kept.of(&self.poisson, &functionals, self.most_kept(&self.poisson))?
+                kept.columns(&self.poisson, &functionals, self.most_kept(&self.poisson))?
             };
             return self.joined(&self.poisson, right, &fixed, &wanted, &responses);
         }
@@ -106,9 +106,9 @@ impl HeatSolver {
         right: Vec<f64>,
         fixed: &Fixed,
         wanted: &BTreeMap<u32, Vec<Wanted>>,
-        responses: &[Arc<Response>],
+        responses: &[Arc<SchurColumn>],
     ) -> Result<Vec<f64>> {
-        let mut begun = system.begin(&self.freed(right, fixed))?;
+        let mut begun = system.partial_solve(&self.freed(right, fixed))?;
         let mut constants = vec![0.0; self.pinned.len()];
         let mut responses = responses;
         for (&component, wanted) in wanted {
@@ -117,7 +117,7 @@ impl HeatSolver {
             let floats = fixed.floats[component as usize];
             let missing: Vec<f64> =
                 wanted.iter().zip(own).map(|(wanted, response)| wanted.value - begun.evaluate(response)).collect();
-            let gram = Gram::new(own, if floats { GRAM_SHIFT } else { 0.0 });
+            let gram = SchurComplement::new(own, if floats { GRAM_SHIFT } else { 0.0 });
             let mut amounts = gram.solve(&missing);
             if floats {
                 // The constant is free, so the amounts sum to 0.
@@ -132,7 +132,7 @@ impl HeatSolver {
                 begun.add(amount, response);
             }
         }
-        let mut values = system.finish(begun);
+        let mut values = begun.finish();
         self.complete(&mut values, fixed, &constants);
         Ok(values)
     }

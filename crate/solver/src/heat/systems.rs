@@ -5,10 +5,7 @@ use std::sync::Arc;
 
 use super::parameters::MemoryLimit;
 use crate::error::{Error, Result};
-use crate::operator::laplacian::Laplacian;
-use heatwalk_sparse::Matrix;
-use heatwalk_sparse::Symbolic;
-use heatwalk_sparse::System;
+use heatwalk_sparse::{ConjugateGradients, Symbolic, SymmetricMatrix, System};
 use heatwalk_surface::memory;
 
 /// Matrices that are factored at the same time, at most.
@@ -37,11 +34,10 @@ impl Solve {
         if matrices == 0 {
             return Ok(());
         }
-        let work = symbolic.work_length(matrices.min(SIDE_BY_SIDE));
-        let mut blocks = vec![symbolic.factor_length(); matrices];
+        let memory = symbolic.memory(matrices.min(SIDE_BY_SIDE));
+        let mut blocks = vec![memory.factor; matrices];
         // Work on the factors ends before the first solve begins.
-        blocks.push(work.max(SOLVE_NUMBERS * symbolic.size()));
-        let blocks: Vec<u64> = blocks.into_iter().map(|numbers| BYTES_PER_NUMBER * numbers as u64).collect();
+        blocks.push(memory.factorization.max(BYTES_PER_NUMBER * (SOLVE_NUMBERS * symbolic.size()) as u64));
         let needed_bytes = BYTES_PER_NUMBER * kept as u64 + blocks.iter().sum::<u64>();
         let fits = match limit {
             MemoryLimit::Automatic => memory::has_room(&blocks),
@@ -53,8 +49,7 @@ impl Solve {
     /// Makes matrices ready, side by side. Each has a name for errors. `progress` is told the share of the work done.
     pub(super) fn systems<const N: usize>(
         &self,
-        laplacian: &Laplacian,
-        matrices: [(Vec<f64>, &'static str); N],
+        matrices: [(SymmetricMatrix, &'static str); N],
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<[System; N]> {
         if progress(0.0).is_break() {
@@ -63,16 +58,15 @@ impl Solve {
         Ok(match self {
             Self::Factored(symbolic) => {
                 let names = matrices.each_ref().map(|&(_, name)| name);
-                let factors = symbolic.factor(matrices.each_ref().map(|(values, _)| values.as_slice()), progress);
+                let factors = symbolic.factor(matrices.each_ref().map(|(matrix, _)| matrix), progress);
                 factors.map_err(|error| Error::of_matrices(&error, &names))?.map(System::Cholesky)
             }
-            Self::Iterated => matrices
-                .map(|(values, _)| System::ConjugateGradients(Matrix::new(Arc::clone(&laplacian.pattern), values))),
+            Self::Iterated => matrices.map(|(matrix, _)| System::ConjugateGradients(ConjugateGradients::new(matrix))),
         })
     }
 
-    pub(super) fn system(&self, laplacian: &Laplacian, values: Vec<f64>, name: &'static str) -> Result<System> {
-        let [system] = self.systems(laplacian, [(values, name)], &mut |_| ControlFlow::Continue(()))?;
+    pub(super) fn system(&self, matrix: SymmetricMatrix, name: &'static str) -> Result<System> {
+        let [system] = self.systems([(matrix, name)], &mut |_| ControlFlow::Continue(()))?;
         Ok(system)
     }
 }

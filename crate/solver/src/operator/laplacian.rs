@@ -6,16 +6,15 @@ use std::sync::Arc;
 
 use crate::operator::Operator;
 use crate::operator::elements::Elements;
-use heatwalk_sparse::Pattern;
+use heatwalk_sparse::{Pattern, SymmetricMatrix};
 use heatwalk_surface::surface::Surface;
 
 /// The operators of one surface. Matrices are lower triangles in compressed columns: of each column the diagonal
 /// comes first, then the rows below in ascending order.
 #[derive(Debug, Clone)]
 pub struct Laplacian {
-    pub(crate) pattern: Arc<Pattern>,
     /// Cotan stiffness of each stored entry: positive semidefinite (−Δ), rows of the whole matrix sum to 0. No unit.
-    pub stiffness: Vec<f64>,
+    pub stiffness: SymmetricMatrix,
     /// `#P`, a third of the area of the triangles around each point; file's unit squared, non-negative.
     pub mass: Vec<f64>,
 }
@@ -56,8 +55,7 @@ impl Laplacian {
                 }
             }
         }
-        let (pattern, stiffness) = Pattern::of_sides(&diagonal, &start, &mut sides);
-        Self { pattern: Arc::new(pattern), stiffness, mass }
+        Self { stiffness: SymmetricMatrix::from_entries(&diagonal, &start, &mut sides), mass }
     }
 
     /// Number of points, the size of the matrices.
@@ -65,20 +63,25 @@ impl Laplacian {
         self.mass.len()
     }
 
+    /// Where the entries of the matrices are.
+    pub(crate) fn pattern(&self) -> &Arc<Pattern> {
+        self.stiffness.pattern()
+    }
+
     /// Stored entries of one column, as a range into `rows` and `stiffness`.
     pub fn column(&self, point: usize) -> std::ops::Range<usize> {
-        self.pattern.column(point)
+        self.pattern().column(point)
     }
 
     /// Row of each stored entry.
     pub fn rows(&self) -> &[u32] {
-        &self.pattern.rows
+        self.pattern().rows()
     }
 
     /// `L + mass_scale · M` with the held rows and columns replaced by those of the identity, whose 1 is of the order
     /// of the other diagonal entries. Zeros are stored, so that every such matrix has the same pattern.
-    pub(crate) fn combine(&self, mass_scale: f64, held: impl Fn(usize) -> bool) -> Vec<f64> {
-        let mut values = self.stiffness.clone();
+    pub(crate) fn combine(&self, mass_scale: f64, held: impl Fn(usize) -> bool) -> SymmetricMatrix {
+        let mut values = self.stiffness.values().to_vec();
         let is_held: Vec<bool> = (0..self.size()).map(held).collect();
         for point in 0..self.size() {
             let diagonal = self.column(point).start;
@@ -93,14 +96,14 @@ impl Laplacian {
                 }
             }
         }
-        values
+        SymmetricMatrix::new(Arc::clone(self.pattern()), values).expect("the values are those of the pattern")
     }
 
     /// `(L + mass_scale · M) x` with every point free.
     pub(crate) fn apply(&self, mass_scale: f64, vector: &[f64]) -> Vec<f64> {
         let mut result: Vec<f64> =
             vector.iter().zip(&self.mass).map(|(value, mass)| mass_scale * mass * value).collect();
-        self.pattern.multiply_add(&self.stiffness, vector, &mut result);
+        self.stiffness.multiply_add(vector, &mut result);
         result
     }
 }

@@ -1,6 +1,6 @@
 //! Graphs with weighted vertices, their parts and their contractions.
 
-use crate::pattern::NONE;
+use crate::pattern::{NONE, Pattern};
 
 /// An undirected graph. Every edge is in the lists of both its ends; none joins a vertex to itself.
 #[derive(Debug)]
@@ -14,13 +14,13 @@ pub(crate) struct Graph {
 }
 
 impl Graph {
-    /// The graph of a symmetric matrix, given by the compressed columns of its lower triangle.
-    pub(crate) fn of_lower_triangle(column_start: &[u32], rows: &[u32]) -> Self {
-        let size = column_start.len() - 1;
+    /// The graph of a symmetric matrix.
+    pub(crate) fn of_lower_triangle(pattern: &Pattern) -> Self {
+        let size = pattern.size();
         let edges = || {
-            (0..size as u32).flat_map(|column| {
-                let entries = column_start[column as usize] as usize..column_start[column as usize + 1] as usize;
-                rows[entries].iter().map(move |&row| (row, column)).filter(|&(row, column)| row != column)
+            (0..size).flat_map(|column| {
+                let below = pattern.column(column).skip(1);
+                below.map(move |entry| (pattern.rows()[entry], column as u32))
             })
         };
         let mut start = vec![0; size + 1];

@@ -3,7 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use std::collections::BTreeSet;
+
 use super::*;
+use crate::pattern::Pattern;
 
 /// A graph by its edges.
 fn graph(size: usize, edges: &[[u32; 2]]) -> Graph {
@@ -15,10 +18,10 @@ fn graph(size: usize, edges: &[[u32; 2]]) -> Graph {
     let mut rows = Vec::new();
     for (column, below) in (0..).zip(&columns) {
         rows.push(column);
-        rows.extend(below);
+        rows.extend(below.iter().copied().collect::<BTreeSet<u32>>());
         start.push(rows.len() as u32);
     }
-    Graph::of_lower_triangle(&start, &rows)
+    Graph::of_lower_triangle(&Pattern::new(start, rows).expect("a pattern"))
 }
 
 /// Edges of `side × side` squares' corners, every square cut by one diagonal, numbered from `first`.

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::aggregation::{Coarse, coarsen};
 use super::*;
-use crate::cholesky::Symbolic;
+use crate::symbolic::Symbolic;
 use crate::conjugate_gradients::Matrix;
 use crate::constraints::System;
 use crate::operator::Operator;

@@ -7,40 +7,24 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use super::*;
 
-/// Lower triangle of the matrix of a box of `side × side × layers` points, every square of a layer cut by one diagonal.
-struct Grid {
-    column_start: Vec<u32>,
-    rows: Vec<u32>,
+/// Pattern of the matrix of a box of `side × side × layers` points, every square of a layer cut by one diagonal.
+fn grid(side: u32, layers: u32) -> Pattern {
+    let (mut column_start, mut rows) = (vec![0], Vec::new());
+    let layer = side * side;
+    for vertex in 0..layer * layers {
+        let [right, up] = [vertex % side + 1 < side, vertex % layer + side < layer];
+        rows.push(vertex);
+        rows.extend(right.then_some(vertex + 1));
+        rows.extend(up.then_some(vertex + side));
+        rows.extend((right && up).then_some(vertex + side + 1));
+        rows.extend((vertex + layer < layer * layers).then_some(vertex + layer));
+        column_start.push(rows.len() as u32);
+    }
+    Pattern::new(column_start, rows).expect("a pattern")
 }
 
-impl Grid {
-    fn new(side: u32, layers: u32) -> Self {
-        let mut grid = Self { column_start: vec![0], rows: Vec::new() };
-        let layer = side * side;
-        for vertex in 0..layer * layers {
-            let [right, up] = [vertex % side + 1 < side, vertex % layer + side < layer];
-            grid.rows.push(vertex);
-            grid.rows.extend(right.then_some(vertex + 1));
-            grid.rows.extend(up.then_some(vertex + side));
-            grid.rows.extend((right && up).then_some(vertex + side + 1));
-            grid.rows.extend((vertex + layer < layer * layers).then_some(vertex + layer));
-            grid.column_start.push(grid.rows.len() as u32);
-        }
-        grid
-    }
-
-    fn pattern(&self) -> SymbolicSparseColMatRef<'_, u32> {
-        let size = self.column_start.len() - 1;
-        SymbolicSparseColMatRef::new_checked(size, size, &self.column_start, None, &self.rows)
-    }
-
-    fn graph(&self) -> Graph {
-        Graph::of_lower_triangle(&self.column_start, &self.rows)
-    }
-
-    fn dissected(&self) -> Permutation {
-        Permutation::new(nested_dissection(&self.graph()))
-    }
+fn dissected(graph: &Graph) -> Permutation {
+    Permutation::of_order(nested_dissection(graph))
 }
 
 /// Entries of each column of the factor, found row by row: those of a row are the ways from the matrix's entries to
@@ -88,8 +72,9 @@ fn is_postordered(graph: &Graph, permutation: &Permutation) -> bool {
 #[test]
 fn the_elimination_tree_of_a_path_and_of_its_reverse_is_the_path() {
     // Of the order 0 2 1, eliminating both ends leaves the middle, their parent.
-    let graph = Graph::of_lower_triangle(&[0, 2, 4, 5], &[0, 1, 1, 2, 2]);
-    let parents = |order: &[u32]| elimination_tree(&graph, &Permutation::new(order.to_vec()));
+    let path = Pattern::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2]).expect("a pattern");
+    let graph = Graph::of_lower_triangle(&path);
+    let parents = |order: &[u32]| elimination_tree(&graph, &Permutation::of_order(order.to_vec()));
     assert_eq!(parents(&[0, 1, 2]), [1, 2, NONE]);
     assert_eq!(parents(&[2, 1, 0]), [1, 2, NONE]);
     assert_eq!(parents(&[0, 2, 1]), [2, 2, NONE]);
@@ -97,9 +82,8 @@ fn the_elimination_tree_of_a_path_and_of_its_reverse_is_the_path() {
 
 #[test]
 fn postordering_keeps_the_fill() {
-    let grid = Grid::new(60, 1);
-    let graph = grid.graph();
-    let dissected = grid.dissected();
+    let graph = Graph::of_lower_triangle(&grid(60, 1));
+    let dissected = dissected(&graph);
     assert!(!is_postordered(&graph, &dissected), "else the test shows nothing");
     let postordered = postordered(&graph, &dissected);
     assert!(is_postordered(&graph, &postordered));
@@ -109,8 +93,8 @@ fn postordering_keeps_the_fill() {
 #[test]
 fn dissecting_a_grid_takes_little_more_than_the_ideal_work() {
     for side in [120, 250] {
-        let grid = Grid::new(side, 1);
-        let work = 0.5 * multiplications(&grid.graph(), &grid.dissected()) as f64;
+        let graph = Graph::of_lower_triangle(&grid(side, 1));
+        let work = 0.5 * multiplications(&graph, &dissected(&graph)) as f64;
         // George's straight crosses, to leading order. Separators that are found, not known, and leaves that are
         // ordered by degree have cost 1.2 times as much.
         let ideal = 829.0 / 84.0 * f64::from(side).powi(3);
@@ -121,11 +105,11 @@ fn dissecting_a_grid_takes_little_more_than_the_ideal_work() {
 #[test]
 fn the_choice_follows_the_work() {
     for (side, layers, dissects) in [(60, 1, false), (30, 30, true)] {
-        let grid = Grid::new(side, layers);
-        let graph = grid.graph();
-        let chosen = order(grid.pattern()).expect("memory");
+        let pattern = grid(side, layers);
+        let graph = Graph::of_lower_triangle(&pattern);
+        let chosen = Permutation::fill_reducing(&pattern).expect("memory");
         assert!(is_postordered(&graph, &chosen));
-        let (minimum_degree, _) = minimum_degree(grid.pattern()).expect("memory");
+        let (minimum_degree, _) = minimum_degree(&pattern).expect("memory");
         let minimum_degree = postordered(&graph, &minimum_degree);
         assert_eq!(chosen.old_of_new != minimum_degree.old_of_new, dissects, "side {side}, {layers} layers");
     }
@@ -133,6 +117,6 @@ fn the_choice_follows_the_work() {
 
 #[test]
 fn an_empty_matrix_is_ordered() {
-    let pattern = SymbolicSparseColMatRef::new_checked(0, 0, &[0], None, &[]);
-    assert!(order(pattern).expect("memory").old_of_new.is_empty());
+    let pattern = Pattern::new(vec![0], Vec::new()).expect("a pattern");
+    assert!(Permutation::fill_reducing(&pattern).expect("memory").old_of_new.is_empty());
 }

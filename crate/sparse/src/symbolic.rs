@@ -3,10 +3,10 @@
 //! Chen, Davis, Hager, Rajamanickam, "Algorithm 887: CHOLMOD" (2008) for supernodes and their relaxation; faer finds them.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use faer::Side;
 use faer::perm::PermRef;
-use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
@@ -14,9 +14,8 @@ use faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 
 use crate::error::{Error, Result};
 use crate::front::packed_start;
-use crate::ordering::{self, Permutation};
-use crate::pattern::NONE;
-use crate::pattern::Pattern;
+use crate::ordering::{Permutation, view};
+use crate::pattern::{NONE, Pattern};
 
 /// Two supernodes become one where they have at most so many columns together and at most this share of zeros.
 const RELAXATION: &[(usize, f64)] = &[(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0.05)];
@@ -31,6 +30,7 @@ const SPARSE_PENALTY: f64 = 4.0;
 /// Elimination order and the pattern of the factors, shared by every matrix of one pattern.
 #[derive(Debug)]
 pub struct Symbolic {
+    pub(crate) pattern: Arc<Pattern>,
     pub(crate) permutation: Permutation,
     /// `#supernodes + 1`, first unknown of each, in the elimination order.
     start: Vec<u32>,
@@ -51,6 +51,15 @@ pub struct Symbolic {
     supernode_of: Vec<u32>,
 }
 
+/// Bytes that factors take, by stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FactorMemory {
+    /// Of one factor, for as long as it lives.
+    pub factor: u64,
+    /// Most that is in use beside the factors while they are made: Schur complements that wait, and the largest front.
+    pub factorization: u64,
+}
+
 /// A supernode: consecutive unknowns whose columns of the factor have the same rows below.
 pub(crate) struct Supernode<'a> {
     /// Its first unknown, in the elimination order.
@@ -64,20 +73,16 @@ pub(crate) struct Supernode<'a> {
 }
 
 impl Symbolic {
-    /// Finds an elimination order for a pattern.
+    /// Analyses a pattern under an elimination order of it.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn order(pattern: &Pattern) -> Result<Permutation> {
-        ordering::order(view(pattern))
-    }
-
-    /// Analyses a pattern under an elimination order, which has to be a postorder of its elimination tree.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn analyse(permutation: Permutation, pattern: &Pattern) -> Result<Self> {
+    /// [`Error::PermutationMismatch`] where the order is that of another pattern; [`Error::OutOfMemory`].
+    pub fn analyse(pattern: &Arc<Pattern>, permutation: Permutation) -> Result<Self> {
         let size = pattern.size();
+        let mismatch = Error::PermutationMismatch { expected: size, found: permutation.size() };
+        if permutation.size() != size {
+            return Err(mismatch);
+        }
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             supernodal_params: SymbolicSupernodalParams { relax: Some(RELAXATION) },
@@ -92,6 +97,7 @@ impl Symbolic {
         };
         let count = analysis.n_supernodes();
         let mut symbolic = Self {
+            pattern: Arc::clone(pattern),
             permutation,
             start: Vec::with_capacity(count + 1),
             below_start: Vec::with_capacity(count + 1),
@@ -122,7 +128,7 @@ impl Symbolic {
             symbolic.parent.push(first.map_or(NONE, |&row| symbolic.supernode_of[row as usize]));
         }
         symbolic.place_entries(pattern);
-        symbolic.stack_length = symbolic.measure_stack();
+        symbolic.stack_length = symbolic.measure_stack().ok_or(mismatch)?;
         Ok(symbolic)
     }
 
@@ -130,7 +136,7 @@ impl Symbolic {
     fn place_entries(&mut self, pattern: &Pattern) {
         let new_of_old = &self.permutation.new_of_old;
         let ends = |column: usize, entry: usize| {
-            let [a, b] = [column, pattern.rows[entry] as usize].map(|old| new_of_old[old]);
+            let [a, b] = [column, pattern.rows()[entry] as usize].map(|old| new_of_old[old]);
             (a.min(b), a.max(b))
         };
         let stored = || (0..pattern.size()).flat_map(|column| pattern.column(column).map(move |entry| (column, entry)));
@@ -143,8 +149,8 @@ impl Symbolic {
         }
         let mut free: Vec<u32> = entry_start.clone();
         // First as (column, row) with the entry; the places need the rows of the supernode, one at a time.
-        let mut placed = vec![(0, 0); pattern.rows.len()];
-        let mut position = vec![(0, 0); pattern.rows.len()];
+        let mut placed = vec![(0, 0); pattern.nonzeros()];
+        let mut position = vec![(0, 0); pattern.nonzeros()];
         for (column, entry) in stored() {
             let (low, high) = ends(column, entry);
             let slot = &mut free[self.supernode_of[low as usize] as usize];
@@ -169,8 +175,9 @@ impl Symbolic {
         self.entries = placed;
     }
 
-    /// Goes through the supernodes as the factorisation does, and counts what is on its stack.
-    fn measure_stack(&self) -> usize {
+    /// Goes through the supernodes as the factorisation does, and counts what is on its stack; none where they are not in
+    /// a postorder.
+    fn measure_stack(&self) -> Option<usize> {
         let left_over = |index: usize| {
             let rows = self.supernode(index).below.len();
             packed_start(rows, rows)
@@ -188,8 +195,7 @@ impl Symbolic {
                 length += left_over(index);
             }
         }
-        assert!(waiting.is_empty(), "the elimination order is a postorder of the elimination tree");
-        most
+        waiting.is_empty().then_some(most)
     }
 
     /// Number of unknowns.
@@ -224,8 +230,8 @@ impl Symbolic {
         &self.entries[self.entry_start[index] as usize..self.entry_start[index + 1] as usize]
     }
 
-    /// Stored entries of a factor, zeros inside supernodes counted.
-    pub fn factor_length(&self) -> usize {
+    /// Nonzeros of a factor, zeros inside supernodes counted.
+    pub fn factor_nonzeros(&self) -> usize {
         self.value_start[self.supernode_count()]
     }
 
@@ -234,10 +240,14 @@ impl Symbolic {
         self.stack_length
     }
 
-    /// Most numbers in use beside the factors while matrices are factored side by side: the stack and the widest front.
-    pub fn work_length(&self, matrices: usize) -> usize {
+    /// What factors of the pattern take, when so many matrices are factored side by side.
+    pub fn memory(&self, matrices: usize) -> FactorMemory {
         let widest = self.value_start.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap_or(0);
-        matrices * (self.stack_length + widest)
+        let bytes = |numbers: usize| numbers as u64 * size_of::<f64>() as u64;
+        FactorMemory {
+            factor: bytes(self.factor_nonzeros()),
+            factorization: bytes(matrices * (self.stack_length + widest)),
+        }
     }
 
     /// The supernodes that a forward solve touches when the right side is non-zero at `unknowns` (in the elimination
@@ -279,8 +289,4 @@ impl Symbolic {
         let Supernode { width, below, .. } = self.supernode(index);
         width as f64 * ((width + below.len()) as f64).powi(2)
     }
-}
-
-fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
-    SymbolicSparseColMatRef::new_checked(pattern.size(), pattern.size(), &pattern.column_start, None, &pattern.rows)
 }

@@ -11,7 +11,7 @@ pub(crate) trait Work {
 
 /// Does numeric work with the widest vector instructions that are there: on x86-64 as found at run time, elsewhere those
 /// that the target has for certain.
-pub(crate) fn widest<W: Work>(work: W) -> W::Output {
+pub(crate) fn dispatch<W: Work>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     if let pulp::Arch::V3(simd) = pulp::Arch::new() {
         return simd.vectorize(

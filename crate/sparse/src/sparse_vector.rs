@@ -1,12 +1,12 @@
-//! Responses of a factored system to constraints: sparse forward solves, kept and combined.
+//! Results of sparse forward solves, kept and combined.
 //!
 //! Davis, "Direct Methods for Sparse Linear Systems" (2006), section 3.2 on the reach of a sparse right side.
 
-use crate::vector::dot;
+use crate::simd::dot;
 
 /// A vector in the elimination order that is zero outside some runs.
 #[derive(Debug, Clone, Default)]
-pub struct Column {
+pub(crate) struct SparseVector {
     /// Where each run begins among the unknowns, ascending.
     starts: Vec<u32>,
     /// Where each run ends in `values`.
@@ -14,7 +14,7 @@ pub struct Column {
     values: Vec<f64>,
 }
 
-impl Column {
+impl SparseVector {
     /// Appends a run that lies after all others.
     pub(crate) fn push(&mut self, start: usize, values: impl Iterator<Item = f64>) {
         self.starts.push(start as u32);
@@ -36,7 +36,7 @@ impl Column {
         })
     }
 
-    /// Inner product with another column of the same factor, whose runs are the same wherever both have one.
+    /// Inner product with another vector of the same factor, whose runs are the same wherever both have one.
     pub(crate) fn dot(&self, other: &Self) -> f64 {
         let mut others = other.runs().peekable();
         let mut sum = 0.0;
