@@ -14,7 +14,7 @@ import { Scene } from './state/scene';
 import { Signal } from './state/signal';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue } from './ui/input/drop';
-import { Hands } from './ui/input/hands';
+import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
@@ -22,14 +22,14 @@ import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
 import { toolbar, type Tool } from './ui/overlay/toolbar';
-import { lookSection } from './ui/panel/look-section';
-import { numbersSection } from './ui/panel/numbers-section';
+import { styleSection } from './ui/panel/style';
+import { numbersSection } from './ui/panel/numbers';
 import { buildPanel } from './ui/panel/panel';
-import { sceneSection } from './ui/panel/scene-section';
-import { shareSection } from './ui/panel/share-section';
-import { showSection } from './ui/panel/show-section';
-import { solverSection } from './ui/panel/solver-section';
-import { sourcesSection } from './ui/panel/sources-section';
+import { sceneSection } from './ui/panel/scene';
+import { shareSection } from './ui/panel/share';
+import { displaySection } from './ui/panel/display';
+import { solverSection } from './ui/panel/solver';
+import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
@@ -38,7 +38,7 @@ const page = document.body;
 const stage = h('main', {
   class: 'stage',
   tabindex: 0,
-  'aria-label': 'Model. Arrows turn it, Enter sets a source at the centre.',
+  'aria-label': 'Model. Arrow keys orbit, Enter sets the source at the center.',
 });
 page.append(stage);
 
@@ -63,7 +63,7 @@ const cameraMoved = () => {
   frames.cameraMoved();
 };
 
-new Hands({ session, readout, tool, acted, cameraMoved }).listen();
+new PointerInput({ session, readout, tool, acted, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
@@ -91,8 +91,8 @@ if (!address.kiosk) {
     { id: 'scene', title: 'Scene', element: sceneSection(session, opener, dialogue.choose), open: true },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
-    { id: 'look', title: 'Look', element: lookSection(session), open: true },
-    { id: 'show', title: 'Show', element: showSection(session), open: false },
+    { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
+    { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];

@@ -26,7 +26,7 @@ function largestError(heatwalk: HeatwalkPage, [x, y]: readonly [number, number],
   );
 }
 
-test('instant, then exact: on a flat grid every distance becomes that of the plane', async ({ heatwalk, page }) => {
+test('on a flat grid every distance is refined to that of the plane', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&w=${at(20, 22)}&near=0`);
   await heatwalk.settled();
   expect(await heatwalk.refining()).toBe('exact');
@@ -42,11 +42,11 @@ test('instant, then exact: on a flat grid every distance becomes that of the pla
   expect(error.max).toBeLessThan(0.5);
   await page.locator('#section-solver > summary').click();
   await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
-    /^Exact\. Heat was off by [\d.]+ % on average, [\d.]+ % at most\.$/,
+    /^Exact\. Error of the heat method: mean [\d.]+ %, maximum [\d.]+ %\.$/,
   );
 });
 
-test('refining can be switched off and on', async ({ heatwalk, page }) => {
+test('refinement can be switched off and on', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&near=0&refine=0`);
   await heatwalk.settled();
   expect(await heatwalk.refining()).toBe('off');
@@ -66,7 +66,7 @@ test('refining can be switched off and on', async ({ heatwalk, page }) => {
   expect(await heatwalk.refining()).toBe('exact');
 });
 
-test('a source that moves ends the refinement, and the new field is refined', async ({ heatwalk, page }) => {
+test('moving a source ends the refinement, and the new field is refined', async ({ heatwalk, page }) => {
   await heatwalk.openFile('ball.off', off(sphere(110)), 's=0&near=0');
   await heatwalk.settled();
   const solves = await heatwalk.solves();
@@ -93,7 +93,7 @@ test('a source that moves ends the refinement, and the new field is refined', as
   expect((await heatwalk.field()).maxDistance).toBeCloseTo(Math.PI, 3);
 });
 
-test('a drag is followed by heat alone and refined when the hand lets go', async ({ heatwalk, page }) => {
+test('a drag shows the heat method, and its end starts refinement', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.mouse.click(...(await heatwalk.pixelOnModel()));
   await heatwalk.settled();
@@ -113,7 +113,7 @@ test('a drag is followed by heat alone and refined when the hand lets go', async
   expect((await heatwalk.field()).refineMs).toBeGreaterThan(0);
 });
 
-test('sending the walker keeps what refining has reached', async ({ heatwalk, page }) => {
+test('placing the walker keeps the refined field', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&w=${at(20, 22)}`);
   await heatwalk.settled();
   const before = await heatwalk.field();
@@ -126,25 +126,25 @@ test('sending the walker keeps what refining has reached', async ({ heatwalk, pa
   expect(await heatwalk.refining()).toBe('exact');
 });
 
-test('a source starts from the value that is typed', async ({ heatwalk, page }) => {
+test('a source has the initial distance that is typed', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}`);
-  const start = page.getByRole('spinbutton', { name: 'Starting value of source 1' });
-  await expect(start).toHaveValue('0');
-  await start.fill('0.25');
+  const initial = page.getByRole('spinbutton', { name: 'Initial distance of source 1' });
+  await expect(initial).toHaveValue('0');
+  await initial.fill('0.25');
   await expect(page).toHaveURL(new RegExp(`s=${SOURCE}@0.25`));
   await expect.poll(() => heatwalk.distanceAt({ vertex: SOURCE })).toBe(0.25);
   await heatwalk.settled();
   expect(await largestError(heatwalk, [6 / N, 8 / N], 0.25)).toBeLessThan(ROUNDING);
 
-  await start.fill('-1');
-  await start.blur();
-  await expect(start).toHaveValue('0.25');
+  await initial.fill('-1');
+  await initial.blur();
+  await expect(initial).toHaveValue('0.25');
   await page.keyboard.press('Control+z');
-  await expect(start).toHaveValue('0');
+  await expect(initial).toHaveValue('0');
   await expect.poll(() => heatwalk.distanceAt({ vertex: SOURCE })).toBe(0);
 });
 
-test('starting values decide which source is nearer', async ({ heatwalk }) => {
+test('initial distances decide which source is nearer', async ({ heatwalk }) => {
   // Between two sources 1 apart, the second of which starts at 0.5, the border lies at three quarters.
   await heatwalk.openFile('grid.off', GRID, `s=${at(0, 0)},${at(N, 0)}@0.5`);
   await heatwalk.settled();

@@ -21,7 +21,7 @@ test.describe('on a phone', () => {
           .map((element) => element.outerHTML.slice(0, 80)),
       );
     expect(await outside()).toEqual([]);
-    await page.getByRole('button', { name: 'Unfold the panel' }).tap();
+    await page.getByRole('button', { name: 'Expand the panel' }).tap();
     await expect(page.getByRole('button', { name: 'Open a file…' })).toBeVisible();
     expect(await outside()).toEqual([]);
     const wide = await page.evaluate(() => {
@@ -35,7 +35,10 @@ test.describe('on a phone', () => {
     expect((frame?.y ?? 0) + (frame?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
   });
 
-  test('a tap sets the source, in Add mode it adds, a long press sends the walker', async ({ heatwalk, page }) => {
+  test('a tap sets the source, with the Add tool it adds one, a long press places the walker', async ({
+    heatwalk,
+    page,
+  }) => {
     await heatwalk.open();
     await page.touchscreen.tap(...(await heatwalk.pixelOnModel()));
     await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
@@ -51,7 +54,7 @@ test.describe('on a phone', () => {
     expect((await heatwalk.scene()).sources).toHaveLength(2);
   });
 
-  test('two fingers apart bring the model nearer', async ({ heatwalk, page }) => {
+  test('a pinch zooms in', async ({ heatwalk, page }) => {
     await heatwalk.open();
     const distance = () => page.evaluate(() => window.heatwalk.camera?.[2] ?? Number.NaN);
     const before = await distance();
@@ -71,14 +74,14 @@ test('kiosk=1 hides the panel', async ({ heatwalk, page }) => {
   await expect(page.locator('.panel')).toHaveCount(0);
 });
 
-test('the panel folds and remembers its sections', async ({ heatwalk, page }) => {
+test('the panel collapses and remembers its sections', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.locator('#section-numbers summary').click();
   await expect(page.getByText('Euler characteristic')).toBeVisible();
   await expect.poll(() => page.evaluate(() => localStorage.getItem('heatwalk.panel'))).toContain('"numbers":true');
   await heatwalk.open();
   await expect(page.locator('#section-numbers')).toHaveAttribute('open');
-  await page.getByRole('button', { name: 'Fold the panel' }).click();
+  await page.getByRole('button', { name: 'Collapse the panel' }).click();
   await expect(page.getByRole('button', { name: 'Open a file…' })).toBeHidden();
 });
 
@@ -96,7 +99,7 @@ test('every control has a name', async ({ heatwalk, page }) => {
   expect(nameless).toEqual([]);
 });
 
-test('with reduced motion the walker stands at its start', async ({ heatwalk, page }) => {
+test('with reduced motion the walker stays at its start', async ({ heatwalk, page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.open();
   await page.mouse.move(...(await heatwalk.pixelOnModel()));

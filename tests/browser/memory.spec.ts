@@ -25,7 +25,7 @@ test('a mesh whose factors do not fit is refused, and opens with conjugate gradi
   await expect(page).toHaveURL(/[&]hash=[0-9a-f]{64}/);
 });
 
-test('a choice whose factors do not fit leaves the field, and can be had with conjugate gradients', async ({
+test('a setting whose factors do not fit keeps the field, and works with conjugate gradients', async ({
   heatwalk,
   page,
 }) => {

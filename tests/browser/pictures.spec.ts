@@ -1,13 +1,13 @@
-/** Every look and every overlay, drawn beside the canvas, against pictures that are kept. */
+/** Every preset style and every overlay, drawn beside the canvas, against reference images. */
 import fs from 'node:fs';
 import path from 'node:path';
 import { PNG } from 'pngjs';
-import { LOOKS } from '../../web/state/looks';
+import { STYLES } from '../../web/state/styles';
 import { expect, type HeatwalkPage, test } from '../page';
 
-const KEPT = path.join(import.meta.dirname, '../pictures');
-/** Writes the kept pictures instead of comparing with them. */
-const KEEPS = process.env['KEEP_PICTURES'] === '1';
+const REFERENCES = path.join(import.meta.dirname, '../pictures');
+/** Writes the reference images instead of comparing with them. */
+const WRITES = process.env['WRITE_REFERENCES'] === '1';
 
 /**
  * The two backends run different compilers over the same shaders, on vectors of another width: contours fall on other
@@ -20,7 +20,7 @@ const MEAN_DIFFERENCE = 0.6;
 
 const VIEW = 'cam=-0.5,0.25,2.9,0,0,0';
 const PICTURES: readonly (readonly [name: string, link: string])[] = [
-  ...LOOKS.map(({ name }) => [`look-${name}`, `m=bunny&look=${name}&${VIEW}`] as const),
+  ...STYLES.map(({ name }) => [`look-${name}`, `m=bunny&look=${name}&${VIEW}`] as const),
   ['background', `m=bunny&${VIEW}`],
   ['light-sky', `m=bunny&look=gold&around=sky&${VIEW}`],
   ['light-night', `m=bunny&look=zebra&around=night&light=40&${VIEW}`],
@@ -68,15 +68,15 @@ function compare(a: PNG, b: PNG): { clearly: number; mean: number } {
   return { clearly: (4 * clearly) / a.data.length, mean: sum / a.data.length };
 }
 
-test('looks and overlays are drawn as the kept pictures show them', async ({ heatwalk, page }) => {
+test('styles and overlays look like the reference images', async ({ heatwalk, page }) => {
   test.setTimeout(600_000);
   await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
   await heatwalk.open('#v=1&m=teapot&kiosk=1');
   const off: string[] = [];
   for (const [name, link] of PICTURES) {
     const picture = await show(heatwalk, link, name !== 'background');
-    const file = path.join(KEPT, `${name}.png`);
-    if (KEEPS) fs.writeFileSync(file, PNG.sync.write(picture));
+    const file = path.join(REFERENCES, `${name}.png`);
+    if (WRITES) fs.writeFileSync(file, PNG.sync.write(picture));
     const { clearly, mean } = compare(picture, PNG.sync.read(fs.readFileSync(file)));
     if (clearly > CLEARLY_DIFFERENT || mean > MEAN_DIFFERENCE) {
       off.push(`${name}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean`);
@@ -86,7 +86,7 @@ test('looks and overlays are drawn as the kept pictures show them', async ({ hea
   expect(off).toEqual([]);
 });
 
-test('a picture without background is transparent around the model and opaque on it', async ({ heatwalk }) => {
+test('an image without background is transparent around the model and opaque on it', async ({ heatwalk }) => {
   await heatwalk.open('#v=1&m=teapot&kiosk=1');
   const picture = await show(heatwalk, `m=bunny&${VIEW}`);
   const alphaAt = (x: number, y: number) => picture.data[4 * (y * picture.width + x) + 3];

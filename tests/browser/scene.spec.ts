@@ -3,7 +3,7 @@ import { brightness, crossings, difference, expect, test } from '../page';
 
 const BALL = sphere(24);
 
-test('the first visit shows stripes, a way home and one hint', async ({ heatwalk, page }) => {
+test('the first visit shows stripes, a path and one hint', async ({ heatwalk, page }) => {
   // The walker stays at its start, so that it does not come between the stripes that are counted.
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.open();
@@ -14,7 +14,7 @@ test('the first visit shows stripes, a way home and one hint', async ({ heatwalk
   await expect(page.getByText('Click the surface')).toBeVisible();
 
   const picture = await heatwalk.picture();
-  // Where the way home, which is drawn over the stripes and counted with them, lies level.
+  // Where the path, which is drawn over the stripes and counted with them, is level.
   const [x, y] = await heatwalk.pixelOnModel(0.04);
   const striped = crossings(picture, x, y - 150, y + 150);
   expect(striped).toBeGreaterThanOrEqual(6);
@@ -26,7 +26,7 @@ test('the first visit shows stripes, a way home and one hint', async ({ heatwalk
   expect(crossings(await heatwalk.picture(), x, y - 150, y + 150)).toBeLessThan(striped / 2);
 });
 
-test('the walker sets out and arrives', async ({ heatwalk, page }) => {
+test('the walker starts and arrives', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const arc = () => page.evaluate(() => window.heatwalk.walker?.arc ?? 0);
   const before = await arc();
@@ -37,7 +37,7 @@ test('the walker sets out and arrives', async ({ heatwalk, page }) => {
 test('P pauses the walker', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.keyboard.press('p');
-  await expect(page.getByRole('button', { name: 'Let the walker go' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Resume' })).toBeVisible();
   const arcs = await page.evaluate(async () => {
     const seen: (number | undefined)[] = [];
     for (let i = 0; i < 6; i++) {
@@ -182,10 +182,10 @@ test('a link to a file asks for it by name and knows it by its hash', async ({ h
   const before = await heatwalk.scene();
 
   await heatwalk.open(link);
-  await expect(page.getByText('This link shows your file ball.off')).toBeVisible();
+  await expect(page.getByText('This link needs your file ball.off')).toBeVisible();
   expect(new URL(page.url()).hash).toBe(link);
   await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
-  await expect(page.getByText('This link shows your file')).toBeHidden();
+  await expect(page.getByText('This link needs your file')).toBeHidden();
   expect(await heatwalk.scene()).toEqual(before);
 
   await heatwalk.open(link);
@@ -193,7 +193,7 @@ test('a link to a file asks for it by name and knows it by its hash', async ({ h
   await expect(page.getByText('not the file the link was made with')).toBeVisible();
 });
 
-test('every preset opens, is solved and has somebody on the way home', async ({ heatwalk, page }) => {
+test('every preset opens, is solved and has a walker', async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
   await heatwalk.open();
   const cards = page.getByRole('group', { name: 'Presets' }).getByRole('button');

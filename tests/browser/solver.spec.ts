@@ -34,10 +34,10 @@ for (const [option, expected] of [
   });
 }
 
-test('every choice of the panel is taken, solved and in the link', async ({ heatwalk, page }) => {
+test('every choice of the panel is solved and written to the link', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)},${at(20, 20)}&w=${at(20, 2)}&refine=0`);
   await page.locator('#section-solver > summary').click();
-  await page.getByText('More of the method').click();
+  await page.getByText('More solver settings').click();
   for (const [label, values, key] of [
     ['Boundary', ['dirichlet', 'average'], 'b'],
     ['Multi-source', ['superposed'], 'multi'],
@@ -54,10 +54,10 @@ test('every choice of the panel is taken, solved and in the link', async ({ heat
   await expect(page.getByRole('alert')).toBeEmpty();
 });
 
-test('the time factor and the near field can be left to the solver', async ({ heatwalk, page }) => {
+test('the solver can choose the time factor and the exact region', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&refine=0`);
   await page.locator('#section-solver > summary').click();
-  await page.getByText('More of the method').click();
+  await page.getByText('More solver settings').click();
   const chosen = (await heatwalk.field()).timeFactor;
   const auto = page.getByRole('button', { name: 'Time factor m, automatic' });
   await expect(auto).toHaveAttribute('aria-pressed', 'true');
@@ -71,27 +71,27 @@ test('the time factor and the near field can be left to the solver', async ({ he
   await expect.poll(async () => (await heatwalk.field()).timeFactor).toBe(chosen);
   await expect(page).not.toHaveURL(/[&]t=/);
 
-  await page.getByRole('slider', { name: 'Near field' }).fill('0');
+  await page.getByRole('slider', { name: 'Exact region' }).fill('0');
   await expect(page).toHaveURL(/near=0/);
   await expect.poll(async () => (await heatwalk.field()).exactBelow).toBe(0);
-  await page.getByRole('button', { name: 'Near field, automatic' }).click();
+  await page.getByRole('button', { name: 'Exact region, automatic' }).click();
   expect((await heatwalk.scene()).parameters.nearField).toBe('auto');
 });
 
-test('the way home goes by steepest descent, straightened or exact', async ({ heatwalk, page }) => {
+test('the path is the steepest descent, straightened or exact', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&w=${at(21, 17)}&refine=0&near=0`);
   await page.locator('#section-solver > summary').click();
   const solves = await heatwalk.solves();
   const lengths: Record<string, number> = {};
   for (const kind of ['straight', 'exact', 'descent']) {
-    await page.getByLabel('Way home').selectOption(kind);
+    await page.getByRole('combobox', { name: 'Path' }).selectOption(kind);
     await heatwalk.settled();
     const walker = await page.evaluate(() => window.heatwalk.walker);
     expect(walker?.kind).toBe(kind);
     lengths[kind] = walker?.length ?? 0;
     if (kind === 'exact') await expect(page).toHaveURL(/way=exact/);
   }
-  // Another way over the same field needs no other field.
+  // Another path needs no other field.
   expect(await heatwalk.solves()).toBe(solves);
   const straight = Math.hypot(18, 13) / N;
   expect(lengths['exact']).toBeCloseTo(straight, 5);
@@ -100,7 +100,7 @@ test('the way home goes by steepest descent, straightened or exact', async ({ he
   expect(lengths['descent']).toBeLessThan(1.1 * straight);
 });
 
-test('gradients and heat can be asked for', async ({ heatwalk, page }) => {
+test('the scripting API gives gradients and heat', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&refine=0&near=0`);
   const seen = await page.evaluate(async () => {
     const { heatwalk: face } = window;

@@ -40,7 +40,7 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
 const kinds = (way: Way | null) => (way ? [way.kind] : []);
 const soon = () => new Promise((resolve) => setTimeout(resolve, 5));
 
-test('another way home over the same field is not solved again', async () => {
+test('another path over the same field does not solve again', async () => {
   const { engine: it, calls } = engine();
   const first = await it.ask(QUESTION);
   const second = await it.ask({ ...QUESTION, from: { vertex: 2 }, way: 'straight' });
@@ -50,7 +50,7 @@ test('another way home over the same field is not solved again', async () => {
   expect(calls.slice(2)).toEqual(['configure', 'solve descent']);
 });
 
-test('a quick field is solved again in full, a full one never quickly', async () => {
+test('a quick field is solved again in full, a full one is kept', async () => {
   const { engine: it, calls } = engine();
   const quick = await it.ask({ ...QUESTION, from: null, quick: true });
   expect(quick?.path).toBeNull();
@@ -60,7 +60,7 @@ test('a quick field is solved again in full, a full one never quickly', async ()
   expect(calls).toEqual(['solve quick', 'solve descent']);
 });
 
-test('a straightened way stands in for the exact one until that is asked for', async () => {
+test('a straightened path replaces the exact one until that is traced', async () => {
   const { engine: it, calls } = engine();
   const answer = await it.ask({ ...QUESTION, way: 'exact' });
   expect(answer?.pathKind).toBe('straight');
@@ -69,7 +69,7 @@ test('a straightened way stands in for the exact one until that is asked for', a
   expect(calls).toEqual(['solve straight', 'path exact']);
 });
 
-test('a question during a slice makes its result worthless and comes next', async () => {
+test('a question during a refinement step discards its result and comes next', async () => {
   const { engine: it, calls, letGo } = engine();
   const answer = await it.ask(QUESTION);
   if (!answer) throw new Error('no answer');
@@ -84,7 +84,7 @@ test('a question during a slice makes its result worthless and comes next', asyn
   expect(await it.refine(answer)).toBeNull();
 });
 
-test('a slice waits for one that is still under way', async () => {
+test('a refinement step waits for one that is still running', async () => {
   const { engine: it, calls, letGo } = engine();
   const answer = await it.ask(QUESTION);
   if (!answer) throw new Error('no answer');

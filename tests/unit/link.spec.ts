@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import type { Parameters } from '../../web/protocol';
 import { decodeLink, encodeLink } from '../../web/state/link';
-import { findLook } from '../../web/state/looks';
+import { findStyle } from '../../web/state/styles';
 import { DEFAULT_PARAMETERS, emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
 
 const START: SceneState = {
@@ -24,12 +24,12 @@ function throughLink(state: SceneState): SceneState {
   return decoded.state;
 }
 
-test('an untouched preset needs nothing but its name', () => {
+test('the link of an unchanged preset is its name', () => {
   expect(encodeLink(START, START)).toBe('v=1&m=bunny');
 });
 
-test('everything that was changed survives the link', () => {
-  const neon = findLook('neon');
+test('every change survives the link', () => {
+  const neon = findStyle('neon');
   if (!neon) throw new Error('no neon');
   const state: SceneState = {
     ...START,
@@ -62,7 +62,7 @@ test('everything that was changed survives the link', () => {
       width: 0.35,
       ramp: 'viridis',
       stripe: '#12ab9f',
-      style: 'lines',
+      pattern: 'lines',
       relief: -0.05,
       offset: 0.25,
       light: -35,
@@ -102,7 +102,7 @@ for (const change of CHANGES) {
   });
 }
 
-test('a preset that starts out otherwise can be brought back to the defaults', () => {
+test('a preset with other settings can be set back to the defaults', () => {
   const start: SceneState = {
     ...START,
     parameters: { ...DEFAULT_PARAMETERS, timeFactor: 2, nearField: 0 },
@@ -114,25 +114,25 @@ test('a preset that starts out otherwise can be brought back to the defaults', (
   expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [] });
 });
 
-test('an old link means what it meant', () => {
+test('an old link keeps its meaning', () => {
   const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
   expect(decoded?.notices).toEqual([]);
   expect(decoded?.state.parameters).toMatchObject({ timeFactor: 1, boundary: 'neumann' });
   expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
 });
 
-test('a scene without sources and walker is not the same as an untouched one', () => {
+test('a scene without sources and walker differs from an unchanged one', () => {
   const state = { ...START, sources: [], walker: null };
   expect(throughLink(state)).toEqual(state);
 });
 
-test('a file is named with its hash, whatever its name holds', () => {
+test('a file name with special characters survives the link, with its hash', () => {
   const mesh: MeshReference = { kind: 'file', name: 'my & mesh=1 ä+#.obj', hash: 'ab'.repeat(32) };
   const state = { ...emptyScene(mesh), sources: [{ vertex: 3 }] };
   expect(throughLink(state)).toEqual(state);
 });
 
-test('rounding happens once: a link made from a link is the same', () => {
+test('rounding happens once: a link made from a link is equal', () => {
   const state: SceneState = {
     ...START,
     sources: [{ face: 5, weights: [1 / 3, 1 / 3, 1 / 3] }],
@@ -185,11 +185,11 @@ for (const [broken, key] of [
   });
 }
 
-test('another version is told', () => {
+test('another version gives a notice', () => {
   expect(decodeLink('#v=2&m=bunny', startOf)?.notices).toHaveLength(1);
 });
 
-test('a fragment without a mesh that exists is no scene', () => {
+test('a fragment without an existing mesh is not a scene', () => {
   expect(decodeLink('', startOf)).toBeNull();
   expect(decodeLink('#v=1&s=3', startOf)).toBeNull();
   expect(decodeLink('#v=1&m=unicorn', startOf)).toBeNull();

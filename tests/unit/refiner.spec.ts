@@ -6,7 +6,7 @@ import { emptyScene } from '../../web/state/scene';
 import { until } from '../../web/state/signal';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
-const WAY: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
+const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
 
 function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
   const field: DistanceField = {
@@ -24,7 +24,7 @@ function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
   const question = { sources: [{ vertex: 0 }], parameters: STATE.parameters, from: { vertex: 1 }, way, quick: false };
   const timings = { readMs: 0, buildMs: 0, precomputeMs: 0 };
   const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
-  return { question, field, path: WAY, pathKind: way === 'exact' ? 'straight' : way, pathMs: 0, factoring };
+  return { question, field, path: PATH, pathKind: way === 'exact' ? 'straight' : way, pathMs: 0, factoring };
 }
 
 /** An engine whose slices reach as far as told; the last one again and again. */
@@ -57,7 +57,7 @@ function refiner(): { refiner: Refiner; shown: Answer[]; phases: Phase[]; settle
 
 const reached = (shown: readonly Answer[]) => shown.map(({ field }) => field?.exactBelow);
 
-test('rests, refines slice by slice and ends when everything is exact', async () => {
+test('waits, refines step by step and ends when everything is exact', async () => {
   const { refiner: it, shown, phases, settled } = refiner();
   const fake = engine([0.2, 0.6, Infinity]);
   it.rest(fake.engine, answer(0), STATE);
@@ -66,14 +66,14 @@ test('rests, refines slice by slice and ends when everything is exact', async ()
   expect(reached(shown)).toEqual([0.2, 0.6, Infinity]);
 });
 
-test('slices that reach less far than the instant near field are not shown', async () => {
+test('steps that reach less far than the first exact region are not shown', async () => {
   const { refiner: it, shown, settled } = refiner();
   it.rest(engine([0.1, 0.2, 0.4, Infinity]).engine, answer(0.3), STATE);
   await settled();
   expect(reached(shown)).toEqual([0.4, Infinity]);
 });
 
-test('gives up after a few slices without progress', async () => {
+test('stops after a few steps without progress', async () => {
   const { refiner: it, settled } = refiner();
   const fake = engine([0.2]);
   it.rest(fake.engine, answer(0), STATE);
@@ -82,7 +82,7 @@ test('gives up after a few slices without progress', async () => {
   expect(fake.slices()).toBeLessThan(10);
 });
 
-test('a question ends it: nothing more is shown, no more slices are asked', async () => {
+test('a new question ends refinement: nothing more is shown or asked', async () => {
   const { refiner: it, shown } = refiner();
   const fake = engine(Array.from({ length: 1000 }, (_, i) => i + 1));
   it.rest(fake.engine, answer(0), STATE);
@@ -95,7 +95,7 @@ test('a question ends it: nothing more is shown, no more slices are asked', asyn
   expect(it.settled).toBe(false);
 });
 
-test('a question while it rests is in time to prevent the first slice', async () => {
+test('a question during the wait prevents the first step', async () => {
   const { refiner: it } = refiner();
   const fake = engine([Infinity]);
   it.rest(fake.engine, answer(0), STATE);
@@ -105,10 +105,10 @@ test('a question while it rests is in time to prevent the first slice', async ()
 });
 
 for (const [name, end, phase] of [
-  ['switched off', { ...STATE, refine: false }, 'off'],
+  ['refinement off', { ...STATE, refine: false }, 'off'],
   ['a large mesh', STATE, 'large'],
 ] as const) {
-  test(`${name}: not refined, and told so at once`, () => {
+  test(`${name}: the phase says at once that nothing is refined`, () => {
     const { refiner: it } = refiner();
     const fake = engine([Infinity], phase === 'large' ? MOST_TRIANGLES + 1 : 100);
     it.rest(fake.engine, answer(0), end);
@@ -117,7 +117,7 @@ for (const [name, end, phase] of [
   });
 }
 
-test('the exact way home is traced at rest, also where the field is not refined', async () => {
+test('the exact path is traced at rest, even if the field is not refined', async () => {
   const { refiner: it, shown, settled } = refiner();
   it.rest(engine([]).engine, answer(0, 'exact'), { ...STATE, refine: false, way: 'exact' });
   await settled();

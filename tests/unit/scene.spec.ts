@@ -1,10 +1,10 @@
 import { expect, test } from '@playwright/test';
-import { moveSource, startSourceFrom } from '../../web/state/edit';
+import { moveSource, setInitialDistance } from '../../web/state/edit';
 import { DEFAULT_PARAMETERS, emptyScene, Scene } from '../../web/state/scene';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 
-test('undo and redo go over sources and walker', () => {
+test('undo and redo restore sources and walker', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
   scene.place({ walker: { vertex: 9 } });
@@ -19,7 +19,7 @@ test('undo and redo go over sources and walker', () => {
   expect(scene.redo()).toBe(false);
 });
 
-test('a drag is one step', () => {
+test('a drag is one undo step', () => {
   const scene = fresh();
   const drag = {};
   for (const vertex of [2, 3, 4]) scene.place({ sources: [{ vertex }] }, drag);
@@ -30,9 +30,9 @@ test('a drag is one step', () => {
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
 });
 
-test('a source keeps its starting value when it is moved, and undo takes the value back', () => {
+test('a moved source keeps its initial distance, and undo restores the old one', () => {
   const scene = fresh();
-  startSourceFrom(scene, 0, 0.5, {});
+  setInitialDistance(scene, 0, 0.5, {});
   moveSource(scene, 0, { vertex: 7 }, {});
   expect(scene.state.sources).toEqual([{ vertex: 7, offset: 0.5 }]);
   scene.undo();
@@ -41,19 +41,19 @@ test('a source keeps its starting value when it is moved, and undo takes the val
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
 });
 
-test('typing a starting value is one step, and 0 leaves no trace', () => {
+test('typing an initial distance is one undo step, and 0 is not stored', () => {
   const scene = fresh();
   const typing = {};
-  for (const offset of [1, 12, 125]) startSourceFrom(scene, 0, offset, typing);
+  for (const offset of [1, 12, 125]) setInitialDistance(scene, 0, offset, typing);
   expect(scene.state.sources).toEqual([{ vertex: 1, offset: 125 }]);
-  startSourceFrom(scene, 0, 0, {});
+  setInitialDistance(scene, 0, 0, {});
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
   scene.undo();
   scene.undo();
   expect(scene.canUndo).toBe(false);
 });
 
-test('a new step forgets what was undone', () => {
+test('a new change clears the redo history', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
   scene.undo();
@@ -61,7 +61,7 @@ test('a new step forgets what was undone', () => {
   expect(scene.canRedo).toBe(false);
 });
 
-test('undo leaves camera, look and parameters alone', () => {
+test('undo does not change camera, style or parameters', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
   scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { ...DEFAULT_PARAMETERS, timeFactor: 4 } });
@@ -70,7 +70,7 @@ test('undo leaves camera, look and parameters alone', () => {
   expect(scene.state.parameters.timeFactor).toBe(4);
 });
 
-test('another mesh ends the history', () => {
+test('another mesh clears the undo history', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
   scene.load(emptyScene({ kind: 'preset', id: 'teapot' }));
@@ -78,7 +78,7 @@ test('another mesh ends the history', () => {
   expect(scene.undo()).toBe(false);
 });
 
-test('a selection never points past the sources', () => {
+test('the selection is always a valid source', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 1 }, { vertex: 2 }] });
   scene.set({ selected: 1 });
@@ -86,7 +86,7 @@ test('a selection never points past the sources', () => {
   expect(scene.state.selected).toBe(-1);
 });
 
-test('listeners hear both states until they leave', () => {
+test('listeners get both states until they unsubscribe', () => {
   const scene = fresh();
   const heard: number[] = [];
   const leave = scene.subscribe((state, previous) => heard.push(previous.sources.length, state.sources.length));

@@ -4,7 +4,7 @@ import { isOutOfMemory } from '../../web/solver/trap';
 
 const named = (name: string, message: string) => Object.assign(new Error(message), { name });
 
-test('a refusal and a trap without a word are want of memory', () => {
+test('a refusal and a trap without a message count as out of memory', () => {
   expect(isOutOfMemory(named(OUT_OF_MEMORY, 'factoring takes 5.00 GiB of memory'))).toBe(true);
   for (const message of ['unreachable', 'unreachable executed', 'Unreachable code should not be executed']) {
     expect(isOutOfMemory(new WebAssembly.RuntimeError(message)), message).toBe(true);
@@ -12,7 +12,7 @@ test('a refusal and a trap without a word are want of memory', () => {
   expect(isOutOfMemory(new RangeError('Array buffer allocation failed'))).toBe(true);
 });
 
-test('a panic, a deep recursion and an error of the solver are not', () => {
+test('a panic, a deep recursion and a solver error do not count as out of memory', () => {
   expect(isOutOfMemory(named('RuntimeError', 'panicked at crate/solver/src/csr.rs:9:5: index out of bounds'))).toBe(
     false,
   );

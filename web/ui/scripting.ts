@@ -1,4 +1,4 @@
-/** `window.heatwalk`: the page's scripting face, read-only. Described in docs/scripting.md. */
+/** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
 import type { DistanceField, PathKind, SurfacePoint } from '../protocol';
 import type { Session } from '../session/session';
 import type { Phase } from '../solver/refiner';
@@ -35,19 +35,19 @@ export interface Heatwalk {
   } | null;
   /** Of the field that is shown. */
   readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
-  /** What is being done about exactness: see `Phase`. */
+  /** State of refinement: see `Phase`. */
   readonly refining: Phase;
-  /** Fields solved and shown since the page was opened; the slices of refining are not counted. */
+  /** Fields solved and shown since the page was opened; refinement steps are not counted. */
   readonly solves: number;
-  /** Arc lengths, and what kind of way it is; null when nobody walks. */
+  /** Arc lengths, and the kind of path; null without a walker. */
   readonly walker: { arc: number; length: number; arrived: boolean; kind: PathKind } | null;
-  /** Distance at a place of the shown field; Infinity out of reach; NaN where the mesh has no such place. */
+  /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: SurfacePoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
   gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
   heat(): Promise<Float32Array>;
-  /** A PNG of the scene once all is settled, `scale` times as large as the window, on a transparent ground if `clear`. */
+  /** A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`. */
   picture(scale?: number, clear?: boolean): Promise<Blob>;
   /** The place under a CSS pixel of the window. */
   placeAt(x: number, y: number): SurfacePoint | null;
@@ -63,7 +63,7 @@ declare global {
 
 /** `decorated` resolves when what is shown beside the field is there. */
 export function expose(session: Session, ready: Promise<void>, decorated: () => Promise<void>): void {
-  const face: Heatwalk = {
+  const api: Heatwalk = {
     ready,
     async settled() {
       await ready;
@@ -120,7 +120,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     gradients: (kind) => session.gradients(kind),
     heat: () => session.heat(),
     async picture(scale = 1, clear = false) {
-      await face.settled();
+      await api.settled();
       // What is wanted since the field came is asked for in the next frame.
       await new Promise(requestAnimationFrame);
       await decorated();
@@ -132,5 +132,5 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
       return position ? session.view.project(position) : null;
     },
   };
-  Object.defineProperty(window, 'heatwalk', { value: Object.freeze(face) });
+  Object.defineProperty(window, 'heatwalk', { value: Object.freeze(api) });
 }

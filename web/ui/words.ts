@@ -1,4 +1,4 @@
-/** Numbers and sentences as the page says them. */
+/** Numbers and sentences as the page shows them. */
 import type { BuildReport, DistanceField, FieldError, OpenedMesh, PathKind } from '../protocol';
 import { MOST_SECONDS, MOST_TRIANGLES, type Phase } from '../solver/refiner';
 
@@ -21,7 +21,7 @@ export function percent(share: number): string {
   return `${Math.round(100 * share)} %`;
 }
 
-/** 100 % is not said before it is true. */
+/** Rounded down: 100 % only where it is all. */
 export function percentDown(share: number): string {
   return `${Math.floor(100 * share)} %`;
 }
@@ -43,7 +43,7 @@ export function bytes(value: number): string {
   return `${(value / 2 ** 20).toFixed(value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
 }
 
-/** One sentence of what was done to the triangles of a file. */
+/** What was done to the triangles of a file, in one sentence. */
 export function openingSentence({ name, report }: OpenedMesh): string {
   const done = repairs(report);
   const shape = `${counted(report.components, 'component')}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
@@ -58,47 +58,42 @@ function repairs(report: BuildReport): string[] {
     if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
   };
   say('welded', report.weldedVertices, 'seam vertex', 'seam vertices');
-  say('left out', report.unreferencedVertices, 'vertex without triangles', 'vertices without triangles');
-  say('dropped', report.degenerateFaces, 'empty triangle');
-  say('dropped', report.duplicateFaces, 'doubled triangle');
-  say('turned', report.turnedFaces, 'triangle');
-  say(
-    'cut along',
-    report.nonManifoldEdges,
-    'edge shared by more than two triangles',
-    'edges shared by more than two triangles',
-  );
+  say('removed', report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
+  say('removed', report.degenerateFaces, 'degenerate triangle');
+  say('removed', report.duplicateFaces, 'duplicate triangle');
+  say('flipped', report.turnedFaces, 'triangle');
+  say('cut along', report.nonManifoldEdges, 'non-manifold edge');
   return done;
 }
 
 /** How much of a field is exact, in as few words as the heading has room for; empty for none. */
 export function exactnessWords({ exactBelow, exactShare }: DistanceField): string {
   if (exactBelow === Infinity) return 'exact';
-  return exactShare >= 0.01 ? `exact to ${percentDown(exactShare)}` : '';
+  return exactShare >= 0.01 ? `${percentDown(exactShare)} of vertices exact` : '';
 }
 
 export function errorWords({ mean, max }: FieldError): string {
-  return `${finePercent(mean)} on average, ${finePercent(max)} at most`;
+  return `mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
 }
 
-/** What is being done about exactness, or why nothing more is. */
-export function refiningSentence(phase: Phase, field: DistanceField, way: PathKind): string {
-  const reached = exactnessWords(field) || 'not exact yet';
+/** The state of refinement, or the reason why it ended. */
+export function refiningSentence(phase: Phase, field: DistanceField, path: PathKind): string {
+  const reached = exactnessWords(field) || 'approximate';
   const soFar = reached[0].toUpperCase() + reached.slice(1);
   switch (phase) {
     case 'exact':
-      return field.error ? `Exact. Heat was off by ${errorWords(field.error)}.` : 'Exact.';
+      return field.error ? `Exact. Error of the heat method: ${errorWords(field.error)}.` : 'Exact.';
     case 'large': {
       const limit = `${count(MOST_TRIANGLES)} triangles`;
-      const home = way === 'exact' ? ', and the way home is straightened instead of exact' : '';
-      return `${soFar}. Meshes of more than ${limit} are not refined${home}.`;
+      const instead = path === 'exact' ? ' Their path is straightened instead of exact.' : '';
+      return `${soFar}. Meshes of more than ${limit} are not refined.${instead}`;
     }
     case 'late':
-      return `${soFar}. Refining was ended after ${MOST_SECONDS} seconds.`;
+      return `${soFar}. Refinement stopped after ${MOST_SECONDS} seconds.`;
     case 'stuck':
-      return `${soFar}. Refining made no progress and was ended.`;
+      return `${soFar}. Refinement stopped because it made no progress.`;
     case 'off':
-      return `${soFar}. Refining is switched off.`;
+      return `${soFar}. Refinement is off.`;
     case 'solving':
     case 'resting':
     case 'refining':
@@ -108,17 +103,17 @@ export function refiningSentence(phase: Phase, field: DistanceField, way: PathKi
   }
 }
 
-/** What no source reaches, named by parts where the triangles tell; null if everything is reached. */
+/** The parts that no source reaches; null if there are none. */
 export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
   const names = unreachedParts(opened, field);
   const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
-  const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A separate component (${share})`;
-  return `${what} cannot be reached from the sources; it is drawn hatched. Add a source there.`;
+  const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A component (${share})`;
+  return `${what} is not connected to any source and is drawn hatched. Add a source there.`;
 }
 
-/** Triangles keep the order of the file, so while none was dropped the counts of the parts say which is whose. */
+/** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
 function unreachedParts({ parts, walked, surface }: OpenedMesh, { distance }: DistanceField): string[] {
   const total = walked.reduce((sum, part) => sum + parts[part].triangles, 0);
   if (walked.length < 2 || 3 * total !== surface.triangles.length) return [];

@@ -1,4 +1,4 @@
-/** Pictures and films of the scene, as files to keep. */
+/** Saves images and videos of the scene. */
 import type { View } from './view';
 
 /** Whether the browser can record a canvas. */
@@ -12,13 +12,13 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser cannot draw the picture into a file.');
+  if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
   context.putImageData(picture, 0, 0);
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** A WebM film of what the canvas shows until `end`. */
-export async function film(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
+/** A WebM video of the canvas until `end`. */
+export async function video(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
   const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
     mimeType: 'video/webm',
     videoBitsPerSecond: BITS_A_SECOND,
@@ -27,7 +27,9 @@ export async function film(canvas: HTMLCanvasElement, end: Promise<unknown>): Pr
   const recorded = new Promise<void>((resolve, reject) => {
     recorder.addEventListener('dataavailable', ({ data }) => chunks.push(data));
     recorder.addEventListener('stop', () => resolve());
-    recorder.addEventListener('error', () => reject(new Error('The browser stopped recording.')));
+    recorder.addEventListener('error', () =>
+      reject(new Error('The browser stopped recording. Try again, or try another browser.')),
+    );
   });
   recorder.start();
   const stop = () => {
@@ -38,8 +40,8 @@ export async function film(canvas: HTMLCanvasElement, end: Promise<unknown>): Pr
   return new Blob(chunks, { type: 'video/webm' });
 }
 
-/** Hands a file over to be kept. */
-export function keep(file: Blob, name: string): void {
+/** Saves a file through the browser's download. */
+export function save(file: Blob, name: string): void {
   const address = URL.createObjectURL(file);
   const link = document.createElement('a');
   link.href = address;

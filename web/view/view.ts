@@ -1,6 +1,6 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
 import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from '../protocol';
-import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Look, type MapName } from '../state/looks';
+import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
 import { Signal } from '../state/signal';
@@ -187,7 +187,7 @@ export class View {
   }
 
   /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
-  setLook(look: Look, whole: number, facing: number): void {
+  setLook(look: Style, whole: number, facing: number): void {
     const period = look.period * whole;
     const uses = (map: MapName) => look.maps.includes(map);
     const { metalness, roughness } = uses('specular') ? look.stripes : look.surface;
@@ -198,7 +198,7 @@ export class View {
     this.#show('look', (viewer) => {
       viewer.set_ramps(rampBytes(look));
       viewer.set_finish(uses('colour') ? 1 : 0, finishOf(look.surface), finishOf({ metalness, roughness, glow }));
-      if (look.style === 'lines') viewer.set_lines(period, look.width * WIDEST_LINE);
+      if (look.pattern === 'lines') viewer.set_lines(period, look.width * WIDEST_LINE);
       else viewer.set_bands(period, look.width, look.sharpness, uses('normal') ? look.relief : 0);
     });
   }

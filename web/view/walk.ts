@@ -7,7 +7,7 @@ export class Walk {
   #length = 0;
   #arc = 0;
   #rested = 0;
-  /** Told when a performance is over. */
+  /** Called when a performance is over. */
   #applaud: (() => void) | null = null;
   paused = false;
 
@@ -24,12 +24,12 @@ export class Walk {
     return this.#length > 0 && this.#arc >= this.#length;
   }
 
-  /** On a walk that was asked for: it goes on whatever is paused. */
+  /** Whether a performance is running; pausing does not stop it. */
   get performs(): boolean {
     return this.#applaud !== null;
   }
 
-  /** Walks once from the start; resolves when it has arrived and rested, or when its way or another walk ends it. */
+  /** Walks once from the start; resolves when it has arrived and rested, or when its path ends or another walk begins. */
   perform(): Promise<void> {
     this.#end();
     this.#arc = 0;
@@ -44,7 +44,7 @@ export class Walk {
     this.#applaud = null;
   }
 
-  /** Another way: from its start when `fromStart`, else as far along as on the last one, so that edits do not jolt it. */
+  /** Another path: from its start if `fromStart`, else at the same share of the length, so that edits do not jolt the walker. */
   follow(length: number, fromStart: boolean): void {
     const share = fromStart || this.#length === 0 ? 0 : this.#arc / this.#length;
     this.#length = length;

@@ -1,4 +1,4 @@
-/** Files from a drag or from the file dialogue. */
+/** Files from a drag or from the file dialog. */
 import { FORMATS } from '../../session/opener';
 import { h } from '../dom';
 

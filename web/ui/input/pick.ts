@@ -4,7 +4,7 @@ import type { Session } from '../../session/session';
 
 export type Target = { kind: 'source'; index: number } | { kind: 'surface'; point: SurfacePoint } | { kind: 'empty' };
 
-/** Radius around the foot of a pin, in CSS pixels, within which a hand takes hold of it. */
+/** Radius around the foot of a pin, in CSS pixels, within which it can be dragged. */
 const GRIP = { mouse: 14, touch: 26 };
 /** A pin whose foot lies behind the surface by more than this share of the diameter is hidden. */
 const HIDDEN_BY = 0.03;

@@ -3,7 +3,7 @@ import { findPreset } from '../../state/presets';
 import { h } from '../dom';
 import { count, exactnessWords } from '../words';
 
-/** Top left: the name, the scene's title and, quietly, the mesh's size and how much of the distance is exact. */
+/** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact. */
 export function heading(session: Session): HTMLElement {
   const title = h('span', { class: 'title' });
   const size = h('span', { class: 'quiet' });

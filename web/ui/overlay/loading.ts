@@ -2,7 +2,7 @@ import type { Session } from '../../session/session';
 import { h } from '../dom';
 import { counted, percent } from '../words';
 
-/** A thin bar over the window with the stage in words and numbers, and Cancel. */
+/** Progress bar over the window: the stage, its progress, and Cancel. */
 export function loadingBar(session: Session): HTMLElement {
   const bar = h('progress', { max: 1, 'aria-label': 'Opening' });
   const stage = h('span', { class: 'loading-stage', role: 'status' });

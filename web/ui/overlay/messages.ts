@@ -21,7 +21,7 @@ export class Messages implements Voice {
     this.element.append(this.#urgent, this.#polite);
   }
 
-  /** Tells what was done; replaces what was told before, and ends an error that is thereby past. */
+  /** Tells what was done; replaces the last such message and the last error. */
   opened(mesh: OpenedMesh): void {
     this.#told?.remove();
     this.#failed?.remove();
@@ -38,21 +38,25 @@ export class Messages implements Voice {
     this.#failed = this.#error(text, details, remedy);
   }
 
-  /** Why nothing can be drawn; stays whatever else is told. Null: drawing works again. */
+  /** Why nothing can be drawn; stays until drawing works again, which null says. */
   blind(reason: string | null, tryAgain: () => void): void {
     this.#blind?.remove();
     this.#blind = reason
-      ? this.#error(`Nothing can be drawn here, but the numbers still work. ${reason}`, navigator.userAgent, {
-          name: 'Try again',
-          run: tryAgain,
-        })
+      ? this.#error(
+          `The scene cannot be drawn, but the solver and the numbers still work. ${reason}`,
+          navigator.userAgent,
+          {
+            name: 'Try again',
+            run: tryAgain,
+          },
+        )
       : null;
   }
 
   askForFile(name: string): void {
     this.#asked?.remove();
     const action = { name: 'Open the file…', run: this.#chooseFile };
-    this.#asked = this.#say(this.#polite, 'notice', `This link shows your file ${name}. Drop it here to see it.`, [
+    this.#asked = this.#say(this.#polite, 'notice', `This link needs your file ${name}. Drop it here to open it.`, [
       action,
     ]);
   }
@@ -102,7 +106,7 @@ export class Messages implements Voice {
   }
 }
 
-/** Without leave to use the clipboard the details are shown, to be copied by hand. */
+/** Without permission to use the clipboard the details are shown, to be copied by hand. */
 async function copyDetails(message: HTMLElement, details: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(details);

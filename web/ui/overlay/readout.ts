@@ -37,6 +37,6 @@ function readoutText({ shown }: Session, point: SurfacePoint): string | null {
   const vertex = `vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
   const distance = places.valueAt(point, answer.field.distance);
-  if (!Number.isFinite(distance)) return `out of reach · ${vertex}`;
+  if (!Number.isFinite(distance)) return `unreachable · ${vertex}`;
   return `${length(distance)} units · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

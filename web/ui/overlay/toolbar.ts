@@ -21,7 +21,7 @@ const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] 
   {
     tool: 'walker',
     name: 'Walker',
-    tip: 'Click sends the walker (3); alt + click with any tool',
+    tip: 'Click places the walker (3); alt + click with any tool',
     path: 'M11 3.500v.1M10.500 7l-1 5 3 2 1 4M9.500 12l-3 6M6 10l2-3h3l2 3 2 .5',
   },
 ];
@@ -56,13 +56,13 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
     paused.value = !paused.value;
   });
   paused.watch((value) => {
-    const name = value ? 'Let the walker go' : 'Pause the walker';
+    const name = value ? 'Resume' : 'Pause';
     pause.title = `${name} (P)`;
     pause.setAttribute('aria-label', name);
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
-  const frame = plain('Frame', 'See the whole model (F)', FRAME, () => view.frame());
-  const turn = plain('Turntable', 'Turn the model (T)', TURN, () => {
+  const frame = plain('Frame', 'Frame the model (F)', FRAME, () => view.frame());
+  const turn = plain('Turntable', 'Rotate the model (T)', TURN, () => {
     session.turntable.value = !session.turntable.value;
   });
   session.turntable.watch((on) => turn.setAttribute('aria-pressed', String(on)));

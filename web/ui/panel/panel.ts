@@ -1,12 +1,14 @@
-/** The floating panel: sections that fold and remember it; on a narrow window a sheet with two stops. */
+/** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
 import { h } from '../dom';
 
 export interface Section {
   id: string;
   title: string;
   element: HTMLElement;
-  /** Until somebody folds or unfolds it. */
+  /** Until the user expands or collapses it. */
   open: boolean;
+  /** The `id` that an earlier version of the page remembered it by. */
+  formerId?: string;
 }
 
 const MEMORY = 'heatwalk.panel';
@@ -14,8 +16,9 @@ const MEMORY = 'heatwalk.panel';
 export function buildPanel(sections: readonly Section[]): HTMLElement {
   const memory = remembered();
   const body = h('div', { class: 'panel-body', id: 'panel-body' });
-  for (const { id, title, element, open } of sections) {
-    const details = h('details', { open: memory[id] ?? open, id: `section-${id}` }, h('summary', {}, title), element);
+  for (const { id, formerId, title, element, open } of sections) {
+    const isOpen = memory[id] ?? (formerId ? memory[formerId] : undefined) ?? open;
+    const details = h('details', { open: isOpen, id: `section-${id}` }, h('summary', {}, title), element);
     details.addEventListener('toggle', () => remember(id, details.open));
     body.append(details);
   }
@@ -28,7 +31,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
   const setOpen = (open: boolean) => {
     panel.dataset.open = String(open);
     handle.setAttribute('aria-expanded', String(open));
-    const name = open ? 'Fold the panel' : 'Unfold the panel';
+    const name = open ? 'Collapse the panel' : 'Expand the panel';
     handle.setAttribute('aria-label', name);
     handle.title = name;
     body.inert = !open;
@@ -56,6 +59,6 @@ function remember(id: string, open: boolean): void {
   try {
     localStorage.setItem(MEMORY, JSON.stringify({ ...remembered(), [id]: open }));
   } catch {
-    // Storage may be forbidden; then the panel starts anew each time.
+    // Storage may be disabled; then every visit starts with the defaults.
   }
 }

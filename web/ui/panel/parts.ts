@@ -9,7 +9,7 @@ interface Row {
   show: (hidden: readonly number[]) => void;
 }
 
-/** Which parts of a file are walked on, and which of the others are shown. */
+/** Which parts of a file are active, and which of the others are shown. */
 export function partsControl(session: Session, opener: Opener): HTMLElement {
   const { scene } = session;
   const list = h('fieldset', { class: 'parts', hidden: true });
@@ -21,31 +21,31 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
       void opener.parts(on ? [...others, index].toSorted((a, b) => a - b) : others);
     };
     rows = parts.map(({ name, triangles }, index) => {
-      const isWalked = walked.includes(index);
-      const called = name || `Part ${index + 1}`;
+      const isActive = walked.includes(index);
+      const label = name || `Part ${index + 1}`;
       const box = h('input', {
         type: 'checkbox',
-        checked: isWalked,
-        // The last part stays: there must be something to walk on.
-        disabled: isWalked && walked.length === 1,
+        checked: isActive,
+        // The last active part stays: a surface needs at least one.
+        disabled: isActive && walked.length === 1,
         onchange: () => {
           choose(index, box.checked);
-          // What is shown stays until the other parts are solved.
-          box.checked = isWalked;
+          // The old choice stays until the new one is solved.
+          box.checked = isActive;
         },
       });
       const size = h('small', { title: counted(triangles, 'triangle') }, count(triangles));
-      const eye = isWalked ? null : h('button', { onclick: () => toggle(index) });
+      const eye = isActive ? null : h('button', { onclick: () => toggle(index) });
       const show = (hidden: readonly number[]) => {
         if (!eye) return;
         eye.textContent = hidden.includes(index) ? 'Show' : 'Hide';
-        eye.setAttribute('aria-label', `${eye.textContent} ${called}`);
+        eye.setAttribute('aria-label', `${eye.textContent} ${label}`);
       };
-      return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, called), size), eye), show };
+      return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, label), size), eye), show };
     });
     list.hidden = parts.length < 2;
     list.replaceChildren(
-      h('legend', {}, `Parts walked on, ${walked.length} of ${parts.length}`),
+      h('legend', {}, `Active parts, ${walked.length} of ${parts.length}`),
       ...rows.map(({ element }) => element),
     );
   };

@@ -1,4 +1,4 @@
-/** Mouse and fingers on the stage. */
+/** Mouse and touch input on the stage. */
 import type { SurfacePoint } from '../../protocol';
 import { reducedMotion, type Session } from '../../session/session';
 import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
@@ -27,18 +27,18 @@ interface Press {
   gesture: object;
 }
 
-export interface HandsOptions {
+export interface PointerOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
-  /** A hand did something: the hint may go. */
+  /** The user did something: the hint may go. */
   acted: () => void;
-  /** A hand moved the camera. */
+  /** The user moved the camera. */
   cameraMoved: () => void;
 }
 
-export class Hands {
-  readonly #o: HandsOptions;
+export class PointerInput {
+  readonly #o: PointerOptions;
   readonly #stage: HTMLElement;
   readonly #pointers = new Map<number, Finger>();
   #press: Press | null = null;
@@ -46,7 +46,7 @@ export class Hands {
   #lastClick: { x: number; y: number; time: number; placed: boolean } | null = null;
   #hover: PointerEvent | null = null;
 
-  constructor(options: HandsOptions) {
+  constructor(options: PointerOptions) {
     this.#o = options;
     this.#stage = options.session.view.stage;
   }
@@ -67,7 +67,7 @@ export class Hands {
       acted();
       cameraMoved();
     });
-    // A field that arrives under a resting pointer changes what the read-out says.
+    // A field that arrives under a resting pointer changes the readout.
     session.shown.watch(() => this.#showHover());
   }
 

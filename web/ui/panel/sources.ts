@@ -1,10 +1,10 @@
 import type { SurfacePoint } from '../../protocol';
 import type { Session } from '../../session/session';
-import { startSourceFrom } from '../../state/edit';
+import { setInitialDistance } from '../../state/edit';
 import { h } from '../dom';
 import { unreachedSentence } from '../words';
 
-/** The list of sources: choose, look at, start from a value, delete; and what none of them reaches. */
+/** The list of sources: select, focus, initial distance, delete; and the parts that none of them reaches. */
 export function sourcesSection(session: Session): HTMLElement {
   const { scene } = session;
   const list = h('ul', { class: 'sources' });
@@ -38,30 +38,30 @@ export function sourcesSection(session: Session): HTMLElement {
       },
       '×',
     );
-    return h('li', {}, h('span', { class: 'pin', 'aria-hidden': 'true' }), name, startField(index), remove);
+    return h('li', {}, h('span', { class: 'pin', 'aria-hidden': 'true' }), name, initialDistanceField(index), remove);
   };
   /** All that is typed until the focus leaves is one step of undo. */
-  const startField = (index: number) => {
+  const initialDistanceField = (index: number) => {
     let gesture = {};
     const field = h('input', {
       type: 'number',
       min: 0,
       step: 'any',
-      title: 'Starting value: distance begins with it here, in units of the file',
-      'aria-label': `Starting value of source ${index + 1}, in units`,
+      title: 'Initial distance: the distance at this source, in units of the file',
+      'aria-label': `Initial distance of source ${index + 1}, in units`,
       onfocus: () => {
         gesture = {};
       },
       oninput: () => {
         if (field.validity.valid && field.value !== '') {
-          startSourceFrom(scene, index, field.valueAsNumber, gesture);
+          setInitialDistance(scene, index, field.valueAsNumber, gesture);
         }
       },
       onblur: () => {
         field.valueAsNumber = scene.state.sources[index]?.offset ?? 0;
       },
     });
-    return h('label', { class: 'start quiet' }, 'from', field);
+    return h('label', { class: 'initial quiet' }, 'initial', field);
   };
   const label = () => {
     const { sources, selected } = scene.state;
@@ -70,9 +70,9 @@ export function sourcesSection(session: Session): HTMLElement {
       if (!name) return;
       name.textContent = pointName(sources[index]);
       name.setAttribute('aria-pressed', String(index === selected));
-      const start = element.querySelector<HTMLInputElement>('.start input');
+      const initial = element.querySelector<HTMLInputElement>('.initial input');
       // What is being typed is left alone.
-      if (start && start !== document.activeElement) start.valueAsNumber = sources[index].offset ?? 0;
+      if (initial && initial !== document.activeElement) initial.valueAsNumber = sources[index].offset ?? 0;
     });
   };
   scene.subscribe((state, previous) => {

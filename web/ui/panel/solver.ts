@@ -6,22 +6,22 @@ import { refiningSentence } from '../words';
 
 type Choices<T> = readonly (readonly [T, string])[];
 
-const WAYS: Choices<PathKind> = [
+const PATHS: Choices<PathKind> = [
   ['descent', 'Steepest descent'],
   ['straight', 'Straightened'],
   ['exact', 'Exact'],
 ];
 const BOUNDARIES: Choices<Boundary> = [
   ['neumann', 'Insulated (Neumann)'],
-  ['dirichlet', 'Held at zero (Dirichlet)'],
-  ['average', 'Mean of both'],
+  ['dirichlet', 'Cold (Dirichlet)'],
+  ['average', 'Average of both'],
 ];
 const MULTI_SOURCES: Choices<MultiSource> = [
   ['exact', 'Exact'],
-  ['superposed', 'Superposed'],
+  ['superposed', 'Summed'],
 ];
 const OPERATORS: Choices<Operator> = [
-  ['delaunay', 'Delaunay'],
+  ['delaunay', 'Intrinsic Delaunay'],
   ['plain', 'As in the file'],
   ['relocate', 'Relocated vertices'],
 ];
@@ -30,14 +30,14 @@ const SOLVERS: Choices<LinearSolver> = [
   ['cg', 'Conjugate gradients'],
 ];
 
-/** Exactness and way home first, then the dials of the method, the rarer ones folded away. */
+/** Exactness and path first, then the settings of the method; the less common ones are collapsed. */
 export function solverSection(session: Session): HTMLElement {
   const { scene } = session;
   /** The radius in mean edges that the solver chose last. */
   let chosenNear = 0;
   const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
   const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
-  const way = select('Way home', WAYS, (value) => scene.set({ way: value }));
+  const path = select('Path', PATHS, (value) => scene.set({ way: value }));
   const [low, high] = TIME_FACTOR_RANGE;
   const factor = automaticSlider({
     label: 'Time factor m',
@@ -49,11 +49,11 @@ export function solverSection(session: Session): HTMLElement {
   });
   const boundary = select('Boundary', BOUNDARIES, (value) => change({ boundary: value }));
   const near = automaticSlider({
-    label: 'Near field',
+    label: 'Exact region',
     min: NEAR_FIELD_RANGE[0],
     max: NEAR_FIELD_RANGE[1],
     step: 1,
-    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? 'about ' : ''}${value} mean edges`),
+    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? 'about ' : ''}${value} mean edge lengths`),
     change: (value) => change({ nearField: value }),
   });
   const multi = select('Multi-source', MULTI_SOURCES, (value) => change({ multi: value }));
@@ -63,7 +63,7 @@ export function solverSection(session: Session): HTMLElement {
   const show = () => {
     const { parameters, ...state } = scene.state;
     refine.show(state.refine);
-    way.show(state.way);
+    path.show(state.way);
     factor.show(
       parameters.timeFactor === 'auto' ? 'auto' : Math.log10(parameters.timeFactor),
       Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
@@ -81,7 +81,7 @@ export function solverSection(session: Session): HTMLElement {
   session.shown.watch((shown, previous) => {
     const field = shown?.answer.field;
     if (!shown || !field || field === previous?.answer.field) return;
-    // What refining has reached since is not what was chosen.
+    // What refinement has reached since is not what was chosen.
     if (field.refineMs === 0) {
       const edges = Math.round(field.exactBelow / shown.opened.meanEdge);
       chosenNear = Math.min(Math.max(edges, NEAR_FIELD_RANGE[0]), NEAR_FIELD_RANGE[1]);
@@ -95,19 +95,23 @@ export function solverSection(session: Session): HTMLElement {
     { class: 'stack' },
     refine.element,
     refiningStatus(session),
-    way.element,
+    path.element,
     factor.element,
-    h('p', { class: 'quiet' }, 'Heat flows for t = m h², with h the mean edge. Larger m gives smoother distance.'),
+    h(
+      'p',
+      { class: 'quiet' },
+      'Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.',
+    ),
     boundary.element,
     h(
       'details',
       { class: 'more' },
-      h('summary', {}, 'More of the method'),
+      h('summary', {}, 'More solver settings'),
       h(
         'div',
         { class: 'stack' },
         near.element,
-        h('p', { class: 'quiet' }, 'Distances this near to a source are exact at once.'),
+        h('p', { class: 'quiet' }, 'Radius around the sources in which distances are exact at once.'),
         multi.element,
         operator.element,
         solver.element,
@@ -116,7 +120,7 @@ export function solverSection(session: Session): HTMLElement {
   );
 }
 
-/** In a sentence how exact the distance is. Only where refining ends is it read out: the numbers on the way are many. */
+/** How exact the distance is, in a sentence. Screen readers announce only the end of refinement, not each step. */
 function refiningStatus(session: Session): HTMLElement {
   const status = h('p', { class: 'quiet', role: 'status' });
   const show = () => {

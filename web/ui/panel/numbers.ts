@@ -4,9 +4,9 @@ import type { Session } from '../../session/session';
 import { h } from '../dom';
 import { bytes, count, finePercent, length, milliseconds, percentDown } from '../words';
 
-const WAY_WORDS: Record<PathKind, string> = { descent: 'steepest', straight: 'straightened', exact: 'exact' };
+const PATH_WORDS: Record<PathKind, string> = { descent: 'steepest descent', straight: 'straightened', exact: 'exact' };
 
-/** What the mesh is and what it cost. */
+/** Size of the mesh, accuracy, times and memory. */
 export function numbersSection(session: Session): HTMLElement {
   const table = h('dl', { class: 'numbers' });
   const cells = new Map<string, HTMLElement>();
@@ -22,7 +22,7 @@ export function numbersSection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     if (shown) for (const [name, value] of figures(shown)) put(name, value);
   });
-  session.view.backend.watch((backend) => put('Drawn with', backend ?? 'nothing'));
+  session.view.backend.watch((backend) => put('Renderer', backend ?? 'none'));
   return table;
 }
 
@@ -38,18 +38,18 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Euler characteristic', count(report.eulerCharacteristic)],
     ['Mean edge', `${length(opened.meanEdge)} units`],
     ['Diameter', `${length(places.diameter)} units`],
-    ['Largest distance', field ? `${length(field.maxDistance)} units` : '–'],
+    ['Maximum distance', field ? `${length(field.maxDistance)} units` : '–'],
     ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
-    ['Mean error of heat', field?.error ? finePercent(field.error.mean) : '–'],
-    ['Largest error', field?.error ? finePercent(field.error.max) : '–'],
-    ['Way home', path ? `${length(path.length)} units, ${WAY_WORDS[answer.pathKind]}` : '–'],
+    ['Mean error of the heat method', field?.error ? finePercent(field.error.mean) : '–'],
+    ['Maximum error', field?.error ? finePercent(field.error.max) : '–'],
+    ['Path', path ? `${length(path.length)} units, ${PATH_WORDS[answer.pathKind]}` : '–'],
     ['Time factor m', field ? length(field.timeFactor) : '–'],
     ['Read', milliseconds(timings.readMs)],
     ['Build', milliseconds(timings.buildMs)],
     ['Factor', milliseconds(timings.precomputeMs)],
     ['Solve', field ? milliseconds(field.solveMs) : '–'],
     ['Refine', field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],
-    ['Factor entries', count(factoring.factorNonzeros)],
+    ['Factor nonzeros', count(factoring.factorNonzeros)],
     ['Memory', bytes(factoring.memoryBytes)],
   ];
 }

@@ -5,7 +5,7 @@ import { PRESETS } from '../../state/presets';
 import { h } from '../dom';
 import { partsControl } from './parts';
 
-/** Address of each preset's picture by its path; `npm run gallery` draws them. */
+/** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
   eager: true,
   query: '?url&no-inline',
@@ -19,7 +19,7 @@ function thumbnail(id: string): HTMLElement | null {
     : null;
 }
 
-/** Gallery of presets, the file button, and which parts of a file are walked on. */
+/** Gallery of presets, the file button, and the parts of the file. */
 export function sceneSection(session: Session, opener: Opener, chooseFile: () => void): HTMLElement {
   const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
   const buttons = PRESETS.map((preset) => {

@@ -1,37 +1,37 @@
 import type { Session } from '../../session/session';
 import {
   isRamp,
-  LOOK_RANGES,
-  lookGradient,
-  LOOKS,
+  STYLE_RANGES,
+  styleGradient,
+  STYLES,
   MAPS,
   RAMP_NAMES,
-  STYLES,
+  PATTERNS,
   SURROUNDINGS,
   WIDEST_LINE,
   type Finish,
-  type Look,
+  type Style,
   type MapName,
   type RampName,
-} from '../../state/looks';
+} from '../../state/styles';
 import { h, select, slider, toggle } from '../dom';
 import { length, percent } from '../words';
 
-const ONE_COLOUR = 'one colour';
+const SINGLE_COLOR = 'single color';
 
-/** What can be shown of a look, and shows it. */
+/** A group of controls that shows a style. */
 interface Part {
   element: HTMLElement;
-  show: (look: Look) => void;
+  show: (style: Style) => void;
 }
 
-/** Gallery of looks, then pattern, colours, materials and light. */
-export function lookSection(session: Session): HTMLElement {
+/** Gallery of preset styles, then pattern, colors, materials and lighting. */
+export function styleSection(session: Session): HTMLElement {
   const { scene } = session;
-  const change = (part: Partial<Look>) => scene.set({ look: { ...scene.state.look, ...part } });
+  const change = (part: Partial<Style>) => scene.set({ look: { ...scene.state.look, ...part } });
   const parts: Part[] = [
-    gallery((look) => scene.set({ look })),
-    pattern(session, change),
+    gallery((style) => scene.set({ look: style })),
+    patternControls(session, change),
     colours(change),
     materials(() => scene.state.look, change),
     light(change),
@@ -49,30 +49,30 @@ export function lookSection(session: Session): HTMLElement {
   return h('div', { class: 'stack' }, ...parts.map(({ element }) => element));
 }
 
-type Change = (part: Partial<Look>) => void;
+type Change = (part: Partial<Style>) => void;
 
-function gallery(choose: (look: Look) => void): Part {
-  const element = h('div', { class: 'looks', role: 'group', 'aria-label': 'Looks' });
-  const buttons = LOOKS.map((look) => {
+function gallery(choose: (style: Style) => void): Part {
+  const element = h('div', { class: 'styles', role: 'group', 'aria-label': 'Preset styles' });
+  const buttons = STYLES.map((preset) => {
     const swatch = h('span', { class: 'swatch' });
-    swatch.style.background = lookGradient(look);
-    const button = h('button', { class: 'look', onclick: () => choose(look) }, swatch, h('span', {}, look.name));
+    swatch.style.background = styleGradient(preset);
+    const button = h('button', { class: 'style', onclick: () => choose(preset) }, swatch, h('span', {}, preset.name));
     element.append(button);
     return button;
   });
   return {
     element,
     show: ({ name }) =>
-      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(LOOKS[i].name === name))),
+      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(STYLES[i].name === name))),
   };
 }
 
-function pattern(session: Session, change: Change): Part {
+function patternControls(session: Session, change: Change): Part {
   let lines = false;
-  const style = select(
+  const pattern = select(
     'Pattern',
-    STYLES.map((name) => [name, name] as const),
-    (value) => change({ style: value }),
+    PATTERNS.map((name) => [name, name] as const),
+    (value) => change({ pattern: value }),
   );
   const period = slider({
     label: 'Period',
@@ -99,7 +99,7 @@ function pattern(session: Session, change: Change): Part {
     step: number,
     describe: (value: number) => string,
   ) => {
-    const [min, max] = LOOK_RANGES[key];
+    const [min, max] = STYLE_RANGES[key];
     const { element, show } = slider({ label, min, max, step, describe, change: (value) => change({ [key]: value }) });
     return { key, element, show };
   };
@@ -112,19 +112,19 @@ function pattern(session: Session, change: Change): Part {
     element: h(
       'div',
       { class: 'stack' },
-      style.element,
+      pattern.element,
       period.element,
       width.element,
       offset.element,
       ...bandsOnly,
       flow.element,
     ),
-    show: (look) => {
-      lines = look.style === 'lines';
-      style.show(look.style);
-      period.show(look.period);
-      width.show(look.width);
-      for (const { key, show } of [offset, sharpness, relief, flow]) show(look[key]);
+    show: (style) => {
+      lines = style.pattern === 'lines';
+      pattern.show(style.pattern);
+      period.show(style.period);
+      width.show(style.width);
+      for (const { key, show } of [offset, sharpness, relief, flow]) show(style[key]);
       for (const element of bandsOnly) element.hidden = lines;
     },
   };
@@ -139,15 +139,15 @@ function colours(change: Change): Part {
   const colour = h('input', { type: 'color', oninput: () => change({ stripe: colour.value }) });
   const stripes = select<string>(
     'Stripes',
-    [ONE_COLOUR, ...RAMP_NAMES].map((name) => [name, name] as const),
-    (value) => change({ stripe: value === ONE_COLOUR ? colour.value : value }),
+    [SINGLE_COLOR, ...RAMP_NAMES].map((name) => [name, name] as const),
+    (value) => change({ stripe: value === SINGLE_COLOR ? colour.value : value }),
   );
-  const own = h('label', { class: 'field' }, h('span', {}, 'Stripe colour'), colour);
+  const own = h('label', { class: 'field' }, h('span', {}, 'Stripe color'), colour);
   return {
     element: h('div', { class: 'stack' }, surface.element, stripes.element, own),
     show: ({ ramp, stripe }) => {
       surface.show(ramp);
-      stripes.show(isRamp(stripe) ? stripe : ONE_COLOUR);
+      stripes.show(isRamp(stripe) ? stripe : SINGLE_COLOR);
       own.hidden = isRamp(stripe);
       if (!isRamp(stripe)) colour.value = stripe;
     },
@@ -155,13 +155,13 @@ function colours(change: Change): Part {
 }
 
 const MAP_WORDS: Record<MapName, string> = {
-  colour: 'Stripes have a colour',
-  normal: 'Stripes have a relief',
-  emission: 'Stripes glow',
-  specular: 'Stripes shine on their own',
+  colour: 'Color',
+  normal: 'Normal',
+  emission: 'Emission',
+  specular: 'Specular (separate stripe material)',
 };
 
-function materials(current: () => Look, change: Change): Part {
+function materials(current: () => Style, change: Change): Part {
   const maps = MAPS.map((map) => {
     const { element, show } = toggle(MAP_WORDS[map], (on) => {
       const rest = current().maps.filter((other) => other !== map);
@@ -178,39 +178,45 @@ function materials(current: () => Look, change: Change): Part {
       describe: percent,
       change: (value) => change({ [of]: { ...current()[of], [key]: value } }),
     });
-    return { element: control.element, show: (look: Look) => control.show(look[of][key]) };
+    return { element: control.element, show: (style: Style) => control.show(style[of][key]) };
   };
   const sliders = [
-    finish('surface', 'Surface, metal', 'metalness', 1),
-    finish('surface', 'Surface, roughness', 'roughness', 1),
-    finish('surface', 'Surface, glow', 'glow', 3),
-    finish('stripes', 'Stripes, metal', 'metalness', 1),
-    finish('stripes', 'Stripes, roughness', 'roughness', 1),
-    finish('stripes', 'Stripes, glow', 'glow', 3),
+    finish('surface', 'Surface metalness', 'metalness', 1),
+    finish('surface', 'Surface roughness', 'roughness', 1),
+    finish('surface', 'Surface emission', 'glow', 3),
+    finish('stripes', 'Stripe metalness', 'metalness', 1),
+    finish('stripes', 'Stripe roughness', 'roughness', 1),
+    finish('stripes', 'Stripe emission', 'glow', 3),
   ];
   return {
     element: h(
       'details',
       { class: 'more' },
       h('summary', {}, 'Material'),
-      h('div', { class: 'stack' }, ...maps.map(({ element }) => element), ...sliders.map(({ element }) => element)),
+      h(
+        'div',
+        { class: 'stack' },
+        h('p', { class: 'quiet' }, 'Stripes change:'),
+        ...maps.map(({ element }) => element),
+        ...sliders.map(({ element }) => element),
+      ),
     ),
-    show: (look) => {
-      for (const { map, show } of maps) show(look.maps.includes(map));
-      for (const { show } of sliders) show(look);
+    show: (style) => {
+      for (const { map, show } of maps) show(style.maps.includes(map));
+      for (const { show } of sliders) show(style);
     },
   };
 }
 
 function light(change: Change): Part {
   const around = select(
-    'Light',
+    'Lighting',
     SURROUNDINGS.map((name) => [name, name] as const),
     (value) => change({ surroundings: value }),
   );
-  const [min, max] = LOOK_RANGES.light;
-  const turned = slider({
-    label: 'Turn the light',
+  const [min, max] = STYLE_RANGES.light;
+  const rotation = slider({
+    label: 'Rotate lighting',
     min,
     max,
     step: 5,
@@ -218,10 +224,10 @@ function light(change: Change): Part {
     change: (value) => change({ light: value }),
   });
   return {
-    element: h('div', { class: 'stack' }, around.element, turned.element),
-    show: (look) => {
-      around.show(look.surroundings);
-      turned.show(look.light);
+    element: h('div', { class: 'stack' }, around.element, rotation.element),
+    show: (style) => {
+      around.show(style.surroundings);
+      rotation.show(style.light);
     },
   };
 }

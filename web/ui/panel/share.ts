@@ -1,23 +1,23 @@
 import type { Session } from '../../session/session';
-import { canRecord, film, keep, png } from '../../view/picture';
+import { canRecord, png, save, video } from '../../view/picture';
 import { h, select, toggle } from '../dom';
 
 const SCALES = ['1', '2', '4'] as const;
-/** What a film can show. */
-const FILMS = [
-  ['turn', 'One turn'],
-  ['walk', 'The walk home'],
+/** What a video can show. */
+const VIDEOS = [
+  ['turn', 'Turntable'],
+  ['walk', 'The walk'],
 ] as const;
 const TURN_SECONDS = 8;
 
-/** Copies the scene as a link, and saves it as a picture or a film. */
+/** Copies the scene as a link, and saves it as an image or a video. */
 export function shareSection(session: Session, link: () => string): HTMLElement {
   return h(
     'div',
     { class: 'stack' },
     ...linkControls(link),
-    ...pictureControls(session),
-    ...(canRecord ? filmControls(session) : []),
+    ...imageControls(session),
+    ...(canRecord ? videoControls(session) : []),
   );
 }
 
@@ -30,63 +30,67 @@ function linkControls(link: () => string): HTMLElement[] {
       field.hidden = true;
       said.textContent = 'Copied.';
     } catch {
-      // Without leave to use the clipboard the link is shown to be copied by hand.
+      // Without permission to use the clipboard the link is shown to be copied by hand.
       field.hidden = false;
       field.value = link();
       field.select();
-      said.textContent = 'Copy it from the field.';
+      said.textContent = 'The clipboard is not available. Copy the link from the field.';
     }
   };
   return [
-    h('button', { class: 'wide', title: 'Copy a link to exactly this scene', onclick: () => void copy() }, 'Copy link'),
+    h('button', { class: 'wide', title: 'Copy a link to this scene', onclick: () => void copy() }, 'Copy link'),
     field,
     said,
-    h('p', { class: 'quiet' }, 'The link holds the scene, not your file; whoever opens it is asked for the file.'),
+    h(
+      'p',
+      { class: 'quiet' },
+      'The link contains the scene but not your file. Whoever opens it is asked for the file.',
+    ),
   ];
 }
 
-function pictureControls(session: Session): HTMLElement[] {
+function imageControls(session: Session): HTMLElement[] {
   let scale: (typeof SCALES)[number] = '2';
   let background = true;
   const size = select(
-    'Picture',
+    'Image size',
     SCALES.map((times) => [times, `${times} × the window`] as const),
     (value) => (scale = value),
   );
   size.show(scale);
-  const behind = toggle('With background', (on) => (background = on));
+  const behind = toggle('Background', (on) => (background = on));
   behind.show(background);
-  const { button, run } = worker('Save picture', 'A PNG of what is shown');
+  const { button, run } = worker('Save image', 'A PNG of the view');
   button.addEventListener('click', () =>
-    run(session, async () => keep(await png(session.view, Number(scale), !background), `${nameOf(session)}.png`)),
+    run(session, async () => save(await png(session.view, Number(scale), !background), `${nameOf(session)}.png`)),
   );
   return [size.element, behind.element, button];
 }
 
-function filmControls(session: Session): HTMLElement[] {
+function videoControls(session: Session): HTMLElement[] {
   const { view, walk } = session;
-  let shows: (typeof FILMS)[number][0] = 'turn';
-  const subject = select('Film', FILMS, (value) => (shows = value));
+  let shows: (typeof VIDEOS)[number][0] = 'turn';
+  const subject = select('Video', VIDEOS, (value) => (shows = value));
   subject.show(shows);
-  const { button, run } = worker('Save film', 'A WebM of one turn around the model, or of the walk home');
+  const { button, run } = worker('Save video', 'A WebM video of one turn around the model, or of the walk');
   const turn = async () => {
     view.spin = (2 * Math.PI) / TURN_SECONDS;
     try {
-      return await film(view.canvas, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
+      return await video(view.canvas, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
     } finally {
       session.showTurntable();
     }
   };
-  const way = () => {
-    if (walk.length === 0) throw new Error('Nobody walks here: give the walker a start first.');
-    return film(view.canvas, walk.perform());
+  const walkVideo = () => {
+    if (walk.length === 0) throw new Error('There is no walker. Alt + click the surface to place one.');
+    return video(view.canvas, walk.perform());
   };
-  const record = async () => keep(await (shows === 'turn' ? turn() : way()), `${nameOf(session)}.webm`);
+  const record = async () => save(await (shows === 'turn' ? turn() : walkVideo()), `${nameOf(session)}.webm`);
   button.addEventListener('click', () => run(session, record));
   return [subject.element, button];
 }
 
-/** A button that waits for its work and tells the page of a failure. */
+/** A button that is disabled while it works and reports a failure to the page. */
 function worker(name: string, title: string) {
   const button = h('button', { class: 'wide', title }, name);
   const run = (session: Session, work: () => Promise<void>) => {

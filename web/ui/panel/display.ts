@@ -4,17 +4,17 @@ import { h, select, slider, toggle } from '../dom';
 import { count, percent } from '../words';
 
 const OVERLAY_WORDS: Record<Overlay, string> = {
-  scenery: 'Parts not walked on',
-  edges: 'Edges of the mesh',
-  boundary: 'Edges of the boundary',
-  operator: 'Edges of the operator',
-  heat: 'Arrows, gradient of heat',
-  distance: 'Arrows, gradient of distance',
+  scenery: 'Inactive parts (scenery)',
+  edges: 'Mesh edges',
+  boundary: 'Boundary edges',
+  operator: 'Operator edges',
+  heat: 'Heat gradient',
+  distance: 'Distance gradient',
 };
-/** Both have arrows: one takes the other's place. */
+/** Both are drawn as arrows: one replaces the other. */
 const ARROWS: readonly Overlay[] = ['heat', 'distance'];
 
-const PAINTED_WORDS: Record<Painted, string> = {
+const COLOR_BY_WORDS: Record<Painted, string> = {
   distance: 'distance',
   heat: 'heat, log scale',
   error: 'error of the heat method',
@@ -23,12 +23,12 @@ const PAINTED_WORDS: Record<Painted, string> = {
 /** Steps of the slider, which grows as the square: few walkers are chosen as finely as many. */
 const CROWD_STEPS = 100;
 
-/** Which field is painted, what is drawn upon it, and how many walk there. */
-export function showSection(session: Session): HTMLElement {
+/** Which field the surface is colored by, which overlays are drawn, and the size of the crowd. */
+export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
-  const painted = select<Painted>(
-    'Painted',
-    PAINTED.map((name) => [name, PAINTED_WORDS[name]] as const),
+  const colorBy = select<Painted>(
+    'Color by',
+    PAINTED.map((name) => [name, COLOR_BY_WORDS[name]] as const),
     (value) => scene.set({ painted: value }),
   );
   const legend = h('p', { class: 'quiet', role: 'status' });
@@ -46,7 +46,7 @@ export function showSection(session: Session): HTMLElement {
     max: CROWD_STEPS,
     step: 1,
     // A link may ask for a number between two steps.
-    describe: () => (scene.state.crowd === 0 ? 'nobody' : count(scene.state.crowd)),
+    describe: () => (scene.state.crowd === 0 ? 'none' : count(scene.state.crowd)),
     change: (value) => scene.set({ crowd: walkersAt(value) }),
   });
   const showLegend = () => {
@@ -54,7 +54,7 @@ export function showSection(session: Session): HTMLElement {
     legend.hidden = legend.textContent === '';
   };
   const show = () => {
-    painted.show(scene.state.painted);
+    colorBy.show(scene.state.painted);
     for (const { overlay, show: showToggle } of overlays) showToggle(scene.state.overlays.includes(overlay));
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
@@ -65,7 +65,7 @@ export function showSection(session: Session): HTMLElement {
   return h(
     'div',
     { class: 'stack' },
-    painted.element,
+    colorBy.element,
     legend,
     ...overlays.map(({ element }) => element),
     crowd.element,
@@ -78,8 +78,8 @@ function walkersAt(step: number): number {
 
 function legendOf(session: Session, painted: Painted): string {
   const error = session.shown.value?.answer.field?.error;
-  if (painted === 'heat') return 'The ramp runs from the hottest place to the coldest, in powers of ten.';
+  if (painted === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
   if (painted === 'distance') return '';
-  if (!error) return 'The error is known once every distance is exact.';
-  return `Relative to the exact distance: ${percent(error.mean)} in the mean; the ramp ends at ${percent(error.max)}.`;
+  if (!error) return 'The error is known once all distances are exact.';
+  return `Relative error: mean ${percent(error.mean)}; the color scale ends at the maximum, ${percent(error.max)}.`;
 }

@@ -1,4 +1,4 @@
-/** Named looks: what the surface is made of, the pattern of distance upon it, and the light around it. */
+/** Preset styles: the material of the surface, the pattern that shows the distance, and the lighting. */
 import {
   interpolateBlues,
   interpolateInferno,
@@ -41,39 +41,39 @@ export type RampName = keyof typeof RAMPS;
 
 export const RAMP_NAMES = Object.keys(RAMPS) as RampName[];
 
-/** What light makes of a material beside its colour, each 0 to 1; the glow is a factor on the colour, 0 to 3. */
+/** Material parameters besides the colour, 0 to 1; the glow is a factor on the colour, 0 to 3. */
 export interface Finish {
   /** 0 is a dielectric, 1 a metal. */
   metalness: number;
   /** 0 is a mirror, 1 is matt. */
   roughness: number;
-  /** Light given off. */
+  /** Emission. */
   glow: number;
 }
 
-export const STYLES = ['bands', 'lines'] as const;
+export const PATTERNS = ['bands', 'lines'] as const;
 /** Stripes that cover a share of the period, or thin lines with thinner ones between them. */
-export type Style = (typeof STYLES)[number];
+export type Pattern = (typeof PATTERNS)[number];
 
 export const SURROUNDINGS = ['studio', 'sky', 'night'] as const;
 export type Surroundings = (typeof SURROUNDINGS)[number];
 
-/** What stripes change: the colour, the normal, the light given off, the reflection. */
+/** Which channels the stripes change; `specular` gives them a metalness and a roughness of their own. */
 export const MAPS = ['colour', 'normal', 'emission', 'specular'] as const;
 export type MapName = (typeof MAPS)[number];
 
-export interface Look {
+export interface Style {
   name: string;
   /** Colours of the surface over the distance. */
   ramp: RampName;
   /** Colour of the stripes, `#rrggbb`, or the name of a ramp. */
   stripe: string;
-  style: Style;
-  /** Share of a period that the stripe paints, 0 (none) to 1; lines are this share of `WIDEST_LINE`. */
+  pattern: Pattern;
+  /** Share of a period that the stripe covers, 0 (none) to 1; lines are this share of `WIDEST_LINE`. */
   width: number;
   /** Distance from stripe to stripe, as a share of the model's diameter. */
   period: number;
-  /** How far the stripes are moved away from the sources, in periods, 0 to 1. */
+  /** Shift of the stripes away from the sources, in periods, 0 to 1. */
   offset: number;
   /** 0: stripes fade over their whole width; 1: hard edges. */
   sharpness: number;
@@ -81,17 +81,17 @@ export interface Look {
   relief: number;
   surface: Finish;
   stripes: Finish;
-  /** Those in use. */
+  /** The maps in use. */
   maps: readonly MapName[];
   surroundings: Surroundings;
-  /** By how much the surroundings are turned, degrees. */
+  /** Rotation of the surroundings, degrees. */
   light: number;
-  /** Periods a second by which the stripes move away from the sources. */
+  /** Speed of the stripes away from the sources, in periods a second. */
   flow: number;
 }
 
-/** Lowest and highest of the numbers of a look. */
-export const LOOK_RANGES = {
+/** Lowest and highest value of each number of a style. */
+export const STYLE_RANGES = {
   period: [0.001, 1],
   width: [0, 1],
   offset: [0, 1],
@@ -99,18 +99,18 @@ export const LOOK_RANGES = {
   relief: [-0.2, 0.2],
   light: [-180, 180],
   flow: [-2, 2],
-} as const satisfies Partial<Record<keyof Look, readonly [number, number]>>;
-export const LOOK_NUMBERS = Object.keys(LOOK_RANGES) as (keyof typeof LOOK_RANGES)[];
+} as const satisfies Partial<Record<keyof Style, readonly [number, number]>>;
+export const STYLE_NUMBERS = Object.keys(STYLE_RANGES) as (keyof typeof STYLE_RANGES)[];
 
 /** CSS pixels. */
 export const WIDEST_LINE = 8;
 
 const finish = (metalness: number, roughness: number, glow = 0): Finish => ({ metalness, roughness, glow });
 
-const PLAIN: Omit<Look, 'name'> = {
+const BASE: Omit<Style, 'name'> = {
   ramp: 'chalk',
   stripe: '#1c1d20',
-  style: 'bands',
+  pattern: 'bands',
   width: 0.5,
   period: 0.05,
   offset: 0,
@@ -124,8 +124,8 @@ const PLAIN: Omit<Look, 'name'> = {
   flow: 0,
 };
 
-const look = (name: string, ramp: RampName, stripe: string, change: Partial<Look>): Look => ({
-  ...PLAIN,
+const preset = (name: string, ramp: RampName, stripe: string, change: Partial<Style>): Style => ({
+  ...BASE,
   ...change,
   name,
   ramp,
@@ -133,55 +133,85 @@ const look = (name: string, ramp: RampName, stripe: string, change: Partial<Look
 });
 
 /** Groove or ridge of a given shape. */
-const cut = (width: number, period: number, relief: number, sharpness = 0.45): Partial<Look> => ({
+const profile = (width: number, period: number, relief: number, sharpness = 0.45): Partial<Style> => ({
   width,
   period,
   relief,
   sharpness,
 });
 
-export const LOOKS: readonly Look[] = [
-  look('zebra', 'chalk', '#17181b', {}),
-  look('gold', 'gold', '#5a3a0e', { ...cut(0.16, 0.05, -0.05), surface: finish(1, 0.2), stripes: finish(1, 0.45) }),
-  look('lava', 'coal', 'magma', { ...cut(0.17, 0.05, -0.05), surface: finish(0, 0.6), stripes: finish(0, 0.4, 0.65) }),
-  look('bone', 'bone', '#2a3340', { ...cut(0.24, 0.045, -0.045), surface: finish(0, 0.55), stripes: finish(0, 0.14) }),
-  look('water', 'ocean', '#3c4a78', { ...cut(0.14, 0.04, 0.035), surface: finish(0, 0.1), stripes: finish(0, 0.3) }),
-  look('neon', 'ink', 'glow', {
-    ...cut(0.16, 0.05, 0.03, 0.5),
+export const STYLES: readonly Style[] = [
+  preset('zebra', 'chalk', '#17181b', {}),
+  preset('gold', 'gold', '#5a3a0e', {
+    ...profile(0.16, 0.05, -0.05),
+    surface: finish(1, 0.2),
+    stripes: finish(1, 0.45),
+  }),
+  preset('lava', 'coal', 'magma', {
+    ...profile(0.17, 0.05, -0.05),
+    surface: finish(0, 0.6),
+    stripes: finish(0, 0.4, 0.65),
+  }),
+  preset('bone', 'bone', '#2a3340', {
+    ...profile(0.24, 0.045, -0.045),
+    surface: finish(0, 0.55),
+    stripes: finish(0, 0.14),
+  }),
+  preset('water', 'ocean', '#3c4a78', {
+    ...profile(0.14, 0.04, 0.035),
+    surface: finish(0, 0.1),
+    stripes: finish(0, 0.3),
+  }),
+  preset('neon', 'ink', 'glow', {
+    ...profile(0.16, 0.05, 0.03, 0.5),
     surface: finish(0.4, 0.28),
     stripes: finish(0, 0.4, 1.1),
     surroundings: 'night',
   }),
-  look('porcelain', 'porcelain', '#1f46ae', {
+  preset('porcelain', 'porcelain', '#1f46ae', {
     width: 0.2,
     relief: 0,
     surface: finish(0, 0.09),
     stripes: finish(0, 0.09),
   }),
-  look('scientific', 'viridis', '#ffffff', { style: 'lines', width: 0.25, relief: 0, surface: finish(0, 0.6) }),
-  look('candy', 'candy', '#c8102e', { surface: finish(0, 0.2), stripes: finish(0, 0.14) }),
-  look('citrus', 'citrus', '#2b3138', { ...cut(0.14, 0.05, -0.04), surface: finish(0, 0.35), stripes: finish(0, 0.3) }),
-  look('ember', 'ember', '#ffe9b0', {
-    ...cut(0.07, 0.05, 0.02),
+  preset('scientific', 'viridis', '#ffffff', { pattern: 'lines', width: 0.25, relief: 0, surface: finish(0, 0.6) }),
+  preset('candy', 'candy', '#c8102e', { surface: finish(0, 0.2), stripes: finish(0, 0.14) }),
+  preset('citrus', 'citrus', '#2b3138', {
+    ...profile(0.14, 0.05, -0.04),
+    surface: finish(0, 0.35),
+    stripes: finish(0, 0.3),
+  }),
+  preset('ember', 'ember', '#ffe9b0', {
+    ...profile(0.07, 0.05, 0.02),
     surface: finish(0, 0.25),
     stripes: finish(0, 0.3, 0.3),
   }),
-  look('amethyst', 'amethyst', '#fff3b8', {
-    ...cut(0.1, 0.045, 0.03),
+  preset('amethyst', 'amethyst', '#fff3b8', {
+    ...profile(0.1, 0.045, 0.03),
     surface: finish(0.35, 0.2),
     stripes: finish(0, 0.3, 0.2),
   }),
-  look('jade', 'slate', '#8dff5a', {
-    ...cut(0.12, 0.05, 0.04),
+  preset('jade', 'slate', '#8dff5a', {
+    ...profile(0.12, 0.05, 0.04),
     surface: finish(0.3, 0.3),
     stripes: finish(0, 0.35, 0.35),
   }),
-  look('copper', 'copper', '#3d1f16', { ...cut(0.3, 0.045, -0.05), surface: finish(1, 0.3), stripes: finish(1, 0.6) }),
-  look('lagoon', 'lagoon', '#0b2f3a', { ...cut(0.14, 0.05, -0.03), surface: finish(0, 0.25) }),
-  look('dusk', 'dusk', '#fff1d6', { ...cut(0.16, 0.045, 0.03), surface: finish(0, 0.3) }),
-  look('turbo', 'turbo', '#101114', { style: 'lines', width: 0.2, period: 0.05, relief: 0, surface: finish(0, 0.6) }),
-  look('contour', 'paper', '#23303b', {
-    style: 'lines',
+  preset('copper', 'copper', '#3d1f16', {
+    ...profile(0.3, 0.045, -0.05),
+    surface: finish(1, 0.3),
+    stripes: finish(1, 0.6),
+  }),
+  preset('lagoon', 'lagoon', '#0b2f3a', { ...profile(0.14, 0.05, -0.03), surface: finish(0, 0.25) }),
+  preset('dusk', 'dusk', '#fff1d6', { ...profile(0.16, 0.045, 0.03), surface: finish(0, 0.3) }),
+  preset('turbo', 'turbo', '#101114', {
+    pattern: 'lines',
+    width: 0.2,
+    period: 0.05,
+    relief: 0,
+    surface: finish(0, 0.6),
+  }),
+  preset('contour', 'paper', '#23303b', {
+    pattern: 'lines',
     width: 0.22,
     period: 0.05,
     relief: 0,
@@ -189,10 +219,10 @@ export const LOOKS: readonly Look[] = [
   }),
 ];
 
-export const DEFAULT_LOOK = LOOKS[0];
+export const DEFAULT_STYLE = STYLES[0];
 
-export function findLook(name: string): Look | undefined {
-  return LOOKS.find((candidate) => candidate.name === name);
+export function findStyle(name: string): Style | undefined {
+  return STYLES.find((candidate) => candidate.name === name);
 }
 
 export function isRamp(name: string): name is RampName {
@@ -205,7 +235,7 @@ function paint(colour: string): Interpolator {
 }
 
 /** 256 × 4 sRGB bytes over distance / largest distance, of the surface and then of the stripes. */
-export function rampBytes({ ramp, stripe }: Pick<Look, 'ramp' | 'stripe'>): Uint8Array {
+export function rampBytes({ ramp, stripe }: Pick<Style, 'ramp' | 'stripe'>): Uint8Array {
   const bytes = new Uint8Array(2 * 256 * 4);
   for (const [row, colour] of [RAMPS[ramp], paint(stripe)].entries()) {
     for (let i = 0; i < 256; i++) {
@@ -215,14 +245,14 @@ export function rampBytes({ ramp, stripe }: Pick<Look, 'ramp' | 'stripe'>): Uint
   return bytes;
 }
 
-/** The look as a CSS background, for its button in the gallery. */
-export function lookGradient({ ramp, stripe, style, width }: Look): string {
+/** The style as a CSS background, for its button in the gallery. */
+export function styleGradient({ ramp, stripe, pattern, width }: Style): string {
   const bands = 6;
-  const painted = style === 'lines' ? 0.08 : Math.max(0.1, width);
+  const covered = pattern === 'lines' ? 0.08 : Math.max(0.1, width);
   const parts: string[] = [];
   for (let i = 0; i < bands; i++) {
     const from = (100 * i) / bands;
-    const middle = from + ((1 - painted) * 100) / bands;
+    const middle = from + ((1 - covered) * 100) / bands;
     const to = (100 * (i + 1)) / bands;
     const along = (i + 0.5) / bands;
     parts.push(`${RAMPS[ramp](along)} ${from}% ${middle}%`, `${paint(stripe)(along)} ${middle}% ${to}%`);

@@ -35,7 +35,7 @@ test('a click sets the source, ctrl-click and shift-click add', async ({ heatwal
   await sourceCount(heatwalk, 1);
 });
 
-test('a pin is dragged and the stripes follow', async ({ heatwalk, page }) => {
+test('dragging a pin moves the source and solves on the way', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await clickModel(heatwalk);
   await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
@@ -61,7 +61,7 @@ test('a pin is dragged and the stripes follow', async ({ heatwalk, page }) => {
   expect((await heatwalk.scene()).sources).toEqual(from);
 });
 
-test('a drag elsewhere turns the model and sets nothing', async ({ heatwalk, page }) => {
+test('a drag elsewhere orbits and sets no source', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const before = await heatwalk.scene();
   const yaw = () => page.evaluate(() => window.heatwalk.camera?.[0] ?? Number.NaN);
@@ -93,7 +93,7 @@ test('the wheel zooms, a right drag pans, F frames again', async ({ heatwalk, pa
   await expect.poll(async () => (await camera())[2] / far).toBeCloseTo(1, 1);
 });
 
-test('alt-click sends the walker', async ({ heatwalk, page }) => {
+test('alt-click places the walker', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const [source] = (await heatwalk.scene()).sources;
   const [x, y] = await heatwalk.pixelOnModel();
@@ -101,16 +101,16 @@ test('alt-click sends the walker', async ({ heatwalk, page }) => {
   await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
   const { walker, sources } = await heatwalk.scene();
   expect(sources).toEqual([source]);
-  if (!walker) throw new Error('nobody walks');
+  if (!walker) throw new Error('no walker');
   const [px, py] = await heatwalk.pixelOf(walker);
   expect(Math.hypot(px - x, py - y)).toBeLessThan(1.5);
-  // The way home is as long as the distance says, up to the field's error near the source.
+  // The path is as long as the distance, up to the field's error near the source.
   const length = () => page.evaluate(() => window.heatwalk.walker?.length ?? 0);
   const distance = await heatwalk.distanceAt(walker);
   await expect.poll(async () => Math.abs((await length()) / distance - 1)).toBeLessThan(0.1);
 });
 
-test('undo and redo go back and forth', async ({ heatwalk, page }) => {
+test('undo and redo restore sources', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const { sources: first } = await heatwalk.scene();
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
@@ -126,7 +126,7 @@ test('undo and redo go back and forth', async ({ heatwalk, page }) => {
   expect((await heatwalk.scene()).sources).toEqual(first);
 });
 
-test('a double click goes nearer and leaves the source where it was', async ({ heatwalk, page }) => {
+test('a double click focuses and does not move the source', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const { sources } = await heatwalk.scene();
   await page.mouse.dblclick(...(await heatwalk.pixelOnModel(0.04, 0.1)));
@@ -136,7 +136,7 @@ test('a double click goes nearer and leaves the source where it was', async ({ h
   expect((await heatwalk.scene()).sources).toEqual(sources);
 });
 
-test('the read-out tells distance and vertex under the pointer', async ({ heatwalk, page }) => {
+test('the readout shows distance and vertex under the pointer', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const [x, y] = await heatwalk.pixelOnModel();
   await page.mouse.move(x, y);
@@ -151,7 +151,7 @@ test('the read-out tells distance and vertex under the pointer', async ({ heatwa
   await expect(readout).toBeHidden();
 });
 
-test('without a mouse: reticle, arrows, Delete', async ({ heatwalk, page }) => {
+test('the keyboard sets, adds and deletes sources at the reticle', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.locator('.stage').focus();
   await page.keyboard.press('Enter');
@@ -174,7 +174,7 @@ test('without a mouse: reticle, arrows, Delete', async ({ heatwalk, page }) => {
   await sourceCount(heatwalk, 1);
 });
 
-test('the time factor is a slider and the boundary a choice', async ({ heatwalk, page }) => {
+test('the time factor slider and the boundary menu change the solution', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const solves = await heatwalk.solves();
   await page.locator('#section-solver > summary').click();

@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test';
-import { LOOKS, RAMP_NAMES, rampBytes } from '../../web/state/looks';
+import { STYLES, RAMP_NAMES, rampBytes } from '../../web/state/styles';
 import { PRESETS } from '../../web/state/presets';
 
-test('every ramp is 256 opaque colours that change from end to end', () => {
+test('every ramp has 256 opaque colors and different ends', () => {
   for (const name of RAMP_NAMES) {
     const bytes = rampBytes({ ramp: name, stripe: '#123456' });
     expect(bytes).toHaveLength(2048);
@@ -19,10 +19,10 @@ function luminance(colour: readonly number[]): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
-test('stripes stand out from their ramp on most of the model', () => {
-  for (const look of LOOKS) {
-    const { name } = look;
-    const bytes = rampBytes(look);
+test('stripes contrast with their ramp on most of the model', () => {
+  for (const style of STYLES) {
+    const { name } = style;
+    const bytes = rampBytes(style);
     const luminanceAt = (texel: number) => luminance([...bytes.subarray(4 * texel, 4 * texel + 3)]);
     let clear = 0;
     for (let i = 0; i < 256; i++) {
@@ -34,8 +34,8 @@ test('stripes stand out from their ramp on most of the model', () => {
   }
 });
 
-test('presets and looks have names of their own', () => {
-  for (const names of [PRESETS.map(({ id }) => id), LOOKS.map(({ name }) => name)]) {
+test('the names of presets and of styles are unique', () => {
+  for (const names of [PRESETS.map(({ id }) => id), STYLES.map(({ name }) => name)]) {
     expect(new Set(names).size).toBe(names.length);
   }
   expect(PRESETS.length).toBeGreaterThanOrEqual(8);
