@@ -25,9 +25,9 @@ fn info(arguments: &Info) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     let (surface, build_ms) = build(&input)?;
     let mut report = Report::default();
-    report.push_surface(&surface.report);
-    report.push_build(&surface.report);
-    report.push("mean_edge", surface.mean_edge);
+    report.push_surface(surface.report());
+    report.push_build(surface.report());
+    report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms }));
     Ok(report.render(arguments.mesh.json))

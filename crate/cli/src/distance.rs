@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{RelativeError, Source, Surface};
+use heatwalk::{RelativeError, Source, Surface, VertexData, VertexId};
 use serde_json::json;
 
 use crate::args::Distance;
@@ -14,9 +14,9 @@ use crate::output::Output;
 use crate::report::{Report, milliseconds};
 use crate::timing::{Factored, build, factor, median_solve_ms, sample};
 
-/// Distances, `#P`, and what they took.
+/// Distances, `#V`, and what they took.
 struct Solved {
-    values: Vec<f64>,
+    values: VertexData<f64>,
     precompute_ms: f64,
     solve_ms: f64,
 }
@@ -34,13 +34,13 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
 
     let mut report = Report::default();
-    report.push_surface(&surface.report);
+    report.push_surface(surface.report());
     let solve = if arguments.exact { exactly } else { by_heat };
     let Solved { values, precompute_ms, solve_ms } = solve(&surface, &sources, arguments, &mut report)?;
 
-    // Vertices that no triangle uses are as far as another piece.
-    let of_input = |point: &Option<u32>| point.map_or(f64::INFINITY, |point| values[point as usize]);
-    let of_inputs: Vec<f64> = surface.point_of_input.iter().map(of_input).collect();
+    // Vertices that no triangle uses are as far as another component.
+    let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
+    let of_inputs: Vec<f64> = surface.vertices_of_inputs().iter().map(of_input).collect();
     if let Some(output) = output {
         output.write(&input.soup, &of_inputs)?;
     }
@@ -85,18 +85,18 @@ fn exactly(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
     let solve_ms = match arguments.repeat {
         1 => asked_ms,
         count => {
-            let points = timed(surface, count, report);
-            median_solve_ms(&points, |source| Ok(exact::distances(surface, &geometry, &[source])))?
+            let vertices = timed(surface, count, report);
+            median_solve_ms(&vertices, |source| Ok(exact::distances(surface, &geometry, &[source])))?
         }
     };
     report.push("factor_nonzeros", 0);
     Ok(Solved { values, precompute_ms, solve_ms })
 }
 
-/// The points that the median solve is taken over. The report tells them, for others to be timed on the same.
-fn timed(surface: &Surface, count: u32, report: &mut Report) -> Vec<u32> {
-    let points = sample(surface, count);
-    let input = |&point: &u32| surface.inputs_of_point(point)[0];
-    report.push("timed_sources", points.iter().map(input).collect::<Vec<_>>());
-    points
+/// The vertices that the median solve is taken over. The report tells them, for others to be timed on the same.
+fn timed(surface: &Surface, count: u32, report: &mut Report) -> Vec<VertexId> {
+    let vertices = sample(surface, count);
+    let input = |&vertex: &VertexId| surface.inputs_of_vertex(vertex)[0].0;
+    report.push("timed_sources", vertices.iter().map(input).collect::<Vec<_>>());
+    vertices
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::{ExactGeometry, Wavefront};
-use heatwalk::{Source, Surface};
+use heatwalk::{Source, Surface, VertexData};
 
 use crate::report::milliseconds;
 
@@ -15,8 +15,8 @@ pub fn geometry(surface: &Arc<Surface>) -> (Arc<ExactGeometry>, f64) {
     (geometry, milliseconds(start))
 }
 
-/// `#P`, infinite where no source can be reached.
-pub fn distances(surface: &Arc<Surface>, geometry: &Arc<ExactGeometry>, sources: &[Source]) -> Vec<f64> {
+/// `#V`, infinite where no source can be reached.
+pub fn distances(surface: &Arc<Surface>, geometry: &Arc<ExactGeometry>, sources: &[Source]) -> VertexData<f64> {
     let mut front = Wavefront::new(Arc::clone(surface), Arc::clone(geometry), sources, &[]);
     front.advance(f64::INFINITY, usize::MAX);
     front.into_values()

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
-use heatwalk::{MultiSource, Surface, SurfacePoint, descend, straighten};
+use heatwalk::{MultiSource, Place, Surface, descend, straighten};
 use serde_json::json;
 
 use crate::args::Path;
@@ -39,7 +39,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     }
     let points: Vec<_> = found.path.points.iter().map(|point| json!(point.position.to_array())).collect();
     let mut report = Report::default();
-    report.push_surface(&surface.report);
+    report.push_surface(surface.report());
     report.push("factor_nonzeros", found.factor_nonzeros);
     report.push("distance", found.distance);
     report.push("length", found.path.length());
@@ -54,7 +54,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     Ok(report.render(arguments.mesh.json))
 }
 
-fn by_heat(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint, arguments: &Path) -> Result<Found> {
+fn by_heat(surface: &Arc<Surface>, from: Place, to: Place, arguments: &Path) -> Result<Found> {
     let parameters = arguments.dials.parameters(arguments.solver, MultiSource::default());
     let Factored { solver, precompute_ms, .. } = factor(surface, parameters)?;
     let start = Instant::now();
@@ -75,7 +75,7 @@ fn by_heat(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint, argumen
     })
 }
 
-fn exactly(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint) -> Result<Found> {
+fn exactly(surface: &Arc<Surface>, from: Place, to: Place) -> Result<Found> {
     let (geometry, precompute_ms) = exact::geometry(surface);
     let start = Instant::now();
     let path = shortest_path(surface, &geometry, from, &[to])?;

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Error, Soup, Source, Surface, SurfacePoint, edge_polyline};
+use heatwalk::{Element, Error, InputTriangle, InputVertex, Soup, Source, Surface, VertexId, edge_polyline};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +21,7 @@ pub enum Place {
 #[derive(Debug, Clone, Copy)]
 pub struct SourcePlace {
     pub place: Place,
-    offset: f64,
+    initial_distance: f64,
 }
 
 /// Vertices `V,V[,V...]` that a line of sources goes through.
@@ -50,11 +50,13 @@ impl FromStr for SourcePlace {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let Some((place, offset)) = text.split_once('@') else {
-            return Ok(Self { place: text.parse()?, offset: 0.0 });
+        let Some((place, initial_distance)) = text.split_once('@') else {
+            return Ok(Self { place: text.parse()?, initial_distance: 0.0 });
         };
-        match offset.parse::<f64>() {
-            Ok(offset) if offset.is_finite() && offset >= 0.0 => Ok(Self { place: place.parse()?, offset }),
+        match initial_distance.parse::<f64>() {
+            Ok(initial_distance) if initial_distance.is_finite() && initial_distance >= 0.0 => {
+                Ok(Self { place: place.parse()?, initial_distance })
+            }
             _ => Err("after @ give the distance that the source starts from, 0 or more, such as 12@0.5".to_owned()),
         }
     }
@@ -87,15 +89,15 @@ impl Place {
     }
 
     /// The point of the surface.
-    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
+    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<heatwalk::Place> {
         match *self {
-            Self::Vertex(vertex) => Ok(SurfacePoint::Vertex(point_of_vertex(surface, vertex)?)),
+            Self::Vertex(vertex) => Ok(heatwalk::Place::Vertex(welded_vertex(surface, vertex)?)),
             Self::Triangle { triangle, weights } => {
-                let Some(face) = surface.face_of_triangle[triangle] else {
+                let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {
                     bail!("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another");
                 };
-                // The face may have been turned.
-                let [a, b, _] = soup.triangles[triangle];
+                // The face may have been flipped.
+                let [a, b, _] = soup.triangles[triangle].map(InputVertex);
                 let weight_of = |corner| {
                     weights[if corner == a {
                         0
@@ -105,7 +107,7 @@ impl Place {
                         2
                     }]
                 };
-                let point = SurfacePoint::Face { face, weights: surface.inputs_of_face[face].map(weight_of) };
+                let point = heatwalk::Place::Face { face, weights: surface.inputs_of_face(face).map(weight_of) };
                 point.validated(surface).map_err(|error| match error {
                     // In the file's words.
                     SurfaceError::BadPoint { problem, .. } => {
@@ -120,7 +122,7 @@ impl Place {
 
 impl SourcePlace {
     pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<Source> {
-        Ok(Source { point: self.place.on(soup, surface)?, offset: self.offset })
+        Ok(Source { point: self.place.on(soup, surface)?, initial_distance: self.initial_distance })
     }
 }
 
@@ -132,15 +134,15 @@ impl Line {
 
     /// A source at each vertex along the line.
     pub fn on(&self, surface: &Surface, closed: bool) -> Result<Vec<Source>> {
-        let through = self.0.iter().map(|&vertex| point_of_vertex(surface, vertex)).collect::<Result<Vec<_>>>()?;
-        let points = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
-        Ok(points.into_iter().map(|point| SurfacePoint::Vertex(point).into()).collect())
+        let through = self.0.iter().map(|&vertex| welded_vertex(surface, vertex)).collect::<Result<Vec<_>>>()?;
+        let vertices = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
+        Ok(vertices.into_iter().map(|vertex| heatwalk::Place::Vertex(vertex).into()).collect())
     }
 }
 
-/// The welded point of an input vertex.
-fn point_of_vertex(surface: &Surface, vertex: usize) -> Result<u32> {
-    let point = surface.point_of_input.get(vertex).copied().flatten();
+/// What became of a vertex of the file.
+fn welded_vertex(surface: &Surface, vertex: usize) -> Result<VertexId> {
     let problem = "is used by no triangle; choose another".to_owned();
-    point.ok_or_else(|| Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
+    let welded = surface.vertex_of_input(InputVertex::from_index(vertex));
+    welded.ok_or_else(|| Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
 }

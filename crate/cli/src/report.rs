@@ -36,7 +36,7 @@ impl Report {
         self.push("unreferenced_vertices", report.unreferenced_vertices);
         self.push("degenerate_faces", report.degenerate_faces);
         self.push("duplicate_faces", report.duplicate_faces);
-        self.push("turned_faces", report.turned_faces);
+        self.push("flipped_faces", report.flipped_faces);
         self.push("non_manifold_edges", report.non_manifold_edges);
         self.push("euler_characteristic", report.euler_characteristic);
     }

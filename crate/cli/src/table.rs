@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use heatwalk::{LinearSolver, MultiSource, RelativeError, SurfacePoint};
+use heatwalk::{LinearSolver, MultiSource, Place, RelativeError, VertexId};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
@@ -61,7 +61,7 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input).with_context(|| mesh.to_owned())?;
-    let source = SurfacePoint::Vertex(0).into();
+    let source = Place::Vertex(VertexId(0)).into();
     let exact = arguments.exact.then(|| exact::distances(&surface, &exact::geometry(&surface).0, &[source]));
     let figures = |linear_solver, sources| -> Result<Figures> {
         let parameters = arguments.dials.parameters(linear_solver, MultiSource::default());

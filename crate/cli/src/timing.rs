@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{HeatSolver, Parameters, Source, Stage, Surface, SurfacePoint};
+use heatwalk::{Element, HeatSolver, Parameters, Place, Source, Stage, Surface, VertexId};
 
 use crate::input::Input;
 use crate::report::milliseconds;
@@ -40,25 +40,25 @@ pub fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<Factored
     Ok(Factored { solver, precompute_ms, stages_ms })
 }
 
-/// So many points, the same ones at every run.
-pub fn sample(surface: &Surface, count: u32) -> Vec<u32> {
-    let points = surface.point_count() as u64;
+/// So many vertices, the same ones at every run.
+pub fn sample(surface: &Surface, count: u32) -> Vec<VertexId> {
+    let vertices = surface.vertex_count() as u64;
     let mut state = 1_u64;
     let draw = |_| {
         // Multiplier and increment of Knuth's MMIX; its high bits are the random ones.
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) % points) as u32
+        VertexId::from_index(((state >> 33) % vertices) as usize)
     };
     (0..count).map(draw).collect()
 }
 
 /// Median time of a solve over single sources.
-pub fn median_solve_ms<A>(points: &[u32], mut solve: impl FnMut(Source) -> Result<A>) -> Result<f64> {
-    let mut times = Vec::with_capacity(points.len());
-    for &point in points {
+pub fn median_solve_ms<A>(vertices: &[VertexId], mut solve: impl FnMut(Source) -> Result<A>) -> Result<f64> {
+    let mut times = Vec::with_capacity(vertices.len());
+    for &vertex in vertices {
         let start = Instant::now();
         // Kept until the clock has stopped, so that the work is not optimised away.
-        let answer = solve(SurfacePoint::Vertex(point).into())?;
+        let answer = solve(Place::Vertex(vertex).into())?;
         times.push(milliseconds(start));
         drop(answer);
     }

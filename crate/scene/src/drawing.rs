@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use heatwalk::Surface;
 use heatwalk::surface::triangle;
-use heatwalk::{Face, Halfedge};
+use heatwalk::{FaceData, HalfedgeId, InputVertex, VertexId};
 
 /// Flat arrays ready for a graphics card.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -15,61 +15,60 @@ pub struct DrawMesh {
     pub normals: Vec<f32>,
     /// `#F × 3` drawn vertices, in the order and orientation of the surface's faces.
     pub triangles: Vec<u32>,
-    /// `#D`, the point of each drawn vertex.
-    pub point_of_drawn: Vec<u32>,
-    /// `#D`, the soup vertex of each drawn vertex, with its texture coordinates.
-    pub input_of_drawn: Vec<u32>,
+    /// `#D`, the welded vertex of each drawn vertex.
+    pub vertex_of_drawn: Vec<VertexId>,
+    /// `#D`, the input vertex of each drawn vertex, with its texture coordinates.
+    pub input_of_drawn: Vec<InputVertex>,
 }
 
 /// Makes the vertices to draw. An edge is a crease where the normals of its faces differ by more than `crease_angle`
 /// (radians, 0 to π), and where the surface is cut or ends.
 pub fn draw_mesh(surface: &Surface, crease_angle: f64) -> DrawMesh {
-    let face_normals: Vec<DVec3> = surface.mesh.faces().map(|face| surface.face_normal(face)).collect();
+    let face_normals: FaceData<DVec3> = surface.mesh().faces().map(|face| surface.face_normal(face)).collect();
     let corners = surface.face_count() * 3;
     let mut sectors = Sectors { parent: (0..corners as u32).collect() };
     let least_cosine = crease_angle.cos();
-    for halfedge in (0..corners as u32).map(Halfedge) {
-        let twin = surface.mesh.twin(halfedge);
-        if twin < halfedge || surface.mesh.is_boundary(surface.mesh.face(twin)) {
+    for halfedge in (0..corners as u32).map(HalfedgeId) {
+        let twin = surface.mesh().twin(halfedge);
+        if twin < halfedge || surface.mesh().is_boundary(surface.mesh().face(twin)) {
             continue;
         }
-        let [left, right] = [halfedge, twin].map(|side| face_normals[surface.mesh.face(side).0 as usize]);
+        let [left, right] = [halfedge, twin].map(|side| face_normals[surface.mesh().face(side)]);
         if left.dot(right) >= least_cosine {
             // A half-edge is also the corner that it leaves.
-            sectors.join(halfedge.0, surface.mesh.next(twin).0);
-            sectors.join(twin.0, surface.mesh.next(halfedge).0);
+            sectors.join(halfedge.0, surface.mesh().next(twin).0);
+            sectors.join(twin.0, surface.mesh().next(halfedge).0);
         }
     }
     let mut sector_normals = vec![DVec3::ZERO; corners];
-    for corner in 0..corners {
-        let (face, k) = (corner / 3, corner % 3);
-        let mut positions = surface.corners(Face(face as u32));
-        positions.rotate_left(k);
-        let sector = sectors.root(corner as u32);
-        sector_normals[sector as usize] += face_normals[face] * triangle::angle(positions);
+    for corner in (0..corners as u32).map(HalfedgeId) {
+        let mut positions = surface.corners(corner.triangle());
+        positions.rotate_left(corner.corner());
+        let sector = sectors.root(corner.0);
+        sector_normals[sector as usize] += face_normals[corner.triangle()] * triangle::angle(positions);
     }
     let mut drawing = DrawMesh { triangles: vec![0; corners], ..DrawMesh::default() };
-    let mut around: Vec<(u32, u32, u32)> = Vec::new();
-    for point in 0..surface.point_count() as u32 {
+    let mut around: Vec<(u32, InputVertex, HalfedgeId)> = Vec::new();
+    for vertex in surface.vertices() {
         around.clear();
-        around.extend(surface.corners_of_point(point).map(|(face, k)| {
-            let corner = face.0 * 3 + k as u32;
-            (sectors.root(corner), surface.inputs_of_face[face][k], corner)
+        around.extend(surface.corners_of_vertex(vertex).map(|(face, k)| {
+            let corner = face.halfedge(k);
+            (sectors.root(corner.0), surface.inputs_of_face(face)[k], corner)
         }));
         around.sort_unstable();
         for group in around.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             let (sector, input, corner) = group[0];
-            let drawn = drawing.point_of_drawn.len() as u32;
+            let drawn = drawing.vertex_of_drawn.len() as u32;
             let mut normal = triangle::unit(sector_normals[sector as usize]);
             if normal == DVec3::ZERO {
-                normal = face_normals[corner as usize / 3];
+                normal = face_normals[corner.triangle()];
             }
-            drawing.positions.extend(surface.position(point).as_vec3().to_array());
+            drawing.positions.extend(surface.position(vertex).as_vec3().to_array());
             drawing.normals.extend(normal.as_vec3().to_array());
-            drawing.point_of_drawn.push(point);
+            drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
             for &(_, _, corner) in group {
-                drawing.triangles[corner as usize] = drawn;
+                drawing.triangles[corner.0 as usize] = drawn;
             }
         }
     }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use common::{any_triangles, band, book, distance_from, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Distance, Error, HeatSolver, Parameters, Soup, Surface, SurfacePoint};
+use heatwalk::{Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
 use heatwalk_scene::{Crowd, Walker, shapes};
 
 const SEED: u64 = 7;
@@ -25,8 +25,8 @@ fn check(surface: &Surface, distance: &Distance, crowd: &Crowd, count: usize) {
         // Rounding of a few products a step.
         assert!(weights.iter().all(|weight| (0.0..=1.0 + 1e-12).contains(weight)), "{walker:?}");
         assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{walker:?}");
-        let place = SurfacePoint::Face { face, weights };
-        let extent = surface.positions.iter().map(|position| position.length()).fold(0.0, f64::max);
+        let place = Place::Face { face, weights };
+        let extent = surface.positions().iter().map(|position| position.length()).fold(0.0, f64::max);
         assert!(place.position(surface).distance(position) <= 1e-12 * extent);
         assert!(place.interpolate(surface, &distance.values).is_finite(), "no source there: {walker:?}");
         assert!((upright.length() - 1.0).abs() < 1e-12 && (heading.length() - 1.0).abs() < 1e-12, "{walker:?}");
@@ -39,7 +39,7 @@ fn check(surface: &Surface, distance: &Distance, crowd: &Crowd, count: usize) {
 }
 
 fn value(surface: &Surface, distance: &Distance, walker: &Walker) -> f64 {
-    SurfacePoint::Face { face: walker.face, weights: walker.weights }.interpolate(surface, &distance.values)
+    Place::Face { face: walker.face, weights: walker.weights }.interpolate(surface, &distance.values)
 }
 
 /// How a step went.
@@ -69,7 +69,7 @@ fn step(surface: &Surface, distance: &Distance, crowd: &mut Crowd, step: f64) ->
 }
 
 fn crowd_on(solver: &HeatSolver, distance: &Distance, count: usize) -> Crowd {
-    let height = 2.0 * solver.surface().mean_edge;
+    let height = 2.0 * solver.surface().mean_edge();
     let mut crowd = Crowd::new(Arc::clone(solver.surface()), count, height, SEED).expect("a height");
     crowd.follow(distance).expect("a source");
     crowd.advance(0.0).expect("a step");
@@ -92,8 +92,8 @@ fn each_step_shortens_the_distance_by_the_step() {
     for (soup, source) in [(shapes::icosphere(4), 17), (shapes::torus(1.0, 0.4, 60, 28), 5)] {
         let solver = solver_of(&soup);
         let surface = solver.surface();
-        let distance = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
-        let length = 0.5 * surface.mean_edge;
+        let distance = solver.distance(&[Place::Vertex(VertexId(source))]).expect("a source");
+        let length = 0.5 * surface.mean_edge();
         let mut crowd = crowd_on(&solver, &distance, 500);
         let starts: Vec<f64> = crowd.walkers().iter().map(|walker| value(surface, &distance, walker)).collect();
         let mut steps_taken = vec![None; starts.len()];
@@ -135,11 +135,11 @@ fn each_step_shortens_the_distance_by_the_step() {
 fn slides_along_the_boundary() {
     let (solver, mut distance) = distance_from(&square(8), 0);
     let surface = solver.surface();
-    for (value, position) in distance.values.iter_mut().zip(&surface.positions) {
+    for (value, position) in distance.values.iter_mut().zip(surface.positions()) {
         *value = position.x + 10.0 * position.y;
     }
     let mut crowd = crowd_on(&solver, &distance, 200);
-    let length = 0.3 * surface.mean_edge;
+    let length = 0.3 * surface.mean_edge();
     for _ in 0..40 {
         let before = crowd.walkers().to_vec();
         step(surface, &distance, &mut crowd, length);
@@ -187,9 +187,9 @@ fn any_surface() {
     for (index, soup) in soups.iter().enumerate() {
         let solver = solver_of(soup);
         let surface = solver.surface();
-        let distance = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+        let distance = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");
         for edges in [0.1, 1.0, 30.0] {
-            let length = edges * surface.mean_edge;
+            let length = edges * surface.mean_edge();
             let mut crowd = crowd_on(&solver, &distance, 60);
             let mut is_out = [true; 60];
             // The linear interpolation may fall as slowly as a face is badly shaped; a tenth of the slope 1 on average is
@@ -221,9 +221,9 @@ fn a_source_moves_under_way() {
     let solver = solver_of(&two);
     let surface = solver.surface();
     let distances =
-        [0, first - 1, first].map(|point| solver.distance(&[SurfacePoint::Vertex(point)]).expect("a source"));
+        [0, first - 1, first].map(|point| solver.distance(&[Place::Vertex(VertexId(point))]).expect("a source"));
     let mut crowd = crowd_on(&solver, &distances[0], 100);
-    let length = 0.5 * surface.mean_edge;
+    let length = 0.5 * surface.mean_edge();
     for distance in &distances[..2] {
         // On the same piece they go on from where they are; few have arrived.
         let steps = step(surface, distance, &mut crowd, length);
@@ -242,7 +242,7 @@ fn starts_are_spread_by_area() {
     let positions: Vec<DVec3> = [0.0, 1.0].iter().flat_map(|&y| positions.map(|(x, z)| DVec3::new(x, y, z))).collect();
     let soup = soup(positions, vec![[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]]);
     let solver = solver_of(&soup);
-    let distance = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    let distance = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");
     let crowd = crowd_on(&solver, &distance, 9000);
     let wide = crowd.walkers().iter().filter(|walker| walker.position.x > 1.0).count();
     // Five standard deviations of √(9000 · 2/9).
@@ -252,7 +252,7 @@ fn starts_are_spread_by_area() {
 #[test]
 fn the_same_seed_walks_the_same_way() {
     let solver = solver_of(&shapes::icosphere(2));
-    let distance = solver.distance(&[SurfacePoint::Vertex(3)]).expect("a source");
+    let distance = solver.distance(&[Place::Vertex(VertexId(3))]).expect("a source");
     let walk = |seed| {
         let mut crowd = Crowd::new(Arc::clone(solver.surface()), 50, 0.1, seed).expect("a height");
         crowd.follow(&distance).expect("a source");
@@ -268,7 +268,7 @@ fn the_same_seed_walks_the_same_way() {
 #[test]
 fn a_change_of_number_keeps_those_who_stay() {
     let solver = solver_of(&shapes::icosphere(3));
-    let distance = solver.distance(&[SurfacePoint::Vertex(3)]).expect("a source");
+    let distance = solver.distance(&[Place::Vertex(VertexId(3))]).expect("a source");
     let mut crowd = crowd_on(&solver, &distance, 50);
     let before = crowd.walkers().to_vec();
     crowd.set_count(20);
@@ -290,7 +290,7 @@ fn headings_turn_over_a_height() {
     // Downhill is −x, then, at once, +x.
     let (solver, mut distance) = distance_from(&square(8), 0);
     let surface = Arc::clone(solver.surface());
-    for (value, position) in distance.values.iter_mut().zip(&surface.positions) {
+    for (value, position) in distance.values.iter_mut().zip(surface.positions()) {
         *value = position.x;
     }
     let (height, step) = (0.02, 0.002);
@@ -323,10 +323,10 @@ fn headings_turn_over_a_height() {
 fn arrives_at_a_source_inside_a_face() {
     let solver = solver_of(&shapes::icosphere(1));
     let surface = solver.surface();
-    let face = heatwalk::Face(11);
-    let distance = solver.distance(&[SurfacePoint::Face { face, weights: [0.2, 0.3, 0.5] }]).expect("a source");
+    let face = heatwalk::FaceId(11);
+    let distance = solver.distance(&[Place::Face { face, weights: [0.2, 0.3, 0.5] }]).expect("a source");
     let mut crowd = crowd_on(&solver, &distance, 300);
-    let length = 0.01 * surface.mean_edge;
+    let length = 0.01 * surface.mean_edge();
     let source = distance.sources[0].position(surface);
     let mut arrivals = 0;
     for _ in 0..400 {
@@ -344,7 +344,7 @@ fn arrives_at_a_source_inside_a_face() {
 fn goes_on_over_a_constant_distance() {
     // Nothing falls anywhere: all start again at every step, but for those who see the source.
     let (solver, mut distance) = distance_from(&square(8), 0);
-    distance.values.fill(1.0);
+    distance.values.as_mut_slice().fill(1.0);
     let mut crowd = crowd_on(&solver, &distance, 50);
     for _ in 0..10 {
         step(solver.surface(), &distance, &mut crowd, 0.01);
@@ -356,13 +356,13 @@ fn exact_distances_are_walked_to_the_end() {
     // A refined field: every value exact.
     let solver = solver_of(&shapes::torus(1.0, 0.4, 40, 20));
     let surface = solver.surface();
-    let source = SurfacePoint::Vertex(9);
+    let source = Place::Vertex(VertexId(9));
     let mut distance = solver.distance(&[source]).expect("a source");
     distance.values = exact_distance(surface, &[(source, 0.0)], &mut |_| ControlFlow::Continue(())).expect("a source");
     let mut crowd = crowd_on(&solver, &distance, 300);
     let mut is_out = [true; 300];
-    for _ in 0..(1.3 * distance.max() / surface.mean_edge) as usize {
-        for (is_out, step) in is_out.iter_mut().zip(step(surface, &distance, &mut crowd, surface.mean_edge)) {
+    for _ in 0..(1.3 * distance.max() / surface.mean_edge()) as usize {
+        for (is_out, step) in is_out.iter_mut().zip(step(surface, &distance, &mut crowd, surface.mean_edge())) {
             *is_out &= matches!(step, Step::On { .. });
         }
     }

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use common::surface;
 use glam::DVec3;
-use heatwalk::{HeatSolver, Operator, Parameters};
+use heatwalk::{HeatSolver, Operator, Parameters, VertexId};
 use heatwalk_scene::overlay::{self, Segment};
 use heatwalk_scene::shapes;
 
@@ -46,7 +46,7 @@ fn a_flipped_edge_is_drawn_across_faces_with_its_own_length() {
     let triangles = vec![[0, 1, 2], [3, 2, 1], [1, 0, 4], [0, 2, 4], [2, 3, 4], [3, 1, 4]];
     let tent = surface(&common::soup(corners.map(DVec3::from_array).to_vec(), triangles));
     let expected = {
-        let [a, b, c, d] = [0, 1, 2, 3].map(|point| tent.position(point));
+        let [a, b, c, d] = [0, 1, 2, 3].map(|vertex| tent.position(VertexId(vertex)));
         // Unfolded about the edge between b and c.
         let along = (c - b).normalize();
         let place = |p: DVec3| ((p - b).dot(along), (p - b).cross(along).length());

@@ -12,14 +12,15 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, HeatSolver, NearField, Operator, Parameters, Stage, Surface, SurfacePoint, TimeStep, descend, straighten,
+    Boundary, HeatSolver, NearField, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
+    straighten,
 };
 use heatwalk_scene::{Crowd, shapes};
 
 const LEVEL: u32 = 5;
 const STAGES: [Stage; 4] = [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::Factoring];
-const SOURCE: SurfacePoint = SurfacePoint::Vertex(4321);
-const START: SurfacePoint = SurfacePoint::Vertex(0);
+const SOURCE: Place = Place::Vertex(VertexId(4321));
+const START: Place = Place::Vertex(VertexId(0));
 
 fn surface() -> Arc<Surface> {
     Arc::new(Surface::build(&shapes::icosphere(LEVEL)).expect("an icosphere is a surface"))
@@ -115,7 +116,7 @@ fn crowds(criterion: &mut Criterion) {
     crowd.follow(&distance).expect("a source");
     criterion.bench_function("a distance for a crowd", |bencher| bencher.iter(|| crowd.follow(black_box(&distance))));
     criterion.bench_function("a step of a crowd", |bencher| {
-        bencher.iter(|| crowd.advance(black_box(0.5 * surface.mean_edge)));
+        bencher.iter(|| crowd.advance(black_box(0.5 * surface.mean_edge())));
     });
     criterion.bench_function("poses of a crowd", |bencher| bencher.iter(|| black_box(&crowd).poses()));
 }

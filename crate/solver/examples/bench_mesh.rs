@@ -20,7 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("give a mesh and a file to write".into());
     };
     let surface = Surface::build(&read(input)?)?;
-    let mut mesh = Soup::single(input, surface.positions.clone(), surface.faces.as_slice().to_vec());
+    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+    let mut mesh = Soup::single(input, surface.positions().as_slice().to_vec(), triangles);
     for _ in 0..subdivisions.first().map_or(Ok(0), |count| count.parse())? {
         mesh = subdivided(mesh);
     }
@@ -30,9 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         json!({
             "vertices": mesh.positions.len(),
             "triangles": mesh.triangles.len(),
-            "components": surface.report.components,
-            "boundary_loops": surface.report.boundary_loops,
-            "oriented_manifold": surface.is_oriented_manifold,
+            "components": surface.report().components,
+            "boundary_loops": surface.report().boundary_loops,
+            "oriented_manifold": surface.is_oriented_manifold(),
         })
     );
     Ok(())

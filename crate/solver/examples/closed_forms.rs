@@ -7,11 +7,11 @@ use std::error::Error;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{HeatSolver, Parameters, RelativeError, Soup, Surface, SurfacePoint};
+use heatwalk::{HeatSolver, Parameters, Place, RelativeError, Soup, Surface, VertexId};
 use heatwalk_scene::shapes;
 
 /// Vertices that measure the spheres: one of the twelve with five neighbours, and another.
-const SPHERE_SOURCES: [u32; 2] = [0, 777];
+const SPHERE_SOURCES: [VertexId; 2] = [VertexId(0), VertexId(777)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("| surface | source | m | mean % | maximum % |");
@@ -20,21 +20,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         let arc = |p: DVec3, q: DVec3| p.cross(q).length().atan2(p.dot(q));
         measure("unit sphere", &shapes::icosphere(subdivisions), &SPHERE_SOURCES, arc)?;
     }
-    measure("strip 9 × 1200", &shapes::strip(9.0, 1200.0, 9), &[0, 5], DVec3::distance)
+    measure("strip 9 × 1200", &shapes::strip(9.0, 1200.0, 9), &[0, 5].map(VertexId), DVec3::distance)
 }
 
 fn measure(
     name: &str,
     soup: &Soup,
-    sources: &[u32],
+    sources: &[VertexId],
     exact: impl Fn(DVec3, DVec3) -> f64,
 ) -> Result<(), Box<dyn Error>> {
     let surface = Surface::build(soup)?;
     let solver = HeatSolver::new(surface, Parameters::default(), &mut |_, _| ControlFlow::Continue(()))?;
-    let positions = &solver.surface().positions;
+    let positions = solver.surface().positions();
     for &source in sources {
-        let distance = solver.distance(&[SurfacePoint::Vertex(source)])?;
-        let exact: Vec<f64> = positions.iter().map(|&position| exact(position, positions[source as usize])).collect();
+        let distance = solver.distance(&[Place::Vertex(source)])?;
+        let exact: Vec<f64> = positions.iter().map(|&position| exact(position, positions[source])).collect();
         let RelativeError { mean, max } = RelativeError::between(&distance.values, &exact);
         let (vertices, factor) = (positions.len(), solver.time_factor());
         println!("| {name}, {vertices} vertices | {source} | {factor:.2} | {:.3} | {:.3} |", 100.0 * mean, 100.0 * max);

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::exact_distance;
-use heatwalk::{HeatSolver, Parameters, Surface, SurfacePoint, descend, io, straighten};
+use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend, io, straighten};
 
 const SOURCES: usize = 40;
 const STARTS_PER_SOURCE: usize = 50;
@@ -46,24 +46,24 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let mut state = 1_u64;
     let mut random = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) % surface.point_count() as u64) as u32
+        VertexId(((state >> 33) % surface.vertex_count() as u64) as u32)
     };
     let (mut pairs, mut arrived, mut shortest) = (0, 0, 0);
     let (mut least, mut milliseconds) = (f64::INFINITY, 0.0);
     let mut excesses = [Vec::new(), Vec::new()];
     for _ in 0..SOURCES {
-        let source = SurfacePoint::Vertex(random());
+        let source = Place::Vertex(random());
         let exact = exact_distance(&surface, &[source], &mut |_| ControlFlow::Continue(()))?;
         let distance = solver.distance(&[source])?;
         for _ in 0..STARTS_PER_SOURCE {
             let from = random();
-            let exact = exact[from as usize];
+            let exact = exact[from];
             if !(exact.is_finite() && exact > 0.0) {
                 continue;
             }
             pairs += 1;
             let start = Instant::now();
-            let descent = descend(&surface, &distance, SurfacePoint::Vertex(from))?;
+            let descent = descend(&surface, &distance, Place::Vertex(from))?;
             let straight = straighten(&surface, &descent);
             milliseconds += start.elapsed().as_secs_f64() * 1e3;
             shortness::check_valid(&surface, &straight);

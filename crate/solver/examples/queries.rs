@@ -8,7 +8,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use heatwalk::{Boundary, HeatSolver, Parameters, Stage, Surface, SurfacePoint, TimeStep, edge_path, io};
+use heatwalk::{Boundary, Element, HeatSolver, Parameters, Place, Stage, Surface, TimeStep, VertexId, edge_path, io};
 use serde_json::{Value, json};
 
 const SINGLES: usize = 10;
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for place in places.by_ref().take(SINGLES) {
         singles.push(time(|| solver.distance(&[place]))?);
     }
-    let mut sources: Vec<SurfacePoint> = places.by_ref().take(MANY).collect();
+    let mut sources: Vec<Place> = places.by_ref().take(MANY).collect();
     solver.distance(&sources)?;
     let mut additions = Vec::new();
     for place in places.by_ref().take(ADDED) {
@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "source_added_to_20": median(additions),
             "line_of_100": median(lines),
             "time": changes(&mut solver, |parameters| parameters.time_step = TimeStep::Factor(3.0))?,
-            "boundary": match solver.surface().report.boundary_loops {
+            "boundary": match solver.surface().report().boundary_loops {
                 0 => Value::Null,
                 _ => changes(&mut solver, |parameters| parameters.boundary = Boundary::Dirichlet)?,
             },
@@ -72,23 +72,23 @@ fn changes(solver: &mut HeatSolver, change: impl Fn(&mut Parameters)) -> heatwal
 }
 
 /// The line along edges from a place towards the one farthest from it, as far as it has `LINE` points.
-fn line(solver: &HeatSolver, place: SurfacePoint) -> heatwalk::Result<Vec<SurfacePoint>> {
-    let SurfacePoint::Vertex(from) = place else { unreachable!("places are vertices") };
+fn line(solver: &HeatSolver, place: Place) -> heatwalk::Result<Vec<Place>> {
+    let Place::Vertex(from) = place else { unreachable!("places are vertices") };
     let reached = solver.distance(&[place])?;
-    let finite = |point: &u32| reached.values[*point as usize].is_finite();
-    let nearer = |a: &u32, b: &u32| reached.values[*a as usize].total_cmp(&reached.values[*b as usize]);
-    let farthest = (0..reached.values.len() as u32).filter(finite).max_by(nearer).unwrap_or(from);
+    let finite = |vertex: &VertexId| reached.values[*vertex].is_finite();
+    let nearer = |a: &VertexId, b: &VertexId| reached.values[*a].total_cmp(&reached.values[*b]);
+    let farthest = reached.values.ids().filter(finite).max_by(nearer).unwrap_or(from);
     let points = edge_path(solver.surface(), from, farthest)?;
     // The first is a source that was asked for already.
-    Ok(points.into_iter().skip(1).take(LINE).map(SurfacePoint::Vertex).collect())
+    Ok(points.into_iter().skip(1).take(LINE).map(Place::Vertex).collect())
 }
 
 /// Points all over the surface, none of them twice while there are enough.
-fn places(surface: &Surface) -> impl Iterator<Item = SurfacePoint> + use<> {
-    let count = surface.point_count();
+fn places(surface: &Surface) -> impl Iterator<Item = Place> + use<> {
+    let count = surface.vertex_count();
     // Steps of the golden section fill a range evenly.
     let step = (count as f64 * 0.618_033_988_749_894_9) as usize;
-    (1..).map(move |index: usize| SurfacePoint::Vertex((index * step % count) as u32))
+    (1..).map(move |index: usize| Place::Vertex(VertexId::from_index(index * step % count)))
 }
 
 fn go_on(_: Stage, _: f64) -> ControlFlow<()> {

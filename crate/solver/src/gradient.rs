@@ -1,53 +1,53 @@
-//! Gradient fields of functions on the surface, per face and per point.
+//! Gradient fields of functions on the surface, per face and per vertex.
 //!
 //! Botsch, Kobbelt, Pauly, Alliez, Lévy, "Polygon Mesh Processing" (2010), section 3.3.3.
 
 use glam::DVec3;
 
 use crate::heat::Distance;
-use heatwalk_surface::halfedge::FaceData;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceData, VertexData};
 
-/// `#F × 3`, gradient of the linear interpolation of `values` (`#P`) on each face; zero where it is not finite.
-pub fn face_gradients(surface: &Surface, values: &[f64]) -> FaceData<DVec3> {
+/// `#F × 3`, gradient of the linear interpolation of `values` (`#V`) on each face; zero where it is not finite.
+pub fn face_gradients(surface: &Surface, values: &VertexData<f64>) -> FaceData<DVec3> {
     let gradient = |face| {
-        let corners = surface.faces[face].map(|point| values[point as usize]);
+        let corners = surface.faces()[face].map(|vertex| values[vertex]);
         triangle::gradient(surface.corners(face), corners)
     };
-    surface.mesh.faces().map(gradient).collect::<Vec<_>>().into()
+    surface.mesh().faces().map(gradient).collect()
 }
 
-/// `#F × 3`, unit vectors along the gradient of `values` (`#P`) on each face; zero where they are constant. Right for
+/// `#F × 3`, unit vectors along the gradient of `values` (`#V`) on each face; zero where they are constant. Right for
 /// values that fall by hundreds of orders of magnitude over the surface, as heat does.
-pub fn face_directions(surface: &Surface, values: &[f64]) -> FaceData<DVec3> {
+pub fn face_directions(surface: &Surface, values: &VertexData<f64>) -> FaceData<DVec3> {
     let direction = |face| {
-        let corners = surface.faces[face].map(|point| values[point as usize]);
+        let corners = surface.faces()[face].map(|vertex| values[vertex]);
         // Only ratios within the face matter.
         let scale = corners.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let scaled = corners.map(|value| if scale > 0.0 { value / scale } else { 0.0 });
         triangle::unit(triangle::gradient(surface.corners(face), scaled))
     };
-    surface.mesh.faces().map(direction).collect::<Vec<_>>().into()
+    surface.mesh().faces().map(direction).collect()
 }
 
-/// `#P × 3`, unit vectors at the points along the mean, by area, of the gradients of `values` (`#P`) on the faces around;
+/// `#V × 3`, unit vectors at the vertices along the mean, by area, of the gradients of `values` (`#V`) on the faces around;
 /// zero where they cancel or are not finite.
-pub fn point_directions(surface: &Surface, values: &[f64]) -> Vec<DVec3> {
-    let mut directions = vec![DVec3::ZERO; surface.point_count()];
-    for face in surface.mesh.faces() {
-        let points = surface.faces[face];
+pub fn vertex_directions(surface: &Surface, values: &VertexData<f64>) -> VertexData<DVec3> {
+    let mut directions: VertexData<_> = vec![DVec3::ZERO; surface.vertex_count()].into();
+    for face in surface.mesh().faces() {
+        let vertices = surface.faces()[face];
         let corners = surface.corners(face);
         // The gradient times twice the area.
         let area = triangle::area_vector(corners);
         let [_, b, c] = triangle::edges(corners);
-        let [from, to_b, to_c] = points.map(|point| values[point as usize]);
+        let [from, to_b, to_c] = vertices.map(|vertex| values[vertex]);
         let along = b * (to_b - from) + c * (to_c - from);
         let length_squared = area.length_squared();
         let sum = area.cross(along) / length_squared.sqrt();
         if sum.is_finite() {
-            for point in points {
-                directions[point as usize] += sum;
+            for vertex in vertices {
+                directions[vertex] += sum;
             }
         }
     }
@@ -57,13 +57,13 @@ pub fn point_directions(surface: &Surface, values: &[f64]) -> Vec<DVec3> {
     directions
 }
 
-/// `#P × 3`, unit tangents at the points: directions laid into the plane of each point's normal; zero where they cancel.
-pub fn point_tangents(surface: &Surface, directions: &[DVec3]) -> Vec<DVec3> {
-    let tangent = |(point, direction): (u32, &DVec3)| {
-        let normal = surface.point_normal(point);
+/// `#V × 3`, unit tangents at the vertices: directions laid into the plane of each vertex's normal; zero where they cancel.
+pub fn vertex_tangents(surface: &Surface, directions: &VertexData<DVec3>) -> VertexData<DVec3> {
+    let tangent = |(vertex, direction): (_, &DVec3)| {
+        let normal = surface.vertex_normal(vertex);
         triangle::unit(direction - normal * direction.dot(normal))
     };
-    (0..).zip(directions).map(tangent).collect()
+    directions.enumerate().map(tangent).collect()
 }
 
 impl Distance {
@@ -78,13 +78,13 @@ impl Distance {
         face_directions(surface, &self.heat)
     }
 
-    /// `#P × 3`, unit vectors away from the sources, not quite in the surface where it is curved.
-    pub fn directions(&self, surface: &Surface) -> Vec<DVec3> {
-        point_directions(surface, &self.values)
+    /// `#V × 3`, unit vectors away from the sources, not quite in the surface where it is curved.
+    pub fn directions(&self, surface: &Surface) -> VertexData<DVec3> {
+        vertex_directions(surface, &self.values)
     }
 
-    /// `#P × 3`, unit tangents away from the sources.
-    pub fn tangents(&self, surface: &Surface) -> Vec<DVec3> {
-        point_tangents(surface, &self.directions(surface))
+    /// `#V × 3`, unit tangents away from the sources.
+    pub fn tangents(&self, surface: &Surface) -> VertexData<DVec3> {
+        vertex_tangents(surface, &self.directions(surface))
     }
 }

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use heatwalk::{HeatSolver, Parameters, Surface, SurfacePoint, descend};
+//! use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend};
 //! use heatwalk_scene::shapes;
 //!
 //! # fn main() -> heatwalk::Result<()> {
@@ -14,11 +14,11 @@
 //!     println!("{stage}, {:.0} %", 100.0 * done);
 //!     ControlFlow::Continue(())
 //! })?;
-//! let distance = solver.distance(&[SurfacePoint::Vertex(0)])?;
+//! let distance = solver.distance(&[Place::Vertex(VertexId(0))])?;
 //! assert!((distance.max() - std::f64::consts::PI).abs() < 0.1, "half a great circle of the unit sphere");
 //!
-//! let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(7))?;
-//! println!("{} units in {} pieces", path.length(), path.points.len() - 1);
+//! let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(7)))?;
+//! println!("{} units in {} segments", path.length(), path.points.len() - 1);
 //! # Ok(())
 //! # }
 //! ```
@@ -46,8 +46,8 @@ pub use heat::{
     Refinement, Stage, TimeStep,
 };
 pub use heatwalk_surface::{
-    BuildReport, Face, FaceData, Halfedge, HalfedgeMesh, Path, PathPoint, SNAP, Soup, Source, Surface, SurfacePoint,
-    Vertex, VertexData, io,
+    BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
+    PathPoint, Place, SNAP, Soup, Source, Surface, VertexData, VertexId, io,
 };
 pub use operator::Operator;
 pub use path::{Straightest, descend, straighten, straightest};

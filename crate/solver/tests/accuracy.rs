@@ -7,13 +7,13 @@ mod common;
 
 use common::{distance_from, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
-use heatwalk::{Boundary, LinearSolver, Parameters, RelativeError, SurfacePoint, TimeStep};
+use heatwalk::{Boundary, LinearSolver, Parameters, Place, RelativeError, TimeStep, VertexId};
 use heatwalk_scene::shapes;
 
 fn sphere_error(subdivisions: u32) -> f64 {
     let (solver, distance) = distance_from(&shapes::icosphere(subdivisions), 0);
-    let positions = &solver.surface().positions;
-    let exact: Vec<f64> = positions.iter().map(|p| p.dot(positions[0]).clamp(-1.0, 1.0).acos()).collect();
+    let positions = solver.surface().positions();
+    let exact: Vec<f64> = positions.iter().map(|p| p.dot(positions[VertexId(0)]).clamp(-1.0, 1.0).acos()).collect();
     RelativeError::between(&distance.values, &exact).mean
 }
 
@@ -21,16 +21,16 @@ fn sphere_error(subdivisions: u32) -> f64 {
 fn plane_from_its_middle() {
     let soup = square(32);
     let source = nearest(&surface(&soup), DVec3::new(0.5, 0.5, 0.0));
-    let (solver, distance) = distance_from(&soup, source);
-    let positions = &solver.surface().positions;
-    let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source as usize])).collect();
+    let (solver, distance) = distance_from(&soup, source.0);
+    let positions = solver.surface().positions();
+    let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source])).collect();
     // The Neumann condition bends the lines of equal distance within √t of the boundary, which is all of the error.
     assert!(
         RelativeError::between(&distance.values, &exact).mean < 0.025,
         "{}",
         RelativeError::between(&distance.values, &exact).mean
     );
-    assert_eq!(distance.values[source as usize], 0.0);
+    assert_eq!(distance.values[source], 0.0);
 }
 
 #[test]
@@ -47,9 +47,9 @@ fn cylinder_unrolled() {
     let soup = shapes::cylinder(4.0, 48, 32);
     let on_side = |p: DVec3| (p.z.atan2(p.x), p.y);
     let source = nearest(&surface(&soup), DVec3::new(1.0, 2.0, 0.0));
-    let (solver, distance) = distance_from(&soup, source);
-    let positions = &solver.surface().positions;
-    let (angle, height) = on_side(positions[source as usize]);
+    let (solver, distance) = distance_from(&soup, source.0);
+    let positions = solver.surface().positions();
+    let (angle, height) = on_side(positions[source]);
     let unrolled = positions.iter().map(|&p| {
         let (a, y) = on_side(p);
         let turn = (a - angle).abs();
@@ -69,9 +69,9 @@ fn long_strip_does_not_underflow() {
     // 500 edges are out of reach of gradients squared at full scale, 1200 of unscaled heat.
     for length in [500_u32, 1200] {
         let (solver, distance) = distance_from(&shapes::strip(9.0, f64::from(length), 9), 0);
-        let positions = &solver.surface().positions;
+        let positions = solver.surface().positions();
         for (value, position) in distance.values.iter().zip(positions) {
-            let exact = position.distance(positions[0]);
+            let exact = position.distance(positions[VertexId(0)]);
             // The first rings, where t = h² is too long a time, leave an offset of one edge at most.
             assert!((value - exact).abs() < 1.0 + 0.001 * exact, "{length}: {value} for {exact}");
         }
@@ -87,9 +87,9 @@ fn average_boundary_is_best_at_long_times() {
     let source = nearest(&surface(&soup), DVec3::new(0.5, 0.5, 0.0));
     let error = |boundary| {
         let solver = solver(&soup, 100.0, boundary);
-        let distance = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
-        let positions = &solver.surface().positions;
-        let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source as usize])).collect();
+        let distance = solver.distance(&[Place::Vertex(source)]).expect("a source");
+        let positions = solver.surface().positions();
+        let exact: Vec<f64> = positions.iter().map(|p| p.distance(positions[source])).collect();
         RelativeError::between(&distance.values, &exact).mean
     };
     let [neumann, dirichlet, average] = [Boundary::Neumann, Boundary::Dirichlet, Boundary::Average].map(error);
@@ -101,11 +101,11 @@ fn average_boundary_is_best_at_long_times() {
 fn long_strip_with_the_near_field() {
     let soup = shapes::strip(9.0, 1200.0, 9);
     let solver = solver_with(&soup, Parameters::default());
-    let positions = &solver.surface().positions;
-    for source in [0, 4] {
-        let distance = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
+    let positions = solver.surface().positions();
+    for source in [0, 4].map(VertexId) {
+        let distance = solver.distance(&[Place::Vertex(source)]).expect("a source");
         for (value, position) in distance.values.iter().zip(positions) {
-            let exact = position.distance(positions[source as usize]);
+            let exact = position.distance(positions[source]);
             assert!((value - exact).abs() <= 0.002 * exact, "{value} for {exact}");
         }
     }
@@ -116,7 +116,7 @@ fn conjugate_gradients_reach_the_far_end() {
     let soup = shapes::strip(9.0, 400.0, 9);
     let farthest = |solver, time_step| {
         let solver = solver_with(&soup, Parameters { solver, time_step, ..Parameters::default() });
-        (solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source").max(), solver.time_factor())
+        (solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source").max(), solver.time_factor())
     };
     let deviation = |time_step| {
         let (iterated, factor) = farthest(LinearSolver::ConjugateGradients, time_step);
@@ -132,10 +132,12 @@ fn conjugate_gradients_reach_the_far_end() {
 fn default_settings_converge_on_the_sphere() {
     let error = |subdivisions| {
         let solver = solver_with(&shapes::icosphere(subdivisions), Parameters::default());
-        let positions = &solver.surface().positions;
-        let distance = solver.distance(&[SurfacePoint::Vertex(777)]).expect("a source");
-        let exact: Vec<f64> =
-            positions.iter().map(|p| positions[777].cross(*p).length().atan2(positions[777].dot(*p))).collect();
+        let positions = solver.surface().positions();
+        let distance = solver.distance(&[Place::Vertex(VertexId(777))]).expect("a source");
+        let exact: Vec<f64> = positions
+            .iter()
+            .map(|p| positions[VertexId(777)].cross(*p).length().atan2(positions[VertexId(777)].dot(*p)))
+            .collect();
         RelativeError::between(&distance.values, &exact).mean
     };
     let errors = [5, 6, 7].map(error);
@@ -145,7 +147,7 @@ fn default_settings_converge_on_the_sphere() {
 /// Against the exact polyhedral distances of the shared meshes, which are not part of the repository.
 #[cfg(not(target_arch = "wasm32"))]
 mod exact {
-    use heatwalk::{Operator, Parameters, RelativeError, SurfacePoint};
+    use heatwalk::{InputVertex, Operator, Parameters, Place, RelativeError};
 
     use super::Boundary;
     use super::common::shared::{read_mesh, read_npy, shared_meshes};
@@ -172,13 +174,13 @@ mod exact {
         let mut ratios = Vec::new();
         for cases in CASES.chunk_by(|a, b| a.0 == b.0) {
             let solver = solver_with(&read_mesh(&folder.join(format!("{}.off", cases[0].0))), parameters);
-            let point_of_input = &solver.surface().point_of_input;
+            let surface = solver.surface();
             for &(mesh, source, mean, maximum) in cases {
                 let exact = read_npy(&folder.join(format!("{mesh}.src{source}.npy")));
-                let start = point_of_input[source as usize].expect("a used vertex");
-                let distance = solver.distance(&[SurfacePoint::Vertex(start)]).expect("a source");
-                let values: Vec<f64> =
-                    point_of_input.iter().flatten().map(|&point| distance.values[point as usize]).collect();
+                let start = surface.vertex_of_input(InputVertex(source)).expect("a used vertex");
+                let distance = solver.distance(&[Place::Vertex(start)]).expect("a source");
+                let inputs = surface.vertices_of_inputs().iter().flatten();
+                let values: Vec<f64> = inputs.map(|&vertex| distance.values[vertex]).collect();
                 assert_eq!(values.len(), exact.len());
                 let error = RelativeError::between(&values, &exact);
                 ratios.push([100.0 * error.mean / mean, 100.0 * error.max / maximum]);

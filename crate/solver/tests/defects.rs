@@ -9,8 +9,8 @@ use common::{solver_with, soup};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Distance, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters, Soup,
-    Surface, SurfacePoint, TimeStep,
+    Boundary, Distance, Element, HeatSolver, InputVertex, LinearSolver, MemoryLimit, MultiSource, NearField, Operator,
+    Parameters, Place, Soup, Surface, TimeStep,
 };
 use heatwalk_scene::shapes;
 
@@ -34,8 +34,8 @@ const DIALS: Parameters = Parameters {
 
 fn distance(soup: &Soup, operator: Operator) -> (HeatSolver, Distance) {
     let solver = solver_with(soup, Parameters { operator, ..DIALS });
-    let source = solver.surface().point_of_input[SOURCE as usize].expect("a vertex that triangles use");
-    let distance = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
+    let source = solver.surface().vertex_of_input(InputVertex(SOURCE)).expect("a vertex that triangles use");
+    let distance = solver.distance(&[Place::Vertex(source)]).expect("a source");
     (solver, distance)
 }
 
@@ -45,7 +45,7 @@ fn check(name: &str, defective: &Soup, share: f64) {
     let (solver, distance) = distance(defective, Operator::Delaunay);
     for vertex in 0..ball().positions.len() {
         let at = |solver: &HeatSolver, distance: &Distance| {
-            solver.surface().point_of_input[vertex].map(|point| distance.values[point as usize])
+            solver.surface().vertex_of_input(InputVertex::from_index(vertex)).map(|point| distance.values[point])
         };
         let Some(value) = at(&solver, &distance) else { continue };
         let wanted = at(&clean_solver, &clean).expect("the ball uses all its vertices");
@@ -106,12 +106,13 @@ fn polygon_soup() {
     let loose = soup(positions, triangles);
     let corner = clean.triangles.iter().flatten().position(|&vertex| vertex == SOURCE).expect("a used vertex");
     let solver = solver_with(&loose, DIALS);
-    let source = solver.surface().point_of_input[corner].expect("used");
-    let distance_of_soup = solver.distance(&[SurfacePoint::Vertex(source)]).expect("a source");
+    let source = solver.surface().vertex_of_input(InputVertex::from_index(corner)).expect("used");
+    let distance_of_soup = solver.distance(&[Place::Vertex(source)]).expect("a source");
     let (clean_solver, wanted) = distance(&clean, Operator::Delaunay);
     for (corner, &vertex) in clean.triangles.iter().flatten().enumerate() {
-        let value = distance_of_soup.values[solver.surface().point_of_input[corner].expect("used") as usize];
-        let wanted = wanted.values[clean_solver.surface().point_of_input[vertex as usize].expect("used") as usize];
+        let value =
+            distance_of_soup.values[solver.surface().vertex_of_input(InputVertex::from_index(corner)).expect("used")];
+        let wanted = wanted.values[clean_solver.surface().vertex_of_input(InputVertex(vertex)).expect("used")];
         // Another numbering: other rounding.
         assert!((value - wanted).abs() < 1e-9, "{value} for {wanted}");
     }
@@ -152,7 +153,7 @@ fn defects_that_add_a_little_surface() {
     pair.triangles.extend(clean.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + count)));
     check("disconnected", &pair, rounding);
     let (solver, distance) = distance(&pair, Operator::Delaunay);
-    assert_eq!(distance.unreachable(), solver.surface().point_count() / 2);
+    assert_eq!(distance.unreachable(), solver.surface().vertex_count() / 2);
 }
 
 #[test]

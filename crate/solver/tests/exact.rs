@@ -12,29 +12,29 @@ use common::{band, book, flat, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Error, Face, Halfedge, Path, Soup, Surface, SurfacePoint};
+use heatwalk::{Element, Error, FaceId, HalfedgeId, Path, Place, Soup, Surface, VertexId};
 use heatwalk_scene::shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
 const EXACT: f64 = 1e-9;
 
-fn start(surface: &Arc<Surface>, sources: &[(SurfacePoint, f64)], targets: &[SurfacePoint]) -> Wavefront {
+fn start(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) -> Wavefront {
     Wavefront::new(Arc::clone(surface), Arc::new(ExactGeometry::new(surface)), sources, targets)
 }
 
-fn finished(surface: &Arc<Surface>, sources: &[(SurfacePoint, f64)], targets: &[SurfacePoint]) -> Wavefront {
+fn finished(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) -> Wavefront {
     let mut wavefront = start(surface, sources, targets);
     assert!(wavefront.advance(f64::INFINITY, usize::MAX) && wavefront.is_done());
     wavefront
 }
 
 /// Distance along an edge bounds the difference of the values at its ends; sources are at their start values.
-fn check_lipschitz(wavefront: &Wavefront, surface: &Surface, sources: &[(SurfacePoint, f64)]) {
+fn check_lipschitz(wavefront: &Wavefront, surface: &Surface, sources: &[(Place, f64)]) {
     let values = wavefront.values();
-    for face in surface.mesh.faces() {
+    for face in surface.mesh().faces() {
         for k in 0..3 {
-            let [a, b] = [surface.faces[face][k], surface.faces[face][(k + 1) % 3]];
-            let (from, to) = (values[a as usize], values[b as usize]);
+            let [a, b] = [surface.faces()[face][k], surface.faces()[face][(k + 1) % 3]];
+            let (from, to) = (values[a], values[b]);
             assert!(!from.is_nan() && from.is_infinite() == to.is_infinite(), "{a} {from}, {b} {to}");
             let length = surface.position(a).distance(surface.position(b));
             let difference = if from.is_finite() { (from - to).abs() } else { 0.0 };
@@ -42,14 +42,14 @@ fn check_lipschitz(wavefront: &Wavefront, surface: &Surface, sources: &[(Surface
         }
     }
     for &(location, offset) in sources {
-        if let SurfacePoint::Vertex(point) = location {
-            assert!(values[point as usize] <= offset);
+        if let Place::Vertex(VertexId(point)) = location {
+            assert!(values[VertexId(point)] <= offset);
         }
     }
 }
 
 /// A path goes through the faces it names, from `from` to a source, and is as long as the value says.
-fn check_path(surface: &Surface, path: &Path, from: SurfacePoint, value: f64, sources: &[(SurfacePoint, f64)]) {
+fn check_path(surface: &Surface, path: &Path, from: Place, value: f64, sources: &[(Place, f64)]) {
     assert_eq!(path.points.len(), path.normals.len());
     let [first, last] = [path.points[0], path.points[path.points.len() - 1]].map(|point| point.position);
     assert_eq!(first, from.position(surface));
@@ -57,7 +57,7 @@ fn check_path(surface: &Surface, path: &Path, from: SurfacePoint, value: f64, so
     let offset = offset.min_by(f64::total_cmp).expect("the path ends at a source");
     for pair in path.points.windows(2) {
         for point in pair {
-            let corners = surface.faces[pair[0].face];
+            let corners = surface.faces()[pair[0].face];
             let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
             assert!(lies_in_face, "{point:?} is not in {:?} {corners:?}", pair[0].face);
         }
@@ -66,15 +66,15 @@ fn check_path(surface: &Surface, path: &Path, from: SurfacePoint, value: f64, so
     assert!(error.abs() <= EXACT * value, "{from:?}: {} for {value}", path.length() + offset);
 }
 
-fn random_location(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+fn random_location(surface: &Surface, seed: &mut u64) -> Place {
     let mut share = || random(seed, 1000) as f64 / 1000.0;
     let (a, b) = (share(), share());
     match random(seed, 3) {
-        0 => SurfacePoint::Vertex(random(seed, surface.point_count()) as u32),
-        1 => SurfacePoint::Edge { halfedge: Halfedge(random(seed, surface.mesh.halfedge_count()) as u32), fraction: a },
+        0 => Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count()))),
+        1 => Place::Edge { halfedge: HalfedgeId(random(seed, surface.mesh().halfedge_count()) as u32), fraction: a },
         _ => {
             let weights = [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)];
-            SurfacePoint::Face { face: Face(random(seed, surface.face_count()) as u32), weights }
+            Place::Face { face: FaceId(random(seed, surface.face_count()) as u32), weights }
         }
     }
 }
@@ -86,12 +86,12 @@ fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
     for _ in 0..rounds {
         let source = random_location(&surface, &mut seed);
         let targets: Vec<_> = (0..20).map(|_| random_location(&surface, &mut seed)).collect();
-        let sources = [(source, 0.25 * surface.mean_edge)];
+        let sources = [(source, 0.25 * surface.mean_edge())];
         let wavefront = finished(&surface, &sources, &targets);
         check_lipschitz(&wavefront, &surface, &sources);
         for (index, (&target, &value)) in targets.iter().zip(wavefront.target_values()).enumerate() {
-            if let SurfacePoint::Vertex(point) = target {
-                let here = wavefront.values()[point as usize];
+            if let Place::Vertex(VertexId(point)) = target {
+                let here = wavefront.values()[VertexId(point)];
                 assert!(value == here || (value - here).abs() <= EXACT * here, "{value} and {here}");
             }
             match wavefront.path_from_target(index) {
@@ -100,10 +100,10 @@ fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
             }
         }
         for _ in 0..20 {
-            let point = random(&mut seed, surface.point_count()) as u32;
-            let value = wavefront.values()[point as usize];
-            match wavefront.path_from_point(point) {
-                Ok(path) => check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources),
+            let point = random(&mut seed, surface.vertex_count()) as u32;
+            let value = wavefront.values()[VertexId(point)];
+            match wavefront.path_from_vertex(VertexId(point)) {
+                Ok(path) => check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources),
                 Err(error) => assert!(error == Error::Unreachable && value.is_infinite()),
             }
         }
@@ -120,7 +120,7 @@ fn plane_is_straight() {
     for _ in 0..10 {
         let source = random_location(&surface, &mut seed);
         let wavefront = finished(&surface, &[(source, 0.0)], &[]);
-        for (value, position) in wavefront.values().iter().zip(&surface.positions) {
+        for (value, position) in wavefront.values().iter().zip(surface.positions()) {
             let straight = position.distance(source.position(&surface));
             assert!((value - straight).abs() <= EXACT * straight, "{value} for {straight}");
         }
@@ -134,8 +134,8 @@ fn cube_around_an_edge() {
     let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     let surface = Arc::new(surface(&soup(positions, triangles)));
-    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(0), 0.0)], &[]);
-    let far = nearest(&surface, DVec3::ONE) as usize;
+    let wavefront = finished(&surface, &[(Place::Vertex(VertexId(0)), 0.0)], &[]);
+    let far = nearest(&surface, DVec3::ONE);
     // Two squares side by side.
     assert!((wavefront.values()[far] - 5.0_f64.sqrt()).abs() < EXACT);
 }
@@ -148,12 +148,12 @@ fn reflex_boundary_bends_paths() {
     let triangles = vec![[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [3, 4, 7], [3, 7, 6]];
     let surface = Arc::new(surface(&soup(positions, triangles)));
     let at = |x, y| nearest(&surface, DVec3::new(x, y, 0.0));
-    let source = [(SurfacePoint::Vertex(at(2.0, 1.0)), 0.0)];
+    let source = [(Place::Vertex(at(2.0, 1.0)), 0.0)];
     let wavefront = finished(&surface, &source, &[]);
     let bent = at(0.0, 2.0);
-    let value = wavefront.values()[bent as usize];
+    let value = wavefront.values()[bent];
     assert!((value - (1.0 + 2.0_f64.sqrt())).abs() < EXACT, "{value}");
-    check_path(&surface, &wavefront.path_from_point(bent).expect("a path"), SurfacePoint::Vertex(bent), value, &source);
+    check_path(&surface, &wavefront.path_from_vertex(bent).expect("a path"), Place::Vertex(bent), value, &source);
 }
 
 #[test]
@@ -185,8 +185,8 @@ fn shapes_that_are_no_manifold() {
     try_shape(&bow_tie, 4, 8);
     let surface = Arc::new(surface(&bow_tie));
     let [from, to] = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0)].map(|position| nearest(&surface, position));
-    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(from), 0.0)], &[]);
-    assert!((wavefront.values()[to as usize] - (1.0 + 2.0_f64.sqrt())).abs() < EXACT);
+    let wavefront = finished(&surface, &[(Place::Vertex(from), 0.0)], &[]);
+    assert!((wavefront.values()[to] - (1.0 + 2.0_f64.sqrt())).abs() < EXACT);
 }
 
 #[test]
@@ -217,11 +217,11 @@ fn pieces_without_a_source_are_infinite() {
     two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
     two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
     let surface = Arc::new(surface(&two));
-    let wavefront = finished(&surface, &[(SurfacePoint::Vertex(0), 0.0)], &[SurfacePoint::Vertex(first)]);
-    for (value, position) in wavefront.values().iter().zip(&surface.positions) {
+    let wavefront = finished(&surface, &[(Place::Vertex(VertexId(0)), 0.0)], &[Place::Vertex(VertexId(first))]);
+    for (value, position) in wavefront.values().iter().zip(surface.positions()) {
         assert_eq!(value.is_infinite(), position.z > 0.5);
     }
-    assert_eq!(wavefront.path_from_point(first), Err(Error::Unreachable));
+    assert_eq!(wavefront.path_from_vertex(VertexId(first)), Err(Error::Unreachable));
     assert_eq!(wavefront.path_from_target(0), Err(Error::Unreachable));
 }
 
@@ -234,22 +234,22 @@ fn several_sources_are_the_least_of_each() {
     check_lipschitz(&together, &surface, &sources);
     let each: Vec<_> = sources.iter().map(|&source| finished(&surface, &[source], &[])).collect();
     for (point, &value) in together.values().iter().enumerate() {
-        let least = each.iter().map(|alone| alone.values()[point]).fold(f64::INFINITY, f64::min);
+        let least = each.iter().map(|alone| alone.values()[VertexId::from_index(point)]).fold(f64::INFINITY, f64::min);
         assert!((value - least).abs() <= EXACT * least, "{value} for {least}");
-        let path = together.path_from_point(point as u32).expect("a path");
-        check_path(&surface, &path, SurfacePoint::Vertex(point as u32), value, &sources);
+        let path = together.path_from_vertex(VertexId(point as u32)).expect("a path");
+        check_path(&surface, &path, Place::Vertex(VertexId::from_index(point)), value, &sources);
     }
 }
 
 #[test]
 fn stopping_changes_nothing() {
     let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 32, 16)));
-    let sources = [(SurfacePoint::Vertex(3), 0.0)];
+    let sources = [(Place::Vertex(VertexId(3)), 0.0)];
     let whole = finished(&surface, &sources, &[]);
     let mut steps = start(&surface, &sources, &[]);
     let mut radius = 0.0;
     while !steps.is_done() {
-        radius += 0.37 * surface.mean_edge;
+        radius += 0.37 * surface.mean_edge();
         while !steps.advance(radius, 50) {}
         assert!(steps.radius() >= radius);
         for (&value, &last) in steps.values().iter().zip(whole.values()) {
@@ -264,13 +264,13 @@ fn stopping_changes_nothing() {
 fn bad_requests_are_refused() {
     let surface = Arc::new(surface(&square(2)));
     let mut go_on = |_| ControlFlow::Continue(());
-    assert_eq!(exact_distance::<SurfacePoint>(&surface, &[], &mut go_on), Err(Error::NoSource));
-    let offset = exact_distance(&surface, &[(SurfacePoint::Vertex(0), -1.0)], &mut go_on);
+    assert_eq!(exact_distance::<Place>(&surface, &[], &mut go_on), Err(Error::NoSource));
+    let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
     assert!(matches!(offset, Err(Error::BadParameter { .. })));
-    let vertex = exact_distance(&surface, &[(SurfacePoint::Vertex(1000), 0.0)], &mut go_on);
+    let vertex = exact_distance(&surface, &[(Place::Vertex(VertexId(1000)), 0.0)], &mut go_on);
     assert!(matches!(vertex, Err(Error::Surface(SurfaceError::BadVertex { .. }))));
-    let values = exact_distance(&surface, &[(SurfacePoint::Vertex(0), 1.0)], &mut go_on).expect("values");
-    assert_eq!(values[0], 1.0);
+    let values = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), 1.0)], &mut go_on).expect("values");
+    assert_eq!(values[VertexId(0)], 1.0);
 }
 
 /// On the shared meshes, which are not part of the repository.
@@ -278,7 +278,7 @@ fn bad_requests_are_refused() {
 mod shared {
     use std::sync::Arc;
 
-    use heatwalk::{Surface, SurfacePoint};
+    use heatwalk::{Element, InputVertex, Place, Surface, VertexId};
 
     use super::common::random;
     use super::common::shared::{read_mesh, read_npy, shared_meshes};
@@ -291,19 +291,19 @@ mod shared {
         let surface = Arc::new(Surface::build(&soup).expect("a usable mesh"));
         for source in sources {
             let exact = read_npy(&folder.join(format!("{mesh}.src{source}.npy")));
-            let source = surface.point_of_input[source].expect("a used vertex");
-            let sources = [(SurfacePoint::Vertex(source), 0.0)];
+            let source = surface.vertex_of_input(InputVertex::from_index(source)).expect("a used vertex");
+            let sources = [(Place::Vertex(source), 0.0)];
             let wavefront = finished(&surface, &sources, &[]);
-            for (&point, &exact) in surface.point_of_input.iter().flatten().zip(&exact) {
-                let value = wavefront.values()[point as usize];
-                assert!((value - exact).abs() <= EXACT * exact, "{mesh}, point {point}: {value} for {exact}");
+            for (&vertex, &exact) in surface.vertices_of_inputs().iter().flatten().zip(&exact) {
+                let value = wavefront.values()[vertex];
+                assert!((value - exact).abs() <= EXACT * exact, "{mesh}, vertex {vertex}: {value} for {exact}");
             }
             let mut seed = 31;
             for _ in 0..200 {
-                let point = random(&mut seed, surface.point_count()) as u32;
-                let path = wavefront.path_from_point(point).expect("a connected mesh");
-                let value = wavefront.values()[point as usize];
-                check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources);
+                let point = random(&mut seed, surface.vertex_count()) as u32;
+                let path = wavefront.path_from_vertex(VertexId(point)).expect("a connected mesh");
+                let value = wavefront.values()[VertexId(point)];
+                check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources);
             }
         }
     }
@@ -351,15 +351,15 @@ mod shared {
         ] {
             let surface = Arc::new(Surface::build(&read_mesh(&folder.join(name))).expect("a usable mesh"));
             let mut seed = 41;
-            let sources = [(SurfacePoint::Vertex(random(&mut seed, surface.point_count()) as u32), 0.0)];
+            let sources = [(Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))), 0.0)];
             let wavefront = finished(&surface, &sources, &[]);
             check_lipschitz(&wavefront, &surface, &sources);
             for _ in 0..100 {
-                let point = random(&mut seed, surface.point_count()) as u32;
-                let value = wavefront.values()[point as usize];
+                let point = random(&mut seed, surface.vertex_count()) as u32;
+                let value = wavefront.values()[VertexId(point)];
                 if value.is_finite() {
-                    let path = wavefront.path_from_point(point).expect("a path");
-                    check_path(&surface, &path, SurfacePoint::Vertex(point), value, &sources);
+                    let path = wavefront.path_from_vertex(VertexId(point)).expect("a path");
+                    check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources);
                 }
             }
         }

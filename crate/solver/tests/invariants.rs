@@ -11,7 +11,7 @@ use common::{band, distance_from, random, solver, soup, square, surface};
 use glam::{DQuat, DVec3};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Boundary, Error, Face, HeatSolver, Operator, Parameters, Soup, Stage, SurfacePoint};
+use heatwalk::{Boundary, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage, VertexId};
 use heatwalk_scene::{draw_mesh, shapes};
 
 /// Largest difference of two distances, as a share of the largest distance.
@@ -21,7 +21,7 @@ fn difference(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn values(soup: &Soup) -> Vec<f64> {
-    distance_from(soup, 0).1.values
+    distance_from(soup, 0).1.values.into_vec()
 }
 
 /// A closed shape, one with boundary, one that cannot be oriented.
@@ -53,7 +53,7 @@ fn laplacian_rows_sum_to_zero() {
         // Weights are of order 1, a dozen a row: rounding.
         assert!(sums.iter().all(|sum| sum.abs() < 1e-12));
         assert!(energy > 0.0, "positive semidefinite");
-        let area: f64 = surface.mesh.faces().map(|face| surface.face_area(face)).sum();
+        let area: f64 = surface.mesh().faces().map(|face| surface.face_area(face)).sum();
         assert!((laplacian.mass.iter().sum::<f64>() / area - 1.0).abs() < 1e-12, "the masses share out the area");
     }
 }
@@ -92,7 +92,7 @@ fn numbering_does_not_matter() {
         let mut triangles: Vec<[u32; 3]> = original.triangles.iter().map(renumber).collect();
         triangles.reverse();
         let (_, after) = distance_from(&soup(positions, triangles), new_of_old[0] as u32);
-        let after: Vec<f64> = (0..n).map(|old| after.values[new_of_old[old]]).collect();
+        let after: Vec<f64> = (0..n).map(|old| after.values[VertexId::from_index(new_of_old[old])]).collect();
         // Another elimination order, so other rounding: the condition number, some 1e4, times 1e-16.
         let difference = difference(&values(&original), &after);
         assert!(difference < 1e-10, "{difference}");
@@ -107,13 +107,13 @@ fn distances_are_never_negative() {
         for time_factor in [0.01, 1.0, 100.0] {
             let solver = solver(&soup, time_factor, boundary);
             for count in 1..4 {
-                let sources: Vec<SurfacePoint> = (0..count)
-                    .map(|_| SurfacePoint::Vertex(random(&mut seed, solver.surface().point_count()) as u32))
+                let sources: Vec<Place> = (0..count)
+                    .map(|_| Place::Vertex(VertexId::from_index(random(&mut seed, solver.surface().vertex_count()))))
                     .collect();
                 let distance = solver.distance(&sources).expect("sources");
                 assert!(distance.values.iter().all(|value| *value >= 0.0 && value.is_finite()), "{sources:?}");
-                if let [SurfacePoint::Vertex(source)] = sources[..] {
-                    assert_eq!(distance.values[source as usize], 0.0);
+                if let [Place::Vertex(VertexId(source))] = sources[..] {
+                    assert_eq!(distance.values[VertexId(source)], 0.0);
                 }
                 let gradients = distance.gradients(solver.surface());
                 assert!(gradients.iter().all(|gradient| gradient.is_finite()));
@@ -137,7 +137,7 @@ fn slivers_do_not_spoil_numbers() {
         assert!(distance.values.iter().all(|value| value.is_finite()));
         // The rest of the square keeps its distances to some per cent: two faces more are stuck on one edge.
         let plain = values(&square(8));
-        assert!(difference(&plain, &distance.values[..plain.len()]) < 0.1, "{thickness}");
+        assert!(difference(&plain, &distance.values.as_slice()[..plain.len()]) < 0.1, "{thickness}");
     }
 }
 
@@ -145,23 +145,23 @@ fn slivers_do_not_spoil_numbers() {
 fn face_source_lies_between_vertices() {
     let solver = solver(&shapes::icosphere(4), 1.0, Boundary::Neumann);
     let surface = solver.surface().clone();
-    let source = SurfacePoint::Face { face: Face(100), weights: [0.3, 0.3, 0.4] };
+    let source = Place::Face { face: FaceId(100), weights: [0.3, 0.3, 0.4] };
     let distance = solver.distance(&[source]).expect("a source");
     let position = source.position(&surface).normalize();
-    for (value, point) in distance.values.iter().zip(&surface.positions) {
+    for (value, point) in distance.values.iter().zip(surface.positions()) {
         let exact = point.dot(position).clamp(-1.0, 1.0).acos();
         // The method's own offset in the first rings is half an edge.
-        assert!((value - exact).abs() < surface.mean_edge, "{value} for {exact}");
+        assert!((value - exact).abs() < surface.mean_edge(), "{value} for {exact}");
     }
     for bad in [[0.5, 0.5, 0.5], [-0.2, 0.6, 0.6], [f64::NAN, 0.5, 0.5]] {
-        let source = SurfacePoint::Face { face: Face(0), weights: bad };
+        let source = Place::Face { face: FaceId(0), weights: bad };
         assert!(matches!(solver.distance(&[source]), Err(Error::Surface(SurfaceError::BadPoint { face: 0, .. }))));
     }
     assert!(matches!(
-        solver.distance(&[SurfacePoint::Vertex(u32::MAX)]),
+        solver.distance(&[Place::Vertex(VertexId(u32::MAX))]),
         Err(Error::Surface(SurfaceError::BadVertex { .. }))
     ));
-    assert_eq!(solver.distance::<SurfacePoint>(&[]), Err(Error::NoSource));
+    assert_eq!(solver.distance::<Place>(&[]), Err(Error::NoSource));
 }
 
 #[test]
@@ -170,11 +170,11 @@ fn boundary_source_enters_under_dirichlet() {
     for boundary in [Boundary::Dirichlet, Boundary::Average] {
         let solver = solver(&soup, 1.0, boundary);
         for sources in [vec![8], vec![0, 8], vec![8, 400]] {
-            let points: Vec<SurfacePoint> = sources.iter().map(|&point| SurfacePoint::Vertex(point)).collect();
+            let points: Vec<Place> = sources.iter().map(|&source| Place::Vertex(VertexId(source))).collect();
             let distance = solver.distance(&points).expect("sources");
-            let positions = &solver.surface().positions;
+            let positions = solver.surface().positions();
             for (value, position) in distance.values.iter().zip(positions) {
-                let to = |&source: &u32| position.distance(positions[source as usize]);
+                let to = |&source: &u32| position.distance(positions[VertexId(source)]);
                 let exact = sources.iter().map(to).fold(f64::INFINITY, f64::min);
                 // Three edges: the offset of superposed sources, and heat that falls to 0 along the boundary, where
                 // its gradient points across the way from the source.
@@ -188,25 +188,25 @@ fn boundary_source_enters_under_dirichlet() {
 fn boundary_source_solves_the_freed_matrix() {
     let solver = solver(&square(16), 1.0, Boundary::Dirichlet);
     let surface = solver.surface();
-    let source = 8;
-    let heat = solver.distance(&[SurfacePoint::Vertex(source as u32)]).expect("a source").heat;
+    let source = VertexId(8);
+    let heat = solver.distance(&[Place::Vertex(source)]).expect("a source").heat;
     let laplacian = Laplacian::new(surface, Operator::default());
     let mut supply: Vec<f64> =
         heat.iter().zip(&laplacian.mass).map(|(heat, mass)| heat * mass / solver.time()).collect();
     for column in 0..laplacian.size() {
         for entry in laplacian.column(column) {
             let (row, weight) = (laplacian.rows()[entry] as usize, laplacian.stiffness[entry]);
-            supply[row] += weight * heat[column];
+            supply[row] += weight * heat[VertexId::from_index(column)];
             if row != column {
-                supply[column] += weight * heat[row];
+                supply[column] += weight * heat[VertexId::from_index(row)];
             }
         }
     }
-    for (point, supply) in supply.iter().enumerate() {
-        if point == source {
-            assert_eq!(heat[point], heat.iter().copied().fold(0.0, f64::max), "the source is as hot as can be");
-        } else if surface.is_boundary_point[point] {
-            assert_eq!(heat[point], 0.0);
+    for (vertex, supply) in surface.vertices().zip(&supply) {
+        if vertex == source {
+            assert_eq!(heat[vertex], heat.iter().copied().fold(0.0, f64::max), "the source is as hot as can be");
+        } else if surface.boundary_vertices()[vertex] {
+            assert_eq!(heat[vertex], 0.0);
         } else {
             // Rounding of one solve, as a share of the heat at the source.
             assert!(supply.abs() < 1e-12 * heat[source], "{supply}");
@@ -217,7 +217,7 @@ fn boundary_source_solves_the_freed_matrix() {
 #[test]
 fn all_boundary_falls_back_to_neumann() {
     let soup = shapes::strip(1.0, 20.0, 1);
-    let answer = |boundary| solver(&soup, 1.0, boundary).distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    let answer = |boundary| solver(&soup, 1.0, boundary).distance(&[Place::Vertex(VertexId(0))]).expect("a source");
     assert_eq!(answer(Boundary::Neumann), answer(Boundary::Dirichlet));
     assert_eq!(answer(Boundary::Neumann), answer(Boundary::Average));
 }
@@ -225,7 +225,7 @@ fn all_boundary_falls_back_to_neumann() {
 #[test]
 fn parameters_change_as_if_made_anew() {
     let soup = square(12);
-    let source = [SurfacePoint::Vertex(40)];
+    let source = [Place::Vertex(VertexId(40))];
     let mut solver = solver(&soup, 1.0, Boundary::Neumann);
     let mut quiet = |_, _| ControlFlow::Continue(());
     for (time_factor, boundary) in [(1.0, Boundary::Average), (30.0, Boundary::Average), (0.1, Boundary::Dirichlet)] {
@@ -279,15 +279,15 @@ fn drawing_keeps_faces_and_splits_creases() {
     };
     for (crease, expected) in [(0.5, 24), (3.2, 8)] {
         let drawing = draw_mesh(&cube, crease);
-        assert_eq!(drawing.point_of_drawn.len(), expected);
+        assert_eq!(drawing.vertex_of_drawn.len(), expected);
         assert_eq!(drawing.positions.len(), 3 * expected);
-        for face in cube.mesh.faces() {
+        for face in cube.mesh().faces() {
             for k in 0..3 {
                 let drawn = drawing.triangles[face.0 as usize * 3 + k] as usize;
-                assert_eq!(drawing.point_of_drawn[drawn], cube.faces[face][k]);
-                assert_eq!(cube.point_of_input[drawing.input_of_drawn[drawn] as usize], Some(cube.faces[face][k]));
+                assert_eq!(drawing.vertex_of_drawn[drawn], cube.faces()[face][k]);
+                assert_eq!(cube.vertex_of_input(drawing.input_of_drawn[drawn]), Some(cube.faces()[face][k]));
                 let normal = DVec3::from_array([0, 1, 2].map(|i| f64::from(drawing.normals[3 * drawn + i])));
-                let outward = (cube.position(cube.faces[face][k]) - 0.5).normalize();
+                let outward = (cube.position(cube.faces()[face][k]) - 0.5).normalize();
                 // Angle weights make the smooth normal of a cube's corner its diagonal, to 32-bit rounding.
                 let wanted = if expected == 8 { outward } else { cube.face_normal(face) };
                 assert!(normal.distance(wanted) < 1e-6);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use common::solver_with;
 use heatwalk::{
-    Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Result, Surface, SurfacePoint, TimeStep,
+    Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Place, Result, Surface, TimeStep, VertexId,
 };
 use heatwalk_scene::shapes;
 
@@ -56,7 +56,7 @@ fn conjugate_gradients_answer_where_factors_do_not_fit() {
     let surface = disc();
     let factored = Parameters { time_step: TimeStep::Factor(16.0), ..Parameters::default() };
     let iterated = Parameters { solver: LinearSolver::ConjugateGradients, memory: MemoryLimit::Bytes(1), ..factored };
-    let source = [SurfacePoint::Vertex(0)];
+    let source = [Place::Vertex(VertexId(0))];
     let [iterated, factored] = [iterated, factored]
         .map(|parameters| factor(&surface, parameters).expect("a solver").distance(&source).expect("a source"));
     for (a, b) in iterated.values.iter().zip(&factored.values) {
@@ -87,12 +87,12 @@ fn spare_factors_go_where_memory_is_short() {
 #[test]
 fn a_solver_that_is_refused_new_factors_answers_with_the_old_ones() {
     let mut solver = solver_with(&shapes::terrain(48), Parameters::default());
-    let before = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    let before = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");
     let change = Parameters { time_step: TimeStep::Factor(4.0), ..limited(1) };
     let refused = solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(()));
     assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
     assert_eq!(solver.parameters(), Parameters::default());
-    let after = solver.distance(&[SurfacePoint::Vertex(0)]).expect("a source");
+    let after = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");
     assert_eq!(before.values, after.values);
 }
 

@@ -7,19 +7,19 @@ mod common;
 
 use common::{band, book, distance_from, nearest, random, solver, square};
 use glam::DVec3;
-use heatwalk::{Boundary, Error, Face, HeatSolver, Path, Soup, SurfacePoint, descend};
+use heatwalk::{Boundary, Element, Error, FaceId, HeatSolver, Path, Place, Soup, VertexId, descend};
 use heatwalk_scene::shapes;
 
 /// Points of a path follow each other through the faces that they name, and end at a source.
-fn check(solver: &HeatSolver, path: &Path, from: SurfacePoint, sources: &[SurfacePoint]) {
+fn check(solver: &HeatSolver, path: &Path, from: Place, sources: &[Place]) {
     let surface = solver.surface();
     assert_eq!(path.points.len(), path.normals.len());
-    assert!(path.points[0].position.distance(from.position(surface)) < 1e-9 * surface.mean_edge);
+    assert!(path.points[0].position.distance(from.position(surface)) < 1e-9 * surface.mean_edge());
     let end = path.points[path.points.len() - 1].position;
-    assert!(sources.iter().any(|source| source.position(surface).distance(end) < 1e-9 * surface.mean_edge));
+    assert!(sources.iter().any(|source| source.position(surface).distance(end) < 1e-9 * surface.mean_edge()));
     for pair in path.points.windows(2) {
         for point in pair {
-            let corners = surface.faces[pair[0].face];
+            let corners = surface.faces()[pair[0].face];
             let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
             assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
         }
@@ -35,12 +35,12 @@ fn try_pairs(soup: &Soup, boundary: Boundary, pairs: usize, exact: impl Fn(DVec3
     let mut seed = 11;
     for _ in 0..pairs {
         let [source, from] = [(); 2].map(|()| match random(&mut seed, 2) {
-            0 => SurfacePoint::Vertex(random(&mut seed, surface.point_count()) as u32),
+            0 => Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))),
             _ => {
                 let a = random(&mut seed, 1000) as f64 / 1000.0;
                 let b = (1.0 - a) * random(&mut seed, 1000) as f64 / 1000.0;
-                let face = Face(random(&mut seed, surface.face_count()) as u32);
-                SurfacePoint::Face { face, weights: [a, b, 1.0 - a - b] }
+                let face = FaceId(random(&mut seed, surface.face_count()) as u32);
+                Place::Face { face, weights: [a, b, 1.0 - a - b] }
             }
         });
         let distance = solver.distance(&[source]).expect("a source");
@@ -48,7 +48,7 @@ fn try_pairs(soup: &Soup, boundary: Boundary, pairs: usize, exact: impl Fn(DVec3
         check(&solver, &path, from, &[source]);
         let exact = exact(from.position(surface), source.position(surface));
         assert!(path.length() >= 0.999_999 * exact, "{} under {exact}", path.length());
-        assert!(path.length() <= longest * exact + surface.mean_edge, "{} for {exact}", path.length());
+        assert!(path.length() <= longest * exact + surface.mean_edge(), "{} for {exact}", path.length());
     }
 }
 
@@ -83,10 +83,10 @@ fn always_arrives() {
 fn several_sources() {
     let solver = solver(&square(16), 1.0, Boundary::Neumann);
     let surface = solver.surface();
-    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| SurfacePoint::Vertex(nearest(surface, corner)));
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| Place::Vertex(nearest(surface, corner)));
     let distance = solver.distance(&corners).expect("sources");
-    for point in 0..surface.point_count() as u32 {
-        let from = SurfacePoint::Vertex(point);
+    for point in 0..surface.vertex_count() as u32 {
+        let from = Place::Vertex(VertexId(point));
         let path = descend(surface, &distance, from).expect("reachable");
         check(&solver, &path, from, &corners);
     }
@@ -96,8 +96,8 @@ fn several_sources() {
 fn constant_distance_still_arrives() {
     // No gradient at all: the path must take edges.
     let (solver, mut distance) = distance_from(&square(8), 0);
-    distance.values.fill(1.0);
-    let from = SurfacePoint::Face { face: Face(200), weights: [0.2, 0.3, 0.5] };
+    distance.values.as_mut_slice().fill(1.0);
+    let from = Place::Face { face: FaceId(200), weights: [0.2, 0.3, 0.5] };
     let path = descend(solver.surface(), &distance, from).expect("reachable");
     check(&solver, &path, from, &distance.sources);
 }
@@ -107,12 +107,12 @@ fn walks_along_the_boundary() {
     // Lower to the left and, ten times as steeply, out over the lower side.
     let (solver, mut distance) = distance_from(&square(8), 0);
     let surface = solver.surface();
-    for (value, position) in distance.values.iter_mut().zip(&surface.positions) {
+    for (value, position) in distance.values.iter_mut().zip(surface.positions()) {
         *value = position.x + 10.0 * position.y;
     }
-    distance.sources = vec![SurfacePoint::Vertex(nearest(surface, DVec3::ZERO))];
-    for face in surface.mesh.faces() {
-        let from = SurfacePoint::Face { face, weights: [0.3, 0.3, 0.4] };
+    distance.sources = vec![Place::Vertex(nearest(surface, DVec3::ZERO))];
+    for face in surface.mesh().faces() {
+        let from = Place::Face { face, weights: [0.3, 0.3, 0.4] };
         let path = descend(surface, &distance, from).expect("reachable");
         check(&solver, &path, from, &distance.sources);
         let side = path.points.iter().position(|point| point.position.y == 0.0).expect("the lower side");
@@ -131,21 +131,21 @@ fn walks_along_the_boundary() {
 fn starts_on_an_edge() {
     let solver = solver(&band(24, 1), 1.0, Boundary::Neumann);
     let surface = solver.surface();
-    let source = SurfacePoint::Vertex(0);
+    let source = Place::Vertex(VertexId(0));
     let distance = solver.distance(&[source]).expect("a source");
-    for halfedge in surface.mesh.halfedges() {
-        let from = SurfacePoint::Edge { halfedge, fraction: 0.37 };
+    for halfedge in surface.mesh().halfedges() {
+        let from = Place::Edge { halfedge, fraction: 0.37 };
         let path = descend(surface, &distance, from).expect("reachable");
         check(&solver, &path, from, &[source]);
         // The straight line through space is no longer.
-        assert!(path.length() >= from.position(surface).distance(surface.position(0)) * (1.0 - 1e-12));
+        assert!(path.length() >= from.position(surface).distance(surface.position(VertexId(0))) * (1.0 - 1e-12));
     }
 }
 
 #[test]
 fn start_at_the_source_is_a_point() {
     let (solver, distance) = distance_from(&square(4), 3);
-    let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(3)).expect("reachable");
+    let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(3))).expect("reachable");
     assert_eq!((path.points.len(), path.length()), (1, 0.0));
 }
 
@@ -157,6 +157,6 @@ fn unreachable_is_said() {
     two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
     two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
     let (solver, distance) = distance_from(&two, 0);
-    let path = descend(solver.surface(), &distance, SurfacePoint::Vertex(first));
+    let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(first)));
     assert_eq!(path, Err(Error::Unreachable));
 }

@@ -14,8 +14,8 @@ use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Error, Face, HeatSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
-    SurfacePoint, TimeStep, descend, straighten,
+    Boundary, Error, FaceId, HeatSolver, MultiSource, NearField, Operator, Parameters, Place, Soup, Source, Surface,
+    TimeStep, VertexId, descend, straighten,
 };
 use heatwalk_scene::{Crowd, shapes};
 use proptest::prelude::*;
@@ -77,14 +77,14 @@ fn any_places() -> impl Strategy<Value = Vec<(u32, bool, [f64; 2], f64)>> {
 }
 
 fn sources(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<Source> {
-    let source = |&(number, is_vertex, [a, b], offset): &(u32, bool, [f64; 2], f64)| {
+    let source = |&(number, is_vertex, [a, b], initial_distance): &(u32, bool, [f64; 2], f64)| {
         let point = if is_vertex {
-            SurfacePoint::Vertex(number % surface.point_count() as u32)
+            Place::Vertex(VertexId(number % surface.vertex_count() as u32))
         } else {
             let weights = [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)];
-            SurfacePoint::Face { face: Face(number % surface.face_count() as u32), weights }
+            Place::Face { face: FaceId(number % surface.face_count() as u32), weights }
         };
-        Source { point, offset }
+        Source { point, initial_distance }
     };
     places.iter().map(source).collect()
 }
@@ -144,11 +144,11 @@ fn distances_are_distances() {
             Err(error) => return Err(TestCaseError::fail(error.to_string())),
         };
         let distance = solver.distance(&sources).expect("valid sources");
-        let mut is_reached = vec![false; surface.report.components];
+        let mut is_reached = vec![false; surface.report().components];
         for source in &sources {
             is_reached[source.point.component(&surface) as usize] = true;
         }
-        for (value, &component) in distance.values.iter().zip(&surface.component_of_point) {
+        for (value, &component) in distance.values.iter().zip(surface.components()) {
             if is_reached[component as usize] {
                 prop_assert!(value.is_finite() && *value >= 0.0, "{value}");
             } else {
@@ -160,8 +160,8 @@ fn distances_are_distances() {
         prop_assert!(distance.tangents(&surface).iter().all(|tangent| tangent.is_finite()));
         if parameters.sources == MultiSource::Exact {
             for source in &sources {
-                if let SurfacePoint::Vertex(point) = source.point {
-                    prop_assert!(distance.values[point as usize] <= source.offset);
+                if let Place::Vertex(VertexId(point)) = source.point {
+                    prop_assert!(distance.values[VertexId(point)] <= source.initial_distance);
                 }
             }
         }
@@ -195,13 +195,13 @@ fn delaunay_weights_are_never_negative() {
 fn exact_distances_change_by_no_more_than_the_way() {
     check(200, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
-        let sources: Vec<(SurfacePoint, f64)> =
-            sources(&surface, &places).iter().map(|source| (source.point, source.offset)).collect();
+        let sources: Vec<(Place, f64)> =
+            sources(&surface, &places).iter().map(|source| (source.point, source.initial_distance)).collect();
         let exact = exact_distance(&surface, &sources, &mut |_| ControlFlow::Continue(())).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-        for face in surface.mesh.faces() {
+        for face in surface.mesh().faces() {
             let [p, q, r] = surface.corners(face);
-            let [a, b, c] = surface.faces[face].map(|point| exact[point as usize]);
+            let [a, b, c] = surface.faces()[face].map(|point| exact[point]);
             for (x, y, length) in [(a, b, p.distance(q)), (b, c, q.distance(r)), (c, a, r.distance(p))] {
                 prop_assert_eq!(x.is_infinite(), y.is_infinite());
                 if x.is_finite() {
@@ -210,8 +210,8 @@ fn exact_distances_change_by_no_more_than_the_way() {
             }
         }
         for &(point, offset) in &sources {
-            if let SurfacePoint::Vertex(point) = point {
-                prop_assert!(exact[point as usize] <= offset);
+            if let Place::Vertex(vertex) = point {
+                prop_assert!(exact[vertex] <= offset);
             }
         }
         Ok(())
@@ -223,7 +223,7 @@ fn the_near_field_is_exact_and_refining_ends_at_exact() {
     check(60, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
         let sources = sources(&surface, &places);
-        let pairs: Vec<(SurfacePoint, f64)> = sources.iter().map(|source| (source.point, source.offset)).collect();
+        let pairs: Vec<(Place, f64)> = sources.iter().map(|source| (source.point, source.initial_distance)).collect();
         let exact = exact_distance(&surface, &pairs, &mut |_| ControlFlow::Continue(())).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
         let same = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * largest;
@@ -270,7 +270,7 @@ fn paths_arrive_and_are_locally_shortest() {
             for path in [&shortest, &descent, &straight] {
                 check_valid(&surface, path);
                 let end = path.points[path.points.len() - 1].position;
-                let misses = |source: &SurfacePoint| source.position(&surface).distance(end) > 1e-9;
+                let misses = |source: &Place| source.position(&surface).distance(end) > 1e-9;
                 prop_assert!(!sources.iter().all(misses), "{end} is no source");
             }
             // The thinnest triangles here are a millionth of their length high: directions near them are known to
@@ -287,8 +287,8 @@ fn crowds_stay_on_the_surface_and_go_home() {
     check(100, &(any_soup(), any_places(), any_places(), 0.01..20.0_f64), |(soup, places, others, edges)| {
         let surface = surface_of(&soup)?;
         let solver = solver(&surface, Parameters::default());
-        let step = edges * surface.mean_edge;
-        let mut crowd = Crowd::new(Arc::clone(&surface), 30, surface.mean_edge, 1).expect("a height");
+        let step = edges * surface.mean_edge();
+        let mut crowd = Crowd::new(Arc::clone(&surface), 30, surface.mean_edge(), 1).expect("a height");
         for places in [places, others] {
             let distance = solver.distance(&sources(&surface, &places)).expect("valid sources");
             crowd.follow(&distance).expect("a source");
@@ -300,7 +300,7 @@ fn crowds_stay_on_the_surface_and_go_home() {
                     prop_assert!(walker.weights.iter().all(|&weight| weight >= 0.0), "{walker:?}");
                     // Rounding of a sum for each face entered.
                     prop_assert!((walker.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{walker:?}");
-                    let place = SurfacePoint::Face { face: walker.face, weights: walker.weights };
+                    let place = Place::Face { face: walker.face, weights: walker.weights };
                     prop_assert!(place.interpolate(&surface, &distance.values).is_finite(), "no source there");
                     prop_assert!((walker.heading.length() - 1.0).abs() < 1e-12, "{walker:?}");
                     prop_assert!(walker.heading.dot(walker.upright).abs() < 1e-12, "{walker:?}");
@@ -316,6 +316,6 @@ fn crowds_stay_on_the_surface_and_go_home() {
     });
 }
 
-fn points(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<SurfacePoint> {
+fn points(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<Place> {
     sources(surface, places).iter().map(|source| source.point).collect()
 }

@@ -14,8 +14,8 @@ use faer::{Mat, Side};
 use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, Error, Face, LinearSolver, MultiSource, NearField, Operator, Parameters, Soup, Source, Surface,
-    SurfacePoint,
+    Boundary, Element, Error, FaceId, LinearSolver, MultiSource, NearField, Operator, Parameters, Place, Soup, Source,
+    Surface, VertexId,
 };
 use heatwalk_scene::shapes;
 
@@ -24,8 +24,8 @@ fn plain() -> Parameters {
     Parameters { operator: Operator::Plain, ..heat_only(1.0, Boundary::Neumann) }
 }
 
-fn vertices(points: &[u32]) -> Vec<SurfacePoint> {
-    points.iter().map(|&point| SurfacePoint::Vertex(point)).collect()
+fn vertices(points: &[u32]) -> Vec<Place> {
+    points.iter().map(|&point| Place::Vertex(VertexId(point))).collect()
 }
 
 /// `(L + scale M) x = right` with some points held at values, factored for the purpose.
@@ -66,16 +66,16 @@ fn refactored(surface: &Surface, time: f64, sources: &[u32]) -> Vec<f64> {
     let hot: Vec<(u32, f64)> = sources.iter().map(|&source| (source, 1e290)).collect();
     let heat = held_solve(&laplacian, 1.0 / time, &hot, &zeros);
     let mut divergence = zeros;
-    for face in surface.mesh.faces() {
-        let points = surface.faces[face];
+    for face in surface.mesh().faces() {
+        let corners = surface.faces()[face].map(Element::index);
         let [p, q, r] = surface.corners(face);
         let edges = [r - q, p - r, q - p];
         let normal = (q - p).cross(r - p);
-        let largest = points.map(|point| heat[point as usize]).into_iter().fold(0.0, f64::max);
-        let gradient: DVec3 = (0..3).map(|k| normal.cross(edges[k]) * (heat[points[k] as usize] / largest)).sum();
+        let largest = corners.map(|corner| heat[corner]).into_iter().fold(0.0, f64::max);
+        let gradient: DVec3 = (0..3).map(|k| normal.cross(edges[k]) * (heat[corners[k]] / largest)).sum();
         let field = -gradient.normalize();
         for k in 0..3 {
-            divergence[points[k] as usize] += 0.5 * field.dot(normal.normalize().cross(edges[k]));
+            divergence[corners[k]] += 0.5 * field.dot(normal.normalize().cross(edges[k]));
         }
     }
     let cold: Vec<(u32, f64)> = sources.iter().map(|&source| (source, 0.0)).collect();
@@ -88,7 +88,7 @@ fn check_against_refactored(soup: &Soup, sources: &[u32]) {
     let distance = solver.distance(&vertices(sources)).expect("sources");
     let diameter = distance.max();
     for &source in sources {
-        assert_eq!(distance.values[source as usize], 0.0);
+        assert_eq!(distance.values[VertexId(source)], 0.0);
     }
     for (point, (value, reference)) in distance.values.iter().zip(&reference).enumerate() {
         assert!(*value >= 0.0);
@@ -113,7 +113,7 @@ fn few_sources_as_if_factored_anew() {
 fn a_line_of_sources_as_if_factored_anew() {
     let soup = square(60);
     let surface = surface(&soup);
-    let line: Vec<u32> = (0..61).map(|i| nearest(&surface, DVec3::new(f64::from(i) / 60.0, 0.5, 0.0))).collect();
+    let line: Vec<u32> = (0..61).map(|i| nearest(&surface, DVec3::new(f64::from(i) / 60.0, 0.5, 0.0)).0).collect();
     check_against_refactored(&soup, &line);
 }
 
@@ -122,7 +122,7 @@ fn a_boundary_of_sources_as_if_factored_anew() {
     let soup = square(100);
     let surface = surface(&soup);
     let boundary: Vec<u32> =
-        (0..surface.point_count() as u32).filter(|&point| surface.is_boundary_point[point as usize]).collect();
+        surface.vertices().filter(|&vertex| surface.boundary_vertices()[vertex]).map(|vertex| vertex.0).collect();
     assert_eq!(boundary.len(), 400);
     check_against_refactored(&soup, &boundary);
 }
@@ -150,22 +150,22 @@ fn sources_inside_faces_and_on_edges_are_at_zero() {
     for near_field in [NearField::Automatic, NearField::Edges(0.0)] {
         let solver = solver_with(&soup, Parameters { near_field, ..Parameters::default() });
         let surface = solver.surface();
-        let sources: Vec<SurfacePoint> = (0..6)
+        let sources: Vec<Place> = (0..6)
             .map(|index| {
-                let face = Face(random(&mut seed, surface.face_count()) as u32);
-                let halfedge = heatwalk::Halfedge(face.0 * 3);
+                let face = FaceId(random(&mut seed, surface.face_count()) as u32);
+                let halfedge = heatwalk::HalfedgeId(face.0 * 3);
                 match index % 2 {
-                    0 => SurfacePoint::Face { face, weights: [0.2, 0.3, 0.5] },
-                    _ => SurfacePoint::Edge { halfedge, fraction: 0.4 },
+                    0 => Place::Face { face, weights: [0.2, 0.3, 0.5] },
+                    _ => Place::Edge { halfedge, fraction: 0.4 },
                 }
             })
             .collect();
         let distance = solver.distance(&sources).expect("sources");
-        for (point, value) in surface.positions.iter().zip(&distance.values) {
-            let arc = |source: &SurfacePoint| point.dot(source.position(surface).normalize()).clamp(-1.0, 1.0).acos();
+        for (point, value) in surface.positions().iter().zip(&distance.values) {
+            let arc = |source: &Place| point.dot(source.position(surface).normalize()).clamp(-1.0, 1.0).acos();
             let exact = sources.iter().map(arc).fold(f64::INFINITY, f64::min);
             // The method's own offset in the first rings is half an edge; where two fronts meet it is rounded off.
-            assert!((value - exact).abs() < 1.2 * surface.mean_edge, "{value} for {exact}");
+            assert!((value - exact).abs() < 1.2 * surface.mean_edge(), "{value} for {exact}");
         }
     }
 }
@@ -175,13 +175,13 @@ fn dependent_sources_are_no_obstacle() {
     // The three corners of a face, a point inside it and one of the corners again.
     let solver = solver_with(&shapes::icosphere(3), heat_only(1.0, Boundary::Neumann));
     let surface = solver.surface();
-    let mut sources = vertices(&surface.faces[Face(10)]);
-    sources.push(SurfacePoint::Face { face: Face(10), weights: [0.2, 0.3, 0.5] });
+    let mut sources = surface.faces()[FaceId(10)].map(Place::Vertex).to_vec();
+    sources.push(Place::Face { face: FaceId(10), weights: [0.2, 0.3, 0.5] });
     sources.push(sources[0]);
     let distance = solver.distance(&sources).expect("sources");
     assert!(distance.values.iter().all(|value| value.is_finite()));
-    for point in surface.faces[Face(10)] {
-        assert_eq!(distance.values[point as usize], 0.0);
+    for point in surface.faces()[FaceId(10)] {
+        assert_eq!(distance.values[point], 0.0);
     }
 }
 
@@ -190,20 +190,20 @@ fn starting_values() {
     let soup = square(40);
     let solver = solver_with(&soup, Parameters::default());
     let surface = solver.surface();
-    let at = |x: f64, y: f64| SurfacePoint::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
+    let at = |x: f64, y: f64| Place::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
     let sources = [(at(0.2, 0.5), 0.0), (at(0.8, 0.5), 0.25), (at(0.5, 0.9), 3.0)]
-        .map(|(point, offset)| Source { point, offset });
+        .map(|(point, initial_distance)| Source { point, initial_distance });
     let distance = solver.distance(&sources).expect("sources");
-    for (point, value) in surface.positions.iter().zip(&distance.values) {
-        let from = |source: &Source| source.offset + point.distance(source.point.position(surface));
+    for (point, value) in surface.positions().iter().zip(&distance.values) {
+        let from = |source: &Source| source.initial_distance + point.distance(source.point.position(surface));
         let exact = sources.iter().map(from).fold(f64::INFINITY, f64::min);
-        assert!((value - exact).abs() < 1.5 * surface.mean_edge, "{value} for {exact} at {point}");
+        assert!((value - exact).abs() < 1.5 * surface.mean_edge(), "{value} for {exact} at {point}");
     }
     let value = |source: &Source| source.point.interpolate(surface, &distance.values);
     assert_eq!([value(&sources[0]), value(&sources[1])], [0.0, 0.25]);
     assert_eq!(distance.sources.len(), 2, "the third starts later than the others arrive there");
-    for offset in [-1.0, f64::NAN, f64::INFINITY] {
-        let bad = Source { offset, ..sources[0] };
+    for initial_distance in [-1.0, f64::NAN, f64::INFINITY] {
+        let bad = Source { initial_distance, ..sources[0] };
         assert!(matches!(solver.distance(&[bad]), Err(Error::BadParameter { .. })));
     }
 }
@@ -219,8 +219,8 @@ fn the_near_field_is_a_dial_from_heat_to_exact() {
     for (edges, is_all) in [(0.0, false), (3.0, false), (1e9, true), (f64::INFINITY, true)] {
         let distance = answer(edges);
         assert_eq!(distance.exact_below.is_infinite(), is_all);
-        assert!(is_all || (distance.exact_below - edges * surface.mean_edge).abs() < 1e-12);
-        let exact: Vec<f64> = surface.positions.iter().map(|p| p.distance(surface.position(0))).collect();
+        assert!(is_all || (distance.exact_below - edges * surface.mean_edge()).abs() < 1e-12);
+        let exact: Vec<f64> = surface.positions().iter().map(|p| p.distance(surface.position(VertexId(0)))).collect();
         // Rounding of some unfolded faces.
         let is_exact = |(value, exact): (&f64, &f64)| (value - exact).abs() < 1e-12;
         let inside = distance.values.iter().zip(&exact).filter(|&(_, exact)| *exact < distance.exact_below);
@@ -235,7 +235,7 @@ fn superposed_sources_are_not_at_zero() {
     let parameters = Parameters { sources: MultiSource::Superposed, ..heat_only(1.0, Boundary::Neumann) };
     let solver = solver_with(&soup, parameters);
     let surface = solver.surface();
-    let at = |x: f64, y: f64| SurfacePoint::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
+    let at = |x: f64, y: f64| Place::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
     let sources = [at(0.2, 0.2), at(0.3, 0.2), at(0.8, 0.7)];
     let distance = solver.distance(&sources).expect("sources");
     let values: Vec<f64> = sources.iter().map(|source| source.interpolate(surface, &distance.values)).collect();

@@ -11,7 +11,8 @@ use common::shortness::{check_valid, largest_kink, sharpest_turn};
 use common::{band, book, nearest, random, solver, soup, square, surface};
 use glam::{DVec3, Vec3Swizzles};
 use heatwalk::{
-    Boundary, Face, HeatSolver, Path, Soup, Surface, SurfacePoint, descend, edge_path, straighten, straightest,
+    Boundary, Element, FaceId, HeatSolver, Path, Place, Soup, Surface, VertexId, descend, edge_path, straighten,
+    straightest,
 };
 use heatwalk_scene::shapes;
 
@@ -23,7 +24,7 @@ fn straightened(surface: &Surface, path: &Path) -> Path {
     let ends = |path: &Path| [path.points[0].position, path.points[path.points.len() - 1].position];
     for (a, b) in ends(path).into_iter().zip(ends(&straight)) {
         // Rounding of weights of 0 that are left out.
-        assert!(a.distance(b) <= 1e-12 * surface.mean_edge);
+        assert!(a.distance(b) <= 1e-12 * surface.mean_edge());
     }
     assert!(straight.length() <= path.length());
     // Turns short of π by 10⁻⁷ are left as straight. A line that passes a vertex within 10⁻¹⁴ of an edge is taken to go
@@ -36,15 +37,15 @@ fn straightened(surface: &Surface, path: &Path) -> Path {
     straight
 }
 
-fn random_point(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+fn random_point(surface: &Surface, seed: &mut u64) -> Place {
     if random(seed, 2) == 0 {
-        return SurfacePoint::Vertex(random(seed, surface.point_count()) as u32);
+        return Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
     }
     let a = random(seed, 1000) as f64 / 1000.0;
     let b = (1.0 - a) * random(seed, 1000) as f64 / 1000.0;
-    let face = Face(random(seed, surface.face_count()) as u32);
+    let face = FaceId(random(seed, surface.face_count()) as u32);
     let weights = if random(seed, 4) == 0 { [a, 1.0 - a, 0.0] } else { [a, b, 1.0 - a - b] };
-    SurfacePoint::Face { face, weights }
+    Place::Face { face, weights }
 }
 
 /// Descends and straightens between random points, and hands both on.
@@ -61,13 +62,13 @@ fn try_pairs(solver: &HeatSolver, pairs: usize, mut each: impl FnMut(DVec3, DVec
 
 /// A walk along edges that chooses each next one at random.
 fn random_walk(surface: &Surface, seed: &mut u64, steps: usize) -> Path {
-    let mut points = vec![random(seed, surface.point_count()) as u32];
+    let mut vertices = vec![VertexId::from_index(random(seed, surface.vertex_count()))];
     for _ in 0..steps {
-        let corners: Vec<_> = surface.corners_of_point(points[points.len() - 1]).collect();
+        let corners: Vec<_> = surface.corners_of_vertex(vertices[vertices.len() - 1]).collect();
         let (face, k) = corners[random(seed, corners.len())];
-        points.push(surface.faces[face][(k + 1 + random(seed, 2)) % 3]);
+        vertices.push(surface.faces()[face][(k + 1 + random(seed, 2)) % 3]);
     }
-    Path::along_edges(surface, &points).expect("edges")
+    Path::along_edges(surface, &vertices).expect("edges")
 }
 
 #[test]
@@ -118,7 +119,7 @@ fn cube(n: u32) -> Soup {
 fn over_an_edge_of_a_cube() {
     let solver = solver(&cube(10), 1.0, Boundary::Neumann);
     let surface = solver.surface();
-    assert_eq!(surface.report.euler_characteristic, 2);
+    assert_eq!(surface.report().euler_characteristic, 2);
     let mut seed = 1;
     for _ in 0..40 {
         // On the top and on the front, near enough to their common edge that no way over a third side is shorter.
@@ -126,8 +127,8 @@ fn over_an_edge_of_a_cube() {
         let [x, y, u, z] = [0.3 + tenth(), tenth(), 0.3 + tenth(), 1.0 - tenth()];
         let [top, front] = [DVec3::new(x, y, 1.0), DVec3::new(u, 0.0, z)];
         let [from, to] = [top, front].map(|position| nearest(surface, position));
-        let distance = solver.distance(&[SurfacePoint::Vertex(to)]).expect("a source");
-        let path = descend(surface, &distance, SurfacePoint::Vertex(from)).expect("reachable");
+        let distance = solver.distance(&[Place::Vertex(to)]).expect("a source");
+        let path = descend(surface, &distance, Place::Vertex(from)).expect("reachable");
         let exact = (x - u).hypot(y + 1.0 - z);
         // Rounding of some ten crossings.
         let length = straightened(surface, &path).length();
@@ -145,7 +146,7 @@ fn around_a_prism() {
         let position = |offset: f64| DVec3::new(angle.cos(), y + offset, angle.sin());
         nearest(&surface, position(0.0))
     };
-    let middle = surface.positions.iter().map(|position| position.y).sum::<f64>() / surface.point_count() as f64;
+    let middle = surface.positions().iter().map(|position| position.y).sum::<f64>() / surface.vertex_count() as f64;
     for k in 0..9 {
         for rise in [-0.5, 0.25, 1.0] {
             let [from, to] = [on_side(0, middle), on_side(k, middle + rise)];
@@ -203,7 +204,8 @@ fn slivers_of_any_thickness() {
                 straightened(&surface, &random_walk(&surface, &mut seed, steps));
                 let from = random_point(&surface, &mut seed);
                 let direction = DVec3::new(random(&mut seed, 99) as f64 - 49.5, 0.3, random(&mut seed, 99) as f64);
-                let walk = straightest(&surface, from, None, direction, 20.0 * surface.mean_edge).expect("a direction");
+                let walk =
+                    straightest(&surface, from, None, direction, 20.0 * surface.mean_edge()).expect("a direction");
                 straightened(&surface, &walk.path);
             }
         }
@@ -276,7 +278,7 @@ fn straightened_length(scale: f64) -> f64 {
         *position *= scale;
     }
     let surface = surface(&torus);
-    let way = edge_path(&surface, 0, 217).expect("connected");
+    let way = edge_path(&surface, VertexId(0), VertexId(217)).expect("connected");
     straighten(&surface, &Path::along_edges(&surface, &way).expect("edges")).length()
 }
 
@@ -284,7 +286,7 @@ fn straightened_length(scale: f64) -> f64 {
 fn a_way_there_and_back_is_a_point() {
     for soup in [square(6), band(12, 1), book(3, 4)] {
         let surface = surface(&soup);
-        let mut way = edge_path(&surface, 0, 17).expect("connected");
+        let mut way = edge_path(&surface, VertexId(0), VertexId(17)).expect("connected");
         way.extend(way.clone().into_iter().rev().skip(1));
         let path = straightened(&surface, &Path::along_edges(&surface, &way).expect("edges"));
         assert_eq!((path.points.len(), path.length()), (1, 0.0));
@@ -310,7 +312,7 @@ fn what_is_straight_stays() {
 /// Against the exact polyhedral distances of the shared meshes, which are not part of the repository.
 #[cfg(not(target_arch = "wasm32"))]
 mod exact {
-    use heatwalk::{SurfacePoint, descend};
+    use heatwalk::{Element, InputVertex, Place, descend};
 
     use super::common::shared::{read_mesh, read_npy, shared_meshes};
     use super::common::{distance_from, random};
@@ -328,8 +330,8 @@ mod exact {
             let mut excess = Vec::new();
             for _ in 0..200 {
                 let input = random(&mut seed, exact.len());
-                let from = surface.point_of_input[input].expect("a vertex in use");
-                let path = descend(surface, &distance, SurfacePoint::Vertex(from)).expect("reachable");
+                let from = surface.vertex_of_input(InputVertex::from_index(input)).expect("a vertex in use");
+                let path = descend(surface, &distance, Place::Vertex(from)).expect("reachable");
                 let length = straightened(surface, &path).length();
                 // Rounding of the file's exact values and of the sum.
                 assert!(length >= exact[input] * (1.0 - 1e-9), "{mesh}: {length} is under {}", exact[input]);

@@ -11,31 +11,32 @@ use common::{band, book, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Error, Face, Halfedge, Soup, Straightest, Surface, SurfacePoint, edge_path, edge_polyline, straighten, straightest,
+    Element, Error, FaceId, HalfedgeId, Place, Soup, Straightest, Surface, VertexData, VertexId, edge_path,
+    edge_polyline, straighten, straightest,
 };
 use heatwalk_scene::shapes;
 
 /// Walks, and checks what holds for any walk.
-fn walk(surface: &Surface, from: SurfacePoint, face: Option<Face>, direction: DVec3, length: f64) -> Straightest {
+fn walk(surface: &Surface, from: Place, face: Option<FaceId>, direction: DVec3, length: f64) -> Straightest {
     let walked = straightest(surface, from, face, direction, length).expect("a direction");
     let points = &walked.path.points;
     assert_eq!(points.len(), walked.path.normals.len());
     for pair in points.windows(2) {
         for point in pair {
-            let corners = surface.faces[pair[0].face];
+            let corners = surface.faces()[pair[0].face];
             let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
             assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
         }
     }
     let last = points[points.len() - 1];
-    let corners = surface.faces[last.face];
+    let corners = surface.faces()[last.face];
     assert!(last.location.support(surface).all(|(corner, _)| corners.contains(&corner)));
     // Rounding of one normalisation, and of a normal.
     assert!((walked.direction.length() - 1.0).abs() < 1e-12);
     assert!(walked.direction.dot(surface.face_normal(last.face)).abs() < 1e-9);
     // Points within 10⁻¹⁰ of a vertex or an edge are moved to it.
     let moved = walked.path.length() - length;
-    assert!(moved.abs() < 1e-9 * surface.mean_edge || walked.is_at_boundary && moved < 0.0, "{moved:e}");
+    assert!(moved.abs() < 1e-9 * surface.mean_edge() || walked.is_at_boundary && moved < 0.0, "{moved:e}");
     walked
 }
 
@@ -43,15 +44,15 @@ fn end(walked: &Straightest) -> DVec3 {
     walked.path.points[walked.path.points.len() - 1].position
 }
 
-fn random_point(surface: &Surface, seed: &mut u64) -> SurfacePoint {
+fn random_point(surface: &Surface, seed: &mut u64) -> Place {
     let share = random(seed, 1000) as f64 / 1000.0;
     match random(seed, 3) {
-        0 => SurfacePoint::Vertex(random(seed, surface.point_count()) as u32),
-        1 => SurfacePoint::Edge { halfedge: Halfedge(random(seed, 3 * surface.face_count()) as u32), fraction: share },
+        0 => Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count()))),
+        1 => Place::Edge { halfedge: HalfedgeId(random(seed, 3 * surface.face_count()) as u32), fraction: share },
         _ => {
             let rest = (1.0 - share) * random(seed, 1000) as f64 / 1000.0;
-            let face = Face(random(seed, surface.face_count()) as u32);
-            SurfacePoint::Face { face, weights: [share, rest, 1.0 - share - rest] }
+            let face = FaceId(random(seed, surface.face_count()) as u32);
+            Place::Face { face, weights: [share, rest, 1.0 - share - rest] }
         }
     }
 }
@@ -112,7 +113,7 @@ fn along_the_boundary_to_the_next_vertex() {
     let surface = surface(&square(4));
     for (from, along) in [(DVec3::ZERO, DVec3::X), (DVec3::Y, DVec3::X), (DVec3::X, DVec3::Y)] {
         let corner = nearest(&surface, from);
-        let walked = walk(&surface, SurfacePoint::Vertex(corner), None, along, 0.1);
+        let walked = walk(&surface, Place::Vertex(corner), None, along, 0.1);
         assert!(!walked.is_at_boundary && end(&walked).distance(from + along * 0.1) < 1e-12);
         let last = walked.path.points[1];
         let walked = walk(&surface, last.location, Some(last.face), along, 1.0);
@@ -126,8 +127,8 @@ fn cone_unrolled() {
         let surface = surface(&cone(12, 30, height));
         let mut seed = 6;
         for _ in 0..50 {
-            let face = Face(12 + random(&mut seed, 12 * 2 * 9) as u32);
-            let from = SurfacePoint::Face { face, weights: [0.3, 0.3, 0.4] };
+            let face = FaceId(12 + random(&mut seed, 12 * 2 * 9) as u32);
+            let from = Place::Face { face, weights: [0.3, 0.3, 0.4] };
             let start = from.position(&surface);
             let direction = random_direction(&mut seed).reject_from_normalized(surface.face_normal(face)).normalize();
             let walked = walk(&surface, from, Some(face), direction, 12.0);
@@ -145,15 +146,15 @@ fn cone_unrolled() {
 fn through_the_tip_of_a_cone() {
     let surface = surface(&cone(12, 8, 1.0));
     for spoke in 0..12 {
-        let from = 1 + 12 * 4 + spoke;
+        let from = VertexId(1 + 12 * 4 + spoke);
         let start = surface.position(from);
-        let walked = walk(&surface, SurfacePoint::Vertex(from), None, -start, 8.0);
+        let walked = walk(&surface, Place::Vertex(from), None, -start, 8.0);
         // Half of the angle at the tip: the opposite spoke. Rounding of a few angles.
-        let opposite = surface.position(1 + 12 * 2 + (spoke + 6) % 12);
+        let opposite = surface.position(VertexId(1 + 12 * 2 + (spoke + 6) % 12));
         assert!(end(&walked).distance(opposite) < 1e-9, "{} for {opposite}", end(&walked));
         // From the tip, a third of a wedge beside the spoke.
-        let along = (start * 2.0 + surface.position(1 + 12 * 4 + (spoke + 1) % 12)).normalize();
-        let walked = walk(&surface, SurfacePoint::Vertex(0), None, along, 6.5);
+        let along = (start * 2.0 + surface.position(VertexId(1 + 12 * 4 + (spoke + 1) % 12))).normalize();
+        let walked = walk(&surface, Place::Vertex(VertexId(0)), None, along, 6.5);
         assert!(end(&walked).distance(along * 6.5) < 1e-12);
     }
 }
@@ -184,15 +185,15 @@ fn backwards_to_the_start() {
         let mut seed = 10;
         for _ in 0..100 {
             let from = random_point(&surface, &mut seed);
-            let there = walk(&surface, from, None, random_direction(&mut seed), 40.0 * surface.mean_edge);
+            let there = walk(&surface, from, None, random_direction(&mut seed), 40.0 * surface.mean_edge());
             let last = there.path.points[there.path.points.len() - 1];
             let length = there.path.length();
-            if there.is_at_boundary && matches!(last.location, SurfacePoint::Vertex(_)) {
+            if there.is_at_boundary && matches!(last.location, Place::Vertex(_)) {
                 continue;
             }
             let back = walk(&surface, last.location, Some(last.face), -there.direction, length);
             // Rounding of directions, 10⁻¹⁶ each, over the length, times the spread of lines by negative curvature.
-            let error = end(&back).distance(from.position(&surface)) / surface.mean_edge;
+            let error = end(&back).distance(from.position(&surface)) / surface.mean_edge();
             assert!(error < 1e-9, "{error:e} of an edge, {from:?}");
         }
     }
@@ -205,7 +206,7 @@ fn never_shorter_than_the_straightened_path() {
         let mut seed = 13;
         for _ in 0..60 {
             let from = random_point(&surface, &mut seed);
-            let walked = walk(&surface, from, None, random_direction(&mut seed), 20.0 * surface.mean_edge);
+            let walked = walk(&surface, from, None, random_direction(&mut seed), 20.0 * surface.mean_edge());
             assert!(straighten(&surface, &walked.path).length() <= walked.path.length());
         }
     }
@@ -214,7 +215,7 @@ fn never_shorter_than_the_straightened_path() {
 #[test]
 fn where_pages_meet_it_goes_on_into_the_flattest() {
     let surface = surface(&book(4, 6));
-    let from = SurfacePoint::Vertex(nearest(&surface, DVec3::new(0.5, 0.0, 1.0 / 3.0)));
+    let from = Place::Vertex(nearest(&surface, DVec3::new(0.5, 0.0, 1.0 / 3.0)));
     let walked = walk(&surface, from, None, DVec3::new(-1.0, 0.0, 0.31), 1.0);
     let exact = DVec3::new(0.5, 0.0, 1.0 / 3.0) + DVec3::new(-1.0, 0.0, 0.31).normalize();
     // Rounding of some ten faces, and of the pages' angles.
@@ -239,14 +240,14 @@ fn any_triangles() {
 #[test]
 fn a_walk_of_no_length_is_a_point() {
     let surface = surface(&square(4));
-    let walked = walk(&surface, SurfacePoint::Vertex(6), None, DVec3::X, 0.0);
+    let walked = walk(&surface, Place::Vertex(VertexId(6)), None, DVec3::X, 0.0);
     assert_eq!((walked.path.points.len(), walked.is_at_boundary), (1, false));
 }
 
 #[test]
 fn what_is_wrong_with_a_walk_is_said() {
     let surface = surface(&square(4));
-    let from = SurfacePoint::Vertex(6);
+    let from = Place::Vertex(VertexId(6));
     let name_of = |from, face, direction, length| match straightest(&surface, from, face, direction, length) {
         Err(Error::BadParameter { name, .. }) => name,
         Err(Error::Surface(SurfaceError::BadPoint { .. })) => "point",
@@ -258,10 +259,10 @@ fn what_is_wrong_with_a_walk_is_said() {
     assert_eq!(name_of(from, None, DVec3::X * f64::NAN, 1.0), "direction");
     assert_eq!(name_of(from, None, DVec3::X, -1.0), "length");
     assert_eq!(name_of(from, None, DVec3::X, f64::INFINITY), "length");
-    assert_eq!(name_of(from, Some(Face(60)), DVec3::X, 1.0), "point");
-    assert_eq!(name_of(SurfacePoint::Vertex(999), None, DVec3::X, 1.0), "vertex");
+    assert_eq!(name_of(from, Some(FaceId(60)), DVec3::X, 1.0), "point");
+    assert_eq!(name_of(Place::Vertex(VertexId(999)), None, DVec3::X, 1.0), "vertex");
     let closed = common::surface(&shapes::icosphere(0));
-    let endless = straightest(&closed, SurfacePoint::Vertex(0), None, DVec3::new(0.3, 0.5, 0.7), 1e9);
+    let endless = straightest(&closed, Place::Vertex(VertexId(0)), None, DVec3::new(0.3, 0.5, 0.7), 1e9);
     assert!(matches!(endless, Err(Error::BadParameter { name: "length", .. })));
 }
 
@@ -270,26 +271,26 @@ fn edge_path_on_a_grid() {
     let surface = surface(&shapes::grid(6, 6));
     let mut seed = 15;
     for _ in 0..60 {
-        let [from, to] = [(); 2].map(|()| random(&mut seed, surface.point_count()) as u32);
+        let [from, to] = [(); 2].map(|()| VertexId::from_index(random(&mut seed, surface.vertex_count())));
         let way = edge_path(&surface, from, to).expect("connected");
         assert_eq!((way[0], way[way.len() - 1]), (from, to));
         let length: f64 = way.windows(2).map(|e| surface.position(e[0]).distance(surface.position(e[1]))).sum();
         // Rounding of a short sum.
-        assert!((length - all_ways(&surface, from)[to as usize]).abs() < 1e-12);
+        assert!((length - all_ways(&surface, from)[to]).abs() < 1e-12);
     }
 }
 
 /// Distances along edges by relaxing all of them (Bellman and Ford).
-fn all_ways(surface: &Surface, from: u32) -> Vec<f64> {
-    let mut best = vec![f64::INFINITY; surface.point_count()];
-    best[from as usize] = 0.0;
+fn all_ways(surface: &Surface, from: VertexId) -> VertexData<f64> {
+    let mut best = VertexData::from(vec![f64::INFINITY; surface.vertex_count()]);
+    best[from] = 0.0;
     loop {
         let before = best.clone();
-        for corners in &surface.faces {
+        for corners in surface.faces() {
             for k in 0..3 {
                 for [a, b] in [[corners[k], corners[(k + 1) % 3]], [corners[(k + 1) % 3], corners[k]]] {
-                    let length = best[a as usize] + surface.position(a).distance(surface.position(b));
-                    best[b as usize] = best[b as usize].min(length);
+                    let length = best[a] + surface.position(a).distance(surface.position(b));
+                    best[b] = best[b].min(length);
                 }
             }
         }
@@ -314,7 +315,10 @@ fn edge_polyline_joins_once() {
     assert_eq!(edge_polyline(&surface, &[b], true), Ok(vec![b]));
     assert_eq!(edge_polyline(&surface, &[b, b], true), Ok(vec![b]));
     assert!(matches!(edge_polyline(&surface, &[], false), Err(Error::BadParameter { .. })));
-    assert!(matches!(edge_path(&surface, 0, 999), Err(Error::Surface(SurfaceError::BadVertex { vertex: 999, .. }))));
+    assert!(matches!(
+        edge_path(&surface, VertexId(0), VertexId(999)),
+        Err(Error::Surface(SurfaceError::BadVertex { vertex: 999, .. }))
+    ));
 }
 
 #[test]
@@ -324,5 +328,5 @@ fn edge_path_between_two_pieces_is_unreachable() {
     let other = square(2);
     two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
     two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
-    assert_eq!(edge_path(&surface(&two), 0, first), Err(Error::Unreachable));
+    assert_eq!(edge_path(&surface(&two), VertexId(0), VertexId(first)), Err(Error::Unreachable));
 }

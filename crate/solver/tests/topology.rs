@@ -9,12 +9,14 @@ use common::{band, book, distance_from, flat, soup, square, surface};
 use glam::DVec3;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Halfedge, HalfedgeMesh, Soup, Surface, Vertex};
+use heatwalk::{
+    CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId,
+};
 use heatwalk_scene::shapes;
 
 /// The documented invariants of a half-edge mesh.
 fn check(surface: &Surface) {
-    let mesh: &HalfedgeMesh = &surface.mesh;
+    let mesh: &HalfedgeMesh = surface.mesh();
     let mut seen = vec![false; mesh.halfedge_count()];
     for halfedge in mesh.halfedges() {
         let twin = mesh.twin(halfedge);
@@ -25,9 +27,9 @@ fn check(surface: &Surface) {
         assert!(!(mesh.is_boundary(mesh.face(halfedge)) && mesh.is_boundary(mesh.face(twin))));
     }
     for face in mesh.faces() {
-        let around: Vec<Halfedge> = mesh.halfedges_of_face(face).collect();
-        let points = around.iter().map(|&halfedge| surface.point_of_vertex[mesh.vertex(halfedge)]);
-        assert!(points.eq(surface.faces[face]), "faces list their corners in the mesh's order");
+        let around: Vec<HalfedgeId> = mesh.halfedges_of_face(face).collect();
+        let corners = around.iter().map(|&halfedge| surface.vertex_of_cut(mesh.vertex(halfedge)));
+        assert!(corners.eq(surface.faces()[face]), "faces list their corners in the mesh's order");
     }
     let mut outgoing = 0;
     for vertex in mesh.vertices() {
@@ -57,12 +59,12 @@ fn known_shapes() {
         (band(20, 2), 0, 2, 1),
     ] {
         let surface = checked(&soup);
-        assert_eq!(surface.report.euler_characteristic, euler);
-        assert_eq!(surface.mesh.euler_characteristic(), euler, "manifold shapes are not cut");
-        assert_eq!(surface.report.boundary_loops, loops);
-        assert_eq!(surface.mesh.boundary_loops().len(), loops);
-        assert_eq!((surface.report.components, surface.mesh.components()), (components, components));
-        assert_eq!((surface.report.turned_faces, surface.report.non_manifold_edges), (0, 0));
+        assert_eq!(surface.report().euler_characteristic, euler);
+        assert_eq!(surface.mesh().euler_characteristic(), euler, "manifold shapes are not cut");
+        assert_eq!(surface.report().boundary_loops, loops);
+        assert_eq!(surface.mesh().boundary_loops().len(), loops);
+        assert_eq!((surface.report().components, surface.mesh().components()), (components, components));
+        assert_eq!((surface.report().flipped_faces, surface.report().non_manifold_edges), (0, 0));
     }
 }
 
@@ -74,12 +76,14 @@ fn seam_is_welded() {
         vec![[0, 1, 2], [4, 5, 3]],
     );
     let surface = checked(&cut);
-    let report = &surface.report;
+    let report = surface.report();
     assert_eq!((report.input_vertices, report.vertices, report.welded_vertices), (7, 4, 2));
     assert_eq!((report.unreferenced_vertices, report.components, report.boundary_loops), (1, 1, 1));
-    assert_eq!(surface.point_of_input, [Some(0), Some(1), Some(2), Some(2), Some(1), Some(3), None]);
-    assert_eq!(surface.inputs_of_point(1), [1, 4]);
-    assert_eq!(surface.inputs_of_face.as_slice(), [[0, 1, 2], [4, 5, 3]]);
+    let welded = [Some(0), Some(1), Some(2), Some(2), Some(1), Some(3), None].map(|number| number.map(VertexId));
+    assert_eq!(surface.vertices_of_inputs().as_slice(), welded);
+    assert_eq!(surface.inputs_of_vertex(VertexId(1)), [1, 4].map(InputVertex));
+    let inputs = [0, 1].map(|face| surface.inputs_of_face(FaceId(face)));
+    assert_eq!(inputs, [[0, 1, 2], [4, 5, 3]].map(|corners| corners.map(InputVertex)));
     let (_, distance) = distance_from(&cut, 0);
     assert!(distance.values.iter().all(|value| value.is_finite()), "heat crosses the seam");
 }
@@ -100,13 +104,13 @@ fn useless_triangles_go() {
         [0, 4, outside + 1],            // collinear on the x axis
     ]);
     let surface = checked(&messy);
-    assert_eq!((surface.report.duplicate_faces, surface.report.degenerate_faces), (2, 3));
-    assert_eq!((surface.report.faces, surface.face_of_triangle.len()), (kept, kept + 5));
-    assert!(surface.face_of_triangle[kept..].iter().all(Option::is_none));
-    for (triangle, face) in surface.face_of_triangle.iter().enumerate().take(kept) {
-        assert_eq!(face.map(|face| surface.triangle_of_face[face]), Some(triangle as u32));
+    assert_eq!((surface.report().duplicate_faces, surface.report().degenerate_faces), (2, 3));
+    assert_eq!((surface.report().faces, messy.triangles.len()), (kept, kept + 5));
+    for triangle in (0..messy.triangles.len()).map(InputTriangle::from_index) {
+        let face = surface.face_of_triangle(triangle);
+        assert_eq!(face.map(|face| surface.triangle_of_face(face)), Some(triangle).filter(|_| triangle.index() < kept));
     }
-    assert_eq!(surface.report.unreferenced_vertices, 1, "the collinear corner; the copy of a corner is welded");
+    assert_eq!(surface.report().unreferenced_vertices, 1, "the collinear corner; the copy of a corner is welded");
 }
 
 #[test]
@@ -116,25 +120,26 @@ fn flipped_faces_are_turned() {
         flipped.triangles[triangle].swap(0, 1);
     }
     let surface = checked(&flipped);
-    assert_eq!(surface.report.turned_faces, 4);
-    assert_eq!(surface.mesh.boundary_loops().len(), 0);
+    assert_eq!(surface.report().flipped_faces, 4);
+    assert_eq!(surface.mesh().boundary_loops().len(), 0);
     // The majority pointed outward.
-    assert!(surface.mesh.faces().all(|face| surface.face_normal(face).dot(surface.corners(face)[0]) > 0.0));
+    assert!(surface.mesh().faces().all(|face| surface.face_normal(face).dot(surface.corners(face)[0]) > 0.0));
 }
 
 #[test]
 fn moebius_strip_is_cut_but_whole() {
     let soup = band(40, 1);
     let surface = checked(&soup);
-    assert_eq!((surface.report.euler_characteristic, surface.report.boundary_loops), (0, 1));
-    assert_eq!((surface.report.components, surface.report.non_manifold_edges), (1, 0));
-    assert!(surface.mesh.vertex_count() > surface.point_count(), "copies along the cut");
-    assert_eq!(surface.is_boundary_point.iter().filter(|&&boundary| boundary).count(), 80, "cuts are no boundary");
+    assert_eq!((surface.report().euler_characteristic, surface.report().boundary_loops), (0, 1));
+    assert_eq!((surface.report().components, surface.report().non_manifold_edges), (1, 0));
+    assert!(surface.mesh().vertex_count() > surface.vertex_count(), "copies along the cut");
+    assert_eq!(surface.boundary_vertices().iter().filter(|&&boundary| boundary).count(), 80, "cuts are no boundary");
     // Nothing marks the cut in the distance: going round either way is the same, by the strip's half-turn symmetry.
     // A barrier would make one way longer by many edges.
     let (_, distance) = distance_from(&soup, 2);
     for segment in 1..40 {
-        let (there, back) = (distance.values[segment * 5 + 2], distance.values[(40 - segment) * 5 + 2]);
+        let (there, back) =
+            (distance.values[VertexId(segment * 5 + 2)], distance.values[VertexId((40 - segment) * 5 + 2)]);
         // The diagonals of the quads are not symmetric; they shift values by less than a tenth of an edge of 0.3.
         assert!((there - back).abs() < 0.03, "{segment}: {there} {back}");
     }
@@ -144,17 +149,17 @@ fn moebius_strip_is_cut_but_whole() {
 fn non_manifold_edge_carries_heat() {
     let soup = book(3, 8);
     let surface = checked(&soup);
-    assert_eq!((surface.report.non_manifold_edges, surface.report.components), (8, 1));
-    assert_eq!(surface.mesh.components(), 3, "cut into pages");
-    assert_eq!(surface.report.boundary_loops, 3);
+    assert_eq!((surface.report().non_manifold_edges, surface.report().components), (8, 1));
+    assert_eq!(surface.mesh().components(), 3, "cut into pages");
+    assert_eq!(surface.report().boundary_loops, 3);
     // From the middle of one page's outer edge straight over the spine to the others'.
     let source = common::nearest(&surface, DVec3::new(1.0, 0.0, 0.5));
-    let (solver, distance) = distance_from(&soup, source);
+    let (solver, distance) = distance_from(&soup, source.0);
     for page in 1..3 {
         let angle = std::f64::consts::TAU * f64::from(page) / 3.0;
         let end = common::nearest(solver.surface(), DVec3::new(angle.cos(), angle.sin(), 0.5));
         // Edges of 1/8 on a way of 2: the method's offset is about half an edge.
-        assert!((distance.values[end as usize] - 2.0).abs() < 0.1, "{}", distance.values[end as usize]);
+        assert!((distance.values[end] - 2.0).abs() < 0.1, "{}", distance.values[end]);
     }
 }
 
@@ -163,9 +168,9 @@ fn touching_fans_share_a_point() {
     let bow_tie =
         soup(flat(&[(0.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]), vec![[0, 1, 2], [0, 4, 3]]);
     let surface = checked(&bow_tie);
-    assert_eq!((surface.mesh.vertex_count(), surface.point_count()), (6, 5));
-    assert_eq!(surface.point_of_vertex[Vertex(5)], 0);
-    assert_eq!((surface.report.components, surface.mesh.components(), surface.report.boundary_loops), (1, 2, 2));
+    assert_eq!((surface.mesh().vertex_count(), surface.vertex_count()), (6, 5));
+    assert_eq!(surface.vertex_of_cut(CutVertex(5)), VertexId(0));
+    assert_eq!((surface.report().components, surface.mesh().components(), surface.report().boundary_loops), (1, 2, 2));
     let (_, distance) = distance_from(&bow_tie, 1);
     assert!(distance.values.iter().all(|value| value.is_finite()));
 }
@@ -185,20 +190,20 @@ fn sheets_that_touch_are_no_short_cut() {
     let quads = (0..count).map(|step| 2 * step);
     let triangles: Vec<[u32; 3]> = quads.flat_map(|i| [[i, i + 1, i + 3], [i, i + 3, i + 2]]).collect();
     let ring = checked(&soup(positions.clone(), triangles.clone()));
-    assert_eq!((ring.report.components, ring.point_count(), ring.report.welded_vertices), (1, 26, 0));
+    assert_eq!((ring.report().components, ring.vertex_count(), ring.report().welded_vertices), (1, 26, 0));
     let (solver, distance) = distance_from(&soup(positions.clone(), triangles.clone()), 0);
-    let end = solver.surface().point_of_input[2 * count as usize].expect("used");
-    assert!(distance.values[end as usize] > 5.0, "all the way around");
+    let end = solver.surface().vertex_of_input(InputVertex(2 * count)).expect("used");
+    assert!(distance.values[end] > 5.0, "all the way around");
     // Joined where the file joins them.
     let closed = triangles.iter().map(|triangle| triangle.map(|vertex| if vertex == 2 * count { 0 } else { vertex }));
-    assert_eq!(checked(&soup(positions, closed.collect())).point_count(), 25);
+    assert_eq!(checked(&soup(positions, closed.collect())).vertex_count(), 25);
 }
 
 #[test]
 fn a_touch_that_holds_pieces_together_is_kept() {
     let positions = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (0.0, 0.0)]);
     let two_fans = checked(&soup(positions, vec![[0, 1, 2], [5, 3, 4]]));
-    assert_eq!((two_fans.report.components, two_fans.point_count(), two_fans.report.welded_vertices), (1, 5, 1));
+    assert_eq!((two_fans.report().components, two_fans.vertex_count(), two_fans.report().welded_vertices), (1, 5, 1));
 }
 
 #[test]
@@ -209,15 +214,19 @@ fn separate_parts_are_infinitely_far() {
     two.positions.extend(other.positions.iter().map(|&position| position + DVec3::X * 10.0));
     two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first as u32)));
     let (solver, distance) = distance_from(&two, 0);
-    assert_eq!(solver.surface().report.components, 2);
-    assert!(distance.values[..first].iter().all(|value| value.is_finite()));
-    assert!(distance.values[first..].iter().all(|value| *value == f64::INFINITY));
+    assert_eq!(solver.surface().report().components, 2);
+    assert!(distance.values.as_slice()[..first].iter().all(|value| value.is_finite()));
+    assert!(distance.values.as_slice()[first..].iter().all(|value| *value == f64::INFINITY));
     assert_eq!(distance.unreachable(), other.positions.len());
     assert!(distance.max() < 2.0);
     assert!(distance.gradients(solver.surface()).iter().all(|gradient| gradient.is_finite()));
-    let both = [heatwalk::SurfacePoint::Vertex(0), heatwalk::SurfacePoint::Vertex(first as u32)];
+    let both = [heatwalk::Place::Vertex(VertexId(0)), heatwalk::Place::Vertex(VertexId::from_index(first))];
     let distance = solver.distance(&both).expect("sources");
-    assert_eq!((distance.values[0], distance.values[first]), (0.0, 0.0), "one source a part is exact in each");
+    assert_eq!(
+        (distance.values[VertexId(0)], distance.values[VertexId::from_index(first)]),
+        (0.0, 0.0),
+        "one source a part is exact in each"
+    );
 }
 
 #[test]
@@ -238,8 +247,8 @@ fn bad_input_is_named() {
 #[test]
 fn smallest_surface_works() {
     let (_, distance) = distance_from(&soup(flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]), vec![[0, 1, 2]]), 0);
-    assert_eq!(distance.values[0], 0.0);
-    assert!(distance.values[1] > 0.5 && distance.values[1] < 1.5);
+    assert_eq!(distance.values[VertexId(0)], 0.0);
+    assert!(distance.values[VertexId(1)] > 0.5 && distance.values[VertexId(1)] < 1.5);
 }
 
 #[test]

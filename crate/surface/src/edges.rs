@@ -1,89 +1,93 @@
-//! Which half-edges of a triangle list lie on the same edge, and which triangles to turn so that neighbours agree.
+//! Which half-edges of a triangle list lie on the same edge, and which triangles to flip so that neighbours agree.
 
 use crate::csr::{Csr, NONE};
-use crate::halfedge::Halfedge;
+use crate::element::{Element, FaceId, HalfedgeId, VertexId};
+
+/// The corners of each vertex, by the half-edges that leave them.
+pub type Corners = Csr<VertexId, HalfedgeId>;
 
 /// The edges of a triangle list. Half-edge `3 f + k` runs from corner `k` of face `f` to the next corner.
 #[derive(Debug, Clone)]
 pub struct Edges {
     /// `3 #F`, the next half-edge of the same edge, of either direction. Those of an edge form a cycle, ascending up to
     /// the step from the last to the first.
-    beside: Vec<u32>,
+    next: Vec<HalfedgeId>,
 }
 
 impl Edges {
-    /// Finds the half-edges between the same points. `corners` lists the corners `3 f + k` at each point.
-    pub fn new(faces: &[[u32; 3]], corners: &Csr) -> Self {
-        let mut beside: Vec<u32> = (0..3 * faces.len() as u32).collect();
-        // Per point the lower one that it was last met from, and the latest half-edge between the two.
+    /// Finds the half-edges between the same vertices.
+    pub fn new(faces: &[[VertexId; 3]], corners: &Corners) -> Self {
+        let mut next: Vec<HalfedgeId> = (0..3 * faces.len() as u32).map(HalfedgeId).collect();
+        // Per vertex the lower one that it was last met from, and the latest half-edge between the two.
         let mut latest = vec![[NONE; 2]; corners.rows().len()];
-        for (point, row) in corners.rows().enumerate() {
+        for (vertex, row) in corners.rows() {
             for &corner in row {
-                let (face, k) = (corner / 3, corner % 3);
-                let before = (k + 2) % 3;
-                let points = faces[face as usize];
-                for (other, halfedge) in
-                    [(points[(k as usize + 1) % 3], corner), (points[before as usize], 3 * face + before)]
-                {
-                    if other as usize <= point {
+                let (face, before) = (faces[corner.triangle().index()], corner.previous_in_triangle());
+                let (after, k) = (corner.next_in_triangle().corner(), before.corner());
+                for (other, halfedge) in [(face[after], corner), (face[k], before)] {
+                    if other <= vertex {
                         continue;
                     }
-                    let [from, last] = std::mem::replace(&mut latest[other as usize], [point as u32, halfedge]);
-                    if from as usize == point {
-                        beside[halfedge as usize] = std::mem::replace(&mut beside[last as usize], halfedge);
+                    let [from, last] = std::mem::replace(&mut latest[other.index()], [vertex.0, halfedge.0]);
+                    if from == vertex.0 {
+                        next[halfedge.index()] = std::mem::replace(&mut next[last as usize], halfedge);
                     }
                 }
             }
         }
-        Self { beside }
+        Self { next }
     }
 
     /// The next half-edge of the same edge, the given one where it is alone.
-    pub fn beside(&self, halfedge: u32) -> u32 {
-        self.beside[halfedge as usize]
+    pub fn next_on_edge(&self, halfedge: HalfedgeId) -> HalfedgeId {
+        self.next[halfedge.index()]
     }
 
     /// The half-edges of the same edge, from the given one on.
-    pub fn around(&self, halfedge: u32) -> impl Iterator<Item = u32> + '_ {
-        let next = move |&at: &u32| Some(self.beside[at as usize]).filter(|&next| next != halfedge);
+    pub fn around(&self, halfedge: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        let next = move |&at: &HalfedgeId| Some(self.next_on_edge(at)).filter(|&next| next != halfedge);
         std::iter::successors(Some(halfedge), next)
     }
 
-    /// The last half-edge of each edge.
-    pub fn lasts(&self) -> impl Iterator<Item = u32> + Clone + '_ {
-        (0..self.beside.len() as u32).filter(|&halfedge| self.beside[halfedge as usize] <= halfedge)
+    fn halfedges(&self) -> impl ExactSizeIterator<Item = HalfedgeId> + Clone + use<> {
+        (0..self.next.len() as u32).map(HalfedgeId)
+    }
+
+    /// One half-edge of each edge: its last one.
+    pub fn representatives(&self) -> impl Iterator<Item = HalfedgeId> + Clone + '_ {
+        self.halfedges().filter(|&halfedge| self.next_on_edge(halfedge) <= halfedge)
     }
 
     /// Whether the edge has one face only.
-    pub fn is_single(&self, halfedge: u32) -> bool {
-        self.beside[halfedge as usize] == halfedge
+    pub fn is_single(&self, halfedge: HalfedgeId) -> bool {
+        self.next_on_edge(halfedge) == halfedge
     }
 
     /// The other half-edge of the same edge where exactly two faces meet.
-    pub fn mate(&self, halfedge: u32) -> Option<u32> {
-        let next = self.beside[halfedge as usize];
-        (next != halfedge && self.beside[next as usize] == halfedge).then_some(next)
+    pub fn mate(&self, halfedge: HalfedgeId) -> Option<HalfedgeId> {
+        let next = self.next_on_edge(halfedge);
+        (next != halfedge && self.next_on_edge(next) == halfedge).then_some(next)
     }
 
     /// Whether the edge has three faces or more.
-    pub fn is_branching(&self, halfedge: u32) -> bool {
+    pub fn is_branching(&self, halfedge: HalfedgeId) -> bool {
         !self.is_single(halfedge) && self.mate(halfedge).is_none()
     }
 
-    /// The faces whose three points an earlier face has, in any order; ascending.
-    pub fn duplicates(&self, faces: &[[u32; 3]]) -> Vec<u32> {
-        let apex = |halfedge: u32| faces[halfedge as usize / 3][(halfedge as usize + 2) % 3];
+    /// The faces whose three vertices an earlier face has, in any order; ascending.
+    pub fn duplicates(&self, faces: &[[VertexId; 3]]) -> Vec<FaceId> {
+        let apex = |halfedge: HalfedgeId| origin(faces, halfedge.previous_in_triangle());
         let mut duplicates = Vec::new();
-        let mut apexes: Vec<(u32, u32)> = Vec::new();
-        for last in self.lasts().filter(|&last| !self.is_single(last)) {
+        let mut apexes: Vec<(VertexId, FaceId)> = Vec::new();
+        for last in self.representatives().filter(|&last| !self.is_single(last)) {
             if let Some(first) = self.mate(last) {
                 if apex(first) == apex(last) {
-                    duplicates.push(last / 3);
+                    duplicates.push(last.triangle());
                 }
                 continue;
             }
             apexes.clear();
-            apexes.extend(self.around(last).map(|halfedge| (apex(halfedge), halfedge / 3)));
+            apexes.extend(self.around(last).map(|halfedge| (apex(halfedge), halfedge.triangle())));
             apexes.sort_unstable();
             duplicates.extend(apexes.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
         }
@@ -95,80 +99,85 @@ impl Edges {
     /// The edges of the faces that are kept, in their order.
     pub fn kept(&self, is_kept: &[bool]) -> Self {
         let mut count = 0;
-        let mut first_of_face = Vec::with_capacity(is_kept.len());
+        let mut renumbered = Vec::with_capacity(is_kept.len());
         for &is_kept in is_kept {
-            first_of_face.push(count);
-            count += 3 * u32::from(is_kept);
+            renumbered.push(FaceId(count));
+            count += u32::from(is_kept);
         }
-        let is_kept = |halfedge: u32| is_kept[halfedge as usize / 3];
-        let next_kept = |halfedge: u32| {
-            let mut next = self.beside[halfedge as usize];
+        let is_kept = |halfedge: HalfedgeId| is_kept[halfedge.triangle().index()];
+        let next_kept = |halfedge: HalfedgeId| {
+            let mut next = self.next_on_edge(halfedge);
             while !is_kept(next) {
-                next = self.beside[next as usize];
+                next = self.next_on_edge(next);
             }
-            first_of_face[next as usize / 3] + next % 3
+            renumbered[next.triangle().index()].halfedge(next.corner())
         };
-        Self { beside: (0..self.beside.len() as u32).filter(|&halfedge| is_kept(halfedge)).map(next_kept).collect() }
+        Self { next: self.halfedges().filter(|&halfedge| is_kept(halfedge)).map(next_kept).collect() }
     }
 
     /// The edges after corners 1 and 2 of some faces changed places.
-    pub fn turned(&self, is_turned: impl Fn(u32) -> bool) -> Self {
-        let place = |halfedge: u32| {
-            let k = halfedge % 3;
-            if is_turned(halfedge / 3) { halfedge - k + (2 - k) } else { halfedge }
+    pub fn flipped(&self, is_flipped: impl Fn(FaceId) -> bool) -> Self {
+        let moved = |halfedge: HalfedgeId| {
+            let face = halfedge.triangle();
+            if is_flipped(face) { face.halfedge(2 - halfedge.corner()) } else { halfedge }
         };
-        Self { beside: (0..self.beside.len() as u32).map(|slot| place(self.beside[place(slot) as usize])).collect() }
+        Self { next: self.halfedges().map(|halfedge| moved(self.next_on_edge(moved(halfedge)))).collect() }
     }
 
-    /// The faces to turn so that as many neighbours as possible agree, the fewer in each connected piece.
-    pub fn faces_to_turn(&self, faces: &[[u32; 3]]) -> Vec<u32> {
-        let disagrees = |last: u32| self.mate(last).is_some_and(|mate| same_direction(faces, last, mate));
-        if !self.lasts().any(disagrees) {
+    /// The faces to flip so that as many neighbours as possible agree, the fewer in each connected component.
+    pub fn faces_to_flip(&self, faces: &[[VertexId; 3]]) -> Vec<FaceId> {
+        let disagrees = |last: HalfedgeId| self.mate(last).is_some_and(|mate| same_direction(faces, last, mate));
+        if !self.representatives().any(disagrees) {
             return Vec::new();
         }
-        let mut turned: Vec<Option<bool>> = vec![None; faces.len()];
-        let mut piece: Vec<u32> = Vec::new();
+        let mut flipped: Vec<Option<bool>> = vec![None; faces.len()];
+        let mut component: Vec<FaceId> = Vec::new();
         let mut result = Vec::new();
         for start in 0..faces.len() {
-            if turned[start].is_some() {
+            if flipped[start].is_some() {
                 continue;
             }
-            piece.clear();
-            piece.push(start as u32);
-            turned[start] = Some(false);
+            component.clear();
+            component.push(FaceId::from_index(start));
+            flipped[start] = Some(false);
             let mut done = 0;
-            let mut turns = 0;
-            while done < piece.len() {
-                let face = piece[done];
+            let mut flips = 0;
+            while done < component.len() {
+                let face = component[done];
                 done += 1;
-                let turn = turned[face as usize] == Some(true);
-                turns += usize::from(turn);
-                for halfedge in face * 3..face * 3 + 3 {
+                let is_flipped = flipped[face.index()] == Some(true);
+                flips += usize::from(is_flipped);
+                for halfedge in [0, 1, 2].map(|k| face.halfedge(k)) {
                     let Some(mate) = self.mate(halfedge) else { continue };
-                    if turned[mate as usize / 3].is_none() {
-                        turned[mate as usize / 3] = Some(turn ^ same_direction(faces, halfedge, mate));
-                        piece.push(mate / 3);
+                    let other = mate.triangle();
+                    if flipped[other.index()].is_none() {
+                        flipped[other.index()] = Some(is_flipped ^ same_direction(faces, halfedge, mate));
+                        component.push(other);
                     }
                 }
             }
-            let minority = turns * 2 <= piece.len();
-            result.extend(piece.iter().copied().filter(|&face| turned[face as usize] == Some(minority)));
+            let minority = flips * 2 <= component.len();
+            result.extend(component.iter().copied().filter(|&face| flipped[face.index()] == Some(minority)));
         }
         result
     }
 
-    /// Twin of each half-edge: its mate where the two run in opposite directions, else [`NONE`].
-    pub fn twins(&self, faces: &[[u32; 3]]) -> Vec<Halfedge> {
-        let twin = |halfedge: u32| {
+    /// Twin of each half-edge: its mate where the two run in opposite directions, else number [`NONE`].
+    pub(crate) fn twins(&self, faces: &[[VertexId; 3]]) -> Vec<HalfedgeId> {
+        let twin = |halfedge| {
             let mate = self.mate(halfedge).filter(|&mate| !same_direction(faces, halfedge, mate));
-            Halfedge(mate.unwrap_or(NONE))
+            mate.unwrap_or(HalfedgeId(NONE))
         };
-        (0..self.beside.len() as u32).map(twin).collect()
+        self.halfedges().map(twin).collect()
     }
 }
 
-/// Whether two half-edges of one edge leave the same point.
-fn same_direction(faces: &[[u32; 3]], a: u32, b: u32) -> bool {
-    let origin = |halfedge: u32| faces[halfedge as usize / 3][halfedge as usize % 3];
-    origin(a) == origin(b)
+/// The vertex that a half-edge leaves.
+fn origin(faces: &[[VertexId; 3]], halfedge: HalfedgeId) -> VertexId {
+    faces[halfedge.triangle().index()][halfedge.corner()]
+}
+
+/// Whether two half-edges of one edge leave the same vertex.
+fn same_direction(faces: &[[VertexId; 3]], a: HalfedgeId, b: HalfedgeId) -> bool {
+    origin(faces, a) == origin(faces, b)
 }

@@ -4,6 +4,7 @@
 
 pub mod csr;
 pub mod edges;
+pub mod element;
 mod error;
 pub mod halfedge;
 pub mod io;
@@ -17,9 +18,13 @@ pub mod triangle;
 pub mod union_find;
 mod weld;
 
+pub use element::{
+    CutVertex, CutVertexData, Element, ElementData, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData,
+    InputVertex, InputVertexData, VertexData, VertexId,
+};
 pub use error::{Error, Result};
-pub use halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
+pub use halfedge::HalfedgeMesh;
 pub use path::{Path, PathPoint};
-pub use point::{SNAP, Source, SurfacePoint};
+pub use point::{Place, SNAP, Source};
 pub use soup::Soup;
 pub use surface::{BuildReport, Surface};

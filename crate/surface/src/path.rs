@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
+use crate::element::{Element, FaceId, VertexId};
 use crate::error::{Error, Result};
-use crate::halfedge::Face;
-use crate::point::SurfacePoint;
+use crate::point::Place;
 use crate::surface::Surface;
 use crate::triangle;
 
@@ -13,10 +13,10 @@ use crate::triangle;
 pub struct PathPoint {
     /// Position, in the file's unit.
     pub position: DVec3,
-    /// Where on the surface: at a point, on an edge, or inside a face.
-    pub location: SurfacePoint,
+    /// Where on the surface: at a vertex, on an edge, or inside a face.
+    pub location: Place,
     /// The face that the path goes through, or along, after this point; at the last point the one before.
-    pub face: Face,
+    pub face: FaceId,
 }
 
 /// A piecewise straight curve on the surface.
@@ -35,27 +35,27 @@ impl Path {
         Self { points, normals }
     }
 
-    /// The path along edges through these points, as shortest paths along edges give them.
+    /// The path along edges through these vertices, as shortest paths along edges give them.
     ///
     /// # Errors
-    /// [`Error::BadVertex`] for a point that does not exist, or that has no edge to the one before it;
-    /// [`Error::BadParameter`] where there is no point.
-    pub fn along_edges(surface: &Surface, through: &[u32]) -> Result<Self> {
+    /// [`Error::BadVertex`] for a vertex that does not exist, or that has no edge to the one before it;
+    /// [`Error::BadParameter`] where there is no vertex.
+    pub fn along_edges(surface: &Surface, through: &[VertexId]) -> Result<Self> {
         let mut points: Vec<PathPoint> = Vec::with_capacity(through.len());
-        for &point in through {
-            let location = SurfacePoint::Vertex(point).validated(surface)?;
+        for &vertex in through {
+            let location = Place::Vertex(vertex).validated(surface)?;
             let face = match points.last_mut() {
                 None => location.faces(surface)[0],
                 Some(before) => {
-                    let beside = before.location.faces(surface);
-                    let face = beside.into_iter().find(|&face| surface.faces[face].contains(&point));
+                    let around = before.location.faces(surface);
+                    let face = around.into_iter().find(|&face| surface.faces()[face].contains(&vertex));
                     let problem = || "has no edge to the point before it on the path".to_owned();
-                    let bad = || Error::BadVertex { vertex: point as usize, problem: problem() };
+                    let bad = || Error::BadVertex { vertex: vertex.index(), problem: problem() };
                     before.face = face.filter(|_| before.location != location).ok_or_else(bad)?;
                     before.face
                 }
             };
-            points.push(PathPoint { position: surface.position(point), location, face });
+            points.push(PathPoint { position: surface.position(vertex), location, face });
         }
         if points.is_empty() {
             return Err(Error::BadParameter { name: "path", value: "empty".to_owned(), range: "one point at least" });
@@ -65,16 +65,16 @@ impl Path {
 
     /// Length, in the file's unit.
     pub fn length(&self) -> f64 {
-        let pieces = self.points.windows(2).map(|ends| triangle::length(ends[1].position - ends[0].position));
+        let segments = self.points.windows(2).map(|ends| triangle::length(ends[1].position - ends[0].position));
         // The empty sum of floats is −0.
-        pieces.fold(0.0, |sum, piece| sum + piece)
+        segments.fold(0.0, |sum, segment| sum + segment)
     }
 }
 
 fn normal(surface: &Surface, point: &PathPoint) -> DVec3 {
     let normal = match point.location {
-        SurfacePoint::Vertex(vertex) => surface.point_normal(vertex),
-        SurfacePoint::Edge { .. } | SurfacePoint::Face { .. } => {
+        Place::Vertex(vertex) => surface.vertex_normal(vertex),
+        Place::Edge { .. } | Place::Face { .. } => {
             let faces = point.location.faces(surface);
             triangle::unit(faces.into_iter().map(|face| surface.face_normal(face)).sum())
         }

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
+use crate::element::{Element, FaceId, HalfedgeId, VertexData, VertexId};
 use crate::error::{Error, Result};
-use crate::halfedge::{Face, Halfedge};
 use crate::surface::Surface;
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
@@ -14,28 +14,28 @@ const WEIGHT_TOLERANCE: f64 = 1e-5;
 /// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
 pub const SNAP: f64 = 1e-10;
 
-/// A point of the surface.
+/// A place on a surface, as a caller gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SurfacePoint {
-    /// A welded point.
-    Vertex(u32),
+pub enum Place {
+    /// A welded vertex.
+    Vertex(VertexId),
     /// A point of an edge.
     Edge {
         /// A half-edge of a triangle or of the boundary.
-        halfedge: Halfedge,
+        halfedge: HalfedgeId,
         /// Share of the way along it, 0 to 1.
         fraction: f64,
     },
     /// A point of a face.
     Face {
         /// The triangle.
-        face: Face,
+        face: FaceId,
         /// Barycentric weights of its corners, non-negative, of sum 1.
         weights: [f64; 3],
     },
 }
 
-impl SurfacePoint {
+impl Place {
     /// The same point with weights cut to their range and made to sum to 1.
     ///
     /// # Errors
@@ -44,17 +44,17 @@ impl SurfacePoint {
     pub fn validated(self, surface: &Surface) -> Result<Self> {
         let outside = |weight: f64| !(-WEIGHT_TOLERANCE..=1.0 + WEIGHT_TOLERANCE).contains(&weight);
         match self {
-            Self::Vertex(point) if (point as usize) < surface.point_count() => Ok(self),
-            Self::Vertex(point) => Err(Error::BadVertex {
-                vertex: point as usize,
-                problem: format!("does not exist; the welded surface has {}", surface.point_count()),
+            Self::Vertex(vertex) if vertex.index() < surface.vertex_count() => Ok(self),
+            Self::Vertex(vertex) => Err(Error::BadVertex {
+                vertex: vertex.index(),
+                problem: format!("does not exist; the welded surface has {}", surface.vertex_count()),
             }),
             Self::Edge { halfedge, fraction } => {
                 let bad = |problem: &str| {
-                    let face = halfedge.0 as usize / 3;
+                    let face = halfedge.triangle().index();
                     Err(Error::BadPoint { face, weights: format!("{fraction}"), problem: problem.to_owned() })
                 };
-                if halfedge.0 as usize >= surface.mesh.halfedge_count() {
+                if halfedge.index() >= surface.mesh().halfedge_count() {
                     return bad("there is no such half-edge");
                 }
                 if outside(fraction) {
@@ -64,9 +64,9 @@ impl SurfacePoint {
             }
             Self::Face { face, weights } => {
                 let bad = |problem: String| {
-                    Err(Error::BadPoint { face: face.0 as usize, weights: format!("{weights:?}"), problem })
+                    Err(Error::BadPoint { face: face.index(), weights: format!("{weights:?}"), problem })
                 };
-                if face.0 as usize >= surface.face_count() {
+                if face.index() >= surface.face_count() {
                     return bad(format!("there are only {} faces", surface.face_count()));
                 }
                 if weights.iter().any(|&weight| outside(weight)) || outside(weights.iter().sum()) {
@@ -82,38 +82,38 @@ impl SurfacePoint {
         }
     }
 
-    /// The welded points that span it, with their barycentric weights; points of weight 0 are left out.
-    pub fn support(self, surface: &Surface) -> impl Iterator<Item = (u32, f64)> + use<> {
-        let (points, weights) = match self {
-            Self::Vertex(point) => ([point; 3], [1.0, 0.0, 0.0]),
+    /// The vertices that span it, with their barycentric weights; vertices of weight 0 are left out.
+    pub fn support(self, surface: &Surface) -> impl Iterator<Item = (VertexId, f64)> + use<> {
+        let (vertices, weights) = match self {
+            Self::Vertex(vertex) => ([vertex; 3], [1.0, 0.0, 0.0]),
             Self::Edge { halfedge, fraction } => {
                 let [a, b] = surface.ends(halfedge);
                 ([a, b, b], [1.0 - fraction, fraction, 0.0])
             }
-            Self::Face { face, weights } => (surface.faces[face], weights),
+            Self::Face { face, weights } => (surface.faces()[face], weights),
         };
-        points.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
+        vertices.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
     }
 
-    /// The welded point that it is, if it is one.
-    pub fn vertex(self, surface: &Surface) -> Option<u32> {
+    /// The vertex that it is, if it is one.
+    pub fn vertex(self, surface: &Surface) -> Option<VertexId> {
         let mut support = self.support(surface);
-        support.next().filter(|_| support.next().is_none()).map(|(point, _)| point)
+        support.next().filter(|_| support.next().is_none()).map(|(vertex, _)| vertex)
     }
 
     /// Its position, in the file's unit.
     pub fn position(self, surface: &Surface) -> DVec3 {
-        self.support(surface).map(|(point, weight)| surface.position(point) * weight).sum()
+        self.support(surface).map(|(vertex, weight)| surface.position(vertex) * weight).sum()
     }
 
-    /// The linear interpolation of values given per point (`#P`).
-    pub fn interpolate(self, surface: &Surface, values: &[f64]) -> f64 {
-        self.support(surface).map(|(point, weight)| values[point as usize] * weight).sum()
+    /// The linear interpolation of values given per vertex.
+    pub fn interpolate(self, surface: &Surface, values: &VertexData<f64>) -> f64 {
+        self.support(surface).map(|(vertex, weight)| values[vertex] * weight).sum()
     }
 
     /// The corner of largest weight.
-    pub fn nearest_point(self, surface: &Surface) -> u32 {
-        self.support(surface).max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(point, _)| point)
+    pub fn nearest_vertex(self, surface: &Surface) -> VertexId {
+        self.support(surface).max_by(|a, b| a.1.total_cmp(&b.1)).map_or(VertexId(0), |(vertex, _)| vertex)
     }
 
     /// The same point as a vertex or on an edge where it is within [`SNAP`] of one.
@@ -144,7 +144,7 @@ impl SurfacePoint {
                 Some(k) => {
                     let [i, j] = [(k + 1) % 3, (k + 2) % 3];
                     let fraction = weights[j] / (weights[i] + weights[j]);
-                    let edge = Self::Edge { halfedge: Halfedge(face.0 * 3 + i as u32), fraction };
+                    let edge = Self::Edge { halfedge: face.halfedge(i), fraction };
                     edge.snapped_within(surface, share)
                 }
             },
@@ -152,9 +152,9 @@ impl SurfacePoint {
     }
 
     /// The faces that it lies on.
-    pub fn faces(self, surface: &Surface) -> Vec<Face> {
+    pub fn faces(self, surface: &Surface) -> Vec<FaceId> {
         match self {
-            Self::Vertex(point) => surface.corners_of_point(point).map(|(face, _)| face).collect(),
+            Self::Vertex(vertex) => surface.corners_of_vertex(vertex).map(|(face, _)| face).collect(),
             Self::Edge { halfedge, .. } => {
                 let [a, b] = surface.ends(halfedge);
                 surface.faces_of_edge(a, b).collect()
@@ -164,10 +164,10 @@ impl SurfacePoint {
     }
 
     /// Its barycentric weights in one of the faces that it lies on.
-    pub fn weights_in(self, surface: &Surface, face: Face) -> [f64; 3] {
+    pub fn weights_in(self, surface: &Surface, face: FaceId) -> [f64; 3] {
         let mut weights = [0.0; 3];
-        for (point, weight) in self.support(surface) {
-            if let Some(k) = surface.faces[face].iter().position(|&corner| corner == point) {
+        for (vertex, weight) in self.support(surface) {
+            if let Some(k) = surface.faces()[face].iter().position(|&corner| corner == vertex) {
                 weights[k] = weight;
             }
         }
@@ -178,17 +178,17 @@ impl SurfacePoint {
     ///
     /// # Panics
     /// Where the face has no such edge.
-    pub fn on_edge(surface: &Surface, face: Face, [a, b]: [u32; 2], share: f64) -> Self {
-        let corners = surface.faces[face];
+    pub fn on_edge(surface: &Surface, face: FaceId, [a, b]: [VertexId; 2], share: f64) -> Self {
+        let corners = surface.faces()[face];
         let k = (0..3).find(|&k| corners[k] == a).expect("an edge of the face");
         let is_along = corners[(k + 1) % 3] == b;
         let (k, fraction) = if is_along { (k, share) } else { ((k + 2) % 3, 1.0 - share) };
-        Self::Edge { halfedge: Halfedge(face.0 * 3 + k as u32), fraction }
+        Self::Edge { halfedge: face.halfedge(k), fraction }
     }
 
-    /// The connected piece that it lies on.
+    /// The connected component that it lies on.
     pub fn component(self, surface: &Surface) -> u32 {
-        surface.component_of_point[self.nearest_point(surface) as usize]
+        surface.component(self.nearest_vertex(surface))
     }
 }
 
@@ -196,20 +196,21 @@ impl SurfacePoint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
     /// Where.
-    pub point: SurfacePoint,
-    /// Starting value, in the file's unit, 0 or more: distances are the least of starting value plus way.
-    pub offset: f64,
+    pub point: Place,
+    /// The distance that it starts from, in the file's unit, 0 or more: distances are the least of initial distance plus
+    /// length of a path.
+    pub initial_distance: f64,
 }
 
-impl From<SurfacePoint> for Source {
-    fn from(point: SurfacePoint) -> Self {
-        Self { point, offset: 0.0 }
+impl From<Place> for Source {
+    fn from(point: Place) -> Self {
+        Self { point, initial_distance: 0.0 }
     }
 }
 
-impl From<(SurfacePoint, f64)> for Source {
-    fn from((point, offset): (SurfacePoint, f64)) -> Self {
-        Self { point, offset }
+impl From<(Place, f64)> for Source {
+    fn from((point, initial_distance): (Place, f64)) -> Self {
+        Self { point, initial_distance }
     }
 }
 
@@ -217,12 +218,12 @@ impl Source {
     /// The same source with a valid point.
     ///
     /// # Errors
-    /// As [`SurfacePoint::validated`]; [`Error::BadParameter`] for a starting value that is negative or not finite.
+    /// As [`Place::validated`]; [`Error::BadParameter`] for an initial distance that is negative or not finite.
     pub fn validated(self, surface: &Surface) -> Result<Self> {
-        if !(self.offset.is_finite() && self.offset >= 0.0) {
-            let value = self.offset.to_string();
-            return Err(Error::BadParameter { name: "the starting value of a source", value, range: "0 or more" });
+        if !(self.initial_distance.is_finite() && self.initial_distance >= 0.0) {
+            let value = self.initial_distance.to_string();
+            return Err(Error::BadParameter { name: "the initial distance of a source", value, range: "0 or more" });
         }
-        Ok(Self { point: self.point.validated(surface)?, offset: self.offset })
+        Ok(Self { point: self.point.validated(surface)?, initial_distance: self.initial_distance })
     }
 }

@@ -1,15 +1,19 @@
-//! The surface that distances are computed on: welded points, clean oriented triangles, half-edges.
+//! The surface that distances are computed on: welded vertices, clean oriented triangles, half-edges.
 //!
-//! A *point* is a welded position and one degree of freedom. Where the triangles are not an oriented manifold (an edge
-//! of three faces, a Möbius strip) the half-edge mesh is cut, and several of its vertices share one point; heat,
-//! distance and paths live on points and do not see the cut.
+//! A welded vertex is one position and one unknown. Where the triangles are not an oriented manifold (an edge of three
+//! faces, a Möbius strip) the half-edge mesh is cut, and several of its vertices share one welded vertex; heat, distance
+//! and paths live on welded vertices and do not see the cut.
 
 use glam::DVec3;
 
-use crate::csr::{Csr, NONE};
-use crate::edges::Edges;
+use crate::csr::Csr;
+use crate::edges::{Corners, Edges};
+use crate::element::{
+    CutVertex, CutVertexData, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData, InputVertex,
+    InputVertexData, VertexData, VertexId,
+};
 use crate::error::Result;
-use crate::halfedge::{Face, FaceData, Halfedge, HalfedgeMesh, Vertex, VertexData};
+use crate::halfedge::HalfedgeMesh;
 use crate::memory;
 use crate::soup::Soup;
 use crate::triangle;
@@ -22,65 +26,51 @@ const BYTES_PER_TRIANGLE: u64 = 128;
 /// What was found and done while a [`Surface`] was built.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct BuildReport {
-    /// Vertices of the soup.
+    /// Vertices of the input.
     pub input_vertices: usize,
-    /// Points, the degrees of freedom.
+    /// Welded vertices, the unknowns.
     pub vertices: usize,
     /// Faces kept.
     pub faces: usize,
-    /// Soup vertices that became one with an earlier one.
+    /// Input vertices that became one with an earlier one.
     pub welded_vertices: usize,
-    /// Soup vertices that no kept face uses.
+    /// Input vertices that no kept face uses.
     pub unreferenced_vertices: usize,
     /// Triangles dropped for a repeated corner or no area.
     pub degenerate_faces: usize,
-    /// Triangles dropped because an earlier one has the same three points.
+    /// Triangles dropped because an earlier one has the same three vertices.
     pub duplicate_faces: usize,
     /// Faces whose orientation was reversed to agree with their neighbours.
-    pub turned_faces: usize,
+    pub flipped_faces: usize,
     /// Edges of three faces or more.
     pub non_manifold_edges: usize,
-    /// Connected pieces; touching in one point is enough.
+    /// Connected components; touching in one vertex is enough.
     pub components: usize,
     /// Loops of edges that have one face only.
     pub boundary_loops: usize,
-    /// Points − edges + faces.
+    /// Vertices − edges + faces.
     pub euler_characteristic: i64,
 }
 
 /// A welded triangle surface with its connectivity. Build it with [`Surface::build`].
 #[derive(Debug, Clone)]
 pub struct Surface {
-    /// Half-edges; its face `f` is `faces[f]`, in the same orientation and order of corners.
-    pub mesh: HalfedgeMesh,
-    /// `#V`, the point of each mesh vertex. Vertex `i` is point `i` for every `i < #P`.
-    pub point_of_vertex: VertexData<u32>,
-    /// `#P × 3`, in order of the first soup vertex there, in the file's unit.
-    pub positions: Vec<DVec3>,
-    /// `#F × 3` points, kept triangles in the soup's order.
-    pub faces: FaceData<[u32; 3]>,
-    /// Per soup vertex its point; `None` where no kept face uses it.
-    pub point_of_input: Vec<Option<u32>>,
-    /// Per soup triangle its face; `None` where it was dropped.
-    pub face_of_triangle: Vec<Option<Face>>,
-    /// Per face its soup triangle.
-    pub triangle_of_face: FaceData<u32>,
-    /// `#F × 3` soup vertices, in the order of `faces`.
-    pub inputs_of_face: FaceData<[u32; 3]>,
-    /// Per point its connected piece, counted from 0.
-    pub component_of_point: Vec<u32>,
-    /// Per point whether an edge with one face only ends there. Cuts are not boundary.
-    pub is_boundary_point: Vec<bool>,
-    /// Whether no edge had to be cut: every edge has one face, or two that agree in orientation.
-    pub is_oriented_manifold: bool,
-    /// Mean length of the edges, in the file's unit.
-    pub mean_edge: f64,
-    /// What was found and done.
-    pub report: BuildReport,
-    /// Which half-edges lie on the same edge.
-    pub edges: Edges,
-    inputs_of_point: Csr,
-    corners_of_point: Csr,
+    mesh: HalfedgeMesh,
+    edges: Edges,
+    positions: VertexData<DVec3>,
+    faces: FaceData<[VertexId; 3]>,
+    corners: Corners,
+    vertex_of_cut: CutVertexData<VertexId>,
+    vertex_of_input: InputVertexData<Option<VertexId>>,
+    inputs_of_vertex: Csr<VertexId, InputVertex>,
+    face_of_triangle: InputTriangleData<Option<FaceId>>,
+    triangle_of_face: FaceData<InputTriangle>,
+    inputs_of_face: FaceData<[InputVertex; 3]>,
+    components: VertexData<u32>,
+    is_boundary: VertexData<bool>,
+    is_oriented_manifold: bool,
+    mean_edge: f64,
+    report: BuildReport,
 }
 
 impl Surface {
@@ -92,89 +82,88 @@ impl Surface {
     pub fn build(soup: &Soup) -> Result<Self> {
         memory::require(BYTES_PER_TRIANGLE * soup.triangles.len() as u64, "building the surface")?;
         let welded = weld(soup)?;
-        let (positions, mut faces) = (welded.positions, welded.faces);
-        let (mut edges, mut corners_of_point) = (welded.edges, welded.corners_of_point);
-        let points = positions.len();
-        let mut inputs_of_face: Vec<[u32; 3]> =
-            welded.triangle_of_face.iter().map(|&triangle| soup.triangles[triangle as usize]).collect();
+        let (positions, mut faces, mut edges, mut corners) =
+            (welded.positions, welded.faces, welded.edges, welded.corners);
+        let input_corners = |triangle: &InputTriangle| soup.triangles[triangle.index()].map(InputVertex);
+        let mut inputs_of_face: FaceData<_> = welded.triangle_of_face.iter().map(input_corners).collect();
 
-        let turned = edges.faces_to_turn(&faces);
-        if !turned.is_empty() {
-            let mut is_turned = vec![false; faces.len()];
-            for &face in &turned {
-                faces[face as usize].swap(1, 2);
-                inputs_of_face[face as usize].swap(1, 2);
-                is_turned[face as usize] = true;
+        let flipped = edges.faces_to_flip(faces.as_slice());
+        if !flipped.is_empty() {
+            let mut is_flipped: FaceData<bool> = vec![false; faces.len()].into();
+            for &face in &flipped {
+                faces[face].swap(1, 2);
+                inputs_of_face[face].swap(1, 2);
+                is_flipped[face] = true;
             }
-            edges = edges.turned(|face| is_turned[face as usize]);
-            for corner in corners_of_point.items_mut() {
-                let k = *corner % 3;
-                if k > 0 && is_turned[*corner as usize / 3] {
-                    *corner = *corner - k + (3 - k);
+            edges = edges.flipped(|face| is_flipped[face]);
+            for corner in corners.items_mut() {
+                let (face, k) = (corner.triangle(), corner.corner());
+                if k > 0 && is_flipped[face] {
+                    *corner = face.halfedge(3 - k);
                 }
             }
         }
-        let (mesh, point_of_vertex) = HalfedgeMesh::from_twins(points, &faces, edges.twins(&faces));
+        let twins = edges.twins(faces.as_slice());
+        let (mesh, vertex_of_cut) = HalfedgeMesh::from_twins(positions.len(), faces.as_slice(), twins);
 
-        let mut is_boundary_point = vec![false; points];
+        let mut is_boundary: VertexData<bool> = vec![false; positions.len()].into();
         let mut is_oriented_manifold = true;
-        for outer in (3 * faces.len() as u32..mesh.halfedge_count() as u32).map(Halfedge) {
-            if edges.is_single(mesh.twin(outer).0) {
+        for outer in (3 * faces.len() as u32..mesh.halfedge_count() as u32).map(HalfedgeId) {
+            if edges.is_single(mesh.twin(outer)) {
                 for vertex in [mesh.vertex(outer), mesh.tip(outer)] {
-                    is_boundary_point[point_of_vertex[vertex] as usize] = true;
+                    is_boundary[vertex_of_cut[vertex]] = true;
                 }
             } else {
                 is_oriented_manifold = false;
             }
         }
-        let is_true_boundary = |halfedge: Halfedge| edges.is_single(mesh.twin(halfedge).0);
+        let is_true_boundary = |halfedge: HalfedgeId| edges.is_single(mesh.twin(halfedge));
         let boundary_loops =
             mesh.boundary_loops().filter(|&cap| mesh.halfedges_of_face(cap).any(is_true_boundary)).count();
 
-        let (component_of_point, components) = components(&faces, points);
+        let (components, component_count) = connected_components(&faces, positions.len());
         let (mean_edge, edge_count) = mean_edge(&edges, &faces, &positions);
-        let unreferenced = welded.point_of_input.iter().filter(|&&point| point == NONE).count();
+        let unreferenced = welded.vertex_of_input.iter().filter(|vertex| vertex.is_none()).count();
         let report = BuildReport {
             input_vertices: soup.positions.len(),
-            vertices: points,
+            vertices: positions.len(),
             faces: faces.len(),
-            welded_vertices: soup.positions.len() - unreferenced - points,
+            welded_vertices: soup.positions.len() - unreferenced - positions.len(),
             unreferenced_vertices: unreferenced,
             degenerate_faces: welded.degenerate_faces,
             duplicate_faces: welded.duplicate_faces,
-            turned_faces: turned.len(),
-            non_manifold_edges: edges.lasts().filter(|&last| edges.is_branching(last)).count(),
-            components,
+            flipped_faces: flipped.len(),
+            non_manifold_edges: edges.representatives().filter(|&last| edges.is_branching(last)).count(),
+            components: component_count,
             boundary_loops,
-            euler_characteristic: points as i64 - edge_count as i64 + faces.len() as i64,
+            euler_characteristic: positions.len() as i64 - edge_count as i64 + faces.len() as i64,
         };
-        let mut face_of_triangle = vec![None; soup.triangles.len()];
-        for (face, &triangle) in welded.triangle_of_face.iter().enumerate() {
-            face_of_triangle[triangle as usize] = Some(Face(face as u32));
+        let mut face_of_triangle: InputTriangleData<_> = vec![None; soup.triangles.len()].into();
+        for (face, &triangle) in welded.triangle_of_face.enumerate() {
+            face_of_triangle[triangle] = Some(face);
         }
-        let inputs_of_point = Csr::group(points, welded.point_of_input.iter().copied());
         Ok(Self {
-            mean_edge,
-            is_oriented_manifold,
+            inputs_of_vertex: Csr::group(positions.len(), welded.vertex_of_input.iter().copied()),
             mesh,
-            point_of_vertex,
-            positions,
-            faces: faces.into(),
-            point_of_input: welded.point_of_input.iter().map(|&p| Some(p).filter(|&p| p != NONE)).collect(),
-            face_of_triangle,
-            triangle_of_face: welded.triangle_of_face.into(),
-            inputs_of_face: inputs_of_face.into(),
-            component_of_point,
-            is_boundary_point,
-            report,
             edges,
-            inputs_of_point,
-            corners_of_point,
+            positions,
+            faces,
+            corners,
+            vertex_of_cut,
+            vertex_of_input: welded.vertex_of_input,
+            face_of_triangle,
+            triangle_of_face: welded.triangle_of_face,
+            inputs_of_face,
+            components,
+            is_boundary,
+            is_oriented_manifold,
+            mean_edge,
+            report,
         })
     }
 
-    /// Number of points.
-    pub fn point_count(&self) -> usize {
+    /// Number of welded vertices.
+    pub fn vertex_count(&self) -> usize {
         self.positions.len()
     }
 
@@ -183,54 +172,140 @@ impl Surface {
         self.faces.len()
     }
 
-    /// The soup vertices welded into a point, ascending.
-    pub fn inputs_of_point(&self, point: u32) -> &[u32] {
-        self.inputs_of_point.row(point)
+    /// All welded vertices.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + Clone + use<> {
+        self.positions.ids()
     }
 
-    /// The faces around a point, over all copies of it, each with the corner (0 to 2) that lies there.
-    pub fn corners_of_point(&self, point: u32) -> impl Iterator<Item = (Face, usize)> + '_ {
-        self.corners_of_point.row(point).iter().map(|corner| (Face(corner / 3), *corner as usize % 3))
+    /// `#V × 3`, in order of the first input vertex there, in the file's unit.
+    pub fn positions(&self) -> &VertexData<DVec3> {
+        &self.positions
     }
 
-    /// The points joined to a point by an edge; each as often as a face has that edge.
-    pub fn neighbours(&self, point: u32) -> impl Iterator<Item = u32> + '_ {
-        self.corners_of_point(point).flat_map(|(face, k)| {
+    /// `#F × 3` corners of the kept triangles, in the input's order.
+    pub fn faces(&self) -> &FaceData<[VertexId; 3]> {
+        &self.faces
+    }
+
+    /// Half-edges; triangle `f` of the mesh is face `f`, in the same orientation and order of corners.
+    pub fn mesh(&self) -> &HalfedgeMesh {
+        &self.mesh
+    }
+
+    /// Which half-edges lie on the same edge, over all cuts.
+    pub fn edges(&self) -> &Edges {
+        &self.edges
+    }
+
+    /// The welded vertex that a vertex of the half-edge mesh is a copy of. Cut vertex `i` is welded vertex `i` for every
+    /// `i < #V`; further copies come after.
+    pub fn vertex_of_cut(&self, vertex: CutVertex) -> VertexId {
+        self.vertex_of_cut[vertex]
+    }
+
+    /// The welded vertex that an input vertex became; `None` where no kept face uses it, or there is none such.
+    pub fn vertex_of_input(&self, vertex: InputVertex) -> Option<VertexId> {
+        self.vertex_of_input.get(vertex).copied().flatten()
+    }
+
+    /// Of every input vertex the welded vertex that it became; `None` where no kept face uses it.
+    pub fn vertices_of_inputs(&self) -> &InputVertexData<Option<VertexId>> {
+        &self.vertex_of_input
+    }
+
+    /// The input vertices welded into a vertex, ascending; one at least.
+    pub fn inputs_of_vertex(&self, vertex: VertexId) -> &[InputVertex] {
+        self.inputs_of_vertex.row(vertex)
+    }
+
+    /// The face that an input triangle became; `None` where it was dropped, or there is none such.
+    pub fn face_of_triangle(&self, triangle: InputTriangle) -> Option<FaceId> {
+        self.face_of_triangle.get(triangle).copied().flatten()
+    }
+
+    /// The input triangle that became a face.
+    pub fn triangle_of_face(&self, face: FaceId) -> InputTriangle {
+        self.triangle_of_face[face]
+    }
+
+    /// The input vertices at a face's corners, in the order of [`faces`](Self::faces).
+    pub fn inputs_of_face(&self, face: FaceId) -> [InputVertex; 3] {
+        self.inputs_of_face[face]
+    }
+
+    /// `#V`, the connected component of each vertex, counted from 0 in order of their first vertices.
+    pub fn components(&self) -> &VertexData<u32> {
+        &self.components
+    }
+
+    /// The connected component of a vertex, counted from 0.
+    pub fn component(&self, vertex: VertexId) -> u32 {
+        self.components[vertex]
+    }
+
+    /// `#V`, whether an edge with one face only ends at the vertex. Cuts are not boundary.
+    pub fn boundary_vertices(&self) -> &VertexData<bool> {
+        &self.is_boundary
+    }
+
+    /// Whether no edge had to be cut: every edge has one face, or two that agree in orientation.
+    pub fn is_oriented_manifold(&self) -> bool {
+        self.is_oriented_manifold
+    }
+
+    /// Mean length of the edges, in the file's unit.
+    pub fn mean_edge(&self) -> f64 {
+        self.mean_edge
+    }
+
+    /// What was found and done while the surface was built.
+    pub fn report(&self) -> &BuildReport {
+        &self.report
+    }
+
+    /// The faces around a vertex, over all copies of it, each with the corner (0 to 2) that lies there.
+    pub fn corners_of_vertex(&self, vertex: VertexId) -> impl Iterator<Item = (FaceId, usize)> + '_ {
+        self.corners.row(vertex).iter().map(|corner| (corner.triangle(), corner.corner()))
+    }
+
+    /// The vertices joined to a vertex by an edge; each as often as a face has that edge.
+    pub fn neighbours(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + '_ {
+        self.corners_of_vertex(vertex).flat_map(|(face, k)| {
             let corners = self.faces[face];
             [corners[(k + 1) % 3], corners[(k + 2) % 3]]
         })
     }
 
-    /// The faces that have both points, over all copies: one on a boundary, more than two where not manifold.
-    pub fn faces_of_edge(&self, a: u32, b: u32) -> impl Iterator<Item = Face> + '_ {
-        self.corners_of_point(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
+    /// The faces that have both vertices, over all copies: one on a boundary, more than two where not manifold.
+    pub fn faces_of_edge(&self, a: VertexId, b: VertexId) -> impl Iterator<Item = FaceId> + '_ {
+        self.corners_of_vertex(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
     }
 
-    /// The same connectivity in another place: `#P` positions. Reports and the mean edge stay.
-    pub fn with_positions(&self, positions: Vec<DVec3>) -> Self {
+    /// The same connectivity in another place: `#V` positions. Reports and the mean edge stay.
+    pub fn with_positions(&self, positions: VertexData<DVec3>) -> Self {
         Self { positions, ..self.clone() }
     }
 
-    /// Greatest distance of a point from the centre of the box around all of them, in the file's unit.
+    /// Greatest distance of a vertex from the centre of the box around all of them, in the file's unit.
     pub fn bounding_radius(&self) -> f64 {
-        let first = self.positions[0];
+        let first = self.positions[VertexId(0)];
         let box_of = |(low, high): (DVec3, DVec3), &position| (low.min(position), high.max(position));
         let (low, high) = self.positions.iter().fold((first, first), box_of);
         let centre = (low + high) * 0.5;
         self.positions.iter().map(|&position| triangle::length(position - centre)).fold(0.0, f64::max)
     }
 
-    /// Position of a point.
-    pub fn position(&self, point: u32) -> DVec3 {
-        self.positions[point as usize]
+    /// Position of a vertex.
+    pub fn position(&self, vertex: VertexId) -> DVec3 {
+        self.positions[vertex]
     }
 
     /// Positions of a face's corners.
-    pub fn corners(&self, face: Face) -> [DVec3; 3] {
-        self.faces[face].map(|point| self.positions[point as usize])
+    pub fn corners(&self, face: FaceId) -> [DVec3; 3] {
+        self.faces[face].map(|vertex| self.positions[vertex])
     }
 
-    /// `3 #F`, length of the side that leaves each corner.
+    /// `3 #F`, length of the half-edge that leaves each corner, in the file's unit.
     pub fn side_lengths(&self) -> Vec<f64> {
         let mut lengths = Vec::with_capacity(3 * self.face_count());
         for face in self.mesh.faces() {
@@ -240,24 +315,24 @@ impl Surface {
         lengths
     }
 
-    /// Points at the ends of a half-edge.
-    pub fn ends(&self, halfedge: Halfedge) -> [u32; 2] {
-        [self.mesh.vertex(halfedge), self.mesh.tip(halfedge)].map(|vertex: Vertex| self.point_of_vertex[vertex])
+    /// The vertices that a half-edge leaves and enters.
+    pub fn ends(&self, halfedge: HalfedgeId) -> [VertexId; 2] {
+        [self.mesh.vertex(halfedge), self.mesh.tip(halfedge)].map(|vertex| self.vertex_of_cut[vertex])
     }
 
     /// Unit normal of a face, counter-clockwise corners seen from its tip.
-    pub fn face_normal(&self, face: Face) -> DVec3 {
+    pub fn face_normal(&self, face: FaceId) -> DVec3 {
         triangle::unit(triangle::area_vector(self.corners(face)))
     }
 
     /// Area of a face.
-    pub fn face_area(&self, face: Face) -> f64 {
+    pub fn face_area(&self, face: FaceId) -> f64 {
         0.5 * triangle::length(triangle::area_vector(self.corners(face)))
     }
 
-    /// Unit normal at a point: the mean of the face normals around it, weighted by angle.
-    pub fn point_normal(&self, point: u32) -> DVec3 {
-        let weighted = self.corners_of_point(point).map(|(face, k)| {
+    /// Unit normal at a vertex: the mean of the face normals around it, weighted by angle; zero where they cancel.
+    pub fn vertex_normal(&self, vertex: VertexId) -> DVec3 {
+        let weighted = self.corners_of_vertex(vertex).map(|(face, k)| {
             let mut corners = self.corners(face);
             corners.rotate_left(k);
             self.face_normal(face) * triangle::angle(corners)
@@ -266,29 +341,29 @@ impl Surface {
     }
 }
 
-/// Connected piece of each point, and their number.
-fn components(faces: &[[u32; 3]], points: usize) -> (Vec<u32>, usize) {
-    let mut pieces = UnionFind::new(points);
+/// Connected component of each vertex, and their number.
+fn connected_components(faces: &FaceData<[VertexId; 3]>, vertices: usize) -> (VertexData<u32>, usize) {
+    let mut sets = UnionFind::new(vertices);
     for &[a, b, c] in faces {
-        pieces.join(a, b);
-        pieces.join(b, c);
+        sets.join(a.0, b.0);
+        sets.join(b.0, c.0);
     }
-    let mut component: Vec<u32> = Vec::with_capacity(points);
+    let mut component: Vec<u32> = Vec::with_capacity(vertices);
     let mut count = 0;
-    for point in 0..points as u32 {
-        let least = pieces.least(point);
-        component.push(if least == point { count } else { component[least as usize] });
-        count += u32::from(least == point);
+    for vertex in 0..vertices as u32 {
+        let least = sets.least(vertex);
+        component.push(if least == vertex { count } else { component[least as usize] });
+        count += u32::from(least == vertex);
     }
-    (component, count as usize)
+    (component.into(), count as usize)
 }
 
 /// Mean length of edges, and their number. A cut edge counts once, wherever the cut may run.
-fn mean_edge(edges: &Edges, faces: &[[u32; 3]], positions: &[DVec3]) -> (f64, usize) {
+fn mean_edge(edges: &Edges, faces: &FaceData<[VertexId; 3]>, positions: &VertexData<DVec3>) -> (f64, usize) {
     let (mut sum, mut count) = (0.0, 0);
-    for halfedge in edges.lasts() {
-        let (face, k) = (faces[halfedge as usize / 3], halfedge as usize % 3);
-        sum += triangle::length(positions[face[(k + 1) % 3] as usize] - positions[face[k] as usize]);
+    for halfedge in edges.representatives() {
+        let (face, k) = (faces[halfedge.triangle()], halfedge.corner());
+        sum += triangle::length(positions[face[(k + 1) % 3]] - positions[face[k]]);
         count += 1;
     }
     (sum / count as f64, count)

@@ -1,124 +1,134 @@
-//! Sheets of one surface that touch in a point without an edge or a vertex of the file in common. Distance must not take
-//! a short cut there, so they are parted; but where the touch is all that holds two pieces together, it is kept.
+//! Fans of one surface that touch in a vertex without an edge or a vertex of the file in common. Distance must not take
+//! a short cut there, so they are parted; but where the touch is all that holds two components together, it is kept.
 
 use glam::DVec3;
 
-use crate::csr::{Csr, NONE};
-use crate::edges::Edges;
+use crate::csr::NONE;
+use crate::edges::{Corners, Edges};
+use crate::element::{Element, FaceId, HalfedgeId, InputVertex, VertexId};
 use crate::union_find::UnionFind;
 
-/// What tells the sheets at welded points apart.
-pub struct Sheets<'a, I> {
-    /// The corners `3 f + k` at each point.
-    pub corners_of_point: &'a Csr,
+/// What tells the fans at welded vertices apart.
+pub struct Fans<'a, I> {
+    pub corners: &'a Corners,
     pub edges: &'a Edges,
     /// The vertex of the file at a corner.
     pub input: I,
 }
 
-/// Lists used at each point anew.
-#[derive(Default)]
-struct Scratch {
-    /// What corners have in common, a vertex of the file or a point, each with the place of a corner that has it.
-    keys: Vec<((bool, u32), usize)>,
-    /// The first corner of each corner's group.
-    sheet: Vec<usize>,
+/// What two corners at a vertex may have in common.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Common {
+    Neighbour(VertexId),
+    Input(InputVertex),
 }
 
-impl<I: Fn(u32) -> u32> Sheets<'_, I> {
-    /// Gives each further sheet of a piece at a point a point of its own, at the same position, after the last point.
-    /// `faces` are over welded points, `point_of_input` has [`NONE`] for vertices that no face uses. Returns whether
-    /// any sheet got one.
+/// Lists used at each vertex anew.
+#[derive(Default)]
+struct Scratch {
+    /// What corners have in common, each with the place of a corner that has it.
+    keys: Vec<(Common, usize)>,
+    /// The first corner of each corner's fan.
+    fan: Vec<usize>,
+}
+
+impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
+    /// Gives each further fan of a component at a vertex a vertex of its own, at the same position, after the last one.
+    /// `vertex_of_input` has [`NONE`] for vertices that no face uses. Returns whether any fan got one.
     pub fn part_touching(
         &self,
-        faces: &mut [[u32; 3]],
+        faces: &mut [[VertexId; 3]],
         positions: &mut Vec<DVec3>,
-        point_of_input: &mut [u32],
+        vertex_of_input: &mut [u32],
     ) -> bool {
         let mut inputs = vec![0_u32; positions.len()];
-        for &point in point_of_input.iter().filter(|&&point| point != NONE) {
-            inputs[point as usize] += 1;
+        for &vertex in vertex_of_input.iter().filter(|&&vertex| vertex != NONE) {
+            inputs[vertex as usize] += 1;
         }
-        // The corners of each sheet at points where there are several.
-        let mut touching: Vec<Vec<Vec<u32>>> = Vec::new();
+        // The corners of each fan at vertices where there are several.
+        let mut touching: Vec<Vec<Vec<HalfedgeId>>> = Vec::new();
         let mut scratch = Scratch::default();
-        for (_, corners) in self.corners_of_point.rows().enumerate().filter(|&(point, _)| inputs[point] > 1) {
-            touching.extend(self.at_point(corners, faces, &mut scratch));
+        for (_, corners) in self.corners.rows().filter(|&(vertex, _)| inputs[vertex.index()] > 1) {
+            touching.extend(self.at_vertex(corners, faces, &mut scratch));
         }
         if touching.is_empty() {
             return false;
         }
-        let mut pieces = self.pieces(faces.len());
-        let points = positions.len();
-        for sheets in touching {
+        let mut components = self.components(faces.len());
+        let before = positions.len();
+        for fans in touching {
             let mut here = Vec::new();
-            for sheet in sheets {
-                let piece = pieces.least(sheet[0] / 3);
-                if !here.contains(&piece) {
-                    here.push(piece);
+            for fan in fans {
+                let component = components.least(fan[0].triangle().0);
+                if !here.contains(&component) {
+                    here.push(component);
                     continue;
                 }
-                let corner = sheet[0] as usize;
-                positions.push(positions[faces[corner / 3][corner % 3] as usize]);
-                let point = positions.len() as u32 - 1;
-                for corner in sheet {
-                    point_of_input[(self.input)(corner) as usize] = point;
-                    faces[corner as usize / 3][corner as usize % 3] = point;
+                positions.push(positions[faces[fan[0].triangle().index()][fan[0].corner()].index()]);
+                let vertex = VertexId::from_index(positions.len() - 1);
+                for corner in fan {
+                    vertex_of_input[(self.input)(corner).index()] = vertex.0;
+                    faces[corner.triangle().index()][corner.corner()] = vertex;
                 }
             }
         }
-        positions.len() > points
+        positions.len() > before
     }
 
-    /// Groups the corners at a point by what they have in common: other ends of their edges, or vertices of the file.
-    /// `None` where they are one group.
-    fn at_point(&self, corners: &[u32], faces: &[[u32; 3]], scratch: &mut Scratch) -> Option<Vec<Vec<u32>>> {
-        let Scratch { keys, sheet } = scratch;
+    /// Groups the corners at a vertex by what they have in common: other ends of their edges, or vertices of the file.
+    /// `None` where they are one fan.
+    fn at_vertex(
+        &self,
+        corners: &[HalfedgeId],
+        faces: &[[VertexId; 3]],
+        scratch: &mut Scratch,
+    ) -> Option<Vec<Vec<HalfedgeId>>> {
+        let Scratch { keys, fan } = scratch;
         keys.clear();
         for (index, &corner) in corners.iter().enumerate() {
-            let (face, k) = (faces[corner as usize / 3], corner as usize % 3);
-            let common = [(true, (self.input)(corner)), (false, face[(k + 1) % 3]), (false, face[(k + 2) % 3])];
-            keys.extend(common.map(|key| (key, index)));
+            let (face, k) = (faces[corner.triangle().index()], corner.corner());
+            let neighbours = [face[(k + 1) % 3], face[(k + 2) % 3]].map(Common::Neighbour);
+            keys.extend(neighbours.into_iter().chain([Common::Input((self.input)(corner))]).map(|key| (key, index)));
         }
         keys.sort_unstable();
-        sheet.clear();
-        sheet.extend(0..corners.len());
+        fan.clear();
+        fan.extend(0..corners.len());
         for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            let [a, b] = [pair[0].1, pair[1].1].map(|index| sheet[index]);
+            let [a, b] = [pair[0].1, pair[1].1].map(|index| fan[index]);
             if a != b {
-                for number in sheet.iter_mut().filter(|number| **number == a.max(b)) {
+                for number in fan.iter_mut().filter(|number| **number == a.max(b)) {
                     *number = a.min(b);
                 }
             }
         }
-        if sheet.iter().all(|&number| number == 0) {
+        if fan.iter().all(|&number| number == 0) {
             return None;
         }
-        let mut sheets: Vec<Vec<u32>> = Vec::new();
-        for first in (0..corners.len()).filter(|&index| sheet[index] == index) {
-            let of_sheet = corners.iter().zip(&*sheet).filter(|&(_, &number)| number == first);
-            sheets.push(of_sheet.map(|(&corner, _)| corner).collect());
+        let mut fans: Vec<Vec<HalfedgeId>> = Vec::new();
+        for first in (0..corners.len()).filter(|&index| fan[index] == index) {
+            let of_fan = corners.iter().zip(&*fan).filter(|&(_, &number)| number == first);
+            fans.push(of_fan.map(|(&corner, _)| corner).collect());
         }
-        Some(sheets)
+        Some(fans)
     }
 
     /// Faces that edges or vertices of the file hold together.
-    fn pieces(&self, faces: usize) -> UnionFind {
-        let mut pieces = UnionFind::new(faces);
-        for last in self.edges.lasts() {
+    fn components(&self, faces: usize) -> UnionFind {
+        let mut components = UnionFind::new(faces);
+        for last in self.edges.representatives() {
             for side in self.edges.around(last) {
-                pieces.join(last / 3, side / 3);
+                components.join(last.triangle().0, side.triangle().0);
             }
         }
-        let mut of_inputs: Vec<(u32, u32)> = Vec::new();
-        for corners in self.corners_of_point.rows() {
+        let mut of_inputs: Vec<(InputVertex, FaceId)> = Vec::new();
+        for (_, corners) in self.corners.rows() {
             of_inputs.clear();
-            of_inputs.extend(corners.iter().map(|&corner| ((self.input)(corner), corner / 3)));
+            of_inputs.extend(corners.iter().map(|&corner| ((self.input)(corner), corner.triangle())));
             of_inputs.sort_unstable();
             for pair in of_inputs.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-                pieces.join(pair[0].1, pair[1].1);
+                components.join(pair[0].1.0, pair[1].1.0);
             }
         }
-        pieces
+        components
     }
 }

@@ -82,8 +82,8 @@ impl MeshFile {
     /// The surface formed by the parts `walked`.
     pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsValue> {
         let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen).map_err(|error| failure::thrown(&error))?;
-        let surface = Surface::build(&soup).map_err(|error| failure::thrown(&error))?;
+        let soup = self.soup.select(&chosen).map_err(|error| failure::thrown(&error.into()))?;
+        let surface = Surface::build(&soup).map_err(|error| failure::thrown(&error.into()))?;
         Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
     }
 
@@ -93,7 +93,7 @@ impl MeshFile {
         match Surface::build(&soup) {
             Ok(surface) => Ok(Drawn::new(&surface).mesh()),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
-            Err(heatwalk::Error::Empty { .. }) => Ok(DrawMesh::default()),
+            Err(heatwalk::surface::Error::Empty { .. }) => Ok(DrawMesh::default()),
             Err(error) => Err(error.into()),
         }
     }
@@ -120,12 +120,12 @@ impl WalkedSurface {
 
     /// Mean edge length.
     pub fn mean_edge(&self) -> f64 {
-        self.surface.mean_edge
+        self.surface.mean_edge()
     }
 
     /// What was done to make it.
     pub fn report(&self) -> Report {
-        Report::of(&self.surface.report)
+        Report::of(self.surface.report())
     }
 
     /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.

@@ -64,8 +64,8 @@ counts! {
     degenerate_faces,
     /// Faces dropped because they repeat another.
     duplicate_faces,
-    /// Faces turned to agree with their neighbours.
-    turned_faces,
+    /// Faces flipped to agree with their neighbours.
+    flipped_faces,
     /// Edges with more than two faces.
     non_manifold_edges,
     /// Connected components.

@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{HeatSolver, Refinement, Stage};
-use heatwalk::{Distance, NearField, Parameters, RelativeError, Source, Surface, descend, exact, straighten};
+use heatwalk::{
+    Distance, NearField, Parameters, RelativeError, Source, Surface, VertexData, descend, exact, straighten,
+};
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function};
 use wasm_bindgen::prelude::*;
@@ -36,13 +38,13 @@ struct Solved {
     refining: Option<Refining>,
     error: Option<RelativeError>,
     /// The values before they were made exact; present once all are.
-    instant: Option<Vec<f64>>,
+    instant: Option<VertexData<f64>>,
 }
 
 struct Refining {
     refinement: Refinement,
     /// The values before the first step, to be compared with the exact ones.
-    instant: Vec<f64>,
+    instant: VertexData<f64>,
 }
 
 impl Solver {
@@ -184,7 +186,7 @@ impl Solver {
             let error = (instant - exact).abs() / exact;
             if error.is_finite() { error } else { 0.0 }
         };
-        let errors: Vec<f64> = instant.iter().zip(&solved.distance.values).map(error).collect();
+        let errors: VertexData<f64> = instant.iter().zip(&solved.distance.values).map(error).collect();
         Ok(Some(self.drawn.spread(&errors)))
     }
 
@@ -192,7 +194,7 @@ impl Solver {
     pub fn heat(&self) -> Result<Vec<f32>, JsError> {
         let heat = &self.solved()?.distance.heat;
         let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let logarithms: Vec<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
+        let logarithms: VertexData<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
         Ok(self.drawn.spread(&logarithms))
     }
 

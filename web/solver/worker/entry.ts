@@ -276,7 +276,7 @@ function reportOf(surface: wasm.WalkedSurface): BuildReport {
     unreferencedVertices: counts.unreferenced_vertices,
     degenerateFaces: counts.degenerate_faces,
     duplicateFaces: counts.duplicate_faces,
-    turnedFaces: counts.turned_faces,
+    turnedFaces: counts.flipped_faces,
     nonManifoldEdges: counts.non_manifold_edges,
     components: counts.components,
     boundaryLoops: counts.boundary_loops,

@@ -17,8 +17,8 @@ fn squares(folder: &Path) {
 fn a_place_in_a_turned_triangle_keeps_its_weights() {
     let folder = folder("turned");
     squares(&folder);
-    assert_eq!(json(&folder, &["info", "agree.obj"])["turned_faces"], 0);
-    assert_eq!(json(&folder, &["info", "turned.obj"])["turned_faces"], 1);
+    assert_eq!(json(&folder, &["info", "agree.obj"])["flipped_faces"], 0);
+    assert_eq!(json(&folder, &["info", "turned.obj"])["flipped_faces"], 1);
     // Triangles 0 and 1 of one file are those of the other with their last two corners exchanged or not.
     for (agree, turned, [x, y]) in
         [("0:0.2,0.3,0.5", "0:0.2,0.3,0.5", [0.8, 0.5]), ("1:0.2,0.3,0.5", "1:0.2,0.5,0.3", [0.3, 0.8_f64])]

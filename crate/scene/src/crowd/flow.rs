@@ -6,14 +6,14 @@ use super::homes::Homes;
 use heatwalk::Distance;
 use heatwalk::SNAP;
 use heatwalk::Surface;
-use heatwalk::path::descent::{Fall, leaves};
+use heatwalk::path::descent::{DescentDirection, leaves};
 use heatwalk::surface::triangle;
-use heatwalk::{Face, FaceData};
+use heatwalk::{FaceData, FaceId, VertexData};
 
 /// A point of the surface in one of the faces that it lies on. Weights that are exactly 0 tell edges and vertices.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
-    pub face: Face,
+    pub face: FaceId,
     /// Barycentric, non-negative, of sum 1.
     pub weights: [f64; 3],
 }
@@ -69,15 +69,15 @@ pub(super) struct Flow {
     /// `#F × 3`, rates at which the barycentric weights change for each length walked down the steepest descent; zero
     /// where the distance is constant or infinite.
     rates: FaceData<[f64; 3]>,
-    /// `#P`, in the file's unit.
-    values: Vec<f64>,
+    /// `#V`, in the file's unit.
+    values: VertexData<f64>,
     pub homes: Homes,
 }
 
 impl Flow {
     /// Of no distance yet.
     pub fn new(surface: &Surface) -> Self {
-        Self { rates: Vec::new().into(), values: Vec::new(), homes: Homes::new(surface) }
+        Self { rates: FaceData::default(), values: VertexData::default(), homes: Homes::new(surface) }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -87,16 +87,15 @@ impl Flow {
     pub fn follow(&mut self, surface: &Surface, distance: &Distance) {
         self.homes.follow(surface, &distance.sources);
         self.values.clone_from(&distance.values);
-        self.rates =
-            surface.mesh.faces().map(|face| self.fall(surface, face).rates_by_length()).collect::<Vec<_>>().into();
+        self.rates = surface.mesh().faces().map(|face| self.descent(surface, face).rates_by_length()).collect();
     }
 
-    fn fall(&self, surface: &Surface, face: Face) -> Fall {
-        Fall::new(surface.corners(face), self.corner_values(surface, face))
+    fn descent(&self, surface: &Surface, face: FaceId) -> DescentDirection {
+        DescentDirection::new(surface.corners(face), self.corner_values(surface, face))
     }
 
-    fn corner_values(&self, surface: &Surface, face: Face) -> [f64; 3] {
-        surface.faces[face].map(|point| self.values[point as usize])
+    fn corner_values(&self, surface: &Surface, face: FaceId) -> [f64; 3] {
+        surface.faces()[face].map(|vertex| self.values[vertex])
     }
 
     /// Straight to the nearest source on the faces around, else where the linear interpolation falls most steeply: into
@@ -114,8 +113,9 @@ impl Flow {
             }
             // Most places have one way down, whose slope need not be known.
             if self.enters(side)
-                && best
-                    .is_none_or(|other| self.fall(surface, side.face).slope() > self.fall(surface, other.face).slope())
+                && best.is_none_or(|other| {
+                    self.descent(surface, side.face).slope() > self.descent(surface, other.face).slope()
+                })
             {
                 best = Some(side);
             }
@@ -126,7 +126,7 @@ impl Flow {
         // From a vertex an edge may fall more steeply than any face. From elsewhere it does not; there, sides and corners
         // are for where faces point back at each other, where the surface ends, and for faces without a gradient.
         if place.is_vertex() || best.is_none() {
-            let slope = best.map_or(0.0, |side| self.fall(surface, side.face).slope());
+            let slope = best.map_or(0.0, |side| self.descent(surface, side.face).slope());
             if let Some(leg) = self.to_corner(surface, place, slope) {
                 return Some(leg);
             }
@@ -168,7 +168,7 @@ impl Flow {
 fn for_each_side(surface: &Surface, place: Place, mut visit: impl FnMut(Place)) {
     let Place { face, weights } = place;
     if let Some(k) = weights.iter().position(|&weight| weight == 1.0) {
-        for (face, k) in surface.corners_of_point(surface.faces[face][k]) {
+        for (face, k) in surface.corners_of_vertex(surface.faces()[face][k]) {
             visit(Place { face, weights: corner(k) });
         }
         return;
@@ -176,10 +176,10 @@ fn for_each_side(surface: &Surface, place: Place, mut visit: impl FnMut(Place)) 
     visit(place);
     if let Some(k) = weights.iter().position(|&weight| weight == 0.0) {
         let [i, j] = [(k + 1) % 3, (k + 2) % 3];
-        let first = surface.faces[face][i];
-        for slot in surface.edges.around(face.0 * 3 + i as u32).skip(1) {
-            let (face, m) = (Face(slot / 3), slot as usize % 3);
-            let is_along = surface.faces[face][m] == first;
+        let first = surface.faces()[face][i];
+        for halfedge in surface.edges().around(face.halfedge(i)).skip(1) {
+            let (face, m) = (halfedge.triangle(), halfedge.corner());
+            let is_along = surface.faces()[face][m] == first;
             let mut beyond = [0.0; 3];
             beyond[m] = weights[if is_along { i } else { j }];
             beyond[(m + 1) % 3] = weights[if is_along { j } else { i }];

@@ -1,22 +1,37 @@
 //! Where walkers arrive, and where they start.
 
 use crate::random::random_share;
-use heatwalk::Face;
+use heatwalk::Element;
+use heatwalk::FaceId;
+use heatwalk::Place;
 use heatwalk::Surface;
-use heatwalk::SurfacePoint;
 use heatwalk::surface::csr::Csr;
+
+/// A place in the list of weights.
+#[derive(Debug, Clone, Copy)]
+struct Home(u32);
+
+impl Element for Home {
+    fn from_index(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    fn index(self) -> usize {
+        self.0 as usize
+    }
+}
 
 /// The sources of a distance in the faces that they lie on, and the area that they can be reached from.
 #[derive(Debug, Clone)]
 pub(super) struct Homes {
-    sources: Vec<SurfacePoint>,
+    sources: Vec<Place>,
     /// Barycentric weights of each source in each of its faces.
     weights: Vec<[f64; 3]>,
     /// `#F`, indices into `weights`.
-    of_face: Csr,
-    /// Per connected piece whether it has a source.
+    of_face: Csr<FaceId, Home>,
+    /// Per connected component whether it has a source.
     is_reached: Vec<bool>,
-    /// `#F`, area of the faces up to and with each; those on pieces without a source count nothing.
+    /// `#F`, area of the faces up to and with each; those on components without a source count nothing.
     areas: Vec<f64>,
 }
 
@@ -32,29 +47,29 @@ impl Homes {
     }
 
     /// Takes over the sources of a distance, which must have one at least.
-    pub fn follow(&mut self, surface: &Surface, sources: &[SurfacePoint]) {
+    pub fn follow(&mut self, surface: &Surface, sources: &[Place]) {
         if self.sources == sources {
             return;
         }
         self.sources = sources.to_vec();
         self.weights.clear();
         let mut faces = Vec::new();
-        let mut is_reached = vec![false; surface.report.components];
+        let mut is_reached = vec![false; surface.report().components];
         for &source in sources {
             is_reached[source.component(surface) as usize] = true;
             let source = source.snapped(surface);
             for face in source.faces(surface) {
-                faces.push(face.0);
+                faces.push(Some(face));
                 self.weights.push(source.weights_in(surface, face));
             }
         }
         self.of_face = Csr::group(surface.face_count(), faces.iter().copied());
         if self.is_reached != is_reached {
-            let area = |face: Face| {
-                let piece = surface.component_of_point[surface.faces[face][0] as usize];
-                if is_reached[piece as usize] { surface.face_area(face) } else { 0.0 }
+            let area = |face: FaceId| {
+                let component = surface.component(surface.faces()[face][0]);
+                if is_reached[component as usize] { surface.face_area(face) } else { 0.0 }
             };
-            let sums = surface.mesh.faces().scan(0.0, |sum, face| {
+            let sums = surface.mesh().faces().scan(0.0, |sum, face| {
                 *sum += area(face);
                 Some(*sum)
             });
@@ -64,12 +79,12 @@ impl Homes {
     }
 
     /// Barycentric weights of the sources on a face.
-    pub fn in_face(&self, face: Face) -> impl Iterator<Item = [f64; 3]> + '_ {
-        self.of_face.row(face.0).iter().map(|&home| self.weights[home as usize])
+    pub fn in_face(&self, face: FaceId) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.of_face.row(face).iter().map(|home| self.weights[home.index()])
     }
 
     /// A random point, by area, that a source can be reached from: its face and barycentric weights.
-    pub fn random_place(&self, state: &mut u64) -> (Face, [f64; 3]) {
+    pub fn random_place(&self, state: &mut u64) -> (FaceId, [f64; 3]) {
         let total = self.areas.last().copied().unwrap_or(0.0);
         let wanted = random_share(state) * total;
         // The product may round to the total; the face that completes it has an area, the last face need not have one.
@@ -77,6 +92,6 @@ impl Homes {
         let [a, b] = [(); 2].map(|()| random_share(state));
         // The other half of the parallelogram is turned onto the triangle.
         let [a, b] = if a + b > 1.0 { [1.0 - a, 1.0 - b] } else { [a, b] };
-        (Face(face as u32), [1.0 - a - b, a, b])
+        (FaceId(face as u32), [1.0 - a - b, a, b])
     }
 }

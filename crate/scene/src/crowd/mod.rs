@@ -2,7 +2,7 @@
 //! face, as [`descend`](crate::descend) does, but by one step at a time, so that the distance may change under way.
 //!
 //! Where it arrives a walker starts again elsewhere. So it does where nothing falls and no source is near (a minimum
-//! that heat made), and where its piece of the surface has lost its last source.
+//! that heat made), and where its component of the surface has lost its last source.
 
 mod flow;
 mod homes;
@@ -13,8 +13,9 @@ use glam::DVec3;
 
 use flow::{Flow, Place, combined};
 use heatwalk::Distance;
-use heatwalk::Face;
+use heatwalk::FaceId;
 use heatwalk::Surface;
+use heatwalk::VertexData;
 use heatwalk::surface::triangle;
 use heatwalk::{Error, Result};
 
@@ -33,12 +34,12 @@ const POSE: usize = 10;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Walker {
     /// A face that it stands on.
-    pub face: Face,
+    pub face: FaceId,
     /// Where in that face: barycentric weights, non-negative, of sum 1 but for rounding.
     pub weights: [f64; 3],
     /// The same place, in the file's unit.
     pub position: DVec3,
-    /// Unit normal there, interpolated between the points' normals; the face's where those point below it.
+    /// Unit normal there, interpolated between the vertices' normals; the face's where those point below it.
     pub upright: DVec3,
     /// Unit vector at right angles to `upright`. It turns with the way over about a figure's height.
     pub heading: DVec3,
@@ -50,9 +51,9 @@ pub struct Walker {
 #[derive(Debug, Clone)]
 pub struct Crowd {
     surface: Arc<Surface>,
-    /// `#P`, position and normal of each point, the latter of unit length or zero where faces cancel. Walkers come to
-    /// points in no order, and find both in one place of memory.
-    footing: Vec<[DVec3; 2]>,
+    /// `#V`, position and normal of each vertex, the latter of unit length or zero where faces cancel. Walkers come to
+    /// vertices in no order, and find both in one place of memory.
+    footing: VertexData<[DVec3; 2]>,
     height: f64,
     count: usize,
     walkers: Vec<Walker>,
@@ -77,8 +78,8 @@ impl Crowd {
             return Err(Error::BadParameter { name: "the height of walkers", value, range: "positive and finite" });
         }
         let surface = surface.into();
-        let points = 0..surface.point_count() as u32;
-        let footing = points.map(|point| [surface.position(point), surface.point_normal(point)]).collect();
+        let stand = |vertex| [surface.position(vertex), surface.vertex_normal(vertex)];
+        let footing = surface.vertices().map(stand).collect();
         let flow = Flow::new(&surface);
         Ok(Self {
             surface,
@@ -110,18 +111,18 @@ impl Crowd {
     /// [`Error::NoSource`] for a distance without sources.
     ///
     /// # Panics
-    /// If the distance has another number of points than the surface.
+    /// If the distance has another number of vertices than the surface.
     pub fn follow(&mut self, distance: &Distance) -> Result<()> {
         if distance.sources.is_empty() {
             return Err(Error::NoSource);
         }
-        assert_eq!(distance.values.len(), self.surface.point_count(), "the distance belongs to another surface");
+        assert_eq!(distance.values.len(), self.surface.vertex_count(), "the distance belongs to another surface");
         self.flow.follow(&self.surface, distance);
         Ok(())
     }
 
     /// Moves every walker by `step`, in the file's unit, along the surface down the distance. Those who arrive on the way
-    /// start again, and those who are missing start, spread by area over the pieces with a source; they stand there
+    /// start again, and those who are missing start, spread by area over the components with a source; they stand there
     /// until the next call. Without a distance to [`follow`](Self::follow) nobody is out.
     ///
     /// # Errors
@@ -167,8 +168,8 @@ impl Crowd {
 struct Ground<'a> {
     surface: &'a Surface,
     flow: &'a Flow,
-    /// `#P`, position and normal.
-    footing: &'a [[DVec3; 2]],
+    /// `#V`, position and normal.
+    footing: &'a VertexData<[DVec3; 2]>,
     /// Share of a turn that a step makes.
     turn: f64,
 }
@@ -209,7 +210,7 @@ impl Ground<'_> {
 
     /// Position and upright at a place.
     fn stand(&self, Place { face, weights }: Place) -> (DVec3, DVec3) {
-        let footing = self.surface.faces[face].map(|point| self.footing[point as usize]);
+        let footing = self.surface.faces()[face].map(|vertex| self.footing[vertex]);
         let corners = footing.map(|[position, _]| position);
         let mean = combined(footing.map(|[_, normal]| normal), weights);
         let is_above = mean.dot(triangle::area_vector(corners)) > 0.0;

@@ -3,12 +3,11 @@
 use std::f64::consts::PI;
 
 use super::window::GRAZE;
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{Element, FaceId, Place, VertexId};
 
-/// How shortest paths can bend at a point.
+/// How shortest paths can bend at a vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Bend {
     /// Not at all: the angles around it sum to less than a turn (on the boundary, half a turn).
@@ -21,20 +20,20 @@ pub(super) enum Bend {
     Anywhere,
 }
 
-/// A triangle in the plane. Slot `k` is its edge from corner `k` to the next.
+/// A triangle in the plane. Its half-edge `k` runs from corner `k` to the next.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
-    /// Length of each slot.
+    /// Length of each half-edge.
     pub length: [f64; 3],
     /// Cosine of the angle at each corner.
     pub cos: [f64; 3],
     /// Sine of the angle at each corner.
     pub sin: [f64; 3],
     /// Points at the corners.
-    pub points: [u32; 3],
-    /// The next slot around each edge, as `4 slot`, + 1 where that slot runs from the lower point to the higher, + 2
-    /// where the edge has no other slot. The slots of an edge form a cycle; a boundary slot is its own successor.
-    pub beside: [u32; 3],
+    pub vertices: [u32; 3],
+    /// The next half-edge `h` on each edge, as `4 h`, + 1 where it runs from the lower vertex to the higher, + 2 where at
+    /// most two half-edges share the edge. Those of an edge form a cycle; a boundary half-edge is its own successor.
+    pub next_on_edge: [u32; 3],
 }
 
 /// The corner after corner `k`.
@@ -43,7 +42,7 @@ pub(super) fn after(k: usize) -> usize {
 }
 
 impl Frame {
-    fn new(surface: &Surface, face: Face) -> Self {
+    fn new(surface: &Surface, face: FaceId) -> Self {
         let corners = surface.corners(face);
         let edges: [_; 3] = std::array::from_fn(|k| corners[after(k)] - corners[k]);
         let length = edges.map(triangle::length);
@@ -66,33 +65,33 @@ impl Frame {
                 std::array::from_fn(|k| triangle::length(units[k].cross(units[before(k)]))),
             ]
         };
-        let points = surface.faces[face];
-        let beside = std::array::from_fn(|k| {
-            let slot = 3 * face.0 + k as u32;
-            let next = surface.edges.beside(slot);
-            let ends = &surface.faces.as_slice()[next as usize / 3];
-            let ascends = ends[next as usize % 3] < ends[after(next as usize % 3)];
-            4 * next + 2 * u32::from(!surface.edges.is_branching(slot)) + u32::from(ascends)
+        let vertices = surface.faces()[face].map(|vertex| vertex.0);
+        let next_on_edge = std::array::from_fn(|k| {
+            let halfedge = face.halfedge(k);
+            let next = surface.edges().next_on_edge(halfedge);
+            let ends = surface.faces()[next.triangle()];
+            let ascends = ends[next.corner()] < ends[after(next.corner())];
+            4 * next.0 + 2 * u32::from(!surface.edges().is_branching(halfedge)) + u32::from(ascends)
         });
-        Self { length, cos, sin, points, beside }
+        Self { length, cos, sin, vertices, next_on_edge }
     }
 
-    /// Corner opposite slot `k`, where that slot lies on the x axis from the origin and the triangle above it.
+    /// Corner opposite half-edge `k`, where that half-edge lies on the x axis from the origin and the triangle above it.
     pub fn opposite(&self, k: usize) -> [f64; 2] {
         let length = self.length[after(after(k))];
         [length * self.cos[k], length * self.sin[k]]
     }
 
-    /// A point by its barycentric weights, laid out as in [`Frame::opposite`].
+    /// A vertex by its barycentric weights, laid out as in [`Frame::opposite`].
     pub fn place(&self, k: usize, weights: [f64; 3]) -> [f64; 2] {
         let [x, y] = self.opposite(k);
         let (along, up) = (weights[after(k)], weights[after(after(k))]);
         [along * self.length[k] + up * x, up * y]
     }
 
-    /// Whether slot `k` runs from the lower point to the higher.
+    /// Whether half-edge `k` runs from the lower vertex to the higher.
     pub fn ascends(&self, k: usize) -> bool {
-        self.points[k] < self.points[after(k)]
+        self.vertices[k] < self.vertices[after(k)]
     }
 
     /// Angle at corner `k`, radians.
@@ -137,13 +136,13 @@ impl AngleSum {
     }
 }
 
-/// `#P`, whether the faces around each point form one closed fan of the half-edge mesh.
-fn points_of_closed_fans(surface: &Surface) -> Vec<bool> {
-    let mesh = &surface.mesh;
+/// `#V`, whether the faces around each vertex form one closed fan of the half-edge mesh.
+fn vertices_of_closed_fans(surface: &Surface) -> Vec<bool> {
+    let mesh = &surface.mesh();
     let mut is_closed: Vec<bool> =
-        mesh.vertices().take(surface.point_count()).map(|vertex| !mesh.is_boundary_vertex(vertex)).collect();
-    for vertex in mesh.vertices().skip(surface.point_count()) {
-        is_closed[surface.point_of_vertex[vertex] as usize] = false;
+        mesh.vertices().take(surface.vertex_count()).map(|vertex| !mesh.is_boundary_vertex(vertex)).collect();
+    for vertex in mesh.vertices().skip(surface.vertex_count()) {
+        is_closed[surface.vertex_of_cut(vertex).index()] = false;
     }
     is_closed
 }
@@ -153,7 +152,7 @@ fn points_of_closed_fans(surface: &Surface) -> Vec<bool> {
 pub struct ExactGeometry {
     /// `#F`.
     pub(super) frames: Vec<Frame>,
-    /// `#P`.
+    /// `#V`.
     pub(super) bends: Vec<Bend>,
 }
 
@@ -161,19 +160,19 @@ impl ExactGeometry {
     /// Lays out the triangles and finds the pseudo-sources of a surface.
     pub fn new(surface: &Surface) -> Self {
         let mut frames = Vec::with_capacity(surface.face_count());
-        let mut angles = vec![AngleSum::default(); surface.point_count()];
-        for face in surface.mesh.faces() {
+        let mut angles = vec![AngleSum::default(); surface.vertex_count()];
+        for face in surface.mesh().faces() {
             let frame = Frame::new(surface, face);
-            for (k, point) in frame.points.into_iter().enumerate() {
-                angles[point as usize].add(frame.cos[k], frame.sin[k]);
+            for (k, vertex) in frame.vertices.into_iter().enumerate() {
+                angles[vertex as usize].add(frame.cos[k], frame.sin[k]);
             }
             frames.push(frame);
         }
         let mut geometry = Self { frames, bends: Vec::new() };
-        let is_plain = points_of_closed_fans(surface);
-        let bend = |(point, angle): (usize, &AngleSum)| {
-            if !is_plain[point] {
-                geometry.bend(surface, point as u32, angle)
+        let is_plain = vertices_of_closed_fans(surface);
+        let bend = |(vertex, angle): (usize, &AngleSum)| {
+            if !is_plain[vertex] {
+                geometry.bend(surface, VertexId::from_index(vertex), angle)
             } else if angle.exceeds(2) {
                 Bend::Saddle(angle.radians())
             } else {
@@ -184,14 +183,15 @@ impl ExactGeometry {
         geometry
     }
 
-    /// How paths bend at a point where edges may have one face, or several.
-    fn bend(&self, surface: &Surface, point: u32, angle: &AngleSum) -> Bend {
-        let slots = |(face, k): (Face, usize)| [k, after(after(k))].map(|k| 3 * face.0 + k as u32);
-        if surface.corners_of_point(point).flat_map(slots).any(|slot| surface.edges.is_branching(slot)) {
+    /// How paths bend at a vertex where edges may have one face, or several.
+    fn bend(&self, surface: &Surface, vertex: VertexId, angle: &AngleSum) -> Bend {
+        let halfedges = |(face, k): (FaceId, usize)| [k, after(after(k))].map(|k| face.halfedge(k));
+        if surface.corners_of_vertex(vertex).flat_map(halfedges).any(|halfedge| surface.edges().is_branching(halfedge))
+        {
             return Bend::Anywhere;
         }
-        let faces = surface.corners_of_point(point).count();
-        let Some((face, k)) = surface.corners_of_point(point).next() else { return Bend::Never };
+        let faces = surface.corners_of_vertex(vertex).count();
+        let Some((face, k)) = surface.corners_of_vertex(vertex).next() else { return Bend::Never };
         let start = Turn { face: face.0, corner: k, is_reversed: false };
         let mut fan = 1;
         let mut turn = start;
@@ -218,56 +218,54 @@ impl ExactGeometry {
         }
     }
 
-    /// The next face around a point; `None` past the boundary. Only where edges have at most two faces.
+    /// The next face around a vertex; `None` past the boundary. Only where edges have at most two faces.
     pub(super) fn turn(&self, turn: Turn) -> Option<Turn> {
         let frame = &self.frames[turn.face as usize];
         let k = if turn.is_reversed { turn.corner } else { after(after(turn.corner)) };
-        let next = frame.beside[k] >> 2;
+        let next = frame.next_on_edge[k] >> 2;
         if next == turn.face * 3 + k as u32 {
             return None;
         }
         let (face, k) = (next / 3, next as usize % 3);
-        let point = frame.points[turn.corner];
-        // Counter-clockwise, one enters a face by the slot that leaves the point.
-        let leaves = self.frames[face as usize].points[k] == point;
+        let vertex = frame.vertices[turn.corner];
+        // Counter-clockwise, one enters a face by the half-edge that leaves the vertex.
+        let leaves = self.frames[face as usize].vertices[k] == vertex;
         Some(Turn { face, corner: if leaves { k } else { after(k) }, is_reversed: !leaves })
     }
 
-    /// Slot number `slot`'s frame and its place there.
-    pub(super) fn frame_of_slot(&self, slot: u32) -> (&Frame, usize) {
-        (&self.frames[slot as usize / 3], slot as usize % 3)
+    /// Half-edge number `half-edge`'s frame and its place there.
+    pub(super) fn frame_of(&self, halfedge: u32) -> (&Frame, usize) {
+        (&self.frames[halfedge as usize / 3], halfedge as usize % 3)
     }
 
-    /// The slots on the other faces of a slot's edge, each with whether it runs in the same direction.
-    pub(super) fn across(&self, slot: u32) -> impl Iterator<Item = (u32, bool)> + '_ {
-        let (frame, k) = self.frame_of_slot(slot);
+    /// The half-edges on the other faces of a half-edge's edge, each with whether it runs in the same direction.
+    pub(super) fn across(&self, halfedge: u32) -> impl Iterator<Item = (u32, bool)> + '_ {
+        let (frame, k) = self.frame_of(halfedge);
         let ascends = frame.ascends(k);
-        let other = move |packed: u32| Some(packed).filter(|&packed| packed >> 2 != slot);
-        std::iter::successors(other(frame.beside[k]), move |&packed| {
+        let other = move |packed: u32| Some(packed).filter(|&packed| packed >> 2 != halfedge);
+        std::iter::successors(other(frame.next_on_edge[k]), move |&packed| {
             // Most edges are done now, without a look at the face across.
             if packed & 2 != 0 {
                 return None;
             }
-            let (frame, k) = self.frame_of_slot(packed >> 2);
-            other(frame.beside[k])
+            let (frame, k) = self.frame_of(packed >> 2);
+            other(frame.next_on_edge[k])
         })
         .map(move |packed| (packed >> 2, (packed & 1 == 1) == ascends))
     }
 
     /// The faces that a surface point lies on, with its weights in each.
-    pub(super) fn faces_at(&self, surface: &Surface, location: SurfacePoint) -> Vec<(u32, [f64; 3])> {
-        let support: Vec<(u32, f64)> = location.support(surface).filter(|&(_, weight)| weight > ON_EDGE).collect();
+    pub(super) fn faces_at(&self, surface: &Surface, location: Place) -> Vec<(u32, [f64; 3])> {
+        let support: Vec<(VertexId, f64)> = location.support(surface).filter(|&(_, weight)| weight > ON_EDGE).collect();
         let &[(first, _), ref rest @ ..] = support.as_slice() else { return Vec::new() };
         surface
-            .corners_of_point(first)
+            .corners_of_vertex(first)
             .map(|(face, _)| face.0)
-            .filter(|&face| rest.iter().all(|(point, _)| self.frames[face as usize].points.contains(point)))
-            .filter(|&face| {
-                support.len() < 3 || !matches!(location, SurfacePoint::Face { face: own, .. } if own.0 != face)
-            })
+            .filter(|&face| rest.iter().all(|(vertex, _)| self.frames[face as usize].vertices.contains(&vertex.0)))
+            .filter(|&face| support.len() < 3 || !matches!(location, Place::Face { face: own, .. } if own.0 != face))
             .map(|face| {
-                let weight = |corner: u32| support.iter().find(|(point, _)| *point == corner).map_or(0.0, |s| s.1);
-                (face, self.frames[face as usize].points.map(weight))
+                let weight = |corner: u32| support.iter().find(|(vertex, _)| vertex.0 == corner).map_or(0.0, |s| s.1);
+                (face, self.frames[face as usize].vertices.map(weight))
             })
             .collect()
     }
@@ -277,7 +275,7 @@ impl ExactGeometry {
 /// this share of an edge, far below the error allowed, and a face alone would not light what is behind the edge.
 const ON_EDGE: f64 = 1e-13;
 
-/// A face around a point, on a walk around it: counter-clockwise as the face sees it, or reversed.
+/// A face around a vertex, on a walk around it: counter-clockwise as the face sees it, or reversed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Turn {
     pub face: u32,

@@ -1,4 +1,4 @@
-//! The windows that wait at each slot: a list without overlaps, in order along the slot.
+//! The windows that wait at each half-edge: a list without overlaps, in order along the half-edge.
 
 use super::geometry::ExactGeometry;
 use super::overlap::Overlap;
@@ -6,48 +6,48 @@ use super::wavefront::Wavefront;
 use super::window::Window;
 use crate::extremum::smaller;
 
-/// Where in the list of a slot the next window is looked for.
-struct Place {
-    slot: u32,
+/// Where in the list of a half-edge the next window is looked for.
+struct Cursor {
+    halfedge: u32,
     /// The last window that ends before `begin`, 0 for none.
     before: u32,
     begin: f64,
 }
 
 impl Wavefront {
-    /// Brings windows that leave a face by a slot, in order along that edge against the slot's direction, to the
-    /// slots on the other faces of the edge.
-    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, slot: u32, leaving: &[Window]) {
-        let (frame, k) = geometry.frame_of_slot(slot);
-        for (target, is_mirrored) in geometry.across(slot) {
-            let mut place = Place { slot: target, before: 0, begin: f64::NEG_INFINITY };
+    /// Brings windows that leave a face by a half-edge, in order along that edge against the half-edge's direction, to the
+    /// half-edges on the other faces of the edge.
+    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &[Window]) {
+        let (frame, k) = geometry.frame_of(halfedge);
+        for (target, is_mirrored) in geometry.across(halfedge) {
+            let mut cursor = Cursor { halfedge: target, before: 0, begin: f64::NEG_INFINITY };
             if is_mirrored {
                 for window in leaving.iter().rev() {
-                    self.insert(window.mirrored(frame.length[k]), &mut place);
+                    self.insert(window.mirrored(frame.length[k]), &mut cursor);
                 }
             } else {
                 for &window in leaving {
-                    self.insert(window, &mut place);
+                    self.insert(window, &mut cursor);
                 }
             }
         }
     }
 
-    /// Puts a window into the list of a slot; where it overlaps others, each keeps what it reaches sooner.
-    fn insert(&mut self, mut window: Window, place: &mut Place) {
-        if window.begin < place.begin {
-            place.before = 0;
+    /// Puts a window into the list of a half-edge; where it overlaps others, each keeps what it reaches sooner.
+    fn insert(&mut self, mut window: Window, cursor: &mut Cursor) {
+        if window.begin < cursor.begin {
+            cursor.before = 0;
         }
-        place.begin = window.begin;
-        let mut before = place.before;
-        let mut current = self.following(place.slot, before);
+        cursor.begin = window.begin;
+        let mut before = cursor.before;
+        let mut current = self.following(cursor.halfedge, before);
         while current != 0 && self.windows[current as usize].end <= window.begin {
             before = current;
             current = self.windows[current as usize].next;
         }
-        place.before = before;
+        cursor.before = before;
         if let Some(nearest) = self.join(before, current, &window) {
-            self.queue.push(place.slot, nearest);
+            self.queue.push(cursor.halfedge, nearest);
             return;
         }
         let mut nearest = f64::INFINITY;
@@ -55,7 +55,7 @@ impl Wavefront {
             if current == 0 || self.windows[current as usize].begin >= window.end {
                 if window.is_wide() {
                     nearest = smaller(nearest, window.nearest());
-                    self.link(place.slot, before, current, window);
+                    self.link(cursor.halfedge, before, current, window);
                 }
                 break;
             }
@@ -71,7 +71,7 @@ impl Wavefront {
                 if kept.is_wide() {
                     before = current;
                 } else {
-                    self.relink(place.slot, before, other.next);
+                    self.relink(cursor.halfedge, before, other.next);
                     self.release(current);
                 }
                 current = other.next;
@@ -89,7 +89,7 @@ impl Wavefront {
             }
             self.release(current);
             current = other.next;
-            self.relink(place.slot, before, current);
+            self.relink(cursor.halfedge, before, current);
             let mut rest = None;
             for (index, &(is_new, begin, end)) in shares.as_slice().iter().enumerate() {
                 let share = if is_new { &window } else { &other }.part(begin, end);
@@ -99,7 +99,7 @@ impl Wavefront {
                     if is_new {
                         nearest = smaller(nearest, share.nearest());
                     }
-                    before = self.link(place.slot, before, current, share);
+                    before = self.link(cursor.halfedge, before, current, share);
                 }
             }
             match rest {
@@ -108,7 +108,7 @@ impl Wavefront {
             }
         }
         if nearest < f64::INFINITY {
-            self.queue.push(place.slot, nearest);
+            self.queue.push(cursor.halfedge, nearest);
         }
     }
 
@@ -135,20 +135,20 @@ impl Wavefront {
         None
     }
 
-    fn following(&self, slot: u32, before: u32) -> u32 {
-        if before == 0 { self.heads[slot as usize] } else { self.windows[before as usize].next }
+    fn following(&self, halfedge: u32, before: u32) -> u32 {
+        if before == 0 { self.heads[halfedge as usize] } else { self.windows[before as usize].next }
     }
 
-    fn relink(&mut self, slot: u32, before: u32, next: u32) {
+    fn relink(&mut self, halfedge: u32, before: u32, next: u32) {
         if before == 0 {
-            self.heads[slot as usize] = next;
+            self.heads[halfedge as usize] = next;
         } else {
             self.windows[before as usize].next = next;
         }
     }
 
     /// Puts a window between two of a list; returns its number.
-    fn link(&mut self, slot: u32, before: u32, next: u32, window: Window) -> u32 {
+    fn link(&mut self, halfedge: u32, before: u32, next: u32, window: Window) -> u32 {
         let window = Window { next, ..window };
         let number = if self.free == 0 {
             self.windows.push(window);
@@ -158,7 +158,7 @@ impl Wavefront {
             self.free = std::mem::replace(&mut self.windows[number as usize], window).next;
             number
         };
-        self.relink(slot, before, number);
+        self.relink(halfedge, before, number);
         number
     }
 

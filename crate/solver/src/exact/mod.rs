@@ -1,6 +1,6 @@
 //! Exact distance on the polyhedral surface, and exact shortest paths, by windows that grow outward.
 //!
-//! A window is the part of an edge that sees one source, or one point that paths bend at, along straight lines
+//! A window is the part of an edge that sees one source, or one vertex that paths bend at, along straight lines
 //! through unfolded faces; windows cross faces in order of their distance (Mitchell, Mount, Papadimitriou, "The
 //! discrete geodesic problem", 1987; Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005). What
 //! cannot be part of a shortest path is cut: by the distances of the edge's ends (Xin & Wang, "Improving Chen and
@@ -30,13 +30,13 @@ pub use wavefront::Wavefront;
 
 use crate::error::{Error, Result};
 use heatwalk_surface::Path;
-use heatwalk_surface::point::{Source, SurfacePoint};
 use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Place, Source, VertexData};
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
 const WORK_BETWEEN_CALLS: usize = 20_000;
 
-/// The exact distance of every point (`#P`, in the file's unit) to the sources: the least of starting value plus length
+/// The exact distance of every vertex (`#V`, in the file's unit) to the sources: the least of initial distance plus length
 /// of a path. Infinite where no source can be reached.
 ///
 /// `progress` is told the distance below which all values are final, and can stop the work.
@@ -47,7 +47,7 @@ pub fn exact_distance<S: Copy + Into<Source>>(
     surface: &Arc<Surface>,
     sources: &[S],
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Result<Vec<f64>> {
+) -> Result<VertexData<f64>> {
     let sources = validated(surface, sources)?;
     let geometry = Arc::new(ExactGeometry::new(surface));
     let mut wavefront = Wavefront::new(Arc::clone(surface), geometry, &sources, &[]);
@@ -59,14 +59,14 @@ pub fn exact_distance<S: Copy + Into<Source>>(
     Ok(wavefront.into_values())
 }
 
-/// A shortest path to the source for which starting value plus length is least.
+/// A shortest path to the source for which initial distance plus length is least.
 ///
 /// # Errors
-/// [`Error::NoSource`]; those of [`Source::validated`] and [`SurfacePoint::validated`]; [`Error::Unreachable`].
+/// [`Error::NoSource`]; those of [`Source::validated`] and [`Place::validated`]; [`Error::Unreachable`].
 pub fn shortest_path<S: Copy + Into<Source>>(
     surface: &Arc<Surface>,
     geometry: &Arc<ExactGeometry>,
-    from: SurfacePoint,
+    from: Place,
     sources: &[S],
 ) -> Result<Path> {
     let sources = validated(surface, sources)?;

@@ -3,7 +3,7 @@
 use super::window::Window;
 use crate::extremum::{larger, smaller};
 
-/// Two overlapping windows of one slot, and the first's distance less the second's where their overlap begins and
+/// Two overlapping windows of one half-edge, and the first's distance less the second's where their overlap begins and
 /// ends. A tie is the second's.
 pub(super) struct Overlap<'a> {
     pub first: &'a Window,

@@ -1,4 +1,4 @@
-//! Where windows begin: at sources, and at points that paths bend at.
+//! Where windows begin: at sources, and at vertices that paths bend at.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -6,15 +6,15 @@ use std::sync::Arc;
 use super::geometry::{Bend, ExactGeometry, Frame, Turn, after};
 use super::wavefront::{Origin, Wavefront};
 use super::window::{Window, length};
-use heatwalk_surface::point::{Source, SurfacePoint};
+use heatwalk_surface::{Place, Source, VertexId};
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
 
 impl ExactGeometry {
-    /// Whether shortest paths can bend at a point.
-    pub(super) fn can_bend(&self, point: u32) -> bool {
-        self.bends[point as usize] != Bend::Never
+    /// Whether shortest paths can bend at a vertex.
+    pub(super) fn can_bend(&self, vertex: u32) -> bool {
+        self.bends[vertex as usize] != Bend::Never
     }
 }
 
@@ -23,9 +23,9 @@ impl Wavefront {
     pub(super) fn start(&mut self) {
         let geometry = Arc::clone(&self.geometry);
         for number in 0..self.sources.len() {
-            let Source { point: location, offset: value } = self.sources[number];
+            let Source { point: location, initial_distance: value } = self.sources[number];
             let faces = geometry.faces_at(&self.surface, location);
-            let root = (self.surface.point_count() + number) as u32;
+            let root = (self.surface.vertex_count() + number) as u32;
             for &(face, weights) in &faces {
                 self.light_from_inside(face, weights, value, root);
             }
@@ -38,7 +38,7 @@ impl Wavefront {
         let frame = &geometry.frames[face as usize];
         for k in 0..3 {
             let [x, depth] = frame.place(k, weights);
-            self.offer(frame.points[k], value + length(x, depth), Origin::Straight { face, root });
+            self.offer(frame.vertices[k], value + length(x, depth), Origin::Straight { face, root });
             if depth > 0.0 {
                 let all = Window::new(0.0, frame.length[k], [frame.length[k] - x, depth], value, root);
                 self.leave(face * 3 + k as u32, all);
@@ -48,34 +48,34 @@ impl Wavefront {
     }
 
     /// Sends a window out of a face, cut by the values at the edge's ends.
-    fn leave(&mut self, slot: u32, mut window: Window) {
+    fn leave(&mut self, halfedge: u32, mut window: Window) {
         let geometry = Arc::clone(&self.geometry);
-        let (frame, k) = geometry.frame_of_slot(slot);
-        let ends = [frame.points[after(k)], frame.points[k]].map(|point| self.values[point as usize]);
+        let (frame, k) = geometry.frame_of(halfedge);
+        let ends = [frame.vertices[after(k)], frame.vertices[k]].map(|vertex| self.values[VertexId(vertex)]);
         if window.clip(frame.length[k], ends) {
-            self.deliver(&geometry, slot, &[window]);
+            self.deliver(&geometry, halfedge, &[window]);
         }
     }
 
-    /// Sends windows from a point that paths can bend at, into the shadow behind it.
-    pub(super) fn bend_at(&mut self, point: u32) {
+    /// Sends windows from a vertex that paths can bend at, into the shadow behind it.
+    pub(super) fn bend_at(&mut self, vertex: u32) {
         let geometry = Arc::clone(&self.geometry);
-        if self.is_source(point) {
+        if self.is_source(vertex) {
             return;
         }
-        let shadow_end = match geometry.bends[point as usize] {
+        let shadow_end = match geometry.bends[vertex as usize] {
             Bend::Never => return,
             Bend::Saddle(angle) => angle - PI + SHADOW_MARGIN,
             Bend::Reflex => f64::INFINITY,
             Bend::Anywhere => {
                 let surface = Arc::clone(&self.surface);
-                for (face, k) in surface.corners_of_point(point) {
+                for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
                     self.light_from_corner(face.0, k, [0.0, f64::INFINITY]);
                 }
                 return;
             }
         };
-        let Some((face, k, towards)) = self.arrival(point) else { return };
+        let Some((face, k, towards)) = self.arrival(vertex) else { return };
         let frame = &geometry.frames[face as usize];
         let start = Turn { face, corner: k, is_reversed: false };
         self.sweep(start, frame.angle(k) - towards, shadow_end);
@@ -84,24 +84,24 @@ impl Wavefront {
         }
     }
 
-    /// Whether a point is a source itself, which has sent windows everywhere.
-    fn is_source(&self, point: u32) -> bool {
-        match self.origins[point as usize] {
+    /// Whether a vertex is a source itself, which has sent windows everywhere.
+    fn is_source(&self, vertex: u32) -> bool {
+        match self.origins[vertex as usize] {
             Origin::Straight { root, .. } => (root as usize)
                 .checked_sub(self.values.len())
-                .is_some_and(|number| self.values[point as usize] <= self.sources[number].offset),
+                .is_some_and(|number| self.values[VertexId(vertex)] <= self.sources[number].initial_distance),
             _ => false,
         }
     }
 
-    /// The face by which the shortest path reaches a point, the corner there, and the angle between the edge that
+    /// The face by which the shortest path reaches a vertex, the corner there, and the angle between the edge that
     /// leaves that corner and the path.
-    fn arrival(&self, point: u32) -> Option<(u32, usize, f64)> {
+    fn arrival(&self, vertex: u32) -> Option<(u32, usize, f64)> {
         let corner = |face: u32| {
             let frame = &self.geometry.frames[face as usize];
-            frame.points.iter().position(|&corner| corner == point).map(|k| (frame, k))
+            frame.vertices.iter().position(|&corner| corner == vertex).map(|k| (frame, k))
         };
-        match self.origins[point as usize] {
+        match self.origins[vertex as usize] {
             Origin::None => None,
             Origin::Straight { face, root } => {
                 let (frame, k) = corner(face)?;
@@ -109,27 +109,27 @@ impl Wavefront {
                 let [x, y] = frame.place(k, weights);
                 Some((face, k, y.atan2(x)))
             }
-            Origin::Window { slot, at, .. } => {
-                let (frame, k) = corner(slot / 3)?;
+            Origin::Window { halfedge, at, .. } => {
+                let (frame, k) = corner(halfedge / 3)?;
                 let [x, y] = frame.opposite(after(k));
-                // Seen from the corner, between the edge to the slot's begin and the ray.
+                // Seen from the corner, between the edge to the half-edge's begin and the ray.
                 let towards = (y * at).atan2(x * (x - at) + y * y);
-                Some((slot / 3, k, towards))
+                Some((halfedge / 3, k, towards))
             }
         }
     }
 
-    /// Barycentric weights in a face of a point or source that windows start from.
+    /// Barycentric weights in a face of a vertex or source that windows start from.
     pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
         let location = match (root as usize).checked_sub(self.values.len()) {
             Some(number) => self.sources[number].point,
-            None => SurfacePoint::Vertex(root),
+            None => Place::Vertex(VertexId(root)),
         };
         let faces = self.geometry.faces_at(&self.surface, location);
         faces.into_iter().find(|&(found, _)| found == face).map(|(_, weights)| weights)
     }
 
-    /// Walks around a point from a face, at `angle` from the path's direction when it leaves it, and lights the
+    /// Walks around a vertex from a face, at `angle` from the path's direction when it leaves it, and lights the
     /// faces between half a turn and `shadow_end`.
     fn sweep(&mut self, start: Turn, angle: f64, shadow_end: f64) {
         let geometry = Arc::clone(&self.geometry);
@@ -156,17 +156,17 @@ impl Wavefront {
     fn light_from_corner(&mut self, face: u32, k: usize, [from, to]: [f64; 2]) {
         let geometry = Arc::clone(&self.geometry);
         let frame: &Frame = &geometry.frames[face as usize];
-        let root = frame.points[k];
-        let value = self.values[root as usize];
+        let root = frame.vertices[k];
+        let value = self.values[VertexId(root)];
         let (out, last) = (after(k), after(after(k)));
-        self.offer(frame.points[out], value + frame.length[k], Origin::Straight { face, root });
-        self.offer(frame.points[last], value + frame.length[last], Origin::Straight { face, root });
+        self.offer(frame.vertices[out], value + frame.length[k], Origin::Straight { face, root });
+        self.offer(frame.vertices[last], value + frame.length[last], Origin::Straight { face, root });
         let mut weights = [0.0; 3];
         weights[k] = 1.0;
         self.targets.see_straight(frame, face, weights, value, root);
 
         let along = frame.length[out];
-        // By the law of sines, measured from the edge's end, as the slot across runs.
+        // By the law of sines, measured from the edge's end, as the half-edge across runs.
         let meets = |angle: f64| {
             along - frame.length[k] * angle.sin() / (frame.cos[out] * angle.sin() + frame.sin[out] * angle.cos())
         };

@@ -3,12 +3,12 @@
 use super::geometry::{ExactGeometry, Frame};
 use super::wavefront::Origin;
 use super::window::{GRAZE, Window, length};
-use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::Place;
 use heatwalk_surface::surface::Surface;
 
 /// A target in one of the faces that it lies on.
 #[derive(Debug)]
-struct Place {
+struct TargetInFace {
     face: u32,
     weights: [f64; 3],
     target: usize,
@@ -19,18 +19,18 @@ struct Place {
 pub(super) struct Targets {
     pub values: Vec<f64>,
     pub origins: Vec<Origin>,
-    pub locations: Vec<SurfacePoint>,
+    pub locations: Vec<Place>,
     /// By face.
-    places: Vec<Place>,
+    places: Vec<TargetInFace>,
 }
 
 impl Targets {
-    pub fn new(surface: &Surface, geometry: &ExactGeometry, locations: &[SurfacePoint]) -> Self {
-        let of_target = |(target, &location): (usize, &SurfacePoint)| {
+    pub fn new(surface: &Surface, geometry: &ExactGeometry, locations: &[Place]) -> Self {
+        let of_target = |(target, &location): (usize, &Place)| {
             let faces = geometry.faces_at(surface, location);
-            faces.into_iter().map(move |(face, weights)| Place { face, weights, target })
+            faces.into_iter().map(move |(face, weights)| TargetInFace { face, weights, target })
         };
-        let mut places: Vec<Place> = locations.iter().enumerate().flat_map(of_target).collect();
+        let mut places: Vec<TargetInFace> = locations.iter().enumerate().flat_map(of_target).collect();
         places.sort_by_key(|place| place.face);
         Self {
             values: vec![f64::INFINITY; locations.len()],
@@ -45,15 +45,15 @@ impl Targets {
         !self.places.is_empty() && Self::in_face(&self.places, face).next().is_some()
     }
 
-    fn in_face(places: &[Place], face: u32) -> impl Iterator<Item = &Place> {
+    fn in_face(places: &[TargetInFace], face: u32) -> impl Iterator<Item = &TargetInFace> {
         let first = places.partition_point(|place| place.face < face);
         places[first..].iter().take_while(move |place| place.face == face)
     }
 
-    /// Offers the targets in a slot's face a window that crosses it.
-    pub fn see(&mut self, frame: &Frame, slot: u32, window: &Window) {
-        for place in Self::in_face(&self.places, slot / 3) {
-            let [x, y] = frame.place(slot as usize % 3, place.weights);
+    /// Offers the targets in a half-edge's face a window that crosses it.
+    pub fn see(&mut self, frame: &Frame, halfedge: u32, window: &Window) {
+        for place in Self::in_face(&self.places, halfedge / 3) {
+            let [x, y] = frame.place(halfedge as usize % 3, place.weights);
             let crosses = window.x + (x - window.x) * window.depth / (window.depth + y);
             let at = crosses.max(window.begin).min(window.end);
             if (crosses - at).abs() > GRAZE * length(x - window.x, y + window.depth) {
@@ -63,7 +63,7 @@ impl Targets {
             if value < self.values[place.target] {
                 self.values[place.target] = value;
                 self.origins[place.target] =
-                    Origin::Window { slot, root: window.root, at, x: window.x, depth: window.depth };
+                    Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
             }
         }
     }

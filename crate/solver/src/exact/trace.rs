@@ -5,9 +5,7 @@ use super::wavefront::{Origin, Wavefront};
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
-use heatwalk_surface::halfedge::{Face, Halfedge};
-use heatwalk_surface::point::SurfacePoint;
-use heatwalk_surface::{Path, PathPoint};
+use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
 
 /// A line that passes a vertex at no more than this share of its length may go through it instead, if the vertex's
 /// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.
@@ -17,10 +15,10 @@ const SNAP: f64 = 1e-10;
 /// more than rounding, far less than any other vertex's distance from there that could be mistaken for it.
 const MEETS: f64 = 1e-6;
 
-/// Where a line back to its source leaves a face: at `at` of a slot, seen from that face, to `(x, −depth)`.
+/// Where a line back to its source leaves a face: at `at` of a half-edge, seen from that face, to `(x, −depth)`.
 #[derive(Debug, Clone, Copy)]
 struct Ray {
-    slot: u32,
+    halfedge: u32,
     at: f64,
     x: f64,
     depth: f64,
@@ -38,19 +36,19 @@ enum Step {
 
 /// Where a path has come to.
 #[derive(Debug, Clone, Copy)]
-struct Place {
-    location: SurfacePoint,
+struct Stop {
+    location: Place,
     value: f64,
     origin: Origin,
 }
 
 impl Wavefront {
-    /// The shortest path from a point to its source; its value must be final.
+    /// The shortest path from a vertex to its source; its value must be final.
     ///
     /// # Errors
     /// [`Error::Unreachable`] where the value is infinite.
-    pub fn path_from_point(&self, point: u32) -> Result<Path> {
-        self.path_from(self.at_point(point))
+    pub fn path_from_vertex(&self, vertex: VertexId) -> Result<Path> {
+        self.path_from(self.at_vertex(vertex.0))
     }
 
     /// The shortest path from a target to its source; its value must be final.
@@ -60,34 +58,34 @@ impl Wavefront {
     pub fn path_from_target(&self, index: usize) -> Result<Path> {
         let targets = &self.targets;
         let (value, origin) = (targets.values[index], targets.origins[index]);
-        self.path_from(Place { location: targets.locations[index], value, origin })
+        self.path_from(Stop { location: targets.locations[index], value, origin })
     }
 
-    fn at_point(&self, point: u32) -> Place {
-        let (value, origin) = (self.values[point as usize], self.origins[point as usize]);
-        Place { location: SurfacePoint::Vertex(point), value, origin }
+    fn at_vertex(&self, vertex: u32) -> Stop {
+        let (value, origin) = (self.values[VertexId(vertex)], self.origins[vertex as usize]);
+        Stop { location: Place::Vertex(VertexId(vertex)), value, origin }
     }
 
-    fn path_from(&self, start: Place) -> Result<Path> {
+    fn path_from(&self, start: Stop) -> Result<Path> {
         let mut trace = Trace { front: self, points: Vec::new() };
         let face = self.geometry.faces_at(&self.surface, start.location).first().map_or(0, |&(face, _)| face);
         trace.go(start.location, face);
-        let mut place = start;
+        let mut stop = start;
         // Values of vertices on the way fall strictly, so that each is passed once.
         loop {
-            let (root, last_face) = match place.origin {
+            let (root, last_face) = match stop.origin {
                 Origin::None => return Err(Error::Unreachable),
                 Origin::Straight { face, root } => (root, face),
-                Origin::Window { slot, root, at, x, depth } => {
-                    let ray = Ray { slot, at, x, depth };
-                    match trace.follow(&place, root, ray) {
+                Origin::Window { halfedge, root, at, x, depth } => {
+                    let ray = Ray { halfedge, at, x, depth };
+                    match trace.follow(&stop, root, ray) {
                         Some(End::Root(face)) => (root, face),
                         Some(End::Vertex(vertex, face)) => {
-                            trace.go(SurfacePoint::Vertex(vertex), face);
-                            place = self.at_point(vertex);
+                            trace.go(Place::Vertex(VertexId(vertex)), face);
+                            stop = self.at_vertex(vertex);
                             continue;
                         }
-                        None => (trace.take_edges(&place, root), NONE),
+                        None => (trace.take_edges(&stop, root), NONE),
                     }
                 }
             };
@@ -98,29 +96,29 @@ impl Wavefront {
             if root as usize >= self.values.len() {
                 break;
             }
-            place = self.at_point(root);
+            stop = self.at_vertex(root);
         }
         Ok(Path::new(&self.surface, trace.points))
     }
 
-    fn location_of_root(&self, root: u32) -> SurfacePoint {
+    fn location_of_root(&self, root: u32) -> Place {
         match (root as usize).checked_sub(self.values.len()) {
             Some(number) => self.sources[number].point,
-            None => SurfacePoint::Vertex(root),
+            None => Place::Vertex(VertexId(root)),
         }
     }
 
-    /// Takes a ray into the face of `slot`, on the far side of its edge; `is_mirrored` where that slot runs in the
-    /// ray's slot's direction.
-    fn step(&self, ray: Ray, slot: u32, is_mirrored: bool, root: u32) -> Step {
-        let (frame, k) = self.geometry.frame_of_slot(slot);
+    /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
+    /// ray's half-edge's direction.
+    fn step(&self, ray: Ray, halfedge: u32, is_mirrored: bool, root: u32) -> Step {
+        let (frame, k) = self.geometry.frame_of(halfedge);
         let (l, r) = (after(after(k)), after(k));
         let across = frame.length[k];
-        // The source is above the slot now.
+        // The source is above the half-edge now.
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
-        if let Some(weights) = self.weights_of_root(root, slot / 3) {
+        if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
             let scale = frame.length[0] + frame.length[1] + frame.length[2];
             if length(root_x - x, root_y - y) <= MEETS * scale {
@@ -141,7 +139,7 @@ impl Wavefront {
             return Step::Lost;
         }
         let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
-        Step::Leaves(Ray { slot: slot - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
+        Step::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
     }
 }
 
@@ -160,9 +158,9 @@ struct Trace<'a> {
 
 impl Trace<'_> {
     /// Appends a straight piece through `face`.
-    fn go(&mut self, location: SurfacePoint, face: u32) {
+    fn go(&mut self, location: Place, face: u32) {
         let position = location.position(&self.front.surface);
-        let face = Face(face);
+        let face = FaceId(face);
         if let Some(last) = self.points.last_mut() {
             if last.location == location {
                 return;
@@ -176,32 +174,34 @@ impl Trace<'_> {
     ///
     /// Where several faces lie across an edge the line is in one of them; the others do not meet the root at its
     /// distance. They are tried in turn.
-    fn follow(&mut self, start: &Place, root: u32, first: Ray) -> Option<End> {
+    fn follow(&mut self, start: &Stop, root: u32, first: Ray) -> Option<End> {
         let front = self.front;
         let mut steps_left = 8 * front.geometry.frames.len() + 64;
-        // Faces still to try: the ray, the slot to enter by, whether mirrored, and the length of the path before.
+        // Faces still to try: the ray, the half-edge to enter by, whether mirrored, and the length of the path before.
         let mut open: Vec<(Ray, u32, bool, usize)> = Vec::new();
         let mut ray = first;
         let begin = self.points.len();
         loop {
-            let inside = ray.slot / 3;
+            let inside = ray.halfedge / 3;
             if let Some(vertex) = self.passes(start, &ray) {
                 return Some(End::Vertex(vertex, inside));
             }
-            let (frame, k) = front.geometry.frame_of_slot(ray.slot);
+            let (frame, k) = front.geometry.frame_of(ray.halfedge);
             let fraction = (ray.at / frame.length[k]).clamp(0.0, 1.0);
-            self.go(SurfacePoint::Edge { halfedge: Halfedge(ray.slot), fraction }, inside);
+            self.go(Place::Edge { halfedge: HalfedgeId(ray.halfedge), fraction }, inside);
             let length = self.points.len();
-            open.extend(front.geometry.across(ray.slot).map(|(slot, is_mirrored)| (ray, slot, is_mirrored, length)));
+            open.extend(
+                front.geometry.across(ray.halfedge).map(|(halfedge, is_mirrored)| (ray, halfedge, is_mirrored, length)),
+            );
             loop {
-                let Some((from, slot, is_mirrored, length)) = open.pop() else {
+                let Some((from, halfedge, is_mirrored, length)) = open.pop() else {
                     self.points.truncate(begin);
                     return None;
                 };
                 steps_left = steps_left.checked_sub(1)?;
                 self.points.truncate(length);
-                match front.step(from, slot, is_mirrored, root) {
-                    Step::Arrived => return Some(End::Root(slot / 3)),
+                match front.step(from, halfedge, is_mirrored, root) {
+                    Step::Arrived => return Some(End::Root(halfedge / 3)),
                     Step::Leaves(next) => {
                         ray = next;
                         break;
@@ -212,42 +212,42 @@ impl Trace<'_> {
         }
     }
 
-    /// The end of the slot that a ray passes through, if the path may continue from there.
-    fn passes(&self, start: &Place, ray: &Ray) -> Option<u32> {
+    /// The end of the half-edge that a ray passes through, if the path may continue from there.
+    fn passes(&self, start: &Stop, ray: &Ray) -> Option<u32> {
         let front = self.front;
-        let (frame, k) = front.geometry.frame_of_slot(ray.slot);
+        let (frame, k) = front.geometry.frame_of(ray.halfedge);
         let left = length(ray.x - ray.at, ray.depth);
         let near = SNAP * (left + frame.length[k]);
-        let ends = [(frame.points[k], ray.at), (frame.points[after(k)], frame.length[k] - ray.at)];
+        let ends = [(frame.vertices[k], ray.at), (frame.vertices[after(k)], frame.length[k] - ray.at)];
         let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
-        let value = front.values[vertex as usize];
+        let value = front.values[VertexId(vertex)];
         let Origin::Window { root, .. } = start.origin else { return None };
         let offset = match (root as usize).checked_sub(front.values.len()) {
-            Some(number) => front.sources[number].offset,
-            None => front.values[root as usize],
+            Some(number) => front.sources[number].initial_distance,
+            None => front.values[VertexId(root)],
         };
         (value < start.value && value <= offset + left + 2.0 * near).then_some(vertex)
     }
 
     /// Goes along edges to a root's nearest corner instead: where rounding lost the line. Returns the root.
-    fn take_edges(&mut self, start: &Place, root: u32) -> u32 {
+    fn take_edges(&mut self, start: &Stop, root: u32) -> u32 {
         let front = self.front;
-        let goal = front.location_of_root(root).nearest_point(&front.surface);
-        let from = start.location.nearest_point(&front.surface);
-        let way = dijkstra::way_to(&front.surface, from, |point| point == goal).unwrap_or_default();
-        for point in way {
-            let next = SurfacePoint::Vertex(point);
+        let goal = front.location_of_root(root).nearest_vertex(&front.surface);
+        let from = start.location.nearest_vertex(&front.surface);
+        let path = dijkstra::nearest_goal(&front.surface, from, |vertex| vertex == goal).unwrap_or_default();
+        for vertex in path {
+            let next = Place::Vertex(vertex);
             let last = self.points[self.points.len() - 1].location;
             let face = self.shared_face(last, next);
             self.go(next, face);
         }
         let location = front.location_of_root(root);
-        let face = self.shared_face(SurfacePoint::Vertex(goal), location);
+        let face = self.shared_face(Place::Vertex(goal), location);
         self.go(location, face);
         root
     }
 
-    fn shared_face(&self, a: SurfacePoint, b: SurfacePoint) -> u32 {
+    fn shared_face(&self, a: Place, b: Place) -> u32 {
         let [a, b] = [a, b].map(|location| self.front.geometry.faces_at(&self.front.surface, location));
         let shared = a.iter().find(|(face, _)| b.iter().any(|(other, _)| other == face));
         shared.expect("neighbours along an edge, and a location and its nearest corner, share a face").0

@@ -7,8 +7,8 @@ use super::geometry::{ExactGeometry, Frame, after};
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{GRAZE, Window, length};
-use heatwalk_surface::point::{Source, SurfacePoint};
 use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Element, Place, Source, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 1.0;
@@ -20,8 +20,8 @@ pub(super) enum Origin {
     None,
     /// Straight through, or along, a face from a root on it.
     Straight { face: u32, root: u32 },
-    /// Through position `at` of a slot, whose face it lies on, in a window with the source at `(x, −depth)`.
-    Window { slot: u32, root: u32, at: f64, x: f64, depth: f64 },
+    /// Through position `at` of a half-edge, whose face it lies on, in a window with the source at `(x, −depth)`.
+    Window { halfedge: u32, root: u32, at: f64, x: f64, depth: f64 },
 }
 
 /// Exact distances that grow outward from their sources; stopped and continued at will, with the same result.
@@ -31,49 +31,49 @@ pub struct Wavefront {
     pub(super) geometry: Arc<ExactGeometry>,
     pub(super) sources: Vec<Source>,
     pub(super) targets: Targets,
-    /// `#P`.
-    pub(super) values: Vec<f64>,
-    /// `#P`.
+    /// `#V`.
+    pub(super) values: VertexData<f64>,
+    /// `#V`.
     pub(super) origins: Vec<Origin>,
     /// Points with a finite value.
-    reached: Vec<u32>,
+    reached: Vec<VertexId>,
     /// All windows; those not in use form a list from `free`. Number 0 is none.
     pub(super) windows: Vec<Window>,
     pub(super) free: u32,
-    /// `3 #F`, first window that waits to enter the face by each slot, in order along it; 0 where there is none.
+    /// `3 #F`, first window that waits to enter the face by each half-edge, in order along it; 0 where there is none.
     pub(super) heads: Vec<u32>,
-    /// Slots, then points that paths can bend at.
+    /// Half-edges, then vertices that paths can bend at.
     pub(super) queue: Buckets,
     propagated: usize,
     /// Windows that cross now; kept for its memory.
     crossing: Vec<Crossing>,
-    /// Those that leave by one slot; kept for its memory.
+    /// Those that leave by one half-edge; kept for its memory.
     leaving: Vec<Window>,
 }
 
 impl Wavefront {
     /// Starts at sources; `targets` are further points of the surface whose distance is wanted. Sources and targets
-    /// are as [`Source::validated`] and [`SurfacePoint::validated`] return them.
+    /// are as [`Source::validated`] and [`Place::validated`] return them.
     pub fn new<S: Copy + Into<Source>>(
         surface: Arc<Surface>,
         geometry: Arc<ExactGeometry>,
         sources: &[S],
-        targets: &[SurfacePoint],
+        targets: &[Place],
     ) -> Self {
-        let (slots, points) = (3 * surface.face_count(), surface.point_count());
+        let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
         let sources: Vec<Source> = sources.iter().map(|&source| source.into()).collect();
         let base = base(&sources);
         let none = Window::new(0.0, 0.0, [0.0; 2], 0.0, 0);
         let mut wavefront = Self {
             targets: Targets::new(&surface, &geometry, targets),
             sources,
-            values: vec![f64::INFINITY; points],
-            origins: vec![Origin::None; points],
+            values: vec![f64::INFINITY; vertices].into(),
+            origins: vec![Origin::None; vertices],
             reached: Vec::new(),
             windows: vec![none],
             free: 0,
-            heads: vec![0; slots],
-            queue: Buckets::new(slots + points, base, BUCKET * surface.mean_edge),
+            heads: vec![0; halfedges],
+            queue: Buckets::new(halfedges + vertices, base, BUCKET * surface.mean_edge()),
             propagated: 0,
             crossing: Vec::new(),
             leaving: Vec::new(),
@@ -88,15 +88,15 @@ impl Wavefront {
     pub fn restart(&mut self, sources: &[Source]) {
         self.sources = sources.to_vec();
         self.targets = Targets::new(&self.surface, &self.geometry, &[]);
-        for point in self.reached.drain(..) {
-            self.values[point as usize] = f64::INFINITY;
-            self.origins[point as usize] = Origin::None;
+        for vertex in self.reached.drain(..) {
+            self.values[vertex] = f64::INFINITY;
+            self.origins[vertex.index()] = Origin::None;
         }
         self.windows.truncate(1);
         self.free = 0;
         let heads = &mut self.heads;
         self.queue.clear(base(sources), |item| {
-            // A slot where windows wait is in the queue.
+            // A half-edge where windows wait is in the queue.
             if let Some(head) = heads.get_mut(item as usize) {
                 *head = 0;
             }
@@ -109,12 +109,12 @@ impl Wavefront {
     /// the radius was reached.
     pub fn advance(&mut self, radius: f64, work: usize) -> bool {
         let enough = self.propagated.saturating_add(work);
-        let slots = self.heads.len() as u32;
+        let halfedges = self.heads.len() as u32;
         while self.propagated < enough {
             match self.queue.pop(radius) {
                 None => return true,
-                Some(item) if item < slots => self.cross(item),
-                Some(item) => self.bend_at(item - slots),
+                Some(item) if item < halfedges => self.cross(item),
+                Some(item) => self.bend_at(item - halfedges),
             }
         }
         self.radius() >= radius
@@ -130,18 +130,18 @@ impl Wavefront {
         self.queue.floor() == f64::INFINITY
     }
 
-    /// `#P`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
-    pub fn values(&self) -> &[f64] {
+    /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
+    pub fn values(&self) -> &VertexData<f64> {
         &self.values
     }
 
-    /// The points with a finite value.
-    pub(crate) fn reached(&self) -> &[u32] {
+    /// The vertices with a finite value.
+    pub(crate) fn reached(&self) -> &[VertexId] {
         &self.reached
     }
 
     /// The values, without what else is held.
-    pub fn into_values(self) -> Vec<f64> {
+    pub fn into_values(self) -> VertexData<f64> {
         self.values
     }
 
@@ -161,39 +161,39 @@ impl Wavefront {
     }
 
     /// Offers a vertex a shorter path.
-    pub(super) fn offer(&mut self, point: u32, value: f64, origin: Origin) {
-        let before = self.values[point as usize];
+    pub(super) fn offer(&mut self, vertex: u32, value: f64, origin: Origin) {
+        let before = self.values[VertexId(vertex)];
         if value < before {
             if before == f64::INFINITY {
-                self.reached.push(point);
+                self.reached.push(VertexId(vertex));
             }
-            self.values[point as usize] = value;
-            self.origins[point as usize] = origin;
-            if self.geometry.can_bend(point) {
-                self.queue.push(self.heads.len() as u32 + point, value);
+            self.values[VertexId(vertex)] = value;
+            self.origins[vertex as usize] = origin;
+            if self.geometry.can_bend(vertex) {
+                self.queue.push(self.heads.len() as u32 + vertex, value);
             }
         }
     }
 
-    /// Lets the windows that wait at a slot enter its face: values for the opposite corner and for targets in the
-    /// face, windows for the slots across its two other edges.
-    fn cross(&mut self, slot: u32) {
+    /// Lets the windows that wait at a half-edge enter its face: values for the opposite corner and for targets in the
+    /// face, windows for the half-edges across its two other edges.
+    fn cross(&mut self, halfedge: u32) {
         let geometry = Arc::clone(&self.geometry);
-        let (frame, k) = geometry.frame_of_slot(slot);
+        let (frame, k) = geometry.frame_of(halfedge);
         let [l, r] = [after(after(k)), after(k)];
-        let [a, b, c] = [k, r, l].map(|corner| frame.points[corner]);
+        let [a, b, c] = [k, r, l].map(|corner| frame.vertices[corner]);
         let opposite = frame.opposite(k);
 
         let mut crossing = std::mem::take(&mut self.crossing);
         crossing.clear();
-        let ends = [self.values[a as usize], self.values[b as usize]];
-        let mut next = std::mem::take(&mut self.heads[slot as usize]);
+        let ends = [self.values[VertexId(a)], self.values[VertexId(b)]];
+        let mut next = std::mem::take(&mut self.heads[halfedge as usize]);
         while next != 0 {
             let number = next;
             let mut window = self.windows[number as usize];
             next = window.next;
             self.release(number);
-            let is_current = self.values.get(window.root as usize).is_none_or(|&value| value >= window.offset);
+            let is_current = self.values.get(VertexId(window.root)).is_none_or(|&value| value >= window.offset);
             if !(is_current && window.clip(frame.length[k], ends)) {
                 continue;
             }
@@ -208,24 +208,24 @@ impl Wavefront {
             let is_straight = at == splits;
             let bent = length(at - window.x, window.depth) + length(opposite[0] - at, opposite[1]);
             let value = window.offset + if is_straight { distance } else { bent };
-            if value < self.values[c as usize] {
-                let origin = Origin::Window { slot, root: window.root, at, x: window.x, depth: window.depth };
+            if value < self.values[VertexId(c)] {
+                let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
                 self.offer(c, value, origin);
             }
         }
         self.propagated += crossing.len();
-        if self.targets.are_in(slot / 3) {
+        if self.targets.are_in(halfedge / 3) {
             for crossing in &crossing {
-                self.targets.see(frame, slot, &crossing.window);
+                self.targets.see(frame, halfedge, &crossing.window);
             }
         }
 
         let mut leaving = std::mem::take(&mut self.leaving);
         for (out, corners) in [(l, [a, c]), (r, [c, b])] {
-            if frame.beside[out] >> 2 == slot - k as u32 + out as u32 {
+            if frame.next_on_edge[out] >> 2 == halfedge - k as u32 + out as u32 {
                 continue;
             }
-            let ends = corners.map(|point| self.values[point as usize]);
+            let ends = corners.map(|vertex| self.values[VertexId(vertex)]);
             leaving.clear();
             for crossing in &crossing {
                 let part = if out == l { crossing.to_left(frame, k) } else { crossing.to_right(frame, k) };
@@ -234,7 +234,7 @@ impl Wavefront {
                     leaving.push(part);
                 }
             }
-            self.deliver(&geometry, slot - k as u32 + out as u32, &leaving);
+            self.deliver(&geometry, halfedge - k as u32 + out as u32, &leaving);
         }
         self.leaving = leaving;
         self.crossing = crossing;
@@ -243,19 +243,19 @@ impl Wavefront {
 
 /// Where the queue begins.
 fn base(sources: &[Source]) -> f64 {
-    sources.iter().map(|source| source.offset).fold(f64::MAX, f64::min)
+    sources.iter().map(|source| source.initial_distance).fold(f64::MAX, f64::min)
 }
 
 /// A window that crosses a face.
 #[derive(Debug)]
 struct Crossing {
     window: Window,
-    /// Where the ray to the opposite corner crosses the slot's line.
+    /// Where the ray to the opposite corner crosses the half-edge's line.
     splits: f64,
 }
 
 impl Crossing {
-    /// What leaves by the edge at slot `k`'s begin, as the slot across that edge sees it.
+    /// What leaves by the edge at half-edge `k`'s begin, as the half-edge across that edge sees it.
     fn to_left(&self, frame: &Frame, k: usize) -> Option<Window> {
         let Self { window, splits } = self;
         if window.begin >= *splits {
@@ -268,7 +268,7 @@ impl Crossing {
         Some(Window::new(hit(window.begin), end, source, window.offset, window.root))
     }
 
-    /// What leaves by the edge at slot `k`'s end, as the slot across that edge sees it.
+    /// What leaves by the edge at half-edge `k`'s end, as the half-edge across that edge sees it.
     fn to_right(&self, frame: &Frame, k: usize) -> Option<Window> {
         let Self { window, splits } = self;
         if window.end <= *splits {
@@ -285,8 +285,8 @@ impl Crossing {
 }
 
 /// How far from the common end of two edges a ray meets the second, of length `along`. It leaves the first at `at`
-/// from that end, with `forward` along the first edge's slot and `up` into the face; `sin` is negative where the end
-/// is the slot's first.
+/// from that end, with `forward` along the first edge's half-edge and `up` into the face; `sin` is negative where the end
+/// is the half-edge's first.
 fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
     let towards = cos * up + sin * forward;
     if towards > 0.0 { smaller(at * up / towards, along) } else { along }

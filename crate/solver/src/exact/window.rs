@@ -18,15 +18,15 @@ const MARGIN: f64 = 1e-12;
 /// positions unfolded past a vertex. A vertex with so little curvature that its shadow is not seen.
 const SAME: f64 = 1e-13;
 
-/// An interval of a slot, and the (pseudo-)source that lights it from behind.
+/// An interval of a half-edge, and the (pseudo-)source that lights it from behind.
 ///
-/// The slot lies on the x axis from the origin, its face above, the source at `(x, −depth)`. Windows form lists.
+/// The half-edge lies on the x axis from the origin, its face above, the source at `(x, −depth)`. Windows form lists.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Window {
-    /// Where the interval begins and ends, along the slot.
+    /// Where the interval begins and ends, along the half-edge.
     pub begin: f64,
     pub end: f64,
-    /// Position of the source along the slot and behind it.
+    /// Position of the source along the half-edge and behind it.
     pub x: f64,
     pub depth: f64,
     /// Distance of the source itself.
@@ -34,7 +34,7 @@ pub(super) struct Window {
     /// Distance where the interval begins and ends.
     pub at_begin: f64,
     pub at_end: f64,
-    /// A point, or `#P` + the number of a source.
+    /// A vertex, or `#V` + the number of a source.
     pub root: u32,
     /// Following window of the list, 0 at its end.
     pub next: u32,
@@ -47,7 +47,7 @@ impl Window {
         Self { begin, end, x, depth, offset, at_begin: at(begin), at_end: at(end), root, next: 0 }
     }
 
-    /// Distance of the position `x` of the slot by this window.
+    /// Distance of the position `x` of the half-edge by this window.
     pub fn at(&self, x: f64) -> f64 {
         self.offset + length(x - self.x, self.depth)
     }
@@ -79,7 +79,7 @@ impl Window {
             && (self.depth - other.depth).abs() <= close
     }
 
-    /// The same window on a slot in the opposite direction.
+    /// The same window on a half-edge in the opposite direction.
     pub fn mirrored(self, length: f64) -> Self {
         Self {
             begin: length - self.end,
@@ -91,7 +91,7 @@ impl Window {
         }
     }
 
-    /// Cuts off what is farther than by way of the slot's ends (Xin & Wang 2009, theorem 3.2, for every ray instead
+    /// Cuts off what is farther than by way of the half-edge's ends (Xin & Wang 2009, theorem 3.2, for every ray instead
     /// of the whole window); `values` are distances there. Returns whether anything is left.
     pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
         // At slope one, the way by an end grows at least as fast as this window's distance.

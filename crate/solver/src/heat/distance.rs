@@ -6,22 +6,22 @@ use crate::extremum::larger;
 use crate::heat::field::divergence;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
-use heatwalk_surface::point::{Source, SurfacePoint};
+use heatwalk_surface::{Place, Source, VertexData};
 
-/// Share of its starting value by which the distance at a source may miss it for rounding.
+/// Share of its initial distance by which the distance at a source may miss it for rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Distance from a set of sources.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distance {
     /// `#P`, in the file's unit, non-negative, never NaN; infinity on pieces without a source. At a source that is a
-    /// vertex it is exactly its starting value; with superposed sources, the mean over the sources of a piece is 0
+    /// vertex it is exactly its initial distance; with superposed sources, the mean over the sources of a piece is 0
     /// before values below 0 become 0.
-    pub values: Vec<f64>,
+    pub values: VertexData<f64>,
     /// `#P`, heat after time t, to an arbitrary scale near 10²⁹⁰.
-    pub heat: Vec<f64>,
+    pub heat: VertexData<f64>,
     /// The sources, validated. Those whose starting value is above the distance from another are left out.
-    pub sources: Vec<SurfacePoint>,
+    pub sources: Vec<Place>,
     /// Values below this are exact polyhedral distances; infinity when all are.
     pub exact_below: f64,
 }
@@ -69,7 +69,7 @@ impl HeatSolver {
         for &source in sources {
             let source: Source = source.into().validated(&self.surface)?;
             match valid.iter_mut().find(|other| other.point == source.point) {
-                Some(other) => other.offset = other.offset.min(source.offset),
+                Some(other) => other.initial_distance = other.initial_distance.min(source.initial_distance),
                 None => valid.push(source),
             }
         }
@@ -85,14 +85,14 @@ impl HeatSolver {
         is_active: &[bool],
     ) -> Result<Distance> {
         let surface = &*self.surface;
-        let mut has_source = vec![false; surface.report.components];
+        let mut has_source = vec![false; surface.report().components];
         for source in sources {
             has_source[source.point.component(surface) as usize] = true;
         }
-        let is_reachable = |point: usize| has_source[surface.component_of_point[point] as usize];
+        let is_reachable = |point: usize| has_source[surface.components().as_slice()[point] as usize];
         let is_known = |point: usize| near.at(point as u32).is_some() || !is_reachable(point);
-        let mut values = if (0..surface.point_count()).all(is_known) {
-            vec![0.0; surface.point_count()]
+        let mut values = if (0..surface.vertex_count()).all(is_known) {
+            vec![0.0; surface.vertex_count()]
         } else {
             let mut mixed = Vec::new();
             let active: Vec<Source> =
@@ -100,19 +100,20 @@ impl HeatSolver {
             let divergence = divergence(&self.elements, &heat, near, |face, whole| mixed.push((face, whole)));
             self.poisson(divergence, near, &self.known(near, &mixed, &active))?
         };
-        for (value, &component) in values.iter_mut().zip(&surface.component_of_point) {
+        for (value, &component) in values.iter_mut().zip(surface.components()) {
             *value = if has_source[component as usize] { larger(*value, near.radius) } else { f64::INFINITY };
         }
         for (point, exact) in near.points() {
             values[point as usize] = exact;
         }
-        let is_source = |source: &Source, value: f64| value >= source.offset * (1.0 - ROUNDING);
+        let mut values = VertexData::from(values);
+        let is_source = |source: &Source, value: f64| value >= source.initial_distance * (1.0 - ROUNDING);
         if self.parameters().sources == MultiSource::Exact {
             for source in sources {
-                if let Some(point) = source.point.vertex(surface) {
-                    let value = &mut values[point as usize];
+                if let Some(vertex) = source.point.vertex(surface) {
+                    let value = &mut values[vertex];
                     if is_source(source, *value) {
-                        *value = source.offset;
+                        *value = source.initial_distance;
                     }
                 }
             }
@@ -120,7 +121,7 @@ impl HeatSolver {
         // A source that another one reaches before its starting value is none.
         let remains = |source: &&Source| is_source(source, source.point.interpolate(surface, &values));
         let sources = sources.iter().filter(remains).map(|source| source.point).collect();
-        Ok(Distance { values, heat, sources, exact_below: near.radius })
+        Ok(Distance { values, heat: heat.into(), sources, exact_below: near.radius })
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
 use heatwalk_sparse::{Functional, SchurComplement, System};
-use heatwalk_surface::point::Source;
+use heatwalk_surface::{Element, Source, VertexId};
 
 /// Heat at a source. Near the largest float, so that heat falls through 1,375 e-folds, not 708, before it reaches the
 /// smallest normal float.
@@ -32,15 +32,15 @@ impl HeatSolver {
         if self.parameters.sources == MultiSource::Superposed {
             return Ok((self.superposed(heat, sources)?, is_active));
         }
-        let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
-        let level = |source: &Source| ((least - source.offset) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
+        let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
+        let level = |source: &Source| ((least - source.initial_distance) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
         loop {
             let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
             let levels: Vec<(Source, f64)> =
                 active.iter().map(|&index| (sources[index], level(&sources[index]))).collect();
             let (values, supplies) = self.prescribed(heat, &levels)?;
             // Sources of the least starting value always give heat; rounding must not drop one of them.
-            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].offset > least;
+            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].initial_distance > least;
             let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
             if dropped.is_empty() {
                 return Ok((values, is_active));
@@ -59,20 +59,20 @@ impl HeatSolver {
             let supply: Vec<(u32, f64)> = source
                 .point
                 .support(surface)
-                .filter(|&(point, _)| !self.is_held(heat, point as usize))
-                .map(|(point, weight)| (point, weight * SOURCE_HEAT))
+                .filter(|&(vertex, _)| !self.is_held(heat, vertex.index()))
+                .map(|(vertex, weight)| (vertex.0, weight * SOURCE_HEAT))
                 .collect();
             if !supply.is_empty() {
                 return Ok((heat.system.solve_sparse(&supply)?, vec![SOURCE_HEAT]));
             }
         }
-        let vertices: Vec<u32> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
-        let mut is_fixed: Vec<bool> = (0..surface.point_count()).map(|point| self.is_held(heat, point)).collect();
+        let vertices: Vec<VertexId> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
+        let mut is_fixed: Vec<bool> = (0..surface.vertex_count()).map(|point| self.is_held(heat, point)).collect();
         let constrained;
         let is_constrained = vertices.len() > 1 && self.is_cheaper_to_factor(&heat.system, vertices.len());
         let system = if is_constrained {
-            for &point in &vertices {
-                is_fixed[point as usize] = true;
+            for &vertex in &vertices {
+                is_fixed[vertex.index()] = true;
             }
             let values = self.laplacian.combine(1.0 / heat.time, |point| is_fixed[point]);
             constrained = self.solve.system(values, "heat")?;
@@ -82,10 +82,10 @@ impl HeatSolver {
         };
 
         // Sources on fixed points are prescribed there; the others are constraints.
-        let mut prescribed = vec![0.0; surface.point_count()];
+        let mut prescribed = vec![0.0; surface.vertex_count()];
         let mut constraints: Vec<(usize, Functional)> = Vec::new();
         for (index, &(source, level)) in levels.iter().enumerate() {
-            let support = || source.point.support(surface);
+            let support = || source.point.support(surface).map(|(vertex, weight)| (vertex.0, weight));
             let free: Functional = support().filter(|&(point, _)| !is_fixed[point as usize]).collect();
             if free.is_empty() {
                 for (point, _) in support() {
@@ -120,7 +120,9 @@ impl HeatSolver {
                     .zip(&responses)
                     .map(|(&(index, _), response)| {
                         let (source, level) = levels[index];
-                        level - source.point.interpolate(surface, &prescribed) - begun.evaluate(response)
+                        let support = source.point.support(surface);
+                        let known: f64 = support.map(|(vertex, weight)| prescribed[vertex.index()] * weight).sum();
+                        level - known - begun.evaluate(response)
                     })
                     .collect();
                 let amounts = SchurComplement::new(&responses, 0.0).solve(&missing);
@@ -137,8 +139,8 @@ impl HeatSolver {
             }
             let supply = self.laplacian.apply(1.0 / heat.time, &values);
             for (index, (source, _)) in levels.iter().enumerate() {
-                if let Some(point) = source.point.vertex(surface).filter(|&point| is_fixed[point as usize]) {
-                    supplies[index] = supply[point as usize];
+                if let Some(vertex) = source.point.vertex(surface).filter(|&vertex| is_fixed[vertex.index()]) {
+                    supplies[index] = supply[vertex.index()];
                 }
             }
         }
@@ -148,9 +150,9 @@ impl HeatSolver {
     /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
     /// entry makes of it.
     fn superposed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
-        let mut supply = vec![0.0; self.surface.point_count()];
-        for (point, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
-            supply[point as usize] += weight * SOURCE_HEAT;
+        let mut supply = vec![0.0; self.surface.vertex_count()];
+        for (vertex, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
+            supply[vertex.index()] += weight * SOURCE_HEAT;
         }
         let mut prescribed = vec![0.0; supply.len()];
         for point in (0..supply.len()).filter(|&point| self.is_held(heat, point) && supply[point] > 0.0) {
@@ -187,6 +189,6 @@ impl HeatSolver {
 
     /// Numbers that kept responses may take: as many as the factor itself.
     pub(super) fn most_kept(&self, system: &System) -> usize {
-        system.factor_nonzeros().max(self.surface.point_count())
+        system.factor_nonzeros().max(self.surface.vertex_count())
     }
 }

@@ -20,6 +20,7 @@ use crate::exact::{ExactGeometry, Wavefront};
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
 use heatwalk_sparse::{Permutation, SchurCache, Symbolic, System};
+use heatwalk_surface::VertexId;
 use heatwalk_surface::memory;
 use heatwalk_surface::surface::Surface;
 
@@ -130,7 +131,7 @@ impl HeatSolver {
         progress: Progress<'_>,
     ) -> Result<Self> {
         let elements = parameters.operator.elements(&surface);
-        let laplacian = Laplacian::of_elements(surface.point_count(), &elements);
+        let laplacian = Laplacian::of_elements(surface.vertex_count(), &elements);
         let mean_edge = elements.mean_edge;
         let suited_factor = suited_factor(elements.deviation, extent / mean_edge);
         let solve = match parameters.solver {
@@ -143,7 +144,7 @@ impl HeatSolver {
             LinearSolver::ConjugateGradients => Solve::Iterated,
         };
         let pinned = first_of_components(&surface);
-        let mut is_pinned = vec![false; surface.point_count()];
+        let mut is_pinned = vec![false; surface.vertex_count()];
         for &point in &pinned {
             is_pinned[point as usize] = true;
         }
@@ -260,8 +261,9 @@ impl HeatSolver {
 
     /// The edges of the triangles that carry the operators: points, the lower first, and length, in the file's unit. Edges
     /// of the same points whose lengths differ by a share of `tolerance` at most are there once.
-    pub fn operator_edges(&self, tolerance: f64) -> Vec<([u32; 2], f64)> {
-        self.elements.edges(tolerance)
+    pub fn operator_edges(&self, tolerance: f64) -> Vec<([VertexId; 2], f64)> {
+        let edges = self.elements.edges(tolerance).into_iter();
+        edges.map(|(ends, length)| (ends.map(VertexId), length)).collect()
     }
 
     /// The parameters in force.
@@ -322,8 +324,8 @@ fn suited_factor(deviation: f64, extent: f64) -> f64 {
 
 /// The first point of each piece.
 fn first_of_components(surface: &Surface) -> Vec<u32> {
-    let mut first = Vec::with_capacity(surface.report.components);
-    for (point, &component) in surface.component_of_point.iter().enumerate() {
+    let mut first = Vec::with_capacity(surface.report().components);
+    for (point, &component) in surface.components().iter().enumerate() {
         if component as usize == first.len() {
             first.push(point as u32);
         }
@@ -333,11 +335,11 @@ fn first_of_components(surface: &Surface) -> Vec<u32> {
 
 /// The boundary points of pieces that also have other points.
 fn dirichlet_points(surface: &Surface) -> Vec<bool> {
-    let mut has_inside = vec![false; surface.report.components];
-    for (&component, is_boundary) in surface.component_of_point.iter().zip(&surface.is_boundary_point) {
+    let mut has_inside = vec![false; surface.report().components];
+    for (&component, is_boundary) in surface.components().iter().zip(surface.boundary_vertices()) {
         has_inside[component as usize] |= !is_boundary;
     }
-    let components = surface.component_of_point.iter();
-    let held = components.zip(&surface.is_boundary_point).map(|(&c, &boundary)| boundary && has_inside[c as usize]);
+    let components = surface.components().iter();
+    let held = components.zip(surface.boundary_vertices()).map(|(&c, &boundary)| boundary && has_inside[c as usize]);
     held.collect()
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::exact::Wavefront;
 use crate::heat::{HeatSolver, NearField};
-use heatwalk_surface::point::Source;
+use heatwalk_surface::{Source, VertexData, VertexId};
 
 /// A radius that work has cut short is rounded down to a power of this in mean edges, so that moving or adding a
 /// source mostly leaves it, and with it the responses kept from before.
@@ -16,8 +16,8 @@ const WINDOWS: f64 = 600.0;
 
 /// Exact distances around the sources: those of a wavefront that are below a radius.
 pub(super) struct Near<'a> {
-    values: &'a [f64],
-    reached: &'a [u32],
+    values: &'a VertexData<f64>,
+    reached: &'a [VertexId],
     /// Every distance below it is known; infinite when all are.
     pub(super) radius: f64,
 }
@@ -31,12 +31,12 @@ impl<'a> Near<'a> {
 
     /// The distance of a point, if it is known.
     pub(super) fn at(&self, point: u32) -> Option<f64> {
-        Some(self.values[point as usize]).filter(|&value| value < self.radius)
+        Some(self.values[VertexId(point)]).filter(|&value| value < self.radius)
     }
 
     /// The points whose distance is known, with it.
     pub(super) fn points(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
-        self.reached.iter().filter_map(|&point| Some((point, self.at(point)?)))
+        self.reached.iter().filter_map(|&vertex| Some((vertex.0, self.at(vertex.0)?)))
     }
 }
 
@@ -62,7 +62,7 @@ impl HeatSolver {
     }
 
     fn near_field<'a>(&self, sources: &[Source], front: &'a mut Wavefront) -> Near<'a> {
-        let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
+        let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
         match self.parameters.near_field {
             NearField::Edges(0.0) => Near { values: front.values(), reached: front.reached(), radius: least },
             NearField::Edges(edges) => {
@@ -71,7 +71,7 @@ impl HeatSolver {
                 Near::of(front, radius)
             }
             NearField::Automatic => {
-                let windows = WINDOWS * (self.surface.point_count() as f64).powf(0.25);
+                let windows = WINDOWS * (self.surface.vertex_count() as f64).powf(0.25);
                 front.advance(f64::INFINITY, windows as usize);
                 let steps = ((front.radius() - least) / self.mean_edge).log(RADIUS_STEP).floor();
                 Near::of(front, least + self.mean_edge * RADIUS_STEP.powf(steps))

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::heat::near::Near;
 use crate::heat::{HeatSolver, MultiSource};
 use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, System, evaluate};
-use heatwalk_surface::point::Source;
+use heatwalk_surface::Source;
 use heatwalk_surface::union_find::UnionFind;
 
 /// Added to every entry of the Gram matrix of constraints whose amounts sum to 0, which it does not change: a
@@ -26,7 +26,7 @@ impl HeatSolver {
     /// the starting values of sources that no patch contains. `mixed` are the triangles of which some corners are
     /// near, with whether all are.
     pub(super) fn known(&self, near: &Near<'_>, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
-        let mut patches = UnionFind::new(self.surface.point_count());
+        let mut patches = UnionFind::new(self.surface.vertex_count());
         let mut rim: Vec<(u32, f64)> = Vec::new();
         for &(face, whole) in mixed {
             if whole {
@@ -43,7 +43,7 @@ impl HeatSolver {
         for (point, value) in rim {
             rims.entry(patches.least(point)).or_default().push((point, value));
         }
-        let component = |point: u32| self.surface.component_of_point[point as usize];
+        let component = |point: u32| self.surface.components().as_slice()[point as usize];
         let mut known: Vec<Known> = rims
             .into_values()
             .map(|rim| {
@@ -56,9 +56,10 @@ impl HeatSolver {
             })
             .collect();
         for source in sources {
-            let functional: Functional = source.point.support(&self.surface).collect();
+            let support = source.point.support(&self.surface);
+            let functional: Functional = support.map(|(vertex, weight)| (vertex.0, weight)).collect();
             if !functional.iter().all(|&(point, _)| near.at(point).is_some()) {
-                known.push(Known { component: component(functional[0].0), functional, value: source.offset });
+                known.push(Known { component: component(functional[0].0), functional, value: source.initial_distance });
             }
         }
         known
@@ -69,7 +70,7 @@ impl HeatSolver {
         let is_exact = self.parameters.sources == MultiSource::Exact;
         if is_exact && self.is_cheaper_to_factor(&self.poisson, known.len()) {
             let fixed = self.fixed_by(near, known);
-            let mut is_fixed = vec![false; self.surface.point_count()];
+            let mut is_fixed = vec![false; self.surface.vertex_count()];
             for &point in fixed.values.keys() {
                 is_fixed[point as usize] = true;
             }
@@ -154,7 +155,7 @@ impl HeatSolver {
         }
         let mut floats = vec![true; self.pinned.len()];
         for &point in values.keys() {
-            floats[self.surface.component_of_point[point as usize] as usize] = false;
+            floats[self.surface.components().as_slice()[point as usize] as usize] = false;
         }
         let floating = self.pinned.iter().zip(&floats).filter(|&(_, &floats)| floats);
         values.extend(floating.map(|(&point, _)| (point, 0.0)));
@@ -194,7 +195,7 @@ impl HeatSolver {
 
     /// Adds the fixed values and the constants of pieces that float.
     fn complete(&self, values: &mut [f64], fixed: &Fixed, constants: &[f64]) {
-        for (value, &component) in values.iter_mut().zip(&self.surface.component_of_point) {
+        for (value, &component) in values.iter_mut().zip(self.surface.components()) {
             *value += constants[component as usize];
         }
         for (&point, &value) in &fixed.values {

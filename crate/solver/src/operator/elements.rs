@@ -1,8 +1,8 @@
 //! Linear elements: each triangle laid out in a plane of its own. All operators need no more of a surface.
 
-use heatwalk_surface::halfedge::{Face, Halfedge};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceId, HalfedgeId};
 
 /// A triangle in the plane with corners (0, 0), (`x1`, 0) and (`x2`, `y2`), counter-clockwise.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +19,7 @@ impl Element {
         Self { x1: a, x2, y2: 2.0 * triangle::area_of_lengths([a, b, c]) / a }
     }
 
-    fn of_face(surface: &Surface, face: Face) -> Self {
+    fn of_face(surface: &Surface, face: FaceId) -> Self {
         let [p, q, r] = surface.corners(face);
         let x1 = triangle::length(q - p);
         let along = triangle::unit(q - p);
@@ -92,11 +92,11 @@ impl Elements {
 
     /// The faces of a surface as they are.
     pub(crate) fn of_surface(surface: &Surface) -> Self {
-        let shapes = surface.mesh.faces().map(|face| Element::of_face(surface, face)).collect();
+        let shapes = surface.mesh().faces().map(|face| Element::of_face(surface, face)).collect();
         let sides = 3 * surface.face_count();
-        let is_boundary = |side: usize| surface.mesh.twin(Halfedge(side as u32)).0 as usize >= sides;
+        let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
         let (mean_edge, deviation) = edge_statistics(&surface.side_lengths(), is_boundary);
-        let faces = surface.faces.as_slice().to_vec();
+        let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
         Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
     }
 }

@@ -4,8 +4,8 @@
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
 use crate::operator::elements::{Element, Elements, edge_statistics};
+use heatwalk_surface::HalfedgeId;
 use heatwalk_surface::csr::NONE;
-use heatwalk_surface::halfedge::Halfedge;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
 
@@ -39,18 +39,18 @@ impl IntrinsicTriangulation {
     pub fn delaunay(surface: &Surface) -> Self {
         let slots = 3 * surface.face_count() as u32;
         let mut triangulation = Self {
-            faces: surface.faces.as_slice().to_vec(),
+            faces: surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect(),
             lengths: surface.side_lengths(),
             cotans: Vec::with_capacity(slots as usize),
-            twins: (0..slots).map(|slot| surface.mesh.twin(Halfedge(slot)).0).collect(),
+            twins: (0..slots).map(|slot| surface.mesh().twin(HalfedgeId(slot)).0).collect(),
             sheets: 1,
             flips: 0,
         };
-        triangulation.mollify(surface.mean_edge);
+        triangulation.mollify(surface.mean_edge());
         let cotans = triangulation.lengths.as_chunks().0.iter().flat_map(|&sides| cotans_opposite(sides));
         triangulation.cotans.extend(cotans);
         triangulation.flip_to_delaunay(0..slots);
-        if surface.is_oriented_manifold && triangulation.has_sharp_boundary() {
+        if surface.is_oriented_manifold() && triangulation.has_sharp_boundary() {
             return triangulation;
         }
         // Inside its sheets the cover is Delaunay already.
@@ -73,7 +73,7 @@ impl IntrinsicTriangulation {
             self.lengths.swap(3 * face, 3 * face + 2);
             self.cotans.swap(3 * face, 3 * face + 2);
         }
-        let mut open = vec![NONE; surface.mesh.halfedge_count() - 3 * count as usize];
+        let mut open = vec![NONE; surface.mesh().halfedge_count() - 3 * count as usize];
         for slot in 0..3 * count {
             let twin = self.twins[slot as usize];
             if twin >= 3 * count {
@@ -90,13 +90,13 @@ impl IntrinsicTriangulation {
         let origin = |slot: u32| self.faces[slot as usize / 3][slot as usize % 3];
         let mut seams = Vec::with_capacity(open.len());
         let mut ring = Vec::new();
-        for last in surface.edges.lasts() {
-            let outer = |side: u32| surface.mesh.twin(Halfedge(side)).0;
-            if outer(last) < 3 * count {
+        for last in surface.edges().representatives() {
+            let outer = |side: u32| surface.mesh().twin(HalfedgeId(side)).0;
+            if outer(last.0) < 3 * count {
                 continue;
             }
             ring.clear();
-            ring.extend(surface.edges.around(last));
+            ring.extend(surface.edges().around(last).map(|halfedge| halfedge.0));
             sort_around(surface, &mut ring);
             for side in &mut ring {
                 *side = open[(outer(*side) - 3 * count) as usize];
@@ -254,7 +254,7 @@ fn sort_around(surface: &Surface, sides: &mut [u32]) {
     if sides.len() < 3 {
         return;
     }
-    let face = |slot: u32| surface.faces.as_slice()[slot as usize / 3];
+    let face = |slot: u32| surface.faces()[HalfedgeId(slot).triangle()];
     let apex = |slot: u32| surface.position(face(slot)[(slot as usize + 2) % 3]);
     let [start, end] = [0, 1].map(|k| surface.position(face(sides[0])[(sides[0] as usize + k) % 3]));
     let axis = triangle::unit(end - start);

@@ -22,7 +22,7 @@ pub struct Laplacian {
 impl Laplacian {
     /// Assembles the operators on the triangles that `operator` chooses.
     pub fn new(surface: &Surface, operator: Operator) -> Self {
-        Self::of_elements(surface.point_count(), &operator.elements(surface))
+        Self::of_elements(surface.vertex_count(), &operator.elements(surface))
     }
 
     pub(crate) fn of_elements(points: usize, elements: &Elements) -> Self {

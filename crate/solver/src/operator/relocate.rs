@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use heatwalk_surface::VertexData;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
 
@@ -16,27 +17,27 @@ const FLATNESS: f64 = 0.1;
 const SWEEPS: usize = 10;
 
 /// Positions (`#P`) after the repair, and how many points were moved.
-pub(crate) fn relocated(surface: &Surface) -> (Vec<DVec3>, usize) {
-    let mut positions = surface.positions.clone();
-    let mut is_moved = vec![false; positions.len()];
+pub(crate) fn relocated(surface: &Surface) -> (VertexData<DVec3>, usize) {
+    let mut positions = surface.positions().clone();
+    let mut is_moved: VertexData<bool> = vec![false; positions.len()].into();
     for _ in 0..SWEEPS {
         let mut any = false;
-        for &face in &surface.faces {
-            let Some(apex) = bad_apex(face.map(|point| positions[point as usize])).map(|k| face[k]) else { continue };
+        for &face in surface.faces() {
+            let Some(apex) = bad_apex(face.map(|vertex| positions[vertex])).map(|k| face[k]) else { continue };
             let (mut sum, mut count) = (DVec3::ZERO, 0.0);
             for other in surface.neighbours(apex) {
-                sum += positions[other as usize];
+                sum += positions[other];
                 count += 1.0;
             }
-            positions[apex as usize] = sum / count;
-            is_moved[apex as usize] = true;
+            positions[apex] = sum / count;
+            is_moved[apex] = true;
             any = true;
         }
         if !any {
             break;
         }
     }
-    (positions, is_moved.into_iter().filter(|&moved| moved).count())
+    (positions, is_moved.iter().filter(|&&moved| moved).count())
 }
 
 /// The corner opposite the longest edge of a bad triangle.

@@ -1,7 +1,7 @@
 //! Paths down the distance to the nearest source: face by face, along edges where gradients oppose, through vertices.
 //!
 //! The distance must fall at every step. Where no direction falls (a cut locus, a badly shaped triangle) the path
-//! takes edges to the nearest lower point, so that it always arrives.
+//! takes edges to the nearest lower vertex, so that it always arrives.
 
 use std::collections::HashMap;
 
@@ -10,18 +10,17 @@ use glam::DVec3;
 use crate::dijkstra;
 use crate::error::{Error, Result};
 use crate::heat::Distance;
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceId, Place, VertexData, VertexId};
 use heatwalk_surface::{Path, PathPoint};
 
 /// Follows the distance from `from` down to a source.
 ///
 /// # Errors
 /// [`Error::Unreachable`] where the distance is infinite; [`Error::BadVertex`] and [`Error::BadPoint`] as
-/// [`SurfacePoint::validated`].
-pub fn descend(surface: &Surface, distance: &Distance, from: SurfacePoint) -> Result<Path> {
+/// [`Place::validated`].
+pub fn descend(surface: &Surface, distance: &Distance, from: Place) -> Result<Path> {
     let start = from.validated(surface)?.snapped(surface);
     if start.interpolate(surface, &distance.values).is_infinite() {
         return Err(Error::Unreachable);
@@ -43,23 +42,23 @@ pub fn descend(surface: &Surface, distance: &Distance, from: SurfacePoint) -> Re
 
 struct Descent<'a> {
     surface: &'a Surface,
-    values: &'a [f64],
+    values: &'a VertexData<f64>,
     /// Sources on each face from which they are seen along a straight line.
-    sources_of_face: HashMap<Face, Vec<SurfacePoint>>,
-    location: SurfacePoint,
+    sources_of_face: HashMap<FaceId, Vec<Place>>,
+    location: Place,
     points: Vec<PathPoint>,
 }
 
 impl<'a> Descent<'a> {
-    fn new(surface: &'a Surface, distance: &'a Distance, location: SurfacePoint) -> Self {
-        let mut sources_of_face: HashMap<Face, Vec<SurfacePoint>> = HashMap::new();
+    fn new(surface: &'a Surface, distance: &'a Distance, location: Place) -> Self {
+        let mut sources_of_face: HashMap<FaceId, Vec<Place>> = HashMap::new();
         for &source in &distance.sources {
             let source = source.snapped(surface);
             for face in source.faces(surface) {
                 sources_of_face.entry(face).or_default().push(source);
             }
         }
-        let face = location.faces(surface).first().copied().unwrap_or(Face(0));
+        let face = location.faces(surface).first().copied().unwrap_or(FaceId(0));
         let points = vec![PathPoint { position: location.position(surface), location, face }];
         Self { surface, values: &distance.values, sources_of_face, location, points }
     }
@@ -68,8 +67,8 @@ impl<'a> Descent<'a> {
         self.location.interpolate(self.surface, self.values)
     }
 
-    /// Appends a straight piece through `face`.
-    fn go(&mut self, location: SurfacePoint, face: Face) {
+    /// Appends a straight segment through `face`.
+    fn go(&mut self, location: Place, face: FaceId) {
         if let Some(last) = self.points.last_mut() {
             last.face = face;
         }
@@ -81,7 +80,7 @@ impl<'a> Descent<'a> {
     /// Ends the path straight at the nearest source where one is in sight.
     fn arrive(&mut self) -> bool {
         let here = self.location.position(self.surface);
-        let mut nearest: Option<(f64, SurfacePoint, Face)> = None;
+        let mut nearest: Option<(f64, Place, FaceId)> = None;
         for face in self.location.faces(self.surface) {
             for &source in self.sources_of_face.get(&face).into_iter().flatten() {
                 let distance = triangle::length(source.position(self.surface) - here);
@@ -98,8 +97,8 @@ impl<'a> Descent<'a> {
     }
 
     /// The next crossing along the steepest direction, where it is lower than here.
-    fn steepest(&self) -> Option<(SurfacePoint, Face)> {
-        let mut best: Option<(f64, SurfacePoint, Face)> = None;
+    fn steepest(&self) -> Option<(Place, FaceId)> {
+        let mut best: Option<(f64, Place, FaceId)> = None;
         let mut offer = |slope: f64, location, face| {
             if slope > 0.0 && best.is_none_or(|(steepest, ..)| slope > steepest) {
                 best = Some((slope, location, face));
@@ -110,12 +109,12 @@ impl<'a> Descent<'a> {
             if let Some((slope, location)) = self.cross(face) {
                 offer(slope, location, face);
             }
-            if !matches!(self.location, SurfacePoint::Face { .. }) {
-                for point in self.surface.faces[face] {
+            if !matches!(self.location, Place::Face { .. }) {
+                for vertex in self.surface.faces()[face] {
                     // Along an edge: to its ends from inside, to the neighbours from a vertex.
-                    if self.is_on_edge_to(point) {
-                        let length = triangle::length(self.surface.position(point) - here);
-                        offer((value - self.values[point as usize]) / length, SurfacePoint::Vertex(point), face);
+                    if self.is_on_edge_to(vertex) {
+                        let length = triangle::length(self.surface.position(vertex) - here);
+                        offer((value - self.values[vertex]) / length, Place::Vertex(vertex), face);
                     }
                 }
             }
@@ -124,70 +123,70 @@ impl<'a> Descent<'a> {
         (location.interpolate(self.surface, self.values) < value).then_some((location, face))
     }
 
-    fn is_on_edge_to(&self, point: u32) -> bool {
+    fn is_on_edge_to(&self, vertex: VertexId) -> bool {
         match self.location {
-            SurfacePoint::Vertex(here) => here != point,
-            SurfacePoint::Edge { halfedge, .. } => self.surface.ends(halfedge).contains(&point),
-            SurfacePoint::Face { .. } => false,
+            Place::Vertex(here) => here != vertex,
+            Place::Edge { halfedge, .. } => self.surface.ends(halfedge).contains(&vertex),
+            Place::Face { .. } => false,
         }
     }
 
     /// Where the line of steepest descent leaves a face, and its slope; `None` where it does not enter the face.
-    fn cross(&self, face: Face) -> Option<(f64, SurfacePoint)> {
+    fn cross(&self, face: FaceId) -> Option<(f64, Place)> {
         let corners = self.surface.corners(face);
         let weights = self.location.weights_in(self.surface, face);
-        let fall = Fall::new(corners, self.surface.faces[face].map(|point| self.values[point as usize]));
-        let enters = |k: usize| weights[k] > 0.0 || fall.rates[k] >= 0.0;
+        let descent = DescentDirection::new(corners, self.surface.faces()[face].map(|vertex| self.values[vertex]));
+        let enters = |k: usize| weights[k] > 0.0 || descent.rates[k] >= 0.0;
         if !(0..3).all(enters) {
             return None;
         }
-        let (exit, step) = leaves(weights, fall.rates)?;
-        let mut after: [f64; 3] = std::array::from_fn(|k| (weights[k] + step * fall.rates[k]).max(0.0));
+        let (exit, step) = leaves(weights, descent.rates)?;
+        let mut after: [f64; 3] = std::array::from_fn(|k| (weights[k] + step * descent.rates[k]).max(0.0));
         after[exit] = 0.0;
         let sum: f64 = after.iter().sum();
-        let slope = fall.slope();
+        let slope = descent.slope();
         if !(sum > 0.0 && sum.is_finite() && slope.is_finite()) {
             return None;
         }
         let weights = after.map(|weight| weight / sum);
-        Some((slope, SurfacePoint::Face { face, weights }.snapped(self.surface)))
+        Some((slope, Place::Face { face, weights }.snapped(self.surface)))
     }
 
-    /// The lowest point of the faces around, where it is lower than here.
-    fn lowest_corner(&self) -> Option<(SurfacePoint, Face)> {
+    /// The lowest vertex of the faces around, where it is lower than here.
+    fn lowest_corner(&self) -> Option<(Place, FaceId)> {
         let faces = self.location.faces(self.surface);
-        let corners = faces.iter().flat_map(|&face| self.surface.faces[face].map(|point| (point, face)));
-        let (point, face) = corners.min_by(|a, b| self.values[a.0 as usize].total_cmp(&self.values[b.0 as usize]))?;
-        (self.values[point as usize] < self.value()).then_some((SurfacePoint::Vertex(point), face))
+        let corners = faces.iter().flat_map(|&face| self.surface.faces()[face].map(|vertex| (vertex, face)));
+        let (vertex, face) = corners.min_by(|a, b| self.values[a.0].total_cmp(&self.values[b.0]))?;
+        (self.values[vertex] < self.value()).then_some((Place::Vertex(vertex), face))
     }
 
-    /// Follows edges to the nearest point that is lower than here, or that sees a source: any piece with a finite
+    /// Follows edges to the nearest vertex that is lower than here, or that sees a source: any component with a finite
     /// distance has one. With `to_lower` false, only the latter will do.
     fn escape(&mut self, to_lower: bool) {
         let value = self.value();
-        let start = self.location.nearest_point(self.surface);
-        let goal = |point: u32| {
-            to_lower && self.values[point as usize] < value
-                || self.surface.corners_of_point(point).any(|(face, _)| self.sources_of_face.contains_key(&face))
+        let start = self.location.nearest_vertex(self.surface);
+        let goal = |vertex: VertexId| {
+            to_lower && self.values[vertex] < value
+                || self.surface.corners_of_vertex(vertex).any(|(face, _)| self.sources_of_face.contains_key(&face))
         };
-        let way = dijkstra::way_to(self.surface, start, goal)
+        let path = dijkstra::nearest_goal(self.surface, start, goal)
             .expect("a finite distance means a source on the same connected piece");
-        for point in way {
+        for vertex in path {
             let shared = self
                 .location
                 .faces(self.surface)
                 .into_iter()
-                .find(|&face| self.surface.faces[face].contains(&point))
-                .expect("consecutive points of a way along edges share a face");
-            if self.location != SurfacePoint::Vertex(point) {
-                self.go(SurfacePoint::Vertex(point), shared);
+                .find(|&face| self.surface.faces()[face].contains(&vertex))
+                .expect("consecutive vertices of a path along edges share a face");
+            if self.location != Place::Vertex(vertex) {
+                self.go(Place::Vertex(vertex), shared);
             }
         }
     }
 }
 
-/// The steepest descent of a linear function on a triangle.
-pub struct Fall {
+/// The descent direction of a linear function on a triangle.
+pub struct DescentDirection {
     /// Rates at which the barycentric weights change on the way down, to a common scale.
     pub rates: [f64; 3],
     /// Length of the gradient times twice the area.
@@ -195,7 +194,7 @@ pub struct Fall {
     twice_area: f64,
 }
 
-impl Fall {
+impl DescentDirection {
     /// Of the function with these corner values.
     pub fn new(corners: [DVec3; 3], [a, b, c]: [f64; 3]) -> Self {
         let edges = triangle::edges(corners);
@@ -217,7 +216,7 @@ impl Fall {
     }
 }
 
-/// The side, by the corner opposite, where a way with these rates leaves a triangle, and the multiple of the rates to
+/// The side, by the corner opposite, where a line with these rates leaves a triangle, and the multiple of the rates to
 /// there; `None` where all rates are zero.
 pub fn leaves(weights: [f64; 3], rates: [f64; 3]) -> Option<(usize, f64)> {
     let mut first: Option<(usize, f64)> = None;

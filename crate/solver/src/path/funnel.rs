@@ -5,10 +5,10 @@ use std::collections::VecDeque;
 use glam::{DVec2, DVec3};
 
 use super::strip::{Portal, Strip, unfold};
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
+use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceId, Place, VertexId};
 
 /// A line that passes a vertex within this share of the edge touches it: rounding of unfolding some ten faces.
 const TOUCH: f64 = 1e-14;
@@ -17,9 +17,9 @@ const TOUCH: f64 = 1e-14;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Heading {
     /// The face that it lies in.
-    pub face: Face,
-    /// The points that the vertex is joined to in that face, with the angles to them, radians.
-    pub sides: [(u32, f64); 2],
+    pub face: FaceId,
+    /// The vertices that the vertex is joined to in that face, with the angles to them, radians.
+    pub sides: [(VertexId, f64); 2],
 }
 
 /// A straight piece of a path, from one vertex or end to the next.
@@ -28,7 +28,7 @@ pub(super) struct Piece {
     /// The faces that it goes through.
     pub strip: Strip,
     /// Where it ends.
-    pub to: SurfacePoint,
+    pub to: Place,
     /// In mean edges.
     pub length: f64,
     /// At its start; `None` where that is no vertex.
@@ -38,7 +38,7 @@ pub(super) struct Piece {
 }
 
 /// The shortest path in a strip: none where its ends are one.
-pub(super) fn tighten(surface: &Surface, from: SurfacePoint, mut strip: Strip, to: SurfacePoint) -> Vec<Piece> {
+pub(super) fn tighten(surface: &Surface, from: Place, mut strip: Strip, to: Place) -> Vec<Piece> {
     strip.trim(surface, from, to);
     if strip.steps.is_empty() {
         return Piece::in_face(surface, strip.first, from, to).into_iter().collect();
@@ -61,24 +61,24 @@ pub(super) fn tighten(surface: &Surface, from: SurfacePoint, mut strip: Strip, t
 /// A vertex that the path bends around or touches, or its end.
 #[derive(Debug, Clone, Copy)]
 struct Stop {
-    location: SurfacePoint,
+    location: Place,
     at: DVec2,
     /// First of the portals that end there, and the one after the last.
     portals: [usize; 2],
 }
 
 impl Piece {
-    fn in_face(surface: &Surface, face: Face, from: SurfacePoint, to: SurfacePoint) -> Option<Self> {
+    fn in_face(surface: &Surface, face: FaceId, from: Place, to: Place) -> Option<Self> {
         let [start, end] = [from, to].map(|location| location.position(surface));
-        let heading = |location: SurfacePoint, toward: DVec3| {
-            let SurfacePoint::Vertex(vertex) = location else { return None };
-            let corners = surface.faces[face];
+        let heading = |location: Place, toward: DVec3| {
+            let Place::Vertex(vertex) = location else { return None };
+            let corners = surface.faces()[face];
             let k = corners.iter().position(|&corner| corner == vertex).expect("a vertex of the face");
             let position = surface.position(vertex);
-            let side = |point| (point, triangle::angle([position, toward, surface.position(point)]));
+            let side = |other| (other, triangle::angle([position, toward, surface.position(other)]));
             Some(Heading { face, sides: [side(corners[(k + 1) % 3]), side(corners[(k + 2) % 3])] })
         };
-        let length = triangle::length(end - start) / surface.mean_edge;
+        let length = triangle::length(end - start) / surface.mean_edge();
         (length > 0.0).then(|| Self {
             strip: Strip::new(face),
             to,
@@ -90,13 +90,13 @@ impl Piece {
 
     /// Straight through portals.
     fn over(strip: Strip, portals: &[Portal], start: &Stop, end: &Stop) -> Self {
-        let heading = |here: &Stop, there: &Stop, face: Face, portal: &Portal| {
+        let heading = |here: &Stop, there: &Stop, face: FaceId, portal: &Portal| {
             let direction = there.at - here.at;
             let side = |k: usize| {
                 let edge = portal.at[k] - here.at;
                 (portal.ends[k], direction.perp_dot(edge).abs().atan2(direction.dot(edge)))
             };
-            matches!(here.location, SurfacePoint::Vertex(_)).then(|| Heading { face, sides: [side(0), side(1)] })
+            matches!(here.location, Place::Vertex(_)).then(|| Heading { face, sides: [side(0), side(1)] })
         };
         Self {
             to: end.location,
@@ -138,7 +138,7 @@ fn touched(portals: &[Portal], [first, portal]: [usize; 2], start: DVec2, end: D
     };
     let Portal { ends, at } = portals[portal];
     let ending = portals[first..portal].iter().rev().take_while(|before| before.ends.contains(&ends[side])).count();
-    Some(Corner { point: ends[side], at: at[side], portal: portal - ending }.stop(portals))
+    Some(Corner { vertex: ends[side], at: at[side], portal: portal - ending }.stop(portals))
 }
 
 /// Where a line crosses a portal, as a share of the way from its left end to its right one, 0 to 1.
@@ -155,7 +155,7 @@ pub(super) fn share_of(portal: &Portal, start: DVec2, end: DVec2) -> f64 {
 
 #[derive(Debug, Clone, Copy)]
 struct Corner {
-    point: u32,
+    vertex: VertexId,
     at: DVec2,
     /// The first portal that ends there.
     portal: usize,
@@ -163,9 +163,9 @@ struct Corner {
 
 impl Corner {
     fn stop(self, portals: &[Portal]) -> Stop {
-        let ending = portals[self.portal..].iter().take_while(|portal| portal.ends.contains(&self.point)).count();
+        let ending = portals[self.portal..].iter().take_while(|portal| portal.ends.contains(&self.vertex)).count();
         let portals = [self.portal, self.portal + ending];
-        Stop { location: SurfacePoint::Vertex(self.point), at: self.at, portals }
+        Stop { location: Place::Vertex(self.vertex), at: self.at, portals }
     }
 }
 
@@ -198,12 +198,12 @@ fn bends(portals: &[Portal], end: DVec2) -> Vec<Corner> {
     for (k, portal) in portals.iter().enumerate() {
         for side in 0..2 {
             if k == 0 || portals[k - 1].ends[side] != portal.ends[side] {
-                let corner = Corner { point: portal.ends[side], at: portal.at[side], portal: k };
+                let corner = Corner { vertex: portal.ends[side], at: portal.at[side], portal: k };
                 add(side, corner, &mut bends, &mut chains);
             }
         }
     }
-    add(0, Corner { point: u32::MAX, at: end, portal: portals.len() }, &mut bends, &mut chains);
+    add(0, Corner { vertex: VertexId(NONE), at: end, portal: portals.len() }, &mut bends, &mut chains);
     let [mut left, _] = chains;
     left.pop_back();
     bends.extend(left);

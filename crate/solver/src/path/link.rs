@@ -8,9 +8,9 @@ use std::collections::BinaryHeap;
 
 use super::funnel::Heading;
 use super::strip::Step;
-use heatwalk_surface::halfedge::Face;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceId, VertexId};
 
 /// A way around a vertex from one direction to another.
 #[derive(Debug, Clone)]
@@ -22,12 +22,18 @@ pub(super) struct Turn {
 }
 
 /// The shortest way around `vertex` between two directions, if it is shorter than `limit`.
-pub(super) fn shortest_turn(surface: &Surface, vertex: u32, from: &Heading, to: &Heading, limit: f64) -> Option<Turn> {
+pub(super) fn shortest_turn(
+    surface: &Surface,
+    vertex: VertexId,
+    from: &Heading,
+    to: &Heading,
+    limit: f64,
+) -> Option<Turn> {
     let mut best = Turn { angle: limit, steps: Vec::new() };
     let mut is_found = false;
     if from.face == to.face {
-        let (point, angle) = from.sides[0];
-        let same = to.sides.iter().find(|side| side.0 == point).expect("one face has one pair of edges at a corner");
+        let (other, angle) = from.sides[0];
+        let same = to.sides.iter().find(|side| side.0 == other).expect("one face has one pair of edges at a corner");
         let between = (angle - same.1).abs();
         if between < best.angle {
             best.angle = between;
@@ -35,22 +41,22 @@ pub(super) fn shortest_turn(surface: &Surface, vertex: u32, from: &Heading, to: 
         }
     }
 
-    // Each arc from both of its ends, in order of these; a node is the first place of its point.
-    let mut arcs: Vec<(u32, Arc)> = Vec::new();
-    for (face, k) in surface.corners_of_point(vertex) {
-        let corners = surface.faces[face];
+    // Each arc from both of its ends, in order of these; a node is the first place of its vertex.
+    let mut arcs: Vec<(VertexId, Arc)> = Vec::new();
+    for (face, k) in surface.corners_of_vertex(vertex) {
+        let corners = surface.faces()[face];
         let [p, q] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
         arcs.extend([(p, Arc { face, to: q }), (q, Arc { face, to: p })]);
     }
     arcs.sort_unstable_by_key(|arc| arc.0);
-    let node_of = |point: u32| arcs.partition_point(|arc| arc.0 < point);
+    let node_of = |other: VertexId| arcs.partition_point(|arc| arc.0 < other);
 
     // Dijkstra (1959) from both sides of the first direction.
-    let mut nearest: Vec<(f64, Option<(usize, Face)>)> = vec![(f64::INFINITY, None); arcs.len()];
+    let mut nearest: Vec<(f64, Option<(usize, FaceId)>)> = vec![(f64::INFINITY, None); arcs.len()];
     let mut queue = BinaryHeap::new();
-    for (point, angle) in from.sides {
-        nearest[node_of(point)].0 = angle;
-        queue.push(Reverse((angle.to_bits(), node_of(point))));
+    for (other, angle) in from.sides {
+        nearest[node_of(other)].0 = angle;
+        queue.push(Reverse((angle.to_bits(), node_of(other))));
     }
     let position = surface.position(vertex);
     let mut end = None;
@@ -62,20 +68,20 @@ pub(super) fn shortest_turn(surface: &Surface, vertex: u32, from: &Heading, to: 
         if angle > nearest[here].0 {
             continue;
         }
-        let point = arcs[here].0;
-        if let Some(&(_, rest)) = to.sides.iter().find(|side| side.0 == point)
+        let other = arcs[here].0;
+        if let Some(&(_, rest)) = to.sides.iter().find(|side| side.0 == other)
             && angle + rest < best.angle
         {
             best.angle = angle + rest;
             end = Some(here);
         }
-        for (_, arc) in arcs[here..].iter().take_while(|arc| arc.0 == point) {
+        for (_, arc) in arcs[here..].iter().take_while(|arc| arc.0 == other) {
             let there = node_of(arc.to);
             // Not back.
             if nearest[there].0 <= angle {
                 continue;
             }
-            let further = angle + triangle::angle([position, surface.position(point), surface.position(arc.to)]);
+            let further = angle + triangle::angle([position, surface.position(other), surface.position(arc.to)]);
             if further < nearest[there].0 {
                 nearest[there] = (further, Some((here, arc.face)));
                 queue.push(Reverse((further.to_bits(), there)));
@@ -97,7 +103,7 @@ pub(super) fn shortest_turn(surface: &Surface, vertex: u32, from: &Heading, to: 
 /// A face at a vertex, from one of its edges there.
 #[derive(Debug, Clone, Copy)]
 struct Arc {
-    face: Face,
-    /// The point at the other edge's end.
-    to: u32,
+    face: FaceId,
+    /// The vertex at the other edge's end.
+    to: VertexId,
 }

@@ -16,16 +16,15 @@ use super::funnel::{Piece, share_of, tighten};
 use super::link::{Turn, shortest_turn};
 use super::strip::{Step, Strip, unfold};
 use heatwalk_surface::csr::NONE;
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
 use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceId, Place};
 use heatwalk_surface::{Path, PathPoint};
 
 /// A turn by less than this short of π, in radians, is none: to cut it would shorten the path by 10⁻¹⁵ of it, which is
 /// its rounding.
 const STRAIGHT: f64 = 1e-7;
 
-/// Vertices led around per point of the path given, at most. Ways along edges need ten; each shortens the path, so that this
+/// Vertices led around per point of the path given, at most. Paths along edges need ten; each shortens the path, so that this
 /// bounds time and never harms the result.
 const LONGEST_WORK: usize = 1000;
 
@@ -43,7 +42,7 @@ pub fn straighten(surface: &Surface, path: &Path) -> Path {
 
 /// A vertex that the path goes through, or one of its ends.
 struct Node {
-    location: SurfacePoint,
+    location: Place,
     before: u32,
     after: u32,
     /// To the node after.
@@ -59,7 +58,7 @@ struct Chain<'a> {
     nodes: Vec<Node>,
     /// Bits of the angle, node, version. Bits of non-negative floats order as the floats do.
     queue: BinaryHeap<Reverse<(u64, u32, u32)>>,
-    last_face: Face,
+    last_face: FaceId,
 }
 
 impl<'a> Chain<'a> {
@@ -72,11 +71,11 @@ impl<'a> Chain<'a> {
         for (k, point) in rest.iter().enumerate() {
             let location = point.location.reduced(surface);
             match location {
-                SurfacePoint::Edge { halfedge, .. } if k + 1 < rest.len() => {
+                Place::Edge { halfedge, .. } if k + 1 < rest.len() => {
                     let [a, b] = surface.ends(halfedge);
                     strip.push(Step::new(a, b, point.face));
                 }
-                SurfacePoint::Face { .. } if k + 1 < rest.len() => {}
+                Place::Face { .. } if k + 1 < rest.len() => {}
                 _ => {
                     let start = chain.nodes[last as usize].location;
                     for piece in tighten(surface, start, strip, location) {
@@ -94,7 +93,7 @@ impl<'a> Chain<'a> {
         Some(chain)
     }
 
-    fn add(&mut self, location: SurfacePoint, before: u32) -> u32 {
+    fn add(&mut self, location: Place, before: u32) -> u32 {
         self.nodes.push(Node { location, before, after: NONE, piece: None, turn: None, version: 0 });
         self.nodes.len() as u32 - 1
     }
@@ -116,7 +115,7 @@ impl<'a> Chain<'a> {
     fn look_around(&mut self, index: u32) {
         let node = &self.nodes[index as usize];
         let turn = match (node.location, self.piece_before(index), &node.piece) {
-            (SurfacePoint::Vertex(vertex), Some(before), Some(after)) => {
+            (Place::Vertex(vertex), Some(before), Some(after)) => {
                 let [from, to] = [&before.arriving, &after.leaving].map(Option::as_ref);
                 let [from, to] = [from, to].map(|heading| heading.expect("a piece has headings at its vertices"));
                 shortest_turn(self.surface, vertex, from, to, PI - STRAIGHT)
@@ -206,7 +205,7 @@ impl<'a> Chain<'a> {
     fn points(&self) -> Vec<PathPoint> {
         let surface = self.surface;
         let mut points: Vec<PathPoint> = Vec::new();
-        let mut add = |location: SurfacePoint, face| match points.last_mut() {
+        let mut add = |location: Place, face| match points.last_mut() {
             // Two crossings next to one vertex.
             Some(last) if last.location == location => last.face = face,
             _ => points.push(PathPoint { position: location.position(surface), location, face }),
@@ -219,7 +218,7 @@ impl<'a> Chain<'a> {
                 let (portals, end) = unfold(surface, &piece.strip, node.location, piece.to);
                 for (portal, step) in portals.iter().zip(&piece.strip.steps) {
                     let share = share_of(portal, DVec2::ZERO, end);
-                    let location = SurfacePoint::on_edge(surface, step.face, portal.ends, share);
+                    let location = Place::on_edge(surface, step.face, portal.ends, share);
                     add(location.reduced(surface), step.face);
                 }
             }

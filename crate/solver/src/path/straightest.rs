@@ -6,10 +6,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{Element, FaceId, Place, VertexId};
 use heatwalk_surface::{Path, PathPoint, SNAP};
 
 /// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
@@ -36,13 +35,13 @@ pub struct Straightest {
 /// Over an edge of three faces or more, the walk goes on into the one that is straightest in space.
 ///
 /// # Errors
-/// [`Error::BadVertex`] and [`Error::BadPoint`] as [`SurfacePoint::validated`], and for a face that the point does not
+/// [`Error::BadVertex`] and [`Error::BadPoint`] as [`Place::validated`], and for a face that the point does not
 /// lie on; [`Error::BadParameter`] for a direction that is zero, not finite or square to the surface, and for a length
 /// that is negative, not finite, or more than a million faces long.
 pub fn straightest(
     surface: &Surface,
-    from: SurfacePoint,
-    face: Option<Face>,
+    from: Place,
+    face: Option<FaceId>,
     direction: DVec3,
     length: f64,
 ) -> Result<Straightest> {
@@ -65,7 +64,7 @@ pub fn straightest(
         Some(face) => {
             let problem = "the point to start from does not lie on it".to_owned();
             let weights = format!("{from:?}");
-            return Err(heatwalk_surface::Error::BadPoint { face: face.0 as usize, weights, problem }.into());
+            return Err(heatwalk_surface::Error::BadPoint { face: face.index(), weights, problem }.into());
         }
         None => best_face(surface, location, &faces, direction),
     };
@@ -83,7 +82,7 @@ pub fn straightest(
 }
 
 /// Unit vector along the projection to the plane of a face; zero for none.
-fn in_plane(surface: &Surface, face: Face, direction: DVec3) -> DVec3 {
+fn in_plane(surface: &Surface, face: FaceId, direction: DVec3) -> DVec3 {
     // One part in 10¹² is rounding of a vector square to the plane.
     const SQUARE: f64 = 1e-12;
     let projected = direction.reject_from_normalized(surface.face_normal(face));
@@ -91,9 +90,9 @@ fn in_plane(surface: &Surface, face: Face, direction: DVec3) -> DVec3 {
 }
 
 /// The face that a direction points into, or that comes nearest to it, with the direction in its plane.
-fn best_face(surface: &Surface, location: SurfacePoint, faces: &[Face], direction: DVec3) -> (Face, DVec3) {
+fn best_face(surface: &Surface, location: Place, faces: &[FaceId], direction: DVec3) -> (FaceId, DVec3) {
     let position = location.position(surface);
-    let agreement = |face: Face| {
+    let agreement = |face: FaceId| {
         let corners = surface.corners(face);
         let projected = in_plane(surface, face, direction);
         if points_inside(surface, location, face, projected) {
@@ -105,11 +104,11 @@ fn best_face(surface: &Surface, location: SurfacePoint, faces: &[Face], directio
         (best.0 - 2.0, projected)
     };
     let best = faces.iter().map(|&face| (face, agreement(face))).max_by(|a, b| a.1.0.total_cmp(&b.1.0));
-    best.map_or((Face(0), DVec3::ZERO), |(face, (_, projected))| (face, projected))
+    best.map_or((FaceId(0), DVec3::ZERO), |(face, (_, projected))| (face, projected))
 }
 
 /// Whether a unit vector in the plane of a face leads from a point of it into it, or along its side but for rounding.
-fn points_inside(surface: &Surface, location: SurfacePoint, face: Face, direction: DVec3) -> bool {
+fn points_inside(surface: &Surface, location: Place, face: FaceId, direction: DVec3) -> bool {
     let weights = location.weights_in(surface, face);
     let rates = rates(surface, face, direction);
     let edges = triangle::edges(surface.corners(face));
@@ -117,7 +116,7 @@ fn points_inside(surface: &Surface, location: SurfacePoint, face: Face, directio
 }
 
 /// How fast the barycentric weights change along a direction, times twice the area.
-fn rates(surface: &Surface, face: Face, direction: DVec3) -> [f64; 3] {
+fn rates(surface: &Surface, face: FaceId, direction: DVec3) -> [f64; 3] {
     let corners = surface.corners(face);
     let normal = triangle::unit(triangle::area_vector(corners));
     triangle::edges(corners).map(|edge| normal.cross(edge).dot(direction))
@@ -127,7 +126,7 @@ struct Walk<'a> {
     surface: &'a Surface,
     points: Vec<PathPoint>,
     /// The face that is gone through next.
-    face: Face,
+    face: FaceId,
     /// Unit vector in its plane.
     direction: DVec3,
     /// Length still to go.
@@ -135,7 +134,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn here(&self) -> SurfacePoint {
+    fn here(&self) -> Place {
         self.points[self.points.len() - 1].location
     }
 
@@ -160,7 +159,7 @@ impl Walk<'_> {
         let (surface, face, here) = (self.surface, self.face, self.here());
         let weights = here.weights_in(surface, face);
         let rates = rates(surface, face, self.direction);
-        let corners = surface.faces[face];
+        let corners = surface.faces()[face];
         let twice_area = triangle::length(triangle::area_vector(surface.corners(face)));
         // Not over an edge that the line is on: its direction may point out by rounding.
         let exit = (0..3)
@@ -173,17 +172,17 @@ impl Walk<'_> {
                 let inside: [f64; 3] = std::array::from_fn(|k| (weights[k] + rate * rates[k]).max(0.0));
                 let sum: f64 = inside.iter().sum();
                 self.left = 0.0;
-                SurfacePoint::Face { face, weights: inside.map(|weight| weight / sum) }.snapped(surface)
+                Place::Face { face, weights: inside.map(|weight| weight / sum) }.snapped(surface)
             }
             Some((exit, length)) => {
                 let [i, j] = [(exit + 1) % 3, (exit + 2) % 3];
                 let [a, b] = [i, j].map(|k| (weights[k] + length / twice_area * rates[k]).max(0.0));
-                SurfacePoint::on_edge(surface, face, [corners[i], corners[j]], b / (a + b)).snapped(surface)
+                Place::on_edge(surface, face, [corners[i], corners[j]], b / (a + b)).snapped(surface)
             }
             // Among the rounding errors of a sliver: along it.
             None => {
                 let ahead = (0..3).max_by(|&i, &j| rates[i].total_cmp(&rates[j])).unwrap_or(0);
-                SurfacePoint::Vertex(corners[ahead])
+                Place::Vertex(corners[ahead])
             }
         };
         if self.left > 0.0 {
@@ -206,12 +205,12 @@ impl Walk<'_> {
     /// From an edge over it, from a vertex at the angle given; `None` where the surface ends.
     fn enter(&mut self, angle: impl Fn(&Ring, &Self) -> f64) -> Option<()> {
         match self.here() {
-            SurfacePoint::Face { .. } => Some(()),
-            SurfacePoint::Edge { halfedge, .. } => {
+            Place::Face { .. } => Some(()),
+            Place::Edge { halfedge, .. } => {
                 let [a, b] = self.surface.ends(halfedge);
                 self.cross_edge(a, b)
             }
-            SurfacePoint::Vertex(vertex) => {
+            Place::Vertex(vertex) => {
                 let ring = Ring::around(self.surface, vertex, self.face)?;
                 (self.face, self.direction) = ring.direction_at(self.surface, angle(&ring, self));
                 Some(())
@@ -220,7 +219,7 @@ impl Walk<'_> {
     }
 
     /// Unfolds the direction over an edge of the face.
-    fn cross_edge(&mut self, a: u32, b: u32) -> Option<()> {
+    fn cross_edge(&mut self, a: VertexId, b: VertexId) -> Option<()> {
         let along = triangle::unit(self.surface.position(b) - self.surface.position(a));
         let forward = self.direction.dot(along);
         let sideways = (1.0 - forward * forward).max(0.0).sqrt();
@@ -245,38 +244,38 @@ impl Walk<'_> {
 }
 
 /// Unit vector in a face, square to one of its edges, to the inside.
-fn inward(surface: &Surface, face: Face, [a, b]: [u32; 2]) -> DVec3 {
-    let apex = surface.faces[face].into_iter().find(|corner| ![a, b].contains(corner)).expect("three corners");
+fn inward(surface: &Surface, face: FaceId, [a, b]: [VertexId; 2]) -> DVec3 {
+    let apex = surface.faces()[face].into_iter().find(|corner| ![a, b].contains(corner)).expect("three corners");
     let along = triangle::unit(surface.position(b) - surface.position(a));
     triangle::unit((surface.position(apex) - surface.position(a)).reject_from_normalized(along))
 }
 
 /// The faces around a vertex in order, where they form one closed ring.
 struct Ring {
-    vertex: u32,
-    /// Each with its first and second point beside the vertex, and the angle up to its first, radians. The first face
+    vertex: VertexId,
+    /// Each with its first and second neighbour of the vertex, and the angle up to its first, radians. The first face
     /// is the one asked for.
-    faces: Vec<(Face, [u32; 2], f64)>,
+    faces: Vec<(FaceId, [VertexId; 2], f64)>,
     /// Sum of the angles.
     total: f64,
 }
 
 impl Ring {
-    fn around(surface: &Surface, vertex: u32, first: Face) -> Option<Self> {
+    fn around(surface: &Surface, vertex: VertexId, first: FaceId) -> Option<Self> {
         let mut ring = Self { vertex, faces: Vec::new(), total: 0.0 };
-        let mut sides = surface.faces[first].into_iter().filter(|&corner| corner != vertex);
+        let mut sides = surface.faces()[first].into_iter().filter(|&corner| corner != vertex);
         let mut near = sides.next()?;
         let start = near;
         let mut face = first;
         loop {
-            let far = surface.faces[face].into_iter().find(|&corner| corner != vertex && corner != near)?;
+            let far = surface.faces()[face].into_iter().find(|&corner| corner != vertex && corner != near)?;
             ring.faces.push((face, [near, far], ring.total));
-            ring.total += triangle::angle([vertex, near, far].map(|point| surface.position(point)));
+            ring.total += triangle::angle([vertex, near, far].map(|corner| surface.position(corner)));
             let mut beyond = surface.faces_of_edge(vertex, far).filter(|&other| other != face);
             let (next, None) = (beyond.next()?, beyond.next()) else { return None };
             if far == start || next == first {
                 // A second ring may touch this one in the vertex.
-                let is_all = ring.faces.len() == surface.corners_of_point(vertex).count();
+                let is_all = ring.faces.len() == surface.corners_of_vertex(vertex).count();
                 return is_all.then_some(ring);
             }
             (near, face) = (far, next);
@@ -291,7 +290,7 @@ impl Ring {
     }
 
     /// The face and the unit vector in it at an angle.
-    fn direction_at(&self, surface: &Surface, angle: f64) -> (Face, DVec3) {
+    fn direction_at(&self, surface: &Surface, angle: f64) -> (FaceId, DVec3) {
         let angle = angle.rem_euclid(self.total);
         let index = self.faces.partition_point(|face| face.2 <= angle).max(1) - 1;
         let (face, sides, before) = self.faces[index];
@@ -301,7 +300,7 @@ impl Ring {
     }
 
     /// Unit vectors along a face's first side and square to it, to the inside.
-    fn frame(&self, surface: &Surface, face: Face, [near, _]: [u32; 2]) -> [DVec3; 2] {
+    fn frame(&self, surface: &Surface, face: FaceId, [near, _]: [VertexId; 2]) -> [DVec3; 2] {
         let along = triangle::unit(surface.position(near) - surface.position(self.vertex));
         [along, inward(surface, face, [self.vertex, near])]
     }

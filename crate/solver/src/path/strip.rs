@@ -2,22 +2,21 @@
 
 use glam::{DVec2, DVec3};
 
-use heatwalk_surface::halfedge::Face;
-use heatwalk_surface::point::SurfacePoint;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{FaceId, Place, VertexId};
 
 /// Into the next face of a strip.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
-    /// Points at the ends of the edge that is crossed, ascending.
-    pub edge: [u32; 2],
+    /// Vertices at the ends of the edge that is crossed, ascending.
+    pub edge: [VertexId; 2],
     /// The face beyond it.
-    pub face: Face,
+    pub face: FaceId,
 }
 
 impl Step {
-    pub fn new(a: u32, b: u32, face: Face) -> Self {
+    pub fn new(a: VertexId, b: VertexId, face: FaceId) -> Self {
         Self { edge: [a.min(b), a.max(b)], face }
     }
 }
@@ -25,21 +24,21 @@ impl Step {
 /// Faces in a row. No face and no edge is the same as the one before it.
 #[derive(Debug, Clone)]
 pub(super) struct Strip {
-    pub first: Face,
+    pub first: FaceId,
     pub steps: Vec<Step>,
 }
 
 impl Strip {
-    pub fn new(first: Face) -> Self {
+    pub fn new(first: FaceId) -> Self {
         Self { first, steps: Vec::new() }
     }
 
     /// The face before a step; after the last of them, the last face.
-    pub fn face_before(&self, step: usize) -> Face {
+    pub fn face_before(&self, step: usize) -> FaceId {
         if step == 0 { self.first } else { self.steps[step - 1].face }
     }
 
-    pub fn last(&self) -> Face {
+    pub fn last(&self) -> FaceId {
         self.face_before(self.steps.len())
     }
 
@@ -61,10 +60,9 @@ impl Strip {
     }
 
     /// Leaves out the faces at both ends that a path between these points can do without.
-    pub fn trim(&mut self, surface: &Surface, from: SurfacePoint, to: SurfacePoint) {
-        let lies_on = |location: SurfacePoint, step: &Step| {
-            location.support(surface).all(|(point, _)| step.edge.contains(&point))
-        };
+    pub fn trim(&mut self, surface: &Surface, from: Place, to: Place) {
+        let lies_on =
+            |location: Place, step: &Step| location.support(surface).all(|(vertex, _)| step.edge.contains(&vertex));
         while self.steps.last().is_some_and(|step| lies_on(to, step)) {
             self.steps.pop();
         }
@@ -84,8 +82,8 @@ impl Strip {
 /// An edge of a strip in the plane, seen from the face before it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Portal {
-    /// Points at the left and the right.
-    pub ends: [u32; 2],
+    /// Vertices at the left and the right.
+    pub ends: [VertexId; 2],
     /// Where these lie.
     pub at: [DVec2; 2],
 }
@@ -95,7 +93,7 @@ pub(super) struct Portal {
 ///
 /// The direction of each edge is handed on as a unit vector of its own: taken from rounded positions it would be lost
 /// behind a short edge.
-pub(super) fn unfold(surface: &Surface, strip: &Strip, from: SurfacePoint, to: SurfacePoint) -> (Vec<Portal>, DVec2) {
+pub(super) fn unfold(surface: &Surface, strip: &Strip, from: Place, to: Place) -> (Vec<Portal>, DVec2) {
     let mut portals = Vec::with_capacity(strip.steps.len());
     let mut ends = strip.steps[0].edge;
     let apex = place(surface, ends, from.position(surface));
@@ -104,12 +102,13 @@ pub(super) fn unfold(surface: &Surface, strip: &Strip, from: SurfacePoint, to: S
     for (k, step) in strip.steps.iter().enumerate() {
         portals.push(Portal { ends, at });
         let Some(next) = strip.steps.get(k + 1) else { break };
-        let point = third(surface.faces[step.face], ends);
-        let [apex, direction] = beyond(surface, ends, at, along, surface.position(point), next.edge.contains(&ends[0]));
+        let apex_vertex = third(surface.faces()[step.face], ends);
+        let [apex, direction] =
+            beyond(surface, ends, at, along, surface.position(apex_vertex), next.edge.contains(&ends[0]));
         along = direction;
         // The next edge keeps the left end or the right one.
         let side = usize::from(next.edge.contains(&ends[0]));
-        ends[side] = point;
+        ends[side] = apex_vertex;
         at[side] = apex;
     }
     let [end, _] = beyond(surface, ends, at, along, to.position(surface), true);
@@ -117,15 +116,15 @@ pub(super) fn unfold(surface: &Surface, strip: &Strip, from: SurfacePoint, to: S
 }
 
 /// The corner that is neither of these two.
-fn third(corners: [u32; 3], ends: [u32; 2]) -> u32 {
+fn third(corners: [VertexId; 3], ends: [VertexId; 2]) -> VertexId {
     corners.into_iter().find(|corner| !ends.contains(corner)).expect("three different corners")
 }
 
 /// A point in the plane of an edge, from each of its ends: along it, and away from it.
-fn place(surface: &Surface, ends: [u32; 2], apex: DVec3) -> [DVec2; 2] {
-    let [left, right] = ends.map(|point| surface.position(point));
+fn place(surface: &Surface, ends: [VertexId; 2], apex: DVec3) -> [DVec2; 2] {
+    let [left, right] = ends.map(|vertex| surface.position(vertex));
     let along = triangle::unit(right - left);
-    let [a, b] = [apex - left, apex - right].map(|offset| offset / surface.mean_edge);
+    let [a, b] = [apex - left, apex - right].map(|offset| offset / surface.mean_edge());
     let nearer = if a.length_squared() < b.length_squared() { a } else { b };
     let away = along.cross(nearer).length();
     [a, b].map(|offset| DVec2::new(along.dot(offset), away))
@@ -135,7 +134,7 @@ fn place(surface: &Surface, ends: [u32; 2], apex: DVec3) -> [DVec2; 2] {
 /// portal's left end (`keeps_left`) or right end.
 fn beyond(
     surface: &Surface,
-    ends: [u32; 2],
+    ends: [VertexId; 2],
     at: [DVec2; 2],
     along: DVec2,
     apex: DVec3,

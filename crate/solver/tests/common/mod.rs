@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{Boundary, Distance, HeatSolver, NearField, Parameters, Soup, Surface, SurfacePoint, TimeStep};
+use heatwalk::{Boundary, Distance, HeatSolver, NearField, Parameters, Place, Soup, Surface, TimeStep, VertexId};
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
     Soup::single("test", positions, triangles)
@@ -121,16 +121,16 @@ pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {
     solver_with(soup, heat_only(time_factor, boundary))
 }
 
-pub fn distance_from(soup: &Soup, point: u32) -> (HeatSolver, Distance) {
+pub fn distance_from(soup: &Soup, vertex: u32) -> (HeatSolver, Distance) {
     let solver = solver(soup, 1.0, Boundary::Neumann);
-    let distance = solver.distance(&[SurfacePoint::Vertex(point)]).expect("a valid source");
+    let distance = solver.distance(&[Place::Vertex(VertexId(vertex))]).expect("a valid source");
     (solver, distance)
 }
 
-/// The point nearest to a position.
-pub fn nearest(surface: &Surface, position: DVec3) -> u32 {
-    let distance = |&point: &u32| surface.position(point).distance_squared(position);
-    (0..surface.point_count() as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("points")
+/// The vertex nearest to a position.
+pub fn nearest(surface: &Surface, position: DVec3) -> VertexId {
+    let distance = |&vertex: &VertexId| surface.position(vertex).distance_squared(position);
+    surface.vertices().min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("vertices")
 }
 
 /// The same sequence of numbers in 0..n on every machine (Knuth's 64-bit linear congruential generator).

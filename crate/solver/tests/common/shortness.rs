@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
-use heatwalk::{Face, Path, Surface, SurfacePoint};
+use heatwalk::{FaceId, Path, Place, Surface, VertexId};
 
 /// Points follow each other through the faces that they name.
 pub fn check_valid(surface: &Surface, path: &Path) {
@@ -11,14 +11,14 @@ pub fn check_valid(surface: &Surface, path: &Path) {
     for pair in path.points.windows(2) {
         assert!(pair[0].location != pair[1].location, "{pair:?}");
         for point in pair {
-            let corners = surface.faces[pair[0].face];
+            let corners = surface.faces()[pair[0].face];
             let lies_in_face = point.location.support(surface).all(|(corner, _)| corners.contains(&corner));
             assert!(lies_in_face, "{point:?} is not in {:?}", pair[0].face);
         }
     }
     for point in &path.points {
         let position = point.location.position(surface);
-        assert!(position.distance(point.position) <= 1e-12 * surface.mean_edge.max(position.length()));
+        assert!(position.distance(point.position) <= 1e-12 * surface.mean_edge().max(position.length()));
     }
 }
 
@@ -31,22 +31,22 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 pub fn sharpest_turn(surface: &Surface, path: &Path) -> f64 {
     let mut sharpest = f64::INFINITY;
     for triple in path.points.windows(3) {
-        let SurfacePoint::Vertex(vertex) = triple[1].location else { continue };
+        let Place::Vertex(vertex) = triple[1].location else { continue };
         let at = surface.position(vertex);
-        let sides = |face: Face| {
-            let others: Vec<u32> = surface.faces[face].into_iter().filter(|&corner| corner != vertex).collect();
+        let sides = |face: FaceId| {
+            let others: Vec<VertexId> = surface.faces()[face].into_iter().filter(|&corner| corner != vertex).collect();
             [others[0], others[1]]
         };
-        let from_side = |face: Face, other: DVec3, side: u32| {
+        let from_side = |face: FaceId, other: DVec3, side: VertexId| {
             assert!(sides(face).contains(&side));
             angle(other - at, surface.position(side) - at)
         };
-        let mut far: HashMap<u32, f64> = HashMap::new();
+        let mut far: HashMap<VertexId, f64> = HashMap::new();
         for side in sides(triple[0].face) {
             far.insert(side, from_side(triple[0].face, triple[0].position, side));
         }
-        let arcs: Vec<([u32; 2], f64)> = surface
-            .corners_of_point(vertex)
+        let arcs: Vec<([VertexId; 2], f64)> = surface
+            .corners_of_vertex(vertex)
             .map(|(face, _)| {
                 let [p, q] = sides(face);
                 ([p, q], angle(surface.position(p) - at, surface.position(q) - at))
@@ -83,8 +83,8 @@ pub fn sharpest_turn(surface: &Surface, path: &Path) -> f64 {
 pub fn largest_kink(surface: &Surface, path: &Path) -> f64 {
     let mut largest: f64 = 0.0;
     for triple in path.points.windows(3) {
-        let SurfacePoint::Edge { halfedge, .. } = triple[1].location else {
-            assert!(matches!(triple[1].location, SurfacePoint::Vertex(_)), "a point inside a face: {triple:?}");
+        let Place::Edge { halfedge, .. } = triple[1].location else {
+            assert!(matches!(triple[1].location, Place::Vertex(_)), "a point inside a face: {triple:?}");
             continue;
         };
         assert!(triple[0].face != triple[1].face, "an edge that is not crossed: {triple:?}");
@@ -93,7 +93,7 @@ pub fn largest_kink(surface: &Surface, path: &Path) -> f64 {
         let flat = |offset: DVec3, side: f64| DVec2::new(along.dot(offset), side * along.cross(offset).length());
         let before = flat(triple[0].position - triple[1].position, -1.0);
         let after = flat(triple[2].position - triple[1].position, 1.0);
-        largest = largest.max(before.perp_dot(after).abs() / before.distance(after) / surface.mean_edge);
+        largest = largest.max(before.perp_dot(after).abs() / before.distance(after) / surface.mean_edge());
     }
     largest
 }

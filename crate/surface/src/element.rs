@@ -1,0 +1,233 @@
+//! Numbers of mesh elements, one type a meaning, and typed arrays of one value for each element.
+//!
+//! Three kinds of vertex are easily mixed up, so each has a type: [`InputVertex`] (of the file), [`VertexId`] (welded: the
+//! unknown of every equation) and [`CutVertex`] (of the half-edges, where the surface may be cut). [`Surface`](crate::Surface)
+//! converts between them.
+
+use std::marker::PhantomData;
+use std::ops::{Index, IndexMut};
+
+/// A numbered element.
+pub trait Element: Copy {
+    /// The element of this number, counted from 0.
+    ///
+    /// # Panics
+    /// From 2³² on: no mesh has so many elements.
+    fn from_index(index: usize) -> Self;
+
+    /// Its number, counted from 0.
+    fn index(self) -> usize;
+}
+
+macro_rules! element {
+    ($(#[$doc:meta])* $name:ident) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[repr(transparent)]
+        pub struct $name(pub u32);
+
+        impl Element for $name {
+            #[inline]
+            fn from_index(index: usize) -> Self {
+                debug_assert!(u32::try_from(index).is_ok(), "elements are numbered by 32 bits");
+                Self(index as u32)
+            }
+
+            #[inline]
+            fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                self.0.fmt(formatter)
+            }
+        }
+    };
+}
+
+element!(
+    /// A welded vertex of a [`Surface`](crate::Surface): one position, one unknown.
+    VertexId
+);
+element!(
+    /// A vertex of the input, as the file counts them: a row of [`Soup::positions`](crate::Soup::positions).
+    InputVertex
+);
+element!(
+    /// A vertex of a [`HalfedgeMesh`](crate::HalfedgeMesh). Several share one [`VertexId`] where the surface is cut.
+    CutVertex
+);
+element!(
+    /// A triangle of the input, as the file counts them: a row of [`Soup::triangles`](crate::Soup::triangles).
+    InputTriangle
+);
+element!(
+    /// A face of a [`HalfedgeMesh`](crate::HalfedgeMesh): a triangle, or, numbered after all triangles, the cap of a
+    /// boundary loop.
+    FaceId
+);
+element!(
+    /// A half-edge of a [`HalfedgeMesh`](crate::HalfedgeMesh); number `3 f + k` leaves corner `k` of triangle `f` and stands
+    /// for that corner, too.
+    HalfedgeId
+);
+
+impl FaceId {
+    /// The half-edge that leaves corner `k` (0 to 2) of this triangle.
+    #[inline]
+    pub fn halfedge(self, k: usize) -> HalfedgeId {
+        HalfedgeId(3 * self.0 + k as u32)
+    }
+}
+
+impl HalfedgeId {
+    /// The triangle that this half-edge of a triangle belongs to.
+    #[inline]
+    pub fn triangle(self) -> FaceId {
+        FaceId(self.0 / 3)
+    }
+
+    /// The corner (0 to 2) of its triangle that this half-edge of a triangle leaves.
+    #[inline]
+    pub fn corner(self) -> usize {
+        self.0 as usize % 3
+    }
+
+    /// The half-edge after this one in its triangle.
+    #[inline]
+    pub fn next_in_triangle(self) -> Self {
+        Self(if self.0 % 3 == 2 { self.0 - 2 } else { self.0 + 1 })
+    }
+
+    /// The half-edge before this one in its triangle.
+    #[inline]
+    pub fn previous_in_triangle(self) -> Self {
+        Self(if self.0.is_multiple_of(3) { self.0 + 2 } else { self.0 - 1 })
+    }
+}
+
+/// One value for each element of a kind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElementData<E, T> {
+    values: Vec<T>,
+    element: PhantomData<E>,
+}
+
+/// `#V` values, indexed by [`VertexId`].
+pub type VertexData<T> = ElementData<VertexId, T>;
+/// `#F` values, indexed by [`FaceId`].
+pub type FaceData<T> = ElementData<FaceId, T>;
+/// `#C` values, indexed by [`CutVertex`].
+pub type CutVertexData<T> = ElementData<CutVertex, T>;
+/// One value for each vertex of the input, indexed by [`InputVertex`].
+pub type InputVertexData<T> = ElementData<InputVertex, T>;
+/// One value for each triangle of the input, indexed by [`InputTriangle`].
+pub type InputTriangleData<T> = ElementData<InputTriangle, T>;
+
+impl<E, T> From<Vec<T>> for ElementData<E, T> {
+    fn from(values: Vec<T>) -> Self {
+        Self { values, element: PhantomData }
+    }
+}
+
+impl<E, T> FromIterator<T> for ElementData<E, T> {
+    fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
+        Vec::from_iter(values).into()
+    }
+}
+
+impl<E, T> Default for ElementData<E, T> {
+    fn default() -> Self {
+        Vec::new().into()
+    }
+}
+
+impl<E, T> ElementData<E, T> {
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Whether there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The values in element order.
+    pub fn iter(&self) -> std::slice::Iter<'_, T> {
+        self.values.iter()
+    }
+
+    /// The values in element order.
+    pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
+        self.values.iter_mut()
+    }
+
+    /// The values in element order.
+    pub fn as_slice(&self) -> &[T] {
+        &self.values
+    }
+
+    /// The values in element order.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.values
+    }
+
+    /// The values in element order.
+    pub fn into_vec(self) -> Vec<T> {
+        self.values
+    }
+}
+
+impl<E: Element, T> ElementData<E, T> {
+    /// The elements in order.
+    pub fn ids(&self) -> impl ExactSizeIterator<Item = E> + DoubleEndedIterator + Clone + use<E, T> {
+        (0..self.values.len()).map(E::from_index)
+    }
+
+    /// The elements with their values, in order.
+    pub fn enumerate(&self) -> impl ExactSizeIterator<Item = (E, &T)> + DoubleEndedIterator + Clone {
+        self.values.iter().enumerate().map(|(index, value)| (E::from_index(index), value))
+    }
+
+    /// The value of an element, if there is such an element.
+    pub fn get(&self, element: E) -> Option<&T> {
+        self.values.get(element.index())
+    }
+}
+
+impl<'a, E, T> IntoIterator for &'a ElementData<E, T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl<'a, E, T> IntoIterator for &'a mut ElementData<E, T> {
+    type Item = &'a mut T;
+    type IntoIter = std::slice::IterMut<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter_mut()
+    }
+}
+
+impl<E: Element, T> Index<E> for ElementData<E, T> {
+    type Output = T;
+
+    #[inline]
+    fn index(&self, element: E) -> &T {
+        &self.values[element.index()]
+    }
+}
+
+impl<E: Element, T> IndexMut<E> for ElementData<E, T> {
+    #[inline]
+    fn index_mut(&mut self, element: E) -> &mut T {
+        &mut self.values[element.index()]
+    }
+}
