@@ -1,9 +1,9 @@
 //! Between the drawn vertices that the page knows and the points that the solver knows.
 
 use glam::DVec3;
-use heatwalk::halfedge::Face;
+use heatwalk::Face;
 use heatwalk::{Source, Surface, SurfacePoint};
-use heatwalk_scene::{DrawMesh as Mesh, draw_mesh};
+use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -15,11 +15,12 @@ const CREASE_ANGLE: f64 = std::f64::consts::PI * 0.25;
 /// A surface as it is drawn.
 pub struct Drawn {
     mesh: Mesh,
+    pub transform: DrawTransform,
 }
 
 impl Drawn {
-    pub fn new(surface: &Surface) -> Self {
-        Self { mesh: draw_mesh(surface, CREASE_ANGLE) }
+    pub fn new(surface: &Surface, transform: DrawTransform) -> Self {
+        Self { mesh: draw_mesh(surface, CREASE_ANGLE, &transform), transform }
     }
 
     pub fn mesh(&self) -> DrawMesh {
@@ -48,7 +49,8 @@ impl Drawn {
         if let Some(vertex) = number(place, "vertex") {
             let vertex = vertex as usize;
             let point = surface.point_of_input.get(vertex).copied().flatten();
-            let absent = || heatwalk::Error::BadVertex { vertex, problem: "is on no triangle of the surface".into() };
+            let absent =
+                || heatwalk::surface::Error::BadVertex { vertex, problem: "is on no triangle of the surface".into() };
             return Ok(SurfacePoint::Vertex(point.ok_or_else(absent)?));
         }
         let face =
