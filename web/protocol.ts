@@ -1,6 +1,7 @@
 /**
  * The messages between the page and the solver's worker: the only definition of them. The worker exposes a `SolverApi`
- * with comlink; buffers are transferred, never copied. Lengths are in the unit of the file.
+ * with comlink; buffers are transferred, never copied. Lengths are in the unit of the file but
+ * for those that are said to be as they are drawn: see `DrawTransform`.
  */
 
 /** A file as the user gave it. The mesh comes first, then what it refers to (.bin). */
@@ -55,9 +56,19 @@ export interface PartInfo {
   triangles: number;
 }
 
+/**
+ * From the file's unit to what is drawn: drawn = (position − center) · scale. What is drawn is near the origin and within
+ * ±1, whatever the file's unit, since graphics cards calculate in single precision. Directions stay as they are.
+ */
+export interface DrawTransform {
+  center: [number, number, number];
+  /** Drawn length of the file's unit. */
+  scale: number;
+}
+
 /** Triangles to draw, with vertices split where the normal jumps. */
 export interface DrawMesh {
-  /** #D × 3 */
+  /** #D × 3, as they are drawn */
   positions: Float32Array;
   /** #D × 3, unit length */
   normals: Float32Array;
@@ -114,6 +125,8 @@ export interface OpenedMesh extends Factoring {
   surface: DrawMesh;
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
+  /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
+  drawTransform: DrawTransform;
   /** The parts that are not walked on. */
   scenery: SceneryPart[];
   report: BuildReport;
@@ -151,10 +164,11 @@ export interface FieldError {
 }
 
 export interface SurfacePath {
-  /** #P × 3, from the start to the source. */
+  /** #P × 3, from the start to the source, as they are drawn. */
   points: Float32Array;
   /** #P × 3, unit surface normals at the points. */
   normals: Float32Array;
+  /** In the unit of the file. */
   length: number;
 }
 
@@ -221,12 +235,12 @@ export interface SolverApi {
   crowd(count: number): Promise<void>;
   /**
    * Moves each walker by `step` and gives 10 numbers a walker: position, unit surface normal and unit heading (three
-   * each), and the length that it has walked. Who arrives starts again elsewhere, with length 0. Walkers keep their
+   * each), and the length that it has walked, as they are drawn. Who arrives starts again elsewhere, with length 0. Walkers keep their
    * places in the array. Empty without a field or a crowd.
    */
   stepCrowd(step: number): Promise<Float32Array>;
   /**
-   * #E × 2 × 3, ends of lines on the surface: edges between faces, edges with one face, or the edges of the triangles that
+   * #E × 2 × 3, ends of lines on the surface, as they are drawn: edges between faces, edges with one face, or the edges of the triangles that
    * carry the operators.
    */
   edges(kind: EdgeKind): Promise<Float32Array>;

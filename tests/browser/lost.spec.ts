@@ -17,3 +17,59 @@ test('a lost graphics context is restored with the scene intact', async ({ page 
   await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).toBe('WebGL2');
   await expect.poll(stripes).toBe(before);
 });
+
+test('a renderer that traps is made anew with the scene intact', async ({ page }, info) => {
+  const heatwalk = new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2');
+  await heatwalk.open();
+  const [x, y] = await heatwalk.pixelOnModel();
+  const stripes = async () => crossings(await heatwalk.picture(), x, y - 150, y + 150);
+  const before = await stripes();
+  expect(before).toBeGreaterThanOrEqual(6);
+
+  // The next draw call ends the renderer as a panic does: nothing that was borrowed is given back.
+  const canvas = await page.locator('canvas').elementHandle();
+  await page.evaluate((isWebGpu) => {
+    const target = isWebGpu ? GPURenderPassEncoder.prototype : WebGL2RenderingContext.prototype;
+    const name = isWebGpu ? 'drawIndexed' : 'clear';
+    const original = Object.getOwnPropertyDescriptor(target, name) ?? {};
+    const trap = () => {
+      Object.defineProperty(target, name, original);
+      throw new WebAssembly.RuntimeError('unreachable');
+    };
+    Object.defineProperty(target, name, { ...original, value: trap });
+  }, heatwalk.backend === 'WebGPU');
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, 1);
+  await expect.poll(() => canvas?.evaluate((element) => element.isConnected)).toBe(false);
+  await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).toBe(heatwalk.backend);
+  await expect.poll(stripes).toBe(before);
+  await expect(page.getByRole('alert')).toContainText('The renderer failed and was started again');
+
+  // The fresh one takes another mesh.
+  await page.getByRole('button', { name: 'Sphere', exact: true }).click();
+  await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name)).toBe('icosphere');
+  await heatwalk.pixelOnModel();
+});
+
+test('what the graphics device refuses is told, and drawing goes on', async ({ page }, info) => {
+  test.skip(info.project.name !== 'webgpu', 'the page can reach the device of WebGPU only');
+  const heatwalk = new HeatwalkPage(page, 'WebGPU');
+  await page.addInitScript(() => {
+    const request = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function requestDevice(descriptor) {
+      const device = await request.call(this, descriptor);
+      Object.assign(window, { device });
+      return device;
+    };
+  });
+  await heatwalk.open();
+  const before = await page.evaluate(() => window.heatwalk.camera?.[0]);
+  // A buffer can be mapped for reading or for writing, not for both.
+  await page.evaluate(() => {
+    (window as unknown as { device: GPUDevice }).device.createBuffer({ size: 16, usage: 3 });
+  });
+  await expect(page.getByRole('alert')).toContainText('The graphics device refused a step');
+  await page.locator('.stage').press('ArrowLeft');
+  await expect.poll(() => page.evaluate(() => window.heatwalk.camera?.[0])).not.toBe(before);
+  expect(await page.evaluate(() => window.heatwalk.backend)).toBe('WebGPU');
+});

@@ -3,6 +3,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { PNG } from 'pngjs';
 import { STYLES } from '../../web/state/styles';
+import { grid, type Mesh, obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
 
 const REFERENCES = path.join(import.meta.dirname, '../pictures');
@@ -45,11 +46,18 @@ async function show(heatwalk: HeatwalkPage, link: string, clear = true): Promise
   await expect
     .poll(() => page.evaluate(() => window.heatwalk.camera?.[2]))
     .toBe(Number(/cam=[^,]*,[^,]*,([^,]*)/.exec(link)?.[1]));
-  const base64 = await page.evaluate(async (isClear) => {
-    const picture = await window.heatwalk.picture(0.5, isClear);
-    const bytes = new Uint8Array(await picture.arrayBuffer());
-    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
-  }, clear);
+  return picture(heatwalk, 0.5, clear);
+}
+
+async function picture({ page }: HeatwalkPage, scale: number, clear: boolean): Promise<PNG> {
+  const base64 = await page.evaluate(
+    async ([factor, isClear]) => {
+      const file = await window.heatwalk.picture(factor, isClear);
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+    },
+    [scale, clear] as const,
+  );
   return PNG.sync.read(Buffer.from(base64, 'base64'));
 }
 
@@ -74,13 +82,13 @@ test('styles and overlays look like the reference images', async ({ heatwalk, pa
   await heatwalk.open('#v=1&m=teapot&kiosk=1');
   const off: string[] = [];
   for (const [name, link] of PICTURES) {
-    const picture = await show(heatwalk, link, name !== 'background');
+    const drawn = await show(heatwalk, link, name !== 'background');
     const file = path.join(REFERENCES, `${name}.png`);
-    if (WRITES) fs.writeFileSync(file, PNG.sync.write(picture));
-    const { clearly, mean } = compare(picture, PNG.sync.read(fs.readFileSync(file)));
+    if (WRITES) fs.writeFileSync(file, PNG.sync.write(drawn));
+    const { clearly, mean } = compare(drawn, PNG.sync.read(fs.readFileSync(file)));
     if (clearly > CLEARLY_DIFFERENT || mean > MEAN_DIFFERENCE) {
       off.push(`${name}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean`);
-      fs.writeFileSync(test.info().outputPath(`${name}.png`), PNG.sync.write(picture));
+      fs.writeFileSync(test.info().outputPath(`${name}.png`), PNG.sync.write(drawn));
     }
   }
   expect(off).toEqual([]);
@@ -93,4 +101,45 @@ test('an image without background is transparent around the model and opaque on 
   expect([picture.width, picture.height]).toEqual([240, 180]);
   expect(alphaAt(2, 2)).toBe(0);
   expect(alphaAt(120, 100)).toBe(255);
+});
+
+/** A sphere that is walked on, over a plate that is scenery, of so many times their size and moved. */
+function moved(size: number, shift: readonly number[]): string {
+  const place = ({ positions, triangles }: Mesh, lift: number): Mesh => ({
+    positions: positions.map(([x, y, z]) => [size * x + shift[0], size * (y + lift) + shift[1], size * z + shift[2]]),
+    triangles,
+  });
+  return obj({ ball: place(sphere(24), 0), plate: place(grid(4), -1.2) });
+}
+
+test('a mesh of any size and anywhere is drawn alike', async ({ heatwalk, page }) => {
+  test.setTimeout(300_000);
+  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  const link =
+    'p=0&s=40&w=500&look=zebra&around=studio&light=0&crowd=200&show=scenery,edges,distance&cam=-0.5,0.4,4.1,0,0,0';
+  const shown = async (size: number, shift: readonly number[]) => {
+    await heatwalk.openFile('moved.obj', moved(size, shift), link);
+    await heatwalk.settled();
+    const { diameter } = await heatwalk.mesh();
+    // The box of the unit sphere; positions on a map keep ten of its digits.
+    expect(diameter / size / Math.sqrt(12)).toBeCloseTo(1, 3);
+    return picture(heatwalk, 0.5, true);
+  };
+  const usual = await shown(1, [0, 0, 0]);
+  const off: string[] = [];
+  const places: [size: number, shift: readonly number[]][] = [
+    [1e-30, [0, 0, 0]],
+    [1e25, [0, 0, 0]],
+    [1e30, [0, 0, 0]],
+    [1.3, [500_000, 4_649_776, 100]],
+  ];
+  for (const [size, shift] of places) {
+    const drawn = await shown(size, shift);
+    const { clearly, mean } = compare(drawn, usual);
+    if (clearly <= CLEARLY_DIFFERENT && mean <= MEAN_DIFFERENCE) continue;
+    off.push(`${size} at ${shift.join(', ')}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean`);
+    fs.writeFileSync(test.info().outputPath(`size-${size}.png`), PNG.sync.write(drawn));
+    fs.writeFileSync(test.info().outputPath('size-1.png'), PNG.sync.write(usual));
+  }
+  expect(off).toEqual([]);
 });

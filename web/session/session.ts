@@ -187,7 +187,8 @@ export class Session {
 
   #adopt(engine: Engine, state: SceneState, shown: Shown, view: OpenRequest['view']): void {
     // The one step that can fail, so the first: until then nothing of the old scene is let go.
-    this.view.setMesh(shown.opened.surface, visible(shown.opened.scenery, state));
+    const { surface, scenery, drawTransform } = shown.opened;
+    this.view.setMesh(surface, visible(scenery, state), drawTransform);
     this.#engine?.dispose();
     this.#engine = engine;
     this.failure.value = null;

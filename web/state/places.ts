@@ -3,6 +3,7 @@ import type { OpenedMesh, SurfacePoint } from '../protocol';
 
 export type Vector = [number, number, number];
 
+/** Position and normal as they are drawn: see `DrawTransform`. */
 export interface Place {
   position: Vector;
   normal: Vector;
@@ -12,8 +13,10 @@ export class Places {
   readonly #mesh: OpenedMesh;
   /** Of each input vertex one drawn vertex, −1 where none is drawn. */
   readonly #drawnOf: Int32Array;
-  /** Diagonal of the bounding box. */
+  /** Diagonal of the bounding box, in the unit of the file. */
   readonly diameter: number;
+  /** The same as it is drawn. */
+  readonly drawnDiameter: number;
 
   constructor(mesh: OpenedMesh) {
     this.#mesh = mesh;
@@ -21,7 +24,8 @@ export class Places {
     mesh.inputVertices.forEach((vertex, drawn) => {
       this.#drawnOf[vertex] = drawn;
     });
-    this.diameter = boxDiagonal(mesh.surface.positions);
+    this.drawnDiameter = boxDiagonal(mesh.surface.positions);
+    this.diameter = this.drawnDiameter / mesh.drawTransform.scale;
   }
 
   /** The three drawn corners and their weights; null when the mesh has no such place. */

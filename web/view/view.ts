@@ -1,5 +1,5 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { DistanceField, DrawMesh, SurfacePath, SurfacePoint } from '../protocol';
+import type { DistanceField, DrawMesh, DrawTransform, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
@@ -9,6 +9,7 @@ import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
 
 export interface PointHit {
   point: SurfacePoint;
+  /** As it is drawn: see `DrawTransform`. */
   position: Vector;
 }
 
@@ -67,6 +68,8 @@ export class View {
   #camera: Float64Array | null = null;
   #frameFirst = false;
   #ratio = 1;
+  /** Drawn length of the file's unit. */
+  #scale = 1;
   /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
   #size: [width: number, height: number] = [1, 1];
   #insets: Insets = NO_INSETS;
@@ -132,7 +135,7 @@ export class View {
       } catch (error) {
         this.#layers.delete(layer);
         this.failure.value = asError(error);
-        if (isTrap(this.failure.value)) return false;
+        if (isUnusable(this.failure.value)) return false;
       }
     }
     return true;
@@ -145,7 +148,7 @@ export class View {
       return call(this.#viewer);
     } catch (cause) {
       const error = asError(cause);
-      if (!isTrap(error)) throw error;
+      if (!isUnusable(error)) throw error;
       this.#viewer = null;
       this.backend.value = null;
       const now = performance.now();
@@ -162,12 +165,13 @@ export class View {
   }
 
   /** If this throws, everything is shown as before. */
-  setMesh(surface: DrawMesh, scenery: readonly DrawMesh[]): void {
+  setMesh(surface: DrawMesh, scenery: readonly DrawMesh[], { scale }: DrawTransform): void {
     const before = new Map(this.#layers);
     try {
       this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
       for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
       this.setScenery(scenery);
+      this.#scale = scale;
     } catch (error) {
       this.#layers = before;
       if (this.#viewer) this.#replay(this.#viewer);
@@ -221,8 +225,10 @@ export class View {
     if (!path) this.#show('walker', (viewer) => viewer.hide_walker());
   }
 
+  /** `arc` in the unit of the file. */
   setWalker(arc: number): void {
-    this.#show('walker', (viewer) => viewer.set_walker(arc));
+    const drawn = arc * this.#scale;
+    this.#show('walker', (viewer) => viewer.set_walker(drawn));
   }
 
   /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
@@ -387,6 +393,13 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
+}
+
+/** Whether the instance must not be called again: it trapped, or an exception left it in the middle of a call. */
+function isUnusable(error: Error): boolean {
+  return (
+    isTrap(error) || /recursive use of an object|while it was borrowed|null pointer passed to rust/.test(error.message)
+  );
 }
 
 function asError(thrown: unknown): Error {

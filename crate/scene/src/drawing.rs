@@ -6,10 +6,12 @@ use heatwalk::Surface;
 use heatwalk::surface::triangle;
 use heatwalk::{FaceData, HalfedgeId, InputVertex, VertexId};
 
+use crate::transform::DrawTransform;
+
 /// Flat arrays ready for a graphics card.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct DrawMesh {
-    /// `#D × 3`, in the file's unit.
+    /// `#D × 3`, as the transform places them.
     pub positions: Vec<f32>,
     /// `#D × 3`, unit length: face normals around the vertex, weighted by angle, up to the creases.
     pub normals: Vec<f32>,
@@ -23,7 +25,7 @@ pub struct DrawMesh {
 
 /// Makes the vertices to draw. An edge is a crease where the normals of its faces differ by more than `crease_angle`
 /// (radians, 0 to π), and where the surface is cut or ends.
-pub fn draw_mesh(surface: &Surface, crease_angle: f64) -> DrawMesh {
+pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform) -> DrawMesh {
     let face_normals: FaceData<DVec3> = surface.mesh().faces().map(|face| surface.face_normal(face)).collect();
     let corners = surface.face_count() * 3;
     let mut sectors = Sectors { parent: (0..corners as u32).collect() };
@@ -63,7 +65,7 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64) -> DrawMesh {
             if normal == DVec3::ZERO {
                 normal = face_normals[corner.triangle()];
             }
-            drawing.positions.extend(surface.position(vertex).as_vec3().to_array());
+            drawing.positions.extend(transform.place(surface.position(vertex)).to_array());
             drawing.normals.extend(normal.as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);

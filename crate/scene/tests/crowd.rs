@@ -13,7 +13,7 @@ use common::{any_triangles, band, book, distance_from, random, soup, square, sur
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
-use heatwalk_scene::{Crowd, Walker, shapes};
+use heatwalk_scene::{Crowd, DrawTransform, Walker, shapes};
 
 const SEED: u64 = 7;
 
@@ -33,7 +33,7 @@ fn check(surface: &Surface, distance: &Distance, crowd: &Crowd, count: usize) {
         assert!(upright.dot(heading).abs() < 1e-12, "{walker:?}");
         assert!(arc.is_finite() && arc >= 0.0);
     }
-    let poses = crowd.poses();
+    let poses = crowd.poses(&DrawTransform::IDENTITY);
     assert_eq!(poses.len(), 10 * count);
     assert!(poses.iter().all(|number| number.is_finite()));
 }
@@ -259,7 +259,7 @@ fn the_same_seed_walks_the_same_way() {
         for _ in 0..60 {
             crowd.advance(0.1).expect("a step");
         }
-        crowd.poses()
+        crowd.poses(&DrawTransform::IDENTITY)
     };
     assert_eq!(walk(1), walk(1));
     assert_ne!(walk(1), walk(2));
@@ -282,7 +282,7 @@ fn a_change_of_number_keeps_those_who_stay() {
     }
     crowd.set_count(0);
     crowd.advance(0.1).expect("a step");
-    assert!(crowd.poses().is_empty());
+    assert!(crowd.poses(&DrawTransform::IDENTITY).is_empty());
 }
 
 #[test]

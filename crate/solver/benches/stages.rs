@@ -15,7 +15,7 @@ use heatwalk::{
     Boundary, HeatSolver, NearField, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
     straighten,
 };
-use heatwalk_scene::{Crowd, shapes};
+use heatwalk_scene::{Crowd, DrawTransform, shapes};
 
 const LEVEL: u32 = 5;
 const STAGES: [Stage; 4] = [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::Factoring];
@@ -118,7 +118,9 @@ fn crowds(criterion: &mut Criterion) {
     criterion.bench_function("a step of a crowd", |bencher| {
         bencher.iter(|| crowd.advance(black_box(0.5 * surface.mean_edge())));
     });
-    criterion.bench_function("poses of a crowd", |bencher| bencher.iter(|| black_box(&crowd).poses()));
+    criterion.bench_function("poses of a crowd", |bencher| {
+        bencher.iter(|| black_box(&crowd).poses(&DrawTransform::IDENTITY))
+    });
 }
 
 criterion_group!(stages, building, precompute, solving, fields_and_paths, crowds);

@@ -12,7 +12,7 @@ use glam::{DQuat, DVec3};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{Boundary, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage, VertexId};
-use heatwalk_scene::{draw_mesh, shapes};
+use heatwalk_scene::{DrawTransform, draw_mesh, shapes};
 
 /// Largest difference of two distances, as a share of the largest distance.
 fn difference(a: &[f64], b: &[f64]) -> f64 {
@@ -278,7 +278,7 @@ fn drawing_keeps_faces_and_splits_creases() {
         surface(&soup((0..8).map(corner).collect(), triangles))
     };
     for (crease, expected) in [(0.5, 24), (3.2, 8)] {
-        let drawing = draw_mesh(&cube, crease);
+        let drawing = draw_mesh(&cube, crease, &DrawTransform::IDENTITY);
         assert_eq!(drawing.vertex_of_drawn.len(), expected);
         assert_eq!(drawing.positions.len(), 3 * expected);
         for face in cube.mesh().faces() {

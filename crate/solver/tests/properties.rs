@@ -17,7 +17,7 @@ use heatwalk::{
     Boundary, Error, FaceId, HeatSolver, MultiSource, NearField, Operator, Parameters, Place, Soup, Source, Surface,
     TimeStep, VertexId, descend, straighten,
 };
-use heatwalk_scene::{Crowd, shapes};
+use heatwalk_scene::{Crowd, DrawTransform, shapes};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -295,7 +295,7 @@ fn crowds_stay_on_the_surface_and_go_home() {
             for _ in 0..40 {
                 let before = crowd.walkers().to_vec();
                 crowd.advance(step).expect("a step");
-                prop_assert!(crowd.poses().iter().all(|number| number.is_finite()));
+                prop_assert!(crowd.poses(&DrawTransform::IDENTITY).iter().all(|number| number.is_finite()));
                 for walker in crowd.walkers() {
                     prop_assert!(walker.weights.iter().all(|&weight| weight >= 0.0), "{walker:?}");
                     // Rounding of a sum for each face entered.

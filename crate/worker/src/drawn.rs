@@ -3,7 +3,7 @@
 use glam::DVec3;
 use heatwalk::surface::Error;
 use heatwalk::{FaceId, InputVertex, Place, Source, Surface, VertexData};
-use heatwalk_scene::{DrawMesh as Mesh, draw_mesh};
+use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -15,11 +15,12 @@ const CREASE_ANGLE: f64 = std::f64::consts::PI * 0.25;
 /// A surface as it is drawn.
 pub struct Drawn {
     mesh: Mesh,
+    pub transform: DrawTransform,
 }
 
 impl Drawn {
-    pub fn new(surface: &Surface) -> Self {
-        Self { mesh: draw_mesh(surface, CREASE_ANGLE) }
+    pub fn new(surface: &Surface, transform: DrawTransform) -> Self {
+        Self { mesh: draw_mesh(surface, CREASE_ANGLE, &transform), transform }
     }
 
     pub fn mesh(&self) -> DrawMesh {

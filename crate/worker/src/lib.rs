@@ -18,7 +18,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::Soup;
 use heatwalk::{Surface, io};
-use heatwalk_scene::shapes;
+use heatwalk_scene::{DrawTransform, shapes};
 use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 
@@ -84,14 +84,15 @@ impl MeshFile {
         let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
         let soup = self.soup.select(&chosen).map_err(|error| failure::thrown(&error.into()))?;
         let surface = Surface::build(&soup).map_err(|error| failure::thrown(&error.into()))?;
-        Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface)), surface: Arc::new(surface) })
+        let transform = DrawTransform::around(&surface, &self.soup);
+        Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface, transform)), surface: Arc::new(surface) })
     }
 
-    /// The triangles of a part that is not walked on, to be drawn.
-    pub fn scenery(&self, part: u32) -> Result<DrawMesh, JsError> {
+    /// The triangles of a part that is not walked on, to be drawn beside those that are.
+    pub fn scenery(&self, part: u32, beside: &WalkedSurface) -> Result<DrawMesh, JsError> {
         let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
-            Ok(surface) => Ok(Drawn::new(&surface).mesh()),
+            Ok(surface) => Ok(Drawn::new(&surface, beside.drawn.transform).mesh()),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
             Err(heatwalk::surface::Error::Empty { .. }) => Ok(DrawMesh::default()),
             Err(error) => Err(error.into()),
@@ -111,6 +112,12 @@ impl WalkedSurface {
     /// The surface's triangles, to be drawn.
     pub fn drawing(&self) -> DrawMesh {
         self.drawn.mesh()
+    }
+
+    /// Four numbers: what is drawn at the origin, and the drawn length of the file's unit.
+    pub fn draw_transform(&self) -> Vec<f64> {
+        let DrawTransform { center, scale } = self.drawn.transform;
+        center.extend(scale).to_array().to_vec()
     }
 
     /// For each drawn vertex, its vertex in the input.

@@ -1,6 +1,7 @@
 //! What the page gets back: numbers and flat arrays. Each array is copied once, into a buffer of JavaScript's.
 
 use heatwalk::{BuildReport, Path};
+use heatwalk_scene::DrawTransform;
 use wasm_bindgen::prelude::*;
 
 /// Triangles to draw.
@@ -14,7 +15,7 @@ pub struct DrawMesh {
 
 #[wasm_bindgen]
 impl DrawMesh {
-    /// `#D × 3`. Can be taken once.
+    /// `#D × 3`, as they are drawn. Can be taken once.
     pub fn take_positions(&mut self) -> Vec<f32> {
         std::mem::take(&mut self.positions)
     }
@@ -85,8 +86,8 @@ pub struct SurfacePath {
 }
 
 impl SurfacePath {
-    pub(crate) fn of(path: &Path) -> Self {
-        let points = path.points.iter().flat_map(|point| point.position.as_vec3().to_array()).collect();
+    pub(crate) fn of(path: &Path, transform: &DrawTransform) -> Self {
+        let points = transform.places(path.points.iter().map(|point| point.position));
         let normals = path.normals.iter().flat_map(|normal| normal.as_vec3().to_array()).collect();
         Self { points, normals, length: path.length() }
     }
@@ -94,7 +95,7 @@ impl SurfacePath {
 
 #[wasm_bindgen]
 impl SurfacePath {
-    /// `#P × 3`. Can be taken once.
+    /// `#P × 3`, as they are drawn. Can be taken once.
     pub fn take_points(&mut self) -> Vec<f32> {
         std::mem::take(&mut self.points)
     }
@@ -104,7 +105,7 @@ impl SurfacePath {
         std::mem::take(&mut self.normals)
     }
 
-    /// Its length.
+    /// Its length in the file's unit.
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> f64 {
         self.length

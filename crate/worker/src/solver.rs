@@ -143,7 +143,7 @@ impl Solver {
             "exact" => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
             other => return Err(JsError::new(&format!("there is no way home '{other}'"))),
         };
-        Ok(SurfacePath::of(&path))
+        Ok(SurfacePath::of(&path, &self.drawn.transform))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
@@ -174,7 +174,7 @@ impl Solver {
             "operator" => overlay::operator_edges(&self.solver),
             other => return Err(JsError::new(&format!("there are no edges '{other}'"))),
         };
-        Ok(edges.as_flattened().iter().flat_map(|point| point.as_vec3().to_array()).collect())
+        Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }
 
     /// `#D`: how far the last field was off before it was made exact, relative to the exact distance; 0 at sources and
@@ -219,7 +219,7 @@ impl Solver {
     pub fn step_crowd(&mut self, step: f64) -> Result<Vec<f32>, JsError> {
         let (Some(crowd), Some(_)) = (&mut self.crowd, &self.solved) else { return Ok(Vec::new()) };
         crowd.advance(step)?;
-        Ok(crowd.poses())
+        Ok(crowd.poses(&self.drawn.transform))
     }
 }
 

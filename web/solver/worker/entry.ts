@@ -4,6 +4,7 @@ import type {
   BuildReport,
   DistanceField,
   DrawMesh,
+  DrawTransform,
   EdgeKind,
   Factoring,
   MeshInput,
@@ -92,8 +93,9 @@ const api: SolverApi = {
           walked: [...walked],
           surface: drawMesh(surface.drawing()),
           inputVertices: surface.input_vertices(),
+          drawTransform: drawTransformOf(surface),
           scenery: names.flatMap((_, part) =>
-            walked.includes(part) ? [] : [{ part, mesh: drawMesh(file.scenery(part)) }],
+            walked.includes(part) ? [] : [{ part, mesh: drawMesh(file.scenery(part, surface)) }],
           ),
           report,
           meanEdge: surface.mean_edge(),
@@ -284,6 +286,11 @@ function reportOf(surface: wasm.WalkedSurface): BuildReport {
   };
   counts.free();
   return report;
+}
+
+function drawTransformOf(surface: wasm.WalkedSurface): DrawTransform {
+  const [x, y, z, scale] = surface.draw_transform();
+  return { center: [x, y, z], scale };
 }
 
 function drawMesh(mesh: wasm.DrawMesh): DrawMesh {

@@ -28,7 +28,7 @@ function sourceAt({ scene, shown, view }: Session, x: number, y: number, grip: n
     const away = Math.hypot(pixel[0] - x, pixel[1] - y);
     if (away > nearest) return;
     const hit = view.pick(...pixel);
-    if (hit && Math.hypot(...position.map((p, i) => p - hit.position[i])) > HIDDEN_BY * places.diameter) return;
+    if (hit && Math.hypot(...position.map((p, i) => p - hit.position[i])) > HIDDEN_BY * places.drawnDiameter) return;
     best = index;
     nearest = away;
   });

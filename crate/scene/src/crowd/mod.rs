@@ -19,6 +19,8 @@ use heatwalk::VertexData;
 use heatwalk::surface::triangle;
 use heatwalk::{Error, Result};
 
+use crate::transform::DrawTransform;
+
 /// Faces that a walker enters in one step at most: more than any step of some edges goes through, and so few that a
 /// crowd among slivers does not hold up a frame for long. The rest of such a step is lost.
 const MOST_LEGS: usize = 256;
@@ -151,14 +153,14 @@ impl Crowd {
         Ok(())
     }
 
-    /// `#walkers × 10`, each walker's position, upright, heading (three numbers each) and arc.
-    pub fn poses(&self) -> Vec<f32> {
+    /// `#walkers × 10`, each walker's position, upright, heading (three numbers each) and arc, as they are drawn.
+    pub fn poses(&self, transform: &DrawTransform) -> Vec<f32> {
         let mut poses = Vec::with_capacity(POSE * self.walkers.len());
         for walker in &self.walkers {
-            for vector in [walker.position, walker.upright, walker.heading] {
-                poses.extend(vector.as_vec3().to_array());
+            for vector in [transform.place(walker.position), walker.upright.as_vec3(), walker.heading.as_vec3()] {
+                poses.extend(vector.to_array());
             }
-            poses.push(walker.arc as f32);
+            poses.push(transform.length(walker.arc));
         }
         poses
     }

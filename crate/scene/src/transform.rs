@@ -1,0 +1,91 @@
+//! From the file's unit to what is drawn. Graphics cards calculate in single precision, which has seven digits and no
+//! squares beyond 10³⁸: so positions are centred and scaled while they are double ones.
+
+use glam::{DVec3, Vec3};
+use heatwalk::{Soup, Surface};
+
+/// `drawn = (position − center) · scale`, where directions stay as they are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawTransform {
+    /// What is drawn at the origin, in the file's unit.
+    pub center: DVec3,
+    /// Drawn length of the file's unit; positive.
+    pub scale: f64,
+}
+
+impl DrawTransform {
+    /// Draws everything in the file's unit.
+    pub const IDENTITY: Self = Self { center: DVec3::ZERO, scale: 1.0 };
+
+    /// Puts the middle of the surface's box at the origin, and all triangles of the soup, which the surface is a part of,
+    /// within ±1.
+    pub fn around(surface: &Surface, soup: &Soup) -> Self {
+        let points = surface.positions();
+        let Some(&first) = points.iter().next() else { return Self::IDENTITY };
+        let (low, high) = points.iter().fold((first, first), |(low, high), &point| (low.min(point), high.max(point)));
+        // Half of each first: the sum of two large numbers may be none.
+        let center = 0.5 * low + 0.5 * high;
+        let corners = soup.triangles.iter().flatten().filter_map(|&vertex| soup.positions.get(vertex as usize));
+        let reach = corners
+            .map(|&corner| (corner - center).abs().max_element())
+            .filter(|reach| reach.is_finite())
+            .fold(0.0, f64::max);
+        // What has no size has any.
+        Self { center, scale: if reach >= f64::MIN_POSITIVE { reach.recip() } else { 1.0 } }
+    }
+
+    /// Where a position is drawn.
+    pub fn place(&self, position: DVec3) -> Vec3 {
+        (self.scale * (position - self.center)).as_vec3()
+    }
+
+    /// How long a length is drawn.
+    pub fn length(&self, length: f64) -> f32 {
+        (self.scale * length) as f32
+    }
+
+    /// `#P × 3`, where positions are drawn.
+    pub fn places(&self, positions: impl IntoIterator<Item = DVec3>) -> Vec<f32> {
+        positions.into_iter().flat_map(|position| self.place(position).to_array()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CORNERS: [DVec3; 4] = [DVec3::ZERO, DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0), DVec3::ONE];
+    const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+
+    fn drawn(size: f64, shift: DVec3) -> Vec<f32> {
+        let positions: Vec<DVec3> = CORNERS.iter().map(|&corner| size * corner + shift).collect();
+        let soup = Soup::single("tetrahedron", positions.clone(), TRIANGLES.to_vec());
+        let surface = Surface::build(&soup).expect("a tetrahedron");
+        DrawTransform::around(&surface, &soup).places(positions)
+    }
+
+    #[test]
+    fn size_and_place_do_not_matter() {
+        let expected = drawn(1.0, DVec3::ZERO);
+        assert_eq!(expected, [-0.5, -1.0, -0.5, 0.5, -1.0, -0.5, -0.5, 1.0, -0.5, 0.5, 0.0, 0.5]);
+        let on_a_map = DVec3::new(500_000.0, 4_649_776.0, 100.0);
+        for (size, shift) in [(1e-30, DVec3::ZERO), (1e30, DVec3::ZERO), (1.3, on_a_map), (1e25, DVec3::splat(1e25))] {
+            // Positions of a map have ten digits after the point: far more than single precision.
+            let differs = drawn(size, shift).iter().zip(&expected).any(|(a, b)| (a - b).abs() > 2.0 * f32::EPSILON);
+            assert!(!differs, "{size:e} at {shift}");
+        }
+    }
+
+    #[test]
+    fn scenery_fits_in_and_the_surface_is_in_the_middle() {
+        let far = CORNERS.map(|corner| corner + DVec3::splat(7.0));
+        let mut soup = Soup::single("near", [CORNERS, far].concat(), TRIANGLES.to_vec());
+        soup.triangles.extend(TRIANGLES.map(|corners| corners.map(|vertex| vertex + 4)));
+        soup.end_part("far");
+        let surface = Surface::build(&soup.select(&[0]).expect("a part")).expect("a tetrahedron");
+        let transform = DrawTransform::around(&surface, &soup);
+        assert_eq!(transform.place(DVec3::new(0.5, 1.0, 0.5)), Vec3::ZERO);
+        assert_eq!(transform.scale, 1.0 / 8.0);
+        assert_eq!(transform.length(4.0), 0.5);
+    }
+}
