@@ -1,7 +1,8 @@
 //! Heat after time t.
 
 use crate::error::Result;
-use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
+use crate::heat::{Condition, Heat, HeatSolver, Solve};
+use crate::options::MultiSource;
 use heatwalk_sparse::{Functional, SchurComplement, System};
 use heatwalk_surface::point::Source;
 
@@ -29,8 +30,8 @@ impl HeatSolver {
 
     fn heat_of(&self, heat: &Heat, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
         let mut is_active = vec![true; sources.len()];
-        if self.parameters.sources == MultiSource::Superposed {
-            return Ok((self.superposed(heat, sources)?, is_active));
+        if self.parameters.sources == MultiSource::Summed {
+            return Ok((self.summed(heat, sources)?, is_active));
         }
         let least = sources.iter().map(|source| source.offset).fold(f64::INFINITY, f64::min);
         let level = |source: &Source| ((least - source.offset) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
@@ -147,7 +148,7 @@ impl HeatSolver {
 
     /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
     /// entry makes of it.
-    fn superposed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
+    fn summed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
         let mut supply = vec![0.0; self.surface.point_count()];
         for (point, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
             supply[point as usize] += weight * SOURCE_HEAT;
