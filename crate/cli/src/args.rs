@@ -6,7 +6,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 use heatwalk::{LinearSolver, MultiSource};
 
-use crate::dials::{Dials, LINEAR_SOLVERS, MULTI_SOURCES, one_of};
+use crate::dials::{Dials, choice};
 use crate::place::{Line, Place, SourcePlace};
 
 /// Geodesic distance and paths on meshes by the heat method.
@@ -64,10 +64,10 @@ pub struct Distance {
     #[command(flatten)]
     pub dials: Dials,
     /// How linear systems are solved
-    #[arg(long, default_value = "cholesky", value_parser = one_of(&LINEAR_SOLVERS))]
+    #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
     pub solver: LinearSolver,
     /// How several sources are joined
-    #[arg(long, default_value = "exact", value_parser = one_of(&MULTI_SOURCES))]
+    #[arg(long, default_value_t, value_parser = choice::<MultiSource>())]
     pub multi: MultiSource,
     /// Exact polyhedral distances everywhere; the dials of the heat method then do nothing
     #[arg(long)]
@@ -96,7 +96,7 @@ pub struct Path {
     #[command(flatten)]
     pub dials: Dials,
     /// How linear systems are solved
-    #[arg(long, default_value = "cholesky", value_parser = one_of(&LINEAR_SOLVERS))]
+    #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
     pub solver: LinearSolver,
     /// Straighten the path until it is locally shortest
     #[arg(long)]

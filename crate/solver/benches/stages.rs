@@ -12,7 +12,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, HeatSolver, NearField, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
+    Boundary, ExactRadius, HeatSolver, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
     straighten,
 };
 use heatwalk_scene::{Crowd, DrawTransform, shapes};
@@ -26,8 +26,8 @@ fn surface() -> Arc<Surface> {
     Arc::new(Surface::build(&shapes::icosphere(LEVEL)).expect("an icosphere is a surface"))
 }
 
-fn solver(surface: &Arc<Surface>, near_field: NearField) -> HeatSolver {
-    let parameters = Parameters { near_field, ..Parameters::default() };
+fn solver(surface: &Arc<Surface>, exact_radius: ExactRadius) -> HeatSolver {
+    let parameters = Parameters { exact_radius, ..Parameters::default() };
     HeatSolver::new(Arc::clone(surface), parameters, &mut go_on).expect("a sphere can be factored")
 }
 
@@ -71,15 +71,15 @@ fn time_of(stage: Stage, surface: &Arc<Surface>) -> Duration {
     next - marks[index].1
 }
 
-/// A solve with the near field, without it, and the cost of the parameters that factor again.
+/// A solve with an exact region, without it, and the cost of the parameters that factor again.
 fn solving(criterion: &mut Criterion) {
     let surface = surface();
-    for (name, near_field) in [
-        ("solve", NearField::Automatic),
-        ("solve, heat alone", NearField::Edges(0.0)),
-        ("solve, near field of 16 edges", NearField::Edges(16.0)),
+    for (name, exact_radius) in [
+        ("solve", ExactRadius::Automatic),
+        ("solve, heat alone", ExactRadius::Edges(0.0)),
+        ("solve, exact radius of 16 edges", ExactRadius::Edges(16.0)),
     ] {
-        let solver = solver(&surface, near_field);
+        let solver = solver(&surface, exact_radius);
         criterion.bench_function(name, |bencher| bencher.iter(|| solver.distance(black_box(&[SOURCE]))));
     }
     let hemisphere = shapes::hemisphere(70).select(&[0]).expect("part 0 is the hemisphere");
@@ -89,7 +89,7 @@ fn solving(criterion: &mut Criterion) {
         ("another boundary condition", Parameters { boundary: Boundary::Dirichlet, ..Parameters::default() }),
     ] {
         criterion.bench_function(name, |bencher| {
-            let fresh = || solver(&hemisphere, NearField::Automatic);
+            let fresh = || solver(&hemisphere, ExactRadius::Automatic);
             bencher.iter_batched_ref(
                 fresh,
                 |solver| solver.set_parameters(change, &mut go_on),
@@ -101,7 +101,7 @@ fn solving(criterion: &mut Criterion) {
 
 fn fields_and_paths(criterion: &mut Criterion) {
     let surface = surface();
-    let distance = solver(&surface, NearField::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
+    let distance = solver(&surface, ExactRadius::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
     let path = descend(&surface, &distance, START).expect("all of a sphere is reachable");
     criterion.bench_function("gradients", |bencher| bencher.iter(|| black_box(&distance).gradients(&surface)));
     criterion.bench_function("descend", |bencher| bencher.iter(|| descend(&surface, black_box(&distance), START)));
@@ -111,7 +111,7 @@ fn fields_and_paths(criterion: &mut Criterion) {
 /// A step of half an edge for as many walkers as the page has at most, and their poses.
 fn crowds(criterion: &mut Criterion) {
     let surface = surface();
-    let distance = solver(&surface, NearField::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
+    let distance = solver(&surface, ExactRadius::Automatic).distance(&[SOURCE]).expect("the source is on the sphere");
     let mut crowd = Crowd::new(Arc::clone(&surface), 10_000, 0.03, 1).expect("a height");
     crowd.follow(&distance).expect("a source");
     criterion.bench_function("a distance for a crowd", |bencher| bencher.iter(|| crowd.follow(black_box(&distance))));

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::choice::UnknownChoice;
+
 /// Result with this crate's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -25,6 +27,9 @@ pub enum Error {
         /// The range allowed.
         range: &'static str,
     },
+    /// A name that is none of the choices.
+    #[error(transparent)]
+    UnknownChoice(#[from] UnknownChoice),
     /// A matrix could not be factored.
     #[error(
         "the {matrix} matrix is not positive definite at vertex {vertex}: the triangles around it are degenerate; choose the Delaunay operator or repair the mesh there"

@@ -24,6 +24,7 @@
 //! ```
 
 pub mod accuracy;
+mod choice;
 mod dijkstra;
 mod error;
 pub mod exact;
@@ -31,7 +32,9 @@ mod extremum;
 pub mod gradient;
 pub mod heat;
 pub mod operator;
+mod options;
 pub mod path;
+mod progress;
 
 /// Linear algebra, which knows no surface.
 pub use heatwalk_sparse as sparse;
@@ -39,15 +42,17 @@ pub use heatwalk_sparse as sparse;
 pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
+pub use choice::{Choice, UnknownChoice};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use error::{Error, Result};
-pub use heat::{
-    Boundary, Distance, HeatSolver, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress,
-    Refinement, Stage, TimeStep,
-};
+pub use heat::{Distance, HeatSolver, Refinement};
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
     PathPoint, Place, SNAP, Soup, Source, Surface, VertexData, VertexId, io,
 };
-pub use operator::Operator;
+pub use options::{
+    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, MultiSource, Operator,
+    Parameters, PathKind, TimeStep, VertexField,
+};
 pub use path::{Straightest, descend, straighten, straightest};
+pub use progress::{Progress, Stage};

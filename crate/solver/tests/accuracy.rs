@@ -98,7 +98,7 @@ fn average_boundary_is_best_at_long_times() {
 }
 
 #[test]
-fn long_strip_with_the_near_field() {
+fn long_strip_with_an_exact_region() {
     let soup = shapes::strip(9.0, 1200.0, 9);
     let solver = solver_with(&soup, Parameters::default());
     let positions = solver.surface().positions();

@@ -9,8 +9,8 @@ use common::{solver_with, soup};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Distance, Element, HeatSolver, InputVertex, LinearSolver, MemoryLimit, MultiSource, NearField, Operator,
-    Parameters, Place, Soup, Surface, TimeStep,
+    Boundary, Distance, Element, ExactRadius, HeatSolver, InputVertex, LinearSolver, MemoryLimit, MultiSource,
+    Operator, Parameters, Place, Soup, Surface, TimeStep,
 };
 use heatwalk_scene::shapes;
 
@@ -21,14 +21,14 @@ fn ball() -> Soup {
     shapes::icosphere(4)
 }
 
-/// With a near field of one size, so that a few triangles more do not change it.
+/// With an exact region of one size, so that a few triangles more do not change it.
 const DIALS: Parameters = Parameters {
     operator: Operator::Delaunay,
     solver: LinearSolver::Cholesky,
     time_step: TimeStep::Automatic,
     boundary: Boundary::Neumann,
     sources: MultiSource::Exact,
-    near_field: NearField::Edges(4.0),
+    exact_radius: ExactRadius::Edges(4.0),
     memory: MemoryLimit::Automatic,
 };
 

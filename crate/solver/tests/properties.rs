@@ -14,7 +14,7 @@ use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Error, FaceId, HeatSolver, MultiSource, NearField, Operator, Parameters, Place, Soup, Source, Surface,
+    Boundary, Error, ExactRadius, FaceId, HeatSolver, MultiSource, Operator, Parameters, Place, Soup, Source, Surface,
     TimeStep, VertexId, descend, straighten,
 };
 use heatwalk_scene::{Crowd, DrawTransform, shapes};
@@ -95,16 +95,19 @@ fn any_parameters() -> impl Strategy<Value = Parameters> {
     let time_step =
         prop_oneof![Just(TimeStep::Automatic), (-2.0..2.0_f64).prop_map(|log| TimeStep::Factor(10_f64.powf(log)))];
     let boundary = prop_oneof![Just(Boundary::Neumann), Just(Boundary::Dirichlet), Just(Boundary::Average)];
-    let sources = prop_oneof![3 => Just(MultiSource::Exact), 1 => Just(MultiSource::Superposed)];
-    let near_field =
-        prop_oneof![Just(NearField::Automatic), (0.0..6.0_f64).prop_map(NearField::Edges), Just(NearField::Edges(0.0))];
-    (operator, time_step, boundary, sources, near_field).prop_map(
-        |(operator, time_step, boundary, sources, near_field)| Parameters {
+    let sources = prop_oneof![3 => Just(MultiSource::Exact), 1 => Just(MultiSource::Summed)];
+    let exact_radius = prop_oneof![
+        Just(ExactRadius::Automatic),
+        (0.0..6.0_f64).prop_map(ExactRadius::Edges),
+        Just(ExactRadius::Edges(0.0))
+    ];
+    (operator, time_step, boundary, sources, exact_radius).prop_map(
+        |(operator, time_step, boundary, sources, exact_radius)| Parameters {
             operator,
             time_step,
             boundary,
             sources,
-            near_field,
+            exact_radius,
             ..Parameters::default()
         },
     )
@@ -219,7 +222,7 @@ fn exact_distances_change_by_no_more_than_the_way() {
 }
 
 #[test]
-fn the_near_field_is_exact_and_refining_ends_at_exact() {
+fn the_exact_region_is_exact_and_refining_ends_at_exact() {
     check(60, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
         let sources = sources(&surface, &places);

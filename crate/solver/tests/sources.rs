@@ -14,8 +14,8 @@ use faer::{Mat, Side};
 use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
-    Boundary, Element, Error, FaceId, LinearSolver, MultiSource, NearField, Operator, Parameters, Place, Soup, Source,
-    Surface, VertexId,
+    Boundary, Element, Error, ExactRadius, FaceId, LinearSolver, MultiSource, Operator, Parameters, Place, Soup,
+    Source, Surface, VertexId,
 };
 use heatwalk_scene::shapes;
 
@@ -147,8 +147,8 @@ fn asking_again_gives_the_same() {
 fn sources_inside_faces_and_on_edges_are_at_zero() {
     let soup = shapes::icosphere(4);
     let mut seed = 9;
-    for near_field in [NearField::Automatic, NearField::Edges(0.0)] {
-        let solver = solver_with(&soup, Parameters { near_field, ..Parameters::default() });
+    for exact_radius in [ExactRadius::Automatic, ExactRadius::Edges(0.0)] {
+        let solver = solver_with(&soup, Parameters { exact_radius, ..Parameters::default() });
         let surface = solver.surface();
         let sources: Vec<Place> = (0..6)
             .map(|index| {
@@ -209,10 +209,10 @@ fn starting_values() {
 }
 
 #[test]
-fn the_near_field_is_a_dial_from_heat_to_exact() {
+fn the_exact_radius_goes_from_heat_alone_to_exact_everywhere() {
     let soup = square(20);
     let answer = |edges| {
-        let parameters = Parameters { near_field: NearField::Edges(edges), ..heat_only(1.0, Boundary::Neumann) };
+        let parameters = Parameters { exact_radius: ExactRadius::Edges(edges), ..heat_only(1.0, Boundary::Neumann) };
         solver_with(&soup, parameters).distance(&vertices(&[0])).expect("a source")
     };
     let surface = surface(&soup);
@@ -232,7 +232,7 @@ fn the_near_field_is_a_dial_from_heat_to_exact() {
 #[test]
 fn superposed_sources_are_not_at_zero() {
     let soup = square(40);
-    let parameters = Parameters { sources: MultiSource::Superposed, ..heat_only(1.0, Boundary::Neumann) };
+    let parameters = Parameters { sources: MultiSource::Summed, ..heat_only(1.0, Boundary::Neumann) };
     let solver = solver_with(&soup, parameters);
     let surface = solver.surface();
     let at = |x: f64, y: f64| Place::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));

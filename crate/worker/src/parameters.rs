@@ -1,6 +1,6 @@
 //! The page's words for the solver's parameters.
 
-use heatwalk::{Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Operator, Parameters, TimeStep};
+use heatwalk::{AUTOMATIC, Choice, ExactRadius, MemoryLimit, Parameters, TimeStep};
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
@@ -9,33 +9,13 @@ pub fn parameters(given: &JsValue) -> Result<Parameters, JsError> {
     let given = Given(given);
     let default = Parameters::default();
     Ok(Parameters {
-        operator: given.choice("operator", default.operator, |word| match word {
-            "delaunay" => Some(Operator::Delaunay),
-            "plain" => Some(Operator::Plain),
-            "relocate" => Some(Operator::Relocate),
-            _ => None,
-        })?,
-        solver: given.choice("solver", default.solver, |word| match word {
-            "cholesky" => Some(LinearSolver::Cholesky),
-            "cg" => Some(LinearSolver::ConjugateGradients),
-            _ => None,
-        })?,
-        time_step: given.dial("timeFactor", TimeStep::Automatic, TimeStep::Factor)?,
-        boundary: given.choice("boundary", default.boundary, |word| match word {
-            "neumann" => Some(Boundary::Neumann),
-            "dirichlet" => Some(Boundary::Dirichlet),
-            "average" => Some(Boundary::Average),
-            _ => None,
-        })?,
-        sources: given.choice("multi", default.sources, |word| match word {
-            "exact" => Some(MultiSource::Exact),
-            "superposed" => Some(MultiSource::Superposed),
-            _ => None,
-        })?,
-        near_field: given.dial("nearField", NearField::Automatic, NearField::Edges)?,
-        memory: given.dial("memory", MemoryLimit::Automatic, |mebibytes| {
-            MemoryLimit::Bytes((mebibytes * f64::from(1 << 20)) as u64)
-        })?,
+        operator: given.choice("operator", default.operator)?,
+        solver: given.choice("solver", default.solver)?,
+        time_step: given.number("timeFactor", TimeStep::Automatic, TimeStep::Factor)?,
+        boundary: given.choice("boundary", default.boundary)?,
+        sources: given.choice("multi", default.sources)?,
+        exact_radius: given.number("nearField", ExactRadius::Automatic, ExactRadius::Edges)?,
+        memory: given.number("memory", MemoryLimit::Automatic, MemoryLimit::mebibytes)?,
     })
 }
 
@@ -46,20 +26,21 @@ impl Given<'_> {
         Reflect::get(self.0, &key.into()).unwrap_or(JsValue::UNDEFINED)
     }
 
-    fn choice<T>(&self, key: &str, absent: T, read: impl Fn(&str) -> Option<T>) -> Result<T, JsError> {
+    fn choice<C: Choice>(&self, key: &str, absent: C) -> Result<C, JsError> {
         let value = self.value(key);
         if value.is_undefined() {
             return Ok(absent);
         }
-        value.as_string().and_then(|word| read(&word)).ok_or_else(|| unknown(key, &value))
+        let name = value.as_string().ok_or_else(|| unknown(key, &value))?;
+        Ok(name.parse::<C>()?)
     }
 
     /// A number, or the word "auto".
-    fn dial<T>(&self, key: &str, automatic: T, number: impl Fn(f64) -> T) -> Result<T, JsError> {
+    fn number<T>(&self, key: &str, automatic: T, number: impl Fn(f64) -> T) -> Result<T, JsError> {
         let value = self.value(key);
         match value.as_f64() {
             Some(amount) => Ok(number(amount)),
-            None if value.is_undefined() || value.as_string().as_deref() == Some("auto") => Ok(automatic),
+            None if value.is_undefined() || value.as_string().as_deref() == Some(AUTOMATIC) => Ok(automatic),
             None => Err(unknown(key, &value)),
         }
     }

@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use heatwalk::heat::{HeatSolver, Refinement, Stage};
 use heatwalk::{
-    Distance, NearField, Parameters, RelativeError, Source, Surface, VertexData, descend, exact, straighten,
+    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Parameters, PathKind, Refinement, RelativeError, Source,
+    Stage, Surface, VertexData, descend, exact, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function};
@@ -18,7 +18,7 @@ use crate::field::Field;
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
 
-/// Near field of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
+/// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.
 const QUICK_EDGES: f64 = 8.0;
 
@@ -60,14 +60,14 @@ impl Solver {
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None, crowd: None })
     }
 
-    /// The solver's parameters are the same after as before: a near field belongs to the question, no factor to it.
+    /// The solver's parameters are the same after as before: the exact radius belongs to the query, no factor to it.
     fn quick_distance(&mut self, sources: &[Source]) -> Result<Distance, JsError> {
         let asked = self.solver.parameters();
-        let edges = match asked.near_field {
-            NearField::Edges(edges) => edges.min(QUICK_EDGES),
-            NearField::Automatic => QUICK_EDGES,
+        let edges = match asked.exact_radius {
+            ExactRadius::Edges(edges) => edges.min(QUICK_EDGES),
+            ExactRadius::Automatic => QUICK_EDGES,
         };
-        let quick = Parameters { near_field: NearField::Edges(edges), ..asked };
+        let quick = Parameters { exact_radius: ExactRadius::Edges(edges), ..asked };
         self.solver.set_parameters(quick, &mut |_, _| ControlFlow::Continue(()))?;
         let distance = self.solver.distance(sources);
         self.solver.set_parameters(asked, &mut |_, _| ControlFlow::Continue(()))?;
@@ -93,7 +93,7 @@ impl Solver {
         self.solver.factor_nonzeros() as f64
     }
 
-    /// Distance to the nearest of `sources`; with a near field of at most [`QUICK_EDGES`] when `quick`.
+    /// Distance to the nearest of `sources`; with an exact radius of at most [`QUICK_EDGES`] when `quick`.
     pub fn solve(&mut self, sources: &Array, quick: bool) -> Result<Field, JsError> {
         let sources = sources.iter().map(|source| self.drawn.source(self.solver.surface(), &source));
         let sources = sources.collect::<Result<Vec<_>, _>>()?;
@@ -137,11 +137,10 @@ impl Solver {
         let solved = self.solved()?;
         let surface = self.solver.surface();
         let from = self.drawn.point(surface, from)?;
-        let path = match kind {
-            "descent" => descend(surface, &solved.distance, from)?,
-            "straight" => straighten(surface, &descend(surface, &solved.distance, from)?),
-            "exact" => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
-            other => return Err(JsError::new(&format!("there is no way home '{other}'"))),
+        let path = match kind.parse()? {
+            PathKind::Descent => descend(surface, &solved.distance, from)?,
+            PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?),
+            PathKind::Exact => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
         };
         Ok(SurfacePath::of(&path, &self.drawn.transform))
     }
@@ -156,10 +155,9 @@ impl Solver {
     pub fn gradients(&self, kind: &str) -> Result<Vec<f32>, JsError> {
         let solved = self.solved()?;
         let surface = self.solver.surface();
-        let vectors = match kind {
-            "heat" => solved.distance.heat_directions(surface),
-            "distance" => solved.distance.gradients(surface),
-            other => return Err(JsError::new(&format!("there are no gradients of '{other}'"))),
+        let vectors = match kind.parse()? {
+            FaceField::Heat => solved.distance.heat_directions(surface),
+            FaceField::Distance => solved.distance.gradients(surface),
         };
         Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
     }
@@ -168,11 +166,10 @@ impl Solver {
     /// operators see ("operator"), drawn on the surface.
     pub fn edges(&self, kind: &str) -> Result<Vec<f32>, JsError> {
         let surface = self.solver.surface();
-        let edges = match kind {
-            "mesh" => overlay::inner_edges(surface),
-            "boundary" => overlay::boundary_edges(surface),
-            "operator" => overlay::operator_edges(&self.solver),
-            other => return Err(JsError::new(&format!("there are no edges '{other}'"))),
+        let edges = match kind.parse()? {
+            EdgeKind::Mesh => overlay::inner_edges(surface),
+            EdgeKind::Boundary => overlay::boundary_edges(surface),
+            EdgeKind::Operator => overlay::operator_edges(&self.solver),
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }

@@ -27,7 +27,7 @@ fn exact_distances_need_no_factors() {
     assert!((answer["max_distance"].as_f64().unwrap() - 2.0_f64.sqrt()).abs() < 1e-9, "{answer}");
     assert_eq!(answer["unreachable"], 0);
     // The dials of the heat method are not looked at.
-    let dials = ["--operator", "plain", "--solver", "cg", "--multi", "superposed", "--t", "9", "--near", "2"];
+    let dials = ["--operator", "plain", "--solver", "cg", "--multi", "summed", "--t", "9", "--near", "2"];
     let arguments = ["distance", "flat.ply", "--source", "0", "--exact"];
     assert_eq!(json(&folder, &[&arguments[..], &dials].concat())["max_distance"], answer["max_distance"]);
 }

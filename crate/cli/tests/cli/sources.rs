@@ -138,14 +138,14 @@ fn every_vertex_along_a_line_is_a_source() {
 }
 
 #[test]
-fn several_sources_are_exactly_zero_unless_superposed() {
+fn several_sources_are_exactly_zero_unless_summed() {
     let folder = folder("multi");
     let sources = ["flat.ply", "--near", "0", "--source", "0", "--source", "1", "--source", "80", "--multi"];
     let of = |multi| distances(&folder, &[&sources[..], &[multi]].concat());
-    let (exact, superposed) = (of("exact"), of("superposed"));
+    let (exact, summed) = (of("exact"), of("summed"));
     assert_eq!(zeros(&exact), [0, 1, 80]);
     // One constant cannot bring three sources that are not alike to 0 at once.
-    assert!(difference(&exact, &superposed) > 1e-3);
+    assert!(difference(&exact, &summed) > 1e-3);
     let sources = &sources[..sources.len() - 1];
     assert!(difference(&distances(&folder, sources), &exact) == 0.0, "exact is the default");
     // The same place, named three ways, is one source.

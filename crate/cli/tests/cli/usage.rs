@@ -33,7 +33,7 @@ fn bad_usage_and_bad_input_take_one_line() {
         (&["distance", "torus.ply", "--source", "0", "--boundary", "warm"], "warm"),
         (&["distance", "torus.ply", "--source", "0", "--operator", "best"], "delaunay, plain, relocate"),
         (&["distance", "torus.ply", "--source", "0", "--solver", "lu"], "cholesky, cg"),
-        (&["distance", "torus.ply", "--source", "0", "--multi", "both"], "exact, superposed"),
+        (&["distance", "torus.ply", "--source", "0", "--multi", "both"], "exact, summed"),
         (&["distance", "torus.ply", "--source", "0", "--near", "-1"], "0 or more"),
         (&["distance", "torus.ply", "--source", "0", "--near", "nan"], "0 or more"),
         (&["distance", "torus.ply", "--source", "0", "--exact", "--compare"], "cannot be used"),

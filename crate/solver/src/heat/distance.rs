@@ -3,9 +3,10 @@
 use crate::error::{Error, Result};
 use crate::exact::Wavefront;
 use crate::extremum::larger;
+use crate::heat::HeatSolver;
 use crate::heat::field::divergence;
 use crate::heat::near::Near;
-use crate::heat::{HeatSolver, MultiSource};
+use crate::options::MultiSource;
 use heatwalk_surface::{Place, Source, VertexData};
 
 /// Share of its initial distance by which the distance at a source may miss it for rounding.
@@ -15,7 +16,7 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distance {
     /// `#P`, in the file's unit, non-negative, never NaN; infinity on pieces without a source. At a source that is a
-    /// vertex it is exactly its initial distance; with superposed sources, the mean over the sources of a piece is 0
+    /// vertex it is exactly its initial distance; with summed sources, the mean over the sources of a component is 0
     /// before values below 0 become 0.
     pub values: VertexData<f64>,
     /// `#P`, heat after time t, to an arbitrary scale near 10²⁹⁰.

@@ -1,7 +1,8 @@
 //! Heat after time t.
 
 use crate::error::Result;
-use crate::heat::{Condition, Heat, HeatSolver, MultiSource, Solve};
+use crate::heat::{Condition, Heat, HeatSolver, Solve};
+use crate::options::MultiSource;
 use heatwalk_sparse::{Functional, SchurComplement, System};
 use heatwalk_surface::{Element, Source, VertexId};
 
@@ -29,8 +30,8 @@ impl HeatSolver {
 
     fn heat_of(&self, heat: &Heat, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
         let mut is_active = vec![true; sources.len()];
-        if self.parameters.sources == MultiSource::Superposed {
-            return Ok((self.superposed(heat, sources)?, is_active));
+        if self.parameters.sources == MultiSource::Summed {
+            return Ok((self.summed(heat, sources)?, is_active));
         }
         let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
         let level = |source: &Source| ((least - source.initial_distance) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
@@ -149,7 +150,7 @@ impl HeatSolver {
 
     /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
     /// entry makes of it.
-    fn superposed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
+    fn summed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
         let mut supply = vec![0.0; self.surface.vertex_count()];
         for (vertex, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
             supply[vertex.index()] += weight * SOURCE_HEAT;

@@ -8,7 +8,6 @@ mod distance;
 mod field;
 mod flow;
 mod near;
-mod parameters;
 mod poisson;
 mod systems;
 
@@ -19,16 +18,14 @@ use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::operator::elements::Elements;
 use crate::operator::laplacian::Laplacian;
+use crate::options::{Boundary, LinearSolver, MemoryLimit, Parameters, TimeStep};
+use crate::progress::{Progress, Stage, report};
 use heatwalk_sparse::{Permutation, SchurCache, Symbolic, System};
 use heatwalk_surface::VertexId;
 use heatwalk_surface::memory;
 use heatwalk_surface::surface::Surface;
 
 pub use distance::{Distance, Refinement};
-use parameters::report;
-pub use parameters::{
-    Boundary, LinearSolver, MemoryLimit, MultiSource, NearField, Parameters, Progress, Stage, TimeStep,
-};
 use systems::Solve;
 
 /// Heat falls by about one e-fold per √t of distance. √t is at least the surface's extent over this: the e-folds that

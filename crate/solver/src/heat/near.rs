@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::exact::Wavefront;
-use crate::heat::{HeatSolver, NearField};
+use crate::heat::HeatSolver;
+use crate::options::ExactRadius;
 use heatwalk_surface::{Source, VertexData, VertexId};
 
 /// A radius that work has cut short is rounded down to a power of this in mean edges, so that moving or adding a
@@ -63,14 +64,14 @@ impl HeatSolver {
 
     fn near_field<'a>(&self, sources: &[Source], front: &'a mut Wavefront) -> Near<'a> {
         let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
-        match self.parameters.near_field {
-            NearField::Edges(0.0) => Near { values: front.values(), reached: front.reached(), radius: least },
-            NearField::Edges(edges) => {
+        match self.parameters.exact_radius {
+            ExactRadius::Edges(0.0) => Near { values: front.values(), reached: front.reached(), radius: least },
+            ExactRadius::Edges(edges) => {
                 let radius = least + edges * self.mean_edge;
                 front.advance(radius, usize::MAX);
                 Near::of(front, radius)
             }
-            NearField::Automatic => {
+            ExactRadius::Automatic => {
                 let windows = WINDOWS * (self.surface.vertex_count() as f64).powf(0.25);
                 front.advance(f64::INFINITY, windows as usize);
                 let steps = ((front.radius() - least) / self.mean_edge).log(RADIUS_STEP).floor();

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::error::Result;
+use crate::heat::HeatSolver;
 use crate::heat::near::Near;
-use crate::heat::{HeatSolver, MultiSource};
+use crate::options::MultiSource;
 use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, System, evaluate};
 use heatwalk_surface::Source;
 use heatwalk_surface::union_find::UnionFind;

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::parameters::MemoryLimit;
 use crate::error::{Error, Result};
+use crate::options::MemoryLimit;
 use heatwalk_sparse::{ConjugateGradients, Symbolic, SymmetricMatrix, System};
 use heatwalk_surface::memory;
 

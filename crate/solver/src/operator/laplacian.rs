@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
-use crate::operator::Operator;
 use crate::operator::elements::Elements;
+use crate::options::Operator;
 use heatwalk_sparse::{Pattern, SymmetricMatrix};
 use heatwalk_surface::surface::Surface;
 

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{Boundary, Distance, HeatSolver, NearField, Parameters, Place, Soup, Surface, TimeStep, VertexId};
+use heatwalk::{Boundary, Distance, ExactRadius, HeatSolver, Parameters, Place, Soup, Surface, TimeStep, VertexId};
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
     Soup::single("test", positions, triangles)
@@ -107,10 +107,10 @@ pub fn surface(soup: &Soup) -> Surface {
     Surface::build(soup).expect("a usable test shape")
 }
 
-/// The heat method alone, without the near field.
+/// The heat method alone, without an exact region.
 pub fn heat_only(time_factor: f64, boundary: Boundary) -> Parameters {
     let time_step = TimeStep::Factor(time_factor);
-    Parameters { time_step, boundary, near_field: NearField::Edges(0.0), ..Parameters::default() }
+    Parameters { time_step, boundary, exact_radius: ExactRadius::Edges(0.0), ..Parameters::default() }
 }
 
 pub fn solver_with(soup: &Soup, parameters: Parameters) -> HeatSolver {

@@ -1,0 +1,252 @@
+//! What may be chosen: the names, the ranges and the defaults that the command line, a scene's link and the panel share.
+
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+use crate::choice::choice;
+use crate::error::{Error, Result};
+
+/// The word for an automatic choice of a number.
+pub const AUTOMATIC: &str = "auto";
+
+/// Which triangles carry the cotan weights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Operator {
+    /// The intrinsic Delaunay triangulation of the same vertices, on the tufted cover where the surface is no oriented
+    /// manifold: no weight is negative, whatever the shape of the triangles.
+    #[default]
+    Delaunay,
+    /// The triangles of the file.
+    Plain,
+    /// The triangles of the file after the repair of the INF555 report by He and Hung, which moves vertices of bad ones.
+    Relocate,
+}
+
+choice!(Operator, "operator": Delaunay = "delaunay", Plain = "plain", Relocate = "relocate");
+
+/// What heat does at the boundary of the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// None flows out: lines of equal distance meet the boundary at right angles.
+    #[default]
+    Neumann,
+    /// It is 0, except at sources. Components that are all boundary fall back to Neumann.
+    Dirichlet,
+    /// The mean of both, nearest to the true distance where the time factor is large.
+    Average,
+}
+
+choice!(Boundary, "boundary condition": Neumann = "neumann", Dirichlet = "dirichlet", Average = "average");
+
+/// How linear systems are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LinearSolver {
+    /// Sparse factorisation: once, then every source is quick and heat is right however far it has fallen.
+    #[default]
+    Cholesky,
+    /// Conjugate gradients with multigrid: little to prepare, memory in proportion to the mesh, each source slow, and heat
+    /// below 10⁻¹² of its maximum is noise.
+    ConjugateGradients,
+}
+
+choice!(LinearSolver, "linear solver": Cholesky = "cholesky", ConjugateGradients = "cg");
+
+/// The diffusion time t = m h², h the mean edge length.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum TimeStep {
+    /// m chosen by how even the edge lengths are; with conjugate gradients so large that all heat is above their noise.
+    #[default]
+    Automatic,
+    /// This m; positive, no unit. Larger is smoother.
+    Factor(f64),
+}
+
+impl TimeStep {
+    /// The factors worth offering. Any positive one is taken.
+    pub const FACTORS: RangeInclusive<f64> = 0.1..=1000.0;
+
+    /// # Errors
+    /// [`Error::BadParameter`] for a factor that is not positive and finite.
+    pub fn check(self) -> Result<()> {
+        match self {
+            Self::Factor(factor) if !(factor.is_finite() && factor > 0.0) => {
+                Err(bad("the time factor", &factor.to_string(), "a positive number"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A factor, or [`AUTOMATIC`].
+impl FromStr for TimeStep {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        if text == AUTOMATIC {
+            return Ok(Self::Automatic);
+        }
+        let step = text.parse().map(Self::Factor).ok().filter(|step| step.check().is_ok());
+        step.ok_or_else(|| bad("the time factor", text, "a positive number, or auto"))
+    }
+}
+
+/// How several sources are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MultiSource {
+    /// Heat is 1 and distance is 0 (or the initial distance) at every source, as if the matrices had been factored with
+    /// these vertices constrained.
+    #[default]
+    Exact,
+    /// Heat of the sources is added up and one constant subtracted, so that no source ends at exactly 0: what other
+    /// programs do, for comparison.
+    Summed,
+}
+
+choice!(MultiSource, "way of joining sources": Exact = "exact", Summed = "summed" | "superposed");
+
+/// Radius around the sources within which distances are exact polyhedral ones.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum ExactRadius {
+    /// As far as costs a fraction of a solve on large meshes, and a few solves, well below a millisecond each, on meshes of
+    /// some thousand vertices.
+    #[default]
+    Automatic,
+    /// So many mean edges, whatever it costs: 0 is the heat method alone, infinity is exact everywhere.
+    Edges(f64),
+}
+
+impl ExactRadius {
+    /// The radii worth offering, in mean edges. Any that is 0 or more is taken.
+    pub const EDGES: RangeInclusive<f64> = 0.0..=64.0;
+
+    /// # Errors
+    /// [`Error::BadParameter`] for a radius that is negative or not a number.
+    pub fn check(self) -> Result<()> {
+        match self {
+            Self::Edges(edges) if edges.is_nan() || edges < 0.0 => {
+                Err(bad("the exact radius", &edges.to_string(), "a number of mean edge lengths, 0 or more"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A number of mean edges, or [`AUTOMATIC`].
+impl FromStr for ExactRadius {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        if text == AUTOMATIC {
+            return Ok(Self::Automatic);
+        }
+        let radius = text.parse().map(Self::Edges).ok().filter(|radius| radius.check().is_ok());
+        radius.ok_or_else(|| bad("the exact radius", text, "a number of mean edge lengths, 0 or more, or auto"))
+    }
+}
+
+/// Most memory that factors may take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MemoryLimit {
+    /// What there is.
+    #[default]
+    Automatic,
+    /// So many bytes for the factors, made and kept, and for the work on them. The surface, its matrices and what
+    /// solves keep are not counted.
+    Bytes(u64),
+}
+
+impl MemoryLimit {
+    /// The limits worth offering, in MiB; wasm32 has 4 GiB.
+    pub const MEBIBYTES: RangeInclusive<f64> = 0.0..=4096.0;
+
+    /// So many MiB.
+    pub fn mebibytes(count: f64) -> Self {
+        Self::Bytes((count * f64::from(1 << 20)) as u64)
+    }
+}
+
+/// Which shortest path leads to the nearest source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PathKind {
+    /// Down the distance field as it is.
+    Descent,
+    /// The same, made as short as it gets.
+    #[default]
+    Straightened,
+    /// The shortest there is, whatever the field.
+    Exact,
+}
+
+choice!(PathKind, "path": Descent = "descent", Straightened = "straight", Exact = "exact");
+
+/// A value per vertex that can be shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum VertexField {
+    /// Distance from the nearest source, in the file's unit.
+    #[default]
+    Distance,
+    /// Heat that the distance comes from: log10 of its share of the maximum.
+    Heat,
+    /// Error of the distance before it was made exact, relative to the exact one.
+    Error,
+}
+
+choice!(VertexField, "field": Distance = "distance", Heat = "heat", Error = "error");
+
+/// A vector per face that can be shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FaceField {
+    /// Gradient of the distance, away from the sources.
+    #[default]
+    Distance,
+    /// Unit vectors along the gradient of heat, towards the sources.
+    Heat,
+}
+
+choice!(FaceField, "gradient": Distance = "distance", Heat = "heat");
+
+/// Edges that can be shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum EdgeKind {
+    /// Those between faces of the surface.
+    #[default]
+    Mesh,
+    /// Those with one face.
+    Boundary,
+    /// Those of the triangles that carry the operators.
+    Operator,
+}
+
+choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator");
+
+/// The options of the heat method.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Parameters {
+    /// The triangles that carry the operators.
+    pub operator: Operator,
+    /// How linear systems are solved.
+    pub solver: LinearSolver,
+    /// How long heat flows.
+    pub time_step: TimeStep,
+    /// What heat does at the boundary.
+    pub boundary: Boundary,
+    /// How several sources are joined.
+    pub sources: MultiSource,
+    /// How far around the sources distances are exact.
+    pub exact_radius: ExactRadius,
+    /// Most memory that factors may take.
+    pub memory: MemoryLimit,
+}
+
+impl Parameters {
+    /// # Errors
+    /// [`Error::BadParameter`].
+    pub(crate) fn check(&self) -> Result<()> {
+        self.time_step.check()?;
+        self.exact_radius.check()
+    }
+}
+
+fn bad(name: &'static str, value: &str, range: &'static str) -> Error {
+    Error::BadParameter { name, value: value.to_owned(), range }
+}

@@ -1,0 +1,37 @@
+//! How far the precomputation is, and whether it shall go on.
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use crate::error::{Error, Result};
+
+/// A stage of the precomputation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Building the triangulation and the matrices.
+    Assembling,
+    /// Choosing the elimination order.
+    Ordering,
+    /// Finding the pattern of the factors.
+    Analysing,
+    /// Factoring `L` and `M / t + L`, the latter for each boundary condition needed.
+    Factoring,
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Assembling => "Assembling",
+            Self::Ordering => "Ordering",
+            Self::Analysing => "Analysing",
+            Self::Factoring => "Factoring",
+        })
+    }
+}
+
+/// Called before each stage with the fraction done so far, 0 to 1. `Break` ends the work with [`Error::Cancelled`].
+pub type Progress<'a> = &'a mut dyn FnMut(Stage, f64) -> ControlFlow<()>;
+
+pub(crate) fn report(progress: &mut dyn FnMut(Stage, f64) -> ControlFlow<()>, stage: Stage, done: f64) -> Result<()> {
+    if progress(stage, done).is_break() { Err(Error::Cancelled) } else { Ok(()) }
+}
