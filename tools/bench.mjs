@@ -1,15 +1,17 @@
 // npm run bench [-- --quick] [--only WORD] [--mesh FILE ... [--subdivide N]]: the native program, the page's worker and the
-// peers on the same meshes and from the same sources, in alternation, against the bars. docs/benchmarks.md tells what
-// each number means.
+// peers on the same meshes and from the same sources, in alternation, against the bars; with --against COMMIT
+// [--budget SECONDS] this checkout against another commit. docs/benchmarks.md tells what each number means.
 
-import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
+import { against } from './bench/against.mjs';
 import { bars, growthOf } from './bench/bars.mjs';
+import { description } from './bench/checkout.mjs';
 import { meshes as chosenMeshes } from './bench/meshes.mjs';
-import { buildPrograms, MESH_PROGRAM, native, Peers, queries } from './bench/programs.mjs';
+import { Peers } from './bench/peers.mjs';
+import { Programs } from './bench/programs.mjs';
 import { markdown } from './bench/report.mjs';
 import { buildModules, fail, npmProgram, prepare, root } from './steps.mjs';
 
@@ -26,15 +28,25 @@ const { values } = parseArgs({
     subdivide: { type: 'string', default: '0' },
     only: { type: 'string', default: '' },
     quick: { type: 'boolean', default: false },
+    against: { type: 'string' },
+    budget: { type: 'string', default: '60' },
   },
 });
 const missing = values.mesh.find((file) => !existsSync(file));
 if (missing) fail(`There is no file ${missing}.`);
+if (!(Number(values.budget) > 0)) fail('--budget takes a number of seconds.');
 if (!/^[0-4]$/.test(values.subdivide)) fail('--subdivide takes a number from 0 to 4.');
+
+if (values.against !== undefined) {
+  const { only, mesh: files, quick } = values;
+  await against(values.against, { only, files, quick, budget: Number(values.budget) });
+  process.exit();
+}
 
 prepare();
 buildModules();
-buildPrograms();
+const programs = new Programs(root);
+programs.build();
 npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
 const peers = new Peers();
 const { Page } = await import('./bench/page.mjs');
@@ -45,7 +57,7 @@ const meshes = await chosenMeshes({
   subdivisions: Number(values.subdivide),
   quick: values.quick,
   only: values.only,
-  program: MESH_PROGRAM,
+  program: programs.example('bench_mesh'),
 });
 for (const mesh of meshes) await measure(mesh);
 console.log('\n— Dragging a source');
@@ -62,13 +74,13 @@ async function measure(mesh) {
   const asked = [];
   mesh.rounds = values.quick ? 1 : mesh.isSlow ? FEW_ROUNDS : ROUNDS;
   for (let round = 0; round < mesh.rounds; round++) {
-    const { sources, ...own } = native(mesh.file, SOURCES);
+    const { sources, ...own } = programs.native(mesh.file, SOURCES);
     all.native.push(own);
     if (all.page) all.page.push(await page.worker(mesh.file, sources));
     for (const peer of PEERS.filter((who) => all[who] && (round === 0 || !mesh.isSlow))) {
       all[peer].push(peers.run(peer, mesh.file, sources));
     }
-    if (mesh.queries) asked.push(queries(mesh.file));
+    if (mesh.queries) asked.push(programs.queries(mesh.file));
   }
   mesh.times = Object.fromEntries(Object.entries(all).map(([who, runs]) => [who, middle(runs)]));
   if (mesh.queries) mesh.queries = middle(asked);
@@ -86,11 +98,10 @@ function middle(runs) {
 
 function report() {
   const [{ model: cpu }] = cpus();
-  const { stdout: commit } = spawnSync('git', ['describe', '--always', '--dirty'], { cwd: root, encoding: 'utf8' });
   const results = {
     machine: { cpu: cpu.trim(), cores: cpus().length, memory: Math.round(totalmem() / 2 ** 30) },
     date: new Date().toISOString().slice(0, 16),
-    commit: commit.trim(),
+    commit: description(root),
     versions: { node: process.version, chromium: page.version, ...peers.versions },
     meshes: meshes.map(({ file: _file, who: _who, ...mesh }) => mesh),
     growth: growthOf(meshes),

@@ -115,13 +115,13 @@ function blasWarning(meshes) {
   return isSlow ? 'CHOLMOD ran on the reference BLAS, which is slow: apt-get install libopenblas0-serial.' : null;
 }
 
-function table(header, rows) {
+export function table(header, rows) {
   const rule = header.map((_, column) => (column === 0 ? '---' : '---:'));
   return [header, rule, ...rows].map((cells) => `| ${cells.join(' | ')} |`);
 }
 
 /** Three of them. */
-function digits(value) {
+export function digits(value) {
   if (!Number.isFinite(value)) return MISSING;
   const before = Math.max(1, Math.ceil(Math.log10(Math.abs(value) + Number.MIN_VALUE)));
   return value.toFixed(Math.min(3, Math.max(0, 3 - before)));

@@ -8,11 +8,12 @@ mod common;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{band, book, flat, nearest, random, soup, square, surface};
+use common::exact_distances::{self, Field, Known};
+use common::{any_triangles, band, book, flat, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Element, Error, FaceId, HalfedgeId, Path, Place, Soup, Surface, VertexId};
+use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId};
 use heatwalk_scene::shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
@@ -273,70 +274,71 @@ fn bad_requests_are_refused() {
     assert_eq!(values[VertexId(0)], 1.0);
 }
 
-/// On the shared meshes, which are not part of the repository.
-#[cfg(not(target_arch = "wasm32"))]
-mod shared {
-    use std::sync::Arc;
-
-    use heatwalk::{Element, InputVertex, Place, Surface, VertexId};
-
-    use super::common::random;
-    use super::common::shared::{read_mesh, read_npy, shared_meshes};
-    use super::{EXACT, check_lipschitz, check_path, finished};
-
-    /// Against the exact distances of pygeodesic (Kirsanov's implementation of Mitchell, Mount, Papadimitriou).
-    fn check(mesh: &str, sources: [usize; 2]) {
-        let Some(folder) = shared_meshes("exact") else { return };
-        let soup = read_mesh(&folder.join(format!("{mesh}.off")));
-        let surface = Arc::new(Surface::build(&soup).expect("a usable mesh"));
-        for source in sources {
-            let exact = read_npy(&folder.join(format!("{mesh}.src{source}.npy")));
-            let source = surface.vertex_of_input(InputVertex::from_index(source)).expect("a used vertex");
-            let sources = [(Place::Vertex(source), 0.0)];
-            let wavefront = finished(&surface, &sources, &[]);
-            for (&vertex, &exact) in surface.vertices_of_inputs().iter().flatten().zip(&exact) {
-                let value = wavefront.values()[vertex];
-                assert!((value - exact).abs() <= EXACT * exact, "{mesh}, vertex {vertex}: {value} for {exact}");
-            }
-            let mut seed = 31;
-            for _ in 0..200 {
-                let point = random(&mut seed, surface.vertex_count()) as u32;
-                let path = wavefront.path_from_vertex(VertexId(point)).expect("a connected mesh");
-                let value = wavefront.values()[VertexId(point)];
-                check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources);
-            }
+/// Against the exact distances of pygeodesic (Kirsanov's implementation of Mitchell, Mount, Papadimitriou).
+fn check_known(Known { name, soup, fields }: &Known) {
+    let surface = Arc::new(surface(soup));
+    for Field { source, exact, .. } in fields {
+        let source = surface.vertex_of_input(InputVertex::from_index(*source)).expect("a used vertex");
+        let sources = [(Place::Vertex(source), 0.0)];
+        let wavefront = finished(&surface, &sources, &[]);
+        assert_eq!(surface.vertices_of_inputs().len(), exact.len());
+        for (&vertex, &exact) in surface.vertices_of_inputs().iter().flatten().zip(exact) {
+            let value = wavefront.values()[vertex];
+            assert!((value - exact).abs() <= EXACT * exact, "{name}, vertex {vertex}: {value} for {exact}");
+        }
+        let mut seed = 31;
+        for _ in 0..200 {
+            let vertex = VertexId::from_index(random(&mut seed, surface.vertex_count()));
+            let path = wavefront.path_from_vertex(vertex).expect("a connected mesh");
+            let value = wavefront.values()[vertex];
+            check_path(&surface, &path, Place::Vertex(vertex), value, &sources);
         }
     }
+}
+
+#[test]
+fn another_program_agrees_on_small_meshes() {
+    exact_distances::kept().iter().for_each(check_known);
+}
+
+/// On meshes with cuts, edges of three faces, slivers and loose pieces.
+fn check_messy(soup: &Soup) {
+    let surface = Arc::new(surface(soup));
+    let mut seed = 41;
+    let sources = [(Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))), 0.0)];
+    let wavefront = finished(&surface, &sources, &[]);
+    check_lipschitz(&wavefront, &surface, &sources);
+    for _ in 0..100 {
+        let vertex = VertexId::from_index(random(&mut seed, surface.vertex_count()));
+        let value = wavefront.values()[vertex];
+        if value.is_finite() {
+            let path = wavefront.path_from_vertex(vertex).expect("a path");
+            check_path(&surface, &path, Place::Vertex(vertex), value, &sources);
+        }
+    }
+}
+
+#[test]
+fn messy_shapes() {
+    let mut seed = 5;
+    for soup in [any_triangles(60, &mut seed), band(40, 1), shapes::skull(0.08), shapes::maze(4, 2)] {
+        check_messy(&soup);
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod large_meshes {
+    use super::exact_distances;
 
     #[test]
-    fn cow() {
-        check("cow", [0, 1452]);
+    #[ignore = "needs HEATWALK_MESHES"]
+    fn another_program_agrees() {
+        exact_distances::large().iter().for_each(super::check_known);
     }
 
     #[test]
-    fn spot() {
-        check("spot", [0, 1465]);
-    }
-
-    #[test]
-    fn half_sphere() {
-        check("half_sphere", [0, 1025]);
-    }
-
-    #[test]
-    fn bunny() {
-        check("bunny", [0, 7145]);
-    }
-
-    #[test]
-    fn horse() {
-        check("horse_97k", [0, 24242]);
-    }
-
-    /// Meshes with cuts, edges of three faces, slivers and loose pieces.
-    #[test]
+    #[ignore = "needs HEATWALK_MESHES"]
     fn messy_meshes() {
-        let Some(folder) = shared_meshes("table1") else { return };
         for name in [
             "bague.off",
             "cow.off",
@@ -349,19 +351,7 @@ mod shared {
             "sphere3.glb",
             "triceratops.off",
         ] {
-            let surface = Arc::new(Surface::build(&read_mesh(&folder.join(name))).expect("a usable mesh"));
-            let mut seed = 41;
-            let sources = [(Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))), 0.0)];
-            let wavefront = finished(&surface, &sources, &[]);
-            check_lipschitz(&wavefront, &surface, &sources);
-            for _ in 0..100 {
-                let point = random(&mut seed, surface.vertex_count()) as u32;
-                let value = wavefront.values()[VertexId(point)];
-                if value.is_finite() {
-                    let path = wavefront.path_from_vertex(VertexId(point)).expect("a path");
-                    check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources);
-                }
-            }
+            super::check_messy(&exact_distances::read_mesh(&exact_distances::folder("table1").join(name)));
         }
     }
 }

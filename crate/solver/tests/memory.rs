@@ -1,5 +1,8 @@
 //! Surfaces whose factors do not fit into memory.
 
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
 mod common;
 
 use std::ops::ControlFlow;

@@ -1,8 +1,8 @@
 //! Small shapes and measures for the solver's tests.
 #![allow(dead_code, reason = "each test binary uses some of it")]
 
-#[cfg(not(target_arch = "wasm32"))]
-pub mod shared;
+pub mod exact_distances;
+pub mod meshes;
 pub mod shortness;
 
 use std::f64::consts::TAU;
