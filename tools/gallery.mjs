@@ -1,11 +1,12 @@
-// npm run gallery: draws the pictures of docs/gallery.md with the built page, and writes the page that shows them; and the
-// thumbnails of the presets.
+// npm run gallery: draws the images of docs/gallery.md with the built page and writes that document; and the thumbnails of
+// the presets.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { preview } from 'vite';
 import { FIGURES } from './gallery/figures.mjs';
+import { galleryText } from './gallery/text.mjs';
 import { buildModules, npmProgram, prepare, requireChromium, root } from './steps.mjs';
 
 const WINDOW = { width: 720, height: 540 };
@@ -28,38 +29,19 @@ const browser = await chromium.launch({
 const tab = await browser.newPage({ viewport: WINDOW, reducedMotion: 'reduce', colorScheme: 'light' });
 mkdirSync(FOLDER, { recursive: true });
 
-const text = [
-  '# Gallery',
-  '',
-  'Figures of the study of the heat method that this project implements, as Heatwalk draws them. `npm run gallery` makes them;',
-  'each caption is a link to the scene on a page served by `npm start`.',
-];
-for (const { name, title, text: about, panels } of FIGURES) {
-  text.push('', `## ${title}`, '', about);
-  const cells = [];
+const figures = [];
+for (const { name, title, text, panels } of FIGURES) {
+  const drawn = [];
   for (const [index, [caption, link, line]] of panels.entries()) {
-    const { bytes, address } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false });
+    const { bytes, fragment } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false });
     const file = `${name}-${index + 1}.jpg`;
     writeFileSync(join(FOLDER, file), bytes);
-    cells.push({
-      picture: `![${caption}](gallery/${file})`,
-      caption: `[${caption}](http://localhost:5173/${address})`,
-    });
+    drawn.push({ caption, file, fragment });
     console.log(`${file}: ${caption}`);
   }
-  for (let row = 0; row < cells.length; row += 3) {
-    const part = cells.slice(row, row + 3);
-    const cell = (key) => `| ${part.map((each) => each[key]).join(' | ')} |`;
-    text.push('', cell('picture'), `|${':---:|'.repeat(part.length)}`, cell('caption'));
-  }
+  figures.push({ title, text, panels: drawn });
 }
-writeFileSync(join(root, 'docs', 'gallery.md'), `${text.join('\n')}\n`);
-npmProgram(
-  'Formatting docs/gallery.md',
-  'prettier/bin/prettier.cjs',
-  ['--write', '--log-level=warn', 'docs/gallery.md'],
-  '',
-);
+writeFileSync(join(root, 'docs', 'gallery.md'), galleryText(figures));
 mkdirSync(THUMBNAILS, { recursive: true });
 await open('/?gpu=webgl');
 for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
@@ -70,14 +52,14 @@ for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
 await browser.close();
 await server.close();
 
-/** The picture of a scene in a size and type, and the scene's link. */
+/** The image of a scene in a size and type, and the fragment of the scene's link. */
 async function draw(link, line, wanted) {
   const address = `/?gpu=webgl#v=1&${link}`;
   await open(`${address}&kiosk=1`);
   const sources = line ? await tab.evaluate(sourcesUnder, { line, ...WINDOW }) : '';
   if (sources) await open(`${address}&kiosk=1${sources}`);
   const base64 = await tab.evaluate(picture, { ...wanted, quality: QUALITY });
-  return { bytes: Buffer.from(base64, 'base64'), address: `#v=1&${link}${sources}` };
+  return { bytes: Buffer.from(base64, 'base64'), fragment: `#v=1&${link}${sources}` };
 }
 
 async function open(address) {

@@ -1,5 +1,5 @@
-// What the gallery shows: each figure a title, a text, and panels, each with its caption and the link of its scene.
-// A panel with `line` has a source at every place of the model under these points of the window (shares of it).
+// The figures of the gallery: each has a title, a text and panels, and each panel a caption and the link of its scene.
+// A panel with a third entry has a source at every point of the model under these points of the window (shares of it).
 
 const plain = 'op=plain&near=0&refine=0&w=none';
 
@@ -19,8 +19,8 @@ const LINE = bent([[0.27, 0.47], [0.6, 0.66], [0.66, 0.3]], 9); // prettier-igno
 export const FIGURES = [
   {
     name: 'family',
-    title: 'The family',
-    text: 'One solver, one renderer, a look each: what the stripes do to colour, relief, light and gloss is in the link.',
+    title: 'Presets',
+    text: 'Each preset has its own style: what the stripes do to color, normal, emission and specular reflection.',
     panels: [
       ['Sphere', 'm=icosphere&w=none'],
       ['Horse', 'm=horse&w=none'],
@@ -36,7 +36,7 @@ export const FIGURES = [
   {
     name: 'solvers',
     title: 'Conjugate gradients and Cholesky',
-    text: 'At t = h² conjugate gradients stop at a residual that far heat lies below: its gradient points anywhere. Cholesky factors are accurate entry by entry. (Left to themselves, conjugate gradients get a longer time step here.)',
+    text: 'At t = h² the heat far from the source is below the residual at which conjugate gradients stop, so its gradient is noise. Cholesky factors are accurate in every entry. (By default, conjugate gradients get a longer time step here.)',
     panels: [
       ['Conjugate gradients, t = h²', `m=icosphere&solver=cg&t=1&${plain}&${aside}`],
       ['Cholesky, t = h²', `m=icosphere&t=1&${plain}&${aside}`],
@@ -45,7 +45,7 @@ export const FIGURES = [
   {
     name: 'gradients',
     title: 'Gradient of heat and gradient of distance',
-    text: 'Heat flows along the unit field; the distance whose gradient comes nearest to that field is smoother than the field itself.',
+    text: 'The unit field along the gradient of heat, and the gradient of the distance, which is fitted to that field and smoother.',
     panels: [
       ['Heat', 'm=high_genus&w=none&show=heat&near=0&refine=0&cam=0.6,0.35,1.5,-0.4,-0.2,0.3'],
       ['Distance', 'm=high_genus&w=none&show=distance&near=0&refine=0&cam=0.6,0.35,1.5,-0.4,-0.2,0.3'],
@@ -53,8 +53,8 @@ export const FIGURES = [
   },
   {
     name: 'time',
-    title: 'The time step',
-    text: 't = m h². A short time follows the edges of the mesh, a long one rounds the distance off.',
+    title: 'Time step',
+    text: 't = m h². After a short time heat follows the edges of the mesh; a long time smooths the distance.',
     panels: [
       ['m = 0.1', `m=triceratops&t=0.1&${plain}&${leg}`],
       ['m = 1', `m=triceratops&t=1&${plain}&${leg}`],
@@ -64,7 +64,7 @@ export const FIGURES = [
   {
     name: 'boundary',
     title: 'Boundary conditions',
-    text: 'At a long time (m = 1000) heat that cannot leave (Neumann) bends the stripes at right angles to the boundary, heat that is taken away there (Dirichlet) along it; the mean of both bends them little.',
+    text: 'After a long time (m = 1000), an insulated boundary (Neumann) bends the stripes so that they meet it at right angles, and a cold boundary (Dirichlet) bends them parallel to it. The average of both bends them little.',
     panels: [
       ['Neumann', `m=hemisphere&b=neumann&t=1000&${plain}`],
       ['Dirichlet', `m=hemisphere&b=dirichlet&t=1000&${plain}`],
@@ -74,16 +74,16 @@ export const FIGURES = [
   {
     name: 'sources',
     title: 'Many sources',
-    text: 'Adding up the heat of several sources leaves none of them at zero. Holding each at zero does, without factoring again.',
+    text: 'If the heat of several sources is summed, no source has distance 0. With sources as constraints each has, without factoring again.',
     panels: [
-      ['Superposed', `m=icosphere&multi=superposed&near=0&refine=0&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
+      ['Summed', `m=icosphere&multi=superposed&near=0&refine=0&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
       ['Exact', `m=icosphere&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
     ],
   },
   {
     name: 'navigation',
-    title: 'The way home',
-    text: 'The walker takes the shortest way to its source.',
+    title: 'Shortest paths',
+    text: 'Walkers take the shortest path to the source.',
     panels: [
       ['On the horse', 'm=horse'],
       ['A crowd on the cow', 'm=animal&w=none&crowd=1200'],
@@ -92,7 +92,7 @@ export const FIGURES = [
   {
     name: 'paths',
     title: 'Smoothed paths',
-    text: 'Down the distance of a short time the way grazes the corners; down that of a long time it keeps away from the walls.',
+    text: 'Descent on the distance of a short time passes close to the corners; on that of a long time it keeps away from the walls.',
     panels: [
       ['m = 1', 'm=maze&way=descent&t=1&near=0&refine=0'],
       ['m = 1000', 'm=maze&way=descent&t=1000&near=0&refine=0'],
@@ -100,12 +100,12 @@ export const FIGURES = [
   },
   {
     name: 'looking-closer',
-    title: 'Looking closer',
-    text: 'What the page shows beside the distance.',
+    title: 'Other displays',
+    text: 'Error, edges of the operator, and emission.',
     panels: [
       ['Error of the heat method against exact distances', 'm=bunny&paint=error&look=scientific&w=none'],
       ['Edges of the intrinsic Delaunay triangulation', 'm=teapot&look=contour&show=operator,boundary&w=none'],
-      ['Glowing stripes at night', 'm=torus&w=none'],
+      ['Emission in the night lighting', 'm=torus&w=none'],
     ],
   },
 ];

@@ -154,9 +154,9 @@ export class View {
       const now = performance.now();
       const relapsed = now - this.#failed < RELAPSE_MS;
       this.#failed = now;
-      if (relapsed) this.trouble.value = `The renderer fails again and again: ${error.message}`;
+      if (relapsed) this.trouble.value = `The renderer failed repeatedly: ${error.message}`;
       else void this.start();
-      throw new Error('The renderer failed and was started again; the scene is as it was.', { cause });
+      throw new Error('The renderer failed and was restarted; the scene is unchanged.', { cause });
     }
   }
 
@@ -356,11 +356,11 @@ export class View {
   /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
   async capture(scale: number, clear: boolean): Promise<ImageData> {
     const picture = this.#use((viewer) => viewer.capture(scale, clear));
-    if (!picture) throw new Error('There is nothing to draw a picture of yet.');
+    if (!picture) throw new Error('There is no scene to save as an image yet.');
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
       if (performance.now() - since > CAPTURE_MS)
-        throw new Error('The graphics device did not give the picture back. Try a smaller one.');
+        throw new Error('The graphics device could not read the image back. Try a smaller one.');
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
     return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);
