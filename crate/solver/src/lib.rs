@@ -47,7 +47,8 @@ pub use heat::{
 };
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
-    PathPoint, Place, SNAP, Soup, Source, Surface, VertexData, VertexId, io,
+    PathPoint, Place, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, VertexData, VertexId,
+    io,
 };
 pub use operator::Operator;
 pub use path::{Straightest, descend, straighten, straightest};

@@ -139,8 +139,8 @@ impl Solver {
         let from = self.drawn.point(surface, from)?;
         let path = match kind {
             "descent" => descend(surface, &solved.distance, from)?,
-            "straight" => straighten(surface, &descend(surface, &solved.distance, from)?),
-            "exact" => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
+            "straight" => straighten(surface, &descend(surface, &solved.distance, from)?)?,
+            "exact" => exact::shortest_path(self.solver.exact_geometry(), from, &solved.sources)?,
             other => return Err(JsError::new(&format!("there is no way home '{other}'"))),
         };
         Ok(SurfacePath::of(&path))
@@ -148,7 +148,7 @@ impl Solver {
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
     pub fn tangents(&self) -> Result<Vec<i8>, JsError> {
-        let directions = self.solved()?.distance.directions(self.solver.surface());
+        let directions = self.solved()?.distance.directions(self.solver.surface())?;
         Ok(self.drawn.spread_directions(&directions))
     }
 
@@ -157,8 +157,8 @@ impl Solver {
         let solved = self.solved()?;
         let surface = self.solver.surface();
         let vectors = match kind {
-            "heat" => solved.distance.heat_directions(surface),
-            "distance" => solved.distance.gradients(surface),
+            "heat" => solved.distance.heat_directions(surface)?,
+            "distance" => solved.distance.gradients(surface)?,
             other => return Err(JsError::new(&format!("there are no gradients of '{other}'"))),
         };
         Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
@@ -171,7 +171,7 @@ impl Solver {
         let edges = match kind {
             "mesh" => overlay::inner_edges(surface),
             "boundary" => overlay::boundary_edges(surface),
-            "operator" => overlay::operator_edges(&self.solver),
+            "operator" => overlay::operator_edges(&self.solver)?,
             other => return Err(JsError::new(&format!("there are no edges '{other}'"))),
         };
         Ok(edges.as_flattened().iter().flat_map(|point| point.as_vec3().to_array()).collect())
