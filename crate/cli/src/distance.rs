@@ -69,7 +69,7 @@ fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
     report.push("time_factor", solver.time_factor());
     report.push("exact_below", distance.exact_below);
     if arguments.compare {
-        let exact = exact::distances(surface, solver.exact_geometry(), sources);
+        let exact = exact::distances(solver.exact_geometry(), sources)?;
         let error = RelativeError::between(&distance.values, &exact);
         report.push("mean_error_percent", 100.0 * error.mean);
         report.push("max_error_percent", 100.0 * error.max);
@@ -80,13 +80,13 @@ fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
 fn exactly(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
     let (geometry, precompute_ms) = exact::geometry(surface);
     let start = Instant::now();
-    let values = exact::distances(surface, &geometry, sources);
+    let values = exact::distances(&geometry, sources)?;
     let asked_ms = milliseconds(start);
     let solve_ms = match arguments.repeat {
         1 => asked_ms,
         count => {
             let vertices = timed(surface, count, report);
-            median_solve_ms(&vertices, |source| Ok(exact::distances(surface, &geometry, &[source])))?
+            median_solve_ms(&vertices, |source| exact::distances(&geometry, &[source]))?
         }
     };
     report.push("factor_nonzeros", 0);

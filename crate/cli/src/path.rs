@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
-use heatwalk::{MultiSource, Place, Surface, descend, straighten};
+use heatwalk::{MultiSource, Surface, SurfacePoint, descend, straighten};
 use serde_json::json;
 
 use crate::args::Path;
@@ -54,7 +54,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     Ok(report.render(arguments.mesh.json))
 }
 
-fn by_heat(surface: &Arc<Surface>, from: Place, to: Place, arguments: &Path) -> Result<Found> {
+fn by_heat(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint, arguments: &Path) -> Result<Found> {
     let parameters = arguments.dials.parameters(arguments.solver, MultiSource::default());
     let Factored { solver, precompute_ms, .. } = factor(surface, parameters)?;
     let start = Instant::now();
@@ -63,11 +63,11 @@ fn by_heat(surface: &Arc<Surface>, from: Place, to: Place, arguments: &Path) -> 
     let start = Instant::now();
     let mut path = descend(surface, &distance, from)?;
     if arguments.straighten {
-        path = straighten(surface, &path);
+        path = straighten(surface, &path)?;
     }
     Ok(Found {
         path,
-        distance: from.interpolate(surface, &distance.values),
+        distance: distance.at(surface, from)?,
         factor_nonzeros: solver.factor_nonzeros(),
         precompute_ms,
         solve_ms,
@@ -75,10 +75,10 @@ fn by_heat(surface: &Arc<Surface>, from: Place, to: Place, arguments: &Path) -> 
     })
 }
 
-fn exactly(surface: &Arc<Surface>, from: Place, to: Place) -> Result<Found> {
+fn exactly(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint) -> Result<Found> {
     let (geometry, precompute_ms) = exact::geometry(surface);
     let start = Instant::now();
-    let path = shortest_path(surface, &geometry, from, &[to])?;
+    let path = shortest_path(&geometry, from, &[to])?;
     // One search gives distance and path.
     let solve_ms = milliseconds(start);
     Ok(Found { distance: path.length(), path, factor_nonzeros: 0, precompute_ms, solve_ms, path_ms: 0.0 })

@@ -4,7 +4,9 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Element, Error, InputTriangle, InputVertex, Soup, Source, Surface, VertexId, edge_polyline};
+use heatwalk::{
+    Element, Error, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline,
+};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
 #[derive(Debug, Clone, Copy)]
@@ -89,9 +91,9 @@ impl Place {
     }
 
     /// The point of the surface.
-    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<heatwalk::Place> {
+    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
         match *self {
-            Self::Vertex(vertex) => Ok(heatwalk::Place::Vertex(welded_vertex(surface, vertex)?)),
+            Self::Vertex(vertex) => Ok(surface.point(welded_vertex(surface, vertex)?)?),
             Self::Triangle { triangle, weights } => {
                 let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {
                     bail!("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another");
@@ -107,8 +109,8 @@ impl Place {
                         2
                     }]
                 };
-                let point = heatwalk::Place::Face { face, weights: surface.inputs_of_face(face).map(weight_of) };
-                point.validated(surface).map_err(|error| match error {
+                let place = heatwalk::Place::Face { face, weights: surface.inputs_of_face(face).map(weight_of) };
+                surface.point(place).map_err(|error| match error {
                     // In the file's words.
                     SurfaceError::BadPoint { problem, .. } => {
                         SurfaceError::BadPoint { face: triangle, weights: format!("{weights:?}"), problem }.into()
@@ -122,7 +124,7 @@ impl Place {
 
 impl SourcePlace {
     pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<Source> {
-        Ok(Source { point: self.place.on(soup, surface)?, initial_distance: self.initial_distance })
+        Ok(surface.source(self.place.on(soup, surface)?, self.initial_distance)?)
     }
 }
 
@@ -136,7 +138,7 @@ impl Line {
     pub fn on(&self, surface: &Surface, closed: bool) -> Result<Vec<Source>> {
         let through = self.0.iter().map(|&vertex| welded_vertex(surface, vertex)).collect::<Result<Vec<_>>>()?;
         let vertices = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
-        Ok(vertices.into_iter().map(|vertex| heatwalk::Place::Vertex(vertex).into()).collect())
+        vertices.into_iter().map(|vertex| Ok(surface.source(vertex, 0.0)?)).collect()
     }
 }
 

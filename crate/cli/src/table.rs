@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use heatwalk::{LinearSolver, MultiSource, Place, RelativeError, VertexId};
+use heatwalk::{LinearSolver, MultiSource, RelativeError, VertexId};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
@@ -61,8 +61,8 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input).with_context(|| mesh.to_owned())?;
-    let source = Place::Vertex(VertexId(0)).into();
-    let exact = arguments.exact.then(|| exact::distances(&surface, &exact::geometry(&surface).0, &[source]));
+    let source = VertexId(0);
+    let exact = arguments.exact.then(|| exact::distances(&exact::geometry(&surface).0, &[source])).transpose()?;
     let figures = |linear_solver, sources| -> Result<Figures> {
         let parameters = arguments.dials.parameters(linear_solver, MultiSource::default());
         let Factored { solver, precompute_ms, .. } = factor(&surface, parameters)?;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Element, HeatSolver, Parameters, Place, Source, Stage, Surface, VertexId};
+use heatwalk::{Element, HeatSolver, Parameters, Stage, Surface, VertexId};
 
 use crate::input::Input;
 use crate::report::milliseconds;
@@ -53,12 +53,12 @@ pub fn sample(surface: &Surface, count: u32) -> Vec<VertexId> {
 }
 
 /// Median time of a solve over single sources.
-pub fn median_solve_ms<A>(vertices: &[VertexId], mut solve: impl FnMut(Source) -> Result<A>) -> Result<f64> {
+pub fn median_solve_ms<A>(vertices: &[VertexId], mut solve: impl FnMut(VertexId) -> Result<A>) -> Result<f64> {
     let mut times = Vec::with_capacity(vertices.len());
     for &vertex in vertices {
         let start = Instant::now();
         // Kept until the clock has stopped, so that the work is not optimised away.
-        let answer = solve(Place::Vertex(vertex).into())?;
+        let answer = solve(vertex)?;
         times.push(milliseconds(start));
         drop(answer);
     }

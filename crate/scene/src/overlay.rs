@@ -8,7 +8,7 @@ use heatwalk::HeatSolver;
 use heatwalk::Surface;
 use heatwalk::exact::Wavefront;
 use heatwalk::surface::triangle;
-use heatwalk::{HalfedgeId, Place, Source, VertexId};
+use heatwalk::{HalfedgeId, Result, VertexId};
 
 /// Two lengths are the same within this share: intrinsic lengths have been made longer by 10⁻⁵ of the mean edge at most.
 const SAME_LENGTH: f64 = 1e-3;
@@ -39,7 +39,10 @@ fn edge(surface: &Surface, halfedge: HalfedgeId) -> ([VertexId; 2], f64) {
 
 /// The edges of the triangles that carry the operators, drawn on the surface: edges of the mesh are one segment, others
 /// cross faces. An edge that is not the shortest path between its ends is left out.
-pub fn operator_edges(solver: &HeatSolver) -> Vec<Segment> {
+///
+/// # Errors
+/// None that a solver of a valid surface gives.
+pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
     let surface = solver.surface();
     let mut segments = Vec::new();
     // Ends and length of those that are no edges of the mesh, by their lower end.
@@ -56,10 +59,9 @@ pub fn operator_edges(solver: &HeatSolver) -> Vec<Segment> {
     }
     let mut front: Option<Wavefront> = None;
     for (low, others) in crossing {
-        let source = [Source::from(Place::Vertex(low))];
         match &mut front {
-            Some(front) => front.restart(&source),
-            None => front = Some(solver.wavefront(&source)),
+            Some(front) => front.restart(&[low])?,
+            None => front = Some(solver.wavefront(&[low])?),
         }
         let Some(front) = &mut front else { continue };
         for (high, length) in others {
@@ -73,7 +75,7 @@ pub fn operator_edges(solver: &HeatSolver) -> Vec<Segment> {
             }
         }
     }
-    segments
+    Ok(segments)
 }
 
 fn is_same(a: f64, b: f64) -> bool {

@@ -83,7 +83,13 @@ fn solver_of(soup: &Soup) -> HeatSolver {
 
 /// The greatest slope of a face.
 fn steepest(surface: &Surface, distance: &Distance) -> f64 {
-    distance.gradients(surface).as_slice().iter().map(|gradient| gradient.length()).fold(0.0, f64::max)
+    distance
+        .gradients(surface)
+        .expect("its surface")
+        .as_slice()
+        .iter()
+        .map(|gradient| gradient.length())
+        .fold(0.0, f64::max)
 }
 
 /// On smooth closed surfaces each walker goes exactly the step, gets nearer by about it, and arrives in time.

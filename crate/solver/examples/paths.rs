@@ -64,7 +64,7 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
             pairs += 1;
             let start = Instant::now();
             let descent = descend(&surface, &distance, Place::Vertex(from))?;
-            let straight = straighten(&surface, &descent);
+            let straight = straighten(&surface, &descent)?;
             milliseconds += start.elapsed().as_secs_f64() * 1e3;
             shortness::check_valid(&surface, &straight);
             let end = straight.points[straight.points.len() - 1].position;

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, Place, VertexId};
+use heatwalk_surface::{Element, VertexId};
 
 /// The shortest path along edges from one vertex to another, both included; one vertex where they are the same.
 ///
@@ -16,7 +16,7 @@ use heatwalk_surface::{Element, Place, VertexId};
 /// [`Error::BadVertex`] for a vertex that does not exist; [`Error::Unreachable`] where no edges join them.
 pub fn edge_path(surface: &Surface, from: VertexId, to: VertexId) -> Result<Vec<VertexId>> {
     for vertex in [from, to] {
-        Place::Vertex(vertex).validated(surface)?;
+        surface.point(vertex)?;
     }
     let component = |vertex: VertexId| surface.component(vertex);
     if component(from) != component(to) {
@@ -37,7 +37,7 @@ pub fn edge_polyline(surface: &Surface, through: &[VertexId], closed: bool) -> R
     let Some(&first) = through.first() else {
         return Err(Error::BadParameter { name: "line", value: "empty".to_owned(), range: "one vertex at least" });
     };
-    Place::Vertex(first).validated(surface)?;
+    surface.point(first)?;
     let mut line = vec![first];
     for pair in through.windows(2) {
         line.extend_from_slice(&edge_path(surface, pair[0], pair[1])?[1..]);

@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 
+use crate::error::Result;
 use crate::heat::Distance;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
@@ -66,25 +67,31 @@ pub fn vertex_tangents(surface: &Surface, directions: &VertexData<DVec3>) -> Ver
     directions.enumerate().map(tangent).collect()
 }
 
+/// Each refuses another surface than the one of the distance: [`Error::Surface`](crate::Error::Surface) with
+/// `ForeignSurface`.
 impl Distance {
     /// `#F × 3`, gradient of the distance on each face, of length near 1, away from the sources; zero where the
     /// distance is infinite.
-    pub fn gradients(&self, surface: &Surface) -> FaceData<DVec3> {
-        face_gradients(surface, &self.values)
+    pub fn gradients(&self, surface: &Surface) -> Result<FaceData<DVec3>> {
+        surface.require_own(self.surface(), "distance")?;
+        Ok(face_gradients(surface, &self.values))
     }
 
     /// `#F × 3`, unit vectors along the gradient of heat on each face, towards the sources.
-    pub fn heat_directions(&self, surface: &Surface) -> FaceData<DVec3> {
-        face_directions(surface, &self.heat)
+    pub fn heat_directions(&self, surface: &Surface) -> Result<FaceData<DVec3>> {
+        surface.require_own(self.surface(), "distance")?;
+        Ok(face_directions(surface, &self.heat))
     }
 
     /// `#V × 3`, unit vectors away from the sources, not quite in the surface where it is curved.
-    pub fn directions(&self, surface: &Surface) -> VertexData<DVec3> {
-        vertex_directions(surface, &self.values)
+    pub fn directions(&self, surface: &Surface) -> Result<VertexData<DVec3>> {
+        surface.require_own(self.surface(), "distance")?;
+        Ok(vertex_directions(surface, &self.values))
     }
 
     /// `#V × 3`, unit tangents away from the sources.
-    pub fn tangents(&self, surface: &Surface) -> VertexData<DVec3> {
-        vertex_tangents(surface, &self.directions(surface))
+    pub fn tangents(&self, surface: &Surface) -> Result<VertexData<DVec3>> {
+        surface.require_own(self.surface(), "distance")?;
+        Ok(vertex_tangents(surface, &self.directions(surface)?))
     }
 }

@@ -48,7 +48,8 @@ pub use error::{Error, Result};
 pub use heat::{Distance, HeatSolver, Refinement};
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
-    PathPoint, Place, SNAP, Soup, Source, Surface, VertexData, VertexId, io,
+    PathPoint, Place, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, VertexData, VertexId,
+    io,
 };
 pub use options::{
     AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, MultiSource, Operator,

@@ -20,7 +20,8 @@ use heatwalk_scene::shapes;
 const EXACT: f64 = 1e-9;
 
 fn start(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) -> Wavefront {
-    Wavefront::new(Arc::clone(surface), Arc::new(ExactGeometry::new(surface)), sources, targets)
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
+    Wavefront::with_targets(geometry, sources, targets).expect("valid sources and targets")
 }
 
 fn finished(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) -> Wavefront {
@@ -267,7 +268,7 @@ fn bad_requests_are_refused() {
     let mut go_on = |_| ControlFlow::Continue(());
     assert_eq!(exact_distance::<Place>(&surface, &[], &mut go_on), Err(Error::NoSource));
     let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
-    assert!(matches!(offset, Err(Error::BadParameter { .. })));
+    assert!(matches!(offset, Err(Error::Surface(SurfaceError::BadParameter { .. }))));
     let vertex = exact_distance(&surface, &[(Place::Vertex(VertexId(1000)), 0.0)], &mut go_on);
     assert!(matches!(vertex, Err(Error::Surface(SurfaceError::BadVertex { .. }))));
     let values = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), 1.0)], &mut go_on).expect("values");

@@ -115,7 +115,7 @@ fn distances_are_never_negative() {
                 if let [Place::Vertex(VertexId(source))] = sources[..] {
                     assert_eq!(distance.values[VertexId(source)], 0.0);
                 }
-                let gradients = distance.gradients(solver.surface());
+                let gradients = distance.gradients(solver.surface()).expect("its surface");
                 assert!(gradients.iter().all(|gradient| gradient.is_finite()));
             }
         }

@@ -84,7 +84,7 @@ fn sources(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<Sour
             let weights = [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)];
             Place::Face { face: FaceId(number % surface.face_count() as u32), weights }
         };
-        Source { point, initial_distance }
+        surface.source(point, initial_distance).expect("a valid source")
     };
     places.iter().map(source).collect()
 }
@@ -149,7 +149,7 @@ fn distances_are_distances() {
         let distance = solver.distance(&sources).expect("valid sources");
         let mut is_reached = vec![false; surface.report().components];
         for source in &sources {
-            is_reached[source.point.component(&surface) as usize] = true;
+            is_reached[source.place().component(&surface) as usize] = true;
         }
         for (value, &component) in distance.values.iter().zip(surface.components()) {
             if is_reached[component as usize] {
@@ -159,12 +159,12 @@ fn distances_are_distances() {
             }
         }
         prop_assert!(!distance.sources.is_empty());
-        prop_assert!(distance.gradients(&surface).iter().all(|gradient| gradient.is_finite()));
-        prop_assert!(distance.tangents(&surface).iter().all(|tangent| tangent.is_finite()));
+        prop_assert!(distance.gradients(&surface).expect("its surface").iter().all(|gradient| gradient.is_finite()));
+        prop_assert!(distance.tangents(&surface).expect("its surface").iter().all(|tangent| tangent.is_finite()));
         if parameters.sources == MultiSource::Exact {
             for source in &sources {
-                if let Place::Vertex(VertexId(point)) = source.point {
-                    prop_assert!(distance.values[VertexId(point)] <= source.initial_distance);
+                if let Place::Vertex(vertex) = source.place() {
+                    prop_assert!(distance.values[vertex] <= source.initial_distance());
                 }
             }
         }
@@ -199,7 +199,7 @@ fn exact_distances_change_by_no_more_than_the_way() {
     check(200, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
         let sources: Vec<(Place, f64)> =
-            sources(&surface, &places).iter().map(|source| (source.point, source.initial_distance)).collect();
+            sources(&surface, &places).iter().map(|source| (source.place(), source.initial_distance())).collect();
         let exact = exact_distance(&surface, &sources, &mut |_| ControlFlow::Continue(())).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
         for face in surface.mesh().faces() {
@@ -226,7 +226,8 @@ fn the_exact_region_is_exact_and_refining_ends_at_exact() {
     check(60, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
         let sources = sources(&surface, &places);
-        let pairs: Vec<(Place, f64)> = sources.iter().map(|source| (source.point, source.initial_distance)).collect();
+        let pairs: Vec<(Place, f64)> =
+            sources.iter().map(|source| (source.place(), source.initial_distance())).collect();
         let exact = exact_distance(&surface, &pairs, &mut |_| ControlFlow::Continue(())).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
         let same = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * largest;
@@ -257,7 +258,7 @@ fn paths_arrive_and_are_locally_shortest() {
         let solver = solver(&surface, Parameters::default());
         let distance = solver.distance(&sources).expect("valid sources");
         for from in points(&surface, &starts) {
-            let shortest = match shortest_path(&surface, solver.exact_geometry(), from, &sources) {
+            let shortest = match shortest_path(solver.exact_geometry(), from, &sources) {
                 Ok(path) => path,
                 Err(error) => {
                     prop_assert_eq!(&error, &Error::Unreachable);
@@ -266,7 +267,7 @@ fn paths_arrive_and_are_locally_shortest() {
                 }
             };
             let descent = descend(&surface, &distance, from).expect("reachable");
-            let straight = straighten(&surface, &descent);
+            let straight = straighten(&surface, &descent).expect("a path of this surface");
             prop_assert!(straight.length() <= descent.length());
             // Rounding of some hundred pieces.
             prop_assert!(straight.length() >= shortest.length() * (1.0 - 1e-9) - 1e-12);
@@ -320,5 +321,5 @@ fn crowds_stay_on_the_surface_and_go_home() {
 }
 
 fn points(surface: &Surface, places: &[(u32, bool, [f64; 2], f64)]) -> Vec<Place> {
-    sources(surface, places).iter().map(|source| source.point).collect()
+    sources(surface, places).iter().map(|source| source.place()).collect()
 }

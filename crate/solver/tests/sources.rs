@@ -13,6 +13,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Boundary, Element, Error, ExactRadius, FaceId, LinearSolver, MultiSource, Operator, Parameters, Place, Soup,
     Source, Surface, VertexId,
@@ -192,19 +193,20 @@ fn starting_values() {
     let surface = solver.surface();
     let at = |x: f64, y: f64| Place::Vertex(nearest(surface, DVec3::new(x, y, 0.0)));
     let sources = [(at(0.2, 0.5), 0.0), (at(0.8, 0.5), 0.25), (at(0.5, 0.9), 3.0)]
-        .map(|(point, initial_distance)| Source { point, initial_distance });
+        .map(|(place, initial_distance)| surface.source(place, initial_distance).expect("a valid source"));
     let distance = solver.distance(&sources).expect("sources");
     for (point, value) in surface.positions().iter().zip(&distance.values) {
-        let from = |source: &Source| source.initial_distance + point.distance(source.point.position(surface));
+        let from = |source: &Source| source.initial_distance() + point.distance(source.place().position(surface));
         let exact = sources.iter().map(from).fold(f64::INFINITY, f64::min);
         assert!((value - exact).abs() < 1.5 * surface.mean_edge(), "{value} for {exact} at {point}");
     }
-    let value = |source: &Source| source.point.interpolate(surface, &distance.values);
+    let value = |source: &Source| source.place().interpolate(surface, &distance.values);
     assert_eq!([value(&sources[0]), value(&sources[1])], [0.0, 0.25]);
     assert_eq!(distance.sources.len(), 2, "the third starts later than the others arrive there");
     for initial_distance in [-1.0, f64::NAN, f64::INFINITY] {
-        let bad = Source { initial_distance, ..sources[0] };
-        assert!(matches!(solver.distance(&[bad]), Err(Error::BadParameter { .. })));
+        assert!(matches!(surface.source(sources[0].place(), initial_distance), Err(SurfaceError::BadParameter { .. })));
+        let bad = (sources[0].place(), initial_distance);
+        assert!(matches!(solver.distance(&[bad]), Err(Error::Surface(SurfaceError::BadParameter { .. }))));
     }
 }
 

@@ -19,7 +19,7 @@ use heatwalk_scene::shapes;
 
 /// Straightens and checks all that must hold on any surface.
 fn straightened(surface: &Surface, path: &Path) -> Path {
-    let straight = straighten(surface, path);
+    let straight = straighten(surface, path).expect("a path of this surface");
     check_valid(surface, path);
     check_valid(surface, &straight);
     let ends = |path: &Path| [path.points[0].position, path.points[path.points.len() - 1].position];
@@ -280,7 +280,7 @@ fn straightened_length(scale: f64) -> f64 {
     }
     let surface = surface(&torus);
     let way = edge_path(&surface, VertexId(0), VertexId(217)).expect("connected");
-    straighten(&surface, &Path::along_edges(&surface, &way).expect("edges")).length()
+    straighten(&surface, &Path::along_edges(&surface, &way).expect("edges")).expect("a path of this surface").length()
 }
 
 #[test]

@@ -219,7 +219,7 @@ fn separate_parts_are_infinitely_far() {
     assert!(distance.values.as_slice()[first..].iter().all(|value| *value == f64::INFINITY));
     assert_eq!(distance.unreachable(), other.positions.len());
     assert!(distance.max() < 2.0);
-    assert!(distance.gradients(solver.surface()).iter().all(|gradient| gradient.is_finite()));
+    assert!(distance.gradients(solver.surface()).expect("its surface").iter().all(|gradient| gradient.is_finite()));
     let both = [heatwalk::Place::Vertex(VertexId(0)), heatwalk::Place::Vertex(VertexId::from_index(first))];
     let distance = solver.distance(&both).expect("sources");
     assert_eq!(

@@ -89,6 +89,12 @@ pub enum Error {
         /// What is wrong.
         problem: String,
     },
+    /// A thing that was made on one surface was used with another.
+    #[error("the {thing} belongs to another surface; make it on this one")]
+    ForeignSurface {
+        /// What belongs elsewhere: a point, a source, a path, a distance.
+        thing: &'static str,
+    },
     /// A parameter is outside its range.
     #[error("{name} is {value}; it must be {range}")]
     BadParameter {

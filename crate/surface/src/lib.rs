@@ -25,6 +25,6 @@ pub use element::{
 pub use error::{Error, Result};
 pub use halfedge::HalfedgeMesh;
 pub use path::{Path, PathPoint};
-pub use point::{Place, SNAP, Source};
+pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::Soup;
-pub use surface::{BuildReport, Surface};
+pub use surface::{BuildReport, Surface, SurfaceId};

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::element::{Element, FaceId, VertexId};
 use crate::error::{Error, Result};
 use crate::point::Place;
-use crate::surface::Surface;
+use crate::surface::{Surface, SurfaceId};
 use crate::triangle;
 
 /// A point of a [`Path`].
@@ -22,6 +22,7 @@ pub struct PathPoint {
 /// A piecewise straight curve on the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
+    surface: SurfaceId,
     /// From the start to the end, both included; where they are one, one point.
     pub points: Vec<PathPoint>,
     /// Unit surface normal at each of `points`.
@@ -30,9 +31,17 @@ pub struct Path {
 
 impl Path {
     /// Of points on the surface; takes the normals there.
+    ///
+    /// # Panics
+    /// For a location or a face that the surface does not have.
     pub fn new(surface: &Surface, points: Vec<PathPoint>) -> Self {
         let normals = points.iter().map(|point| normal(surface, point)).collect();
-        Self { points, normals }
+        Self { surface: surface.id(), points, normals }
+    }
+
+    /// The surface that it lies on.
+    pub fn surface(&self) -> SurfaceId {
+        self.surface
     }
 
     /// The path along edges through these vertices, as shortest paths along edges give them.
@@ -43,7 +52,7 @@ impl Path {
     pub fn along_edges(surface: &Surface, through: &[VertexId]) -> Result<Self> {
         let mut points: Vec<PathPoint> = Vec::with_capacity(through.len());
         for &vertex in through {
-            let location = Place::Vertex(vertex).validated(surface)?;
+            let location = surface.point(vertex)?.place();
             let face = match points.last_mut() {
                 None => location.faces(surface)[0],
                 Some(before) => {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::element::{Element, FaceId, HalfedgeId, VertexData, VertexId};
 use crate::error::{Error, Result};
-use crate::surface::Surface;
+use crate::surface::{Surface, SurfaceId};
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
 /// less than anything seen.
@@ -14,7 +14,10 @@ const WEIGHT_TOLERANCE: f64 = 1e-5;
 /// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
 pub const SNAP: f64 = 1e-10;
 
-/// A place on a surface, as a caller gives it.
+/// A place on a surface, as a caller gives it: numbers of elements and weights, which may not be there or out of range.
+///
+/// [`Surface::point`] and [`Surface::source`] check it. The methods here are for places that are known to be on the
+/// surface given; for others they panic, as an index out of range does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// A welded vertex.
@@ -36,12 +39,8 @@ pub enum Place {
 }
 
 impl Place {
-    /// The same point with weights cut to their range and made to sum to 1.
-    ///
-    /// # Errors
-    /// [`Error::BadVertex`] for a point that does not exist; [`Error::BadPoint`] for a face or half-edge that does
-    /// not exist, and for weights that are further than rounding from their range.
-    pub fn validated(self, surface: &Surface) -> Result<Self> {
+    /// The same place with weights cut to their range and made to sum to 1.
+    fn checked(self, surface: &Surface) -> Result<Self> {
         let outside = |weight: f64| !(-WEIGHT_TOLERANCE..=1.0 + WEIGHT_TOLERANCE).contains(&weight);
         match self {
             Self::Vertex(vertex) if vertex.index() < surface.vertex_count() => Ok(self),
@@ -192,38 +191,147 @@ impl Place {
     }
 }
 
-/// A source: a point of the surface and the distance that it starts from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Source {
-    /// Where.
-    pub point: Place,
-    /// The distance that it starts from, in the file's unit, 0 or more: distances are the least of initial distance plus
-    /// length of a path.
-    pub initial_distance: f64,
+impl From<VertexId> for Place {
+    fn from(vertex: VertexId) -> Self {
+        Self::Vertex(vertex)
+    }
 }
 
-impl From<Place> for Source {
-    fn from(point: Place) -> Self {
+/// A point of a surface: a [`Place`] that is there, with weights in their range, and the surface that it belongs to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    surface: SurfaceId,
+    place: Place,
+}
+
+impl SurfacePoint {
+    /// Where it is.
+    pub fn place(&self) -> Place {
+        self.place
+    }
+
+    /// The surface that it belongs to.
+    pub fn surface(&self) -> SurfaceId {
+        self.surface
+    }
+}
+
+/// A source of distance: a point of a surface, and the distance that it starts from. Distances are the least of initial
+/// distance plus length of a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    point: SurfacePoint,
+    initial_distance: f64,
+}
+
+impl Source {
+    /// Where.
+    pub fn point(&self) -> SurfacePoint {
+        self.point
+    }
+
+    /// The place of its point.
+    pub fn place(&self) -> Place {
+        self.point.place
+    }
+
+    /// In the file's unit, 0 or more.
+    pub fn initial_distance(&self) -> f64 {
+        self.initial_distance
+    }
+
+    /// The same source, starting from another distance where that is less.
+    #[must_use]
+    pub fn from_at_most(self, initial_distance: f64) -> Self {
+        Self { initial_distance: self.initial_distance.min(initial_distance), ..self }
+    }
+}
+
+impl From<SurfacePoint> for Source {
+    fn from(point: SurfacePoint) -> Self {
         Self { point, initial_distance: 0.0 }
     }
 }
 
-impl From<(Place, f64)> for Source {
-    fn from((point, initial_distance): (Place, f64)) -> Self {
-        Self { point, initial_distance }
+/// What becomes a point of a surface by a check: a [`Place`] or a [`VertexId`], that it is there; a [`SurfacePoint`], that it
+/// belongs to this surface.
+pub trait ToPoint: Copy {
+    /// The point of this surface.
+    ///
+    /// # Errors
+    /// [`Error::BadVertex`] for a vertex that does not exist; [`Error::BadPoint`] for a face or half-edge that does not
+    /// exist, and for weights that are further than rounding from their range; [`Error::ForeignSurface`] for a point of
+    /// another surface.
+    fn to_point(self, surface: &Surface) -> Result<SurfacePoint>;
+}
+
+impl ToPoint for Place {
+    fn to_point(self, surface: &Surface) -> Result<SurfacePoint> {
+        Ok(SurfacePoint { surface: surface.id(), place: self.checked(surface)? })
     }
 }
 
-impl Source {
-    /// The same source with a valid point.
+impl ToPoint for VertexId {
+    fn to_point(self, surface: &Surface) -> Result<SurfacePoint> {
+        Place::Vertex(self).to_point(surface)
+    }
+}
+
+impl ToPoint for SurfacePoint {
+    fn to_point(self, surface: &Surface) -> Result<SurfacePoint> {
+        surface.require_own(self.surface, "point")?;
+        Ok(self)
+    }
+}
+
+/// What becomes a source on a surface by a check: anything that becomes a point, alone (then it starts from 0) or with its
+/// initial distance; a [`Source`], that it belongs to this surface.
+pub trait ToSource: Copy {
+    /// The source on this surface.
     ///
     /// # Errors
-    /// As [`Place::validated`]; [`Error::BadParameter`] for an initial distance that is negative or not finite.
-    pub fn validated(self, surface: &Surface) -> Result<Self> {
-        if !(self.initial_distance.is_finite() && self.initial_distance >= 0.0) {
-            let value = self.initial_distance.to_string();
+    /// As [`ToPoint::to_point`]; [`Error::BadParameter`] for an initial distance that is negative or not finite.
+    fn to_source(self, surface: &Surface) -> Result<Source>;
+}
+
+impl<P: ToPoint> ToSource for P {
+    fn to_source(self, surface: &Surface) -> Result<Source> {
+        Ok(self.to_point(surface)?.into())
+    }
+}
+
+/// A point with its initial distance.
+impl<P: ToPoint> ToSource for (P, f64) {
+    fn to_source(self, surface: &Surface) -> Result<Source> {
+        surface.source(self.0, self.1)
+    }
+}
+
+impl ToSource for Source {
+    fn to_source(self, surface: &Surface) -> Result<Source> {
+        surface.require_own(self.point.surface, "source")?;
+        Ok(self)
+    }
+}
+
+impl Surface {
+    /// The point of this surface at a place, checked once and for all.
+    ///
+    /// # Errors
+    /// As [`ToPoint::to_point`].
+    pub fn point(&self, place: impl ToPoint) -> Result<SurfacePoint> {
+        place.to_point(self)
+    }
+
+    /// The source at a place that starts from a distance, in the file's unit, 0 or more.
+    ///
+    /// # Errors
+    /// As [`ToSource::to_source`].
+    pub fn source(&self, place: impl ToPoint, initial_distance: f64) -> Result<Source> {
+        if !(initial_distance.is_finite() && initial_distance >= 0.0) {
+            let value = initial_distance.to_string();
             return Err(Error::BadParameter { name: "the initial distance of a source", value, range: "0 or more" });
         }
-        Ok(Self { point: self.point.validated(surface)?, initial_distance: self.initial_distance })
+        Ok(Source { point: place.to_point(self)?, initial_distance })
     }
 }

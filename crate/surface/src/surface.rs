@@ -4,6 +4,8 @@
 //! faces, a Möbius strip) the half-edge mesh is cut, and several of its vertices share one welded vertex; heat, distance
 //! and paths live on welded vertices and do not see the cut.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use glam::DVec3;
 
 use crate::csr::Csr;
@@ -12,7 +14,7 @@ use crate::element::{
     CutVertex, CutVertexData, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData, InputVertex,
     InputVertexData, VertexData, VertexId,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::halfedge::HalfedgeMesh;
 use crate::memory;
 use crate::soup::Soup;
@@ -52,9 +54,21 @@ pub struct BuildReport {
     pub euler_characteristic: i64,
 }
 
+/// Tells surfaces apart. Each built surface has an id of its own in the program; a clone shares it, being the same surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct SurfaceId(u64);
+
+impl SurfaceId {
+    fn unique() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
 /// A welded triangle surface with its connectivity. Build it with [`Surface::build`].
 #[derive(Debug, Clone)]
 pub struct Surface {
+    id: SurfaceId,
     mesh: HalfedgeMesh,
     edges: Edges,
     positions: VertexData<DVec3>,
@@ -143,6 +157,7 @@ impl Surface {
             face_of_triangle[triangle] = Some(face);
         }
         Ok(Self {
+            id: SurfaceId::unique(),
             inputs_of_vertex: Csr::group(positions.len(), welded.vertex_of_input.iter().copied()),
             mesh,
             edges,
@@ -160,6 +175,19 @@ impl Surface {
             mean_edge,
             report,
         })
+    }
+
+    /// What tells this surface from all others.
+    pub fn id(&self) -> SurfaceId {
+        self.id
+    }
+
+    /// Refuses a thing of another surface.
+    ///
+    /// # Errors
+    /// [`ForeignSurface`](crate::Error::ForeignSurface) with the name of the thing.
+    pub fn require_own(&self, owner: SurfaceId, thing: &'static str) -> Result<()> {
+        if owner == self.id { Ok(()) } else { Err(Error::ForeignSurface { thing }) }
     }
 
     /// Number of welded vertices.
@@ -281,9 +309,10 @@ impl Surface {
         self.corners_of_vertex(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
     }
 
-    /// The same connectivity in another place: `#V` positions. Reports and the mean edge stay.
+    /// The same connectivity in another place: `#V` positions. Reports and the mean edge stay. It is another surface, with
+    /// an id of its own: no distance, path or point of this one holds there.
     pub fn with_positions(&self, positions: VertexData<DVec3>) -> Self {
-        Self { positions, ..self.clone() }
+        Self { id: SurfaceId::unique(), positions, ..self.clone() }
     }
 
     /// Greatest distance of a vertex from the centre of the box around all of them, in the file's unit.

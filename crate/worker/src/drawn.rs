@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{FaceId, InputVertex, Place, Source, Surface, VertexData};
+use heatwalk::{FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData};
 use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
@@ -45,23 +45,23 @@ impl Drawn {
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
     /// which are those of the surface's face.
-    pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<Place, JsError> {
+    pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint, JsError> {
         if let Some(vertex) = number(place, "vertex") {
             let input = InputVertex(vertex as u32);
             let problem = || "is on no triangle of the surface".to_owned();
             let absent = || Error::BadVertex { vertex: vertex as usize, problem: problem() };
-            return Ok(Place::Vertex(surface.vertex_of_input(input).ok_or_else(absent)?));
+            return Ok(surface.point(surface.vertex_of_input(input).ok_or_else(absent)?)?);
         }
         let face =
             number(place, "face").ok_or_else(|| JsError::new("a place is a vertex or a face with three weights"))?;
         let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
         let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
-        Ok(Place::Face { face: FaceId(face as u32), weights })
+        Ok(surface.point(Place::Face { face: FaceId(face as u32), weights })?)
     }
 
     /// Reads a place and its `offset`, the value that distances start from there; 0 when absent.
     pub fn source(&self, surface: &Surface, place: &JsValue) -> Result<Source, JsError> {
-        Ok(Source { point: self.point(surface, place)?, initial_distance: number(place, "offset").unwrap_or(0.0) })
+        Ok(surface.source(self.point(surface, place)?, number(place, "offset").unwrap_or(0.0))?)
     }
 }
 

@@ -139,15 +139,15 @@ impl Solver {
         let from = self.drawn.point(surface, from)?;
         let path = match kind.parse()? {
             PathKind::Descent => descend(surface, &solved.distance, from)?,
-            PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?),
-            PathKind::Exact => exact::shortest_path(surface, self.solver.exact_geometry(), from, &solved.sources)?,
+            PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?)?,
+            PathKind::Exact => exact::shortest_path(self.solver.exact_geometry(), from, &solved.sources)?,
         };
         Ok(SurfacePath::of(&path, &self.drawn.transform))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
     pub fn tangents(&self) -> Result<Vec<i8>, JsError> {
-        let directions = self.solved()?.distance.directions(self.solver.surface());
+        let directions = self.solved()?.distance.directions(self.solver.surface())?;
         Ok(self.drawn.spread_directions(&directions))
     }
 
@@ -156,8 +156,8 @@ impl Solver {
         let solved = self.solved()?;
         let surface = self.solver.surface();
         let vectors = match kind.parse()? {
-            FaceField::Heat => solved.distance.heat_directions(surface),
-            FaceField::Distance => solved.distance.gradients(surface),
+            FaceField::Heat => solved.distance.heat_directions(surface)?,
+            FaceField::Distance => solved.distance.gradients(surface)?,
         };
         Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
     }
@@ -169,7 +169,7 @@ impl Solver {
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
-            EdgeKind::Operator => overlay::operator_edges(&self.solver),
+            EdgeKind::Operator => overlay::operator_edges(&self.solver)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }

@@ -110,15 +110,13 @@ impl Crowd {
     /// Sends the walkers down a distance, from where they are.
     ///
     /// # Errors
-    /// [`Error::NoSource`] for a distance without sources.
-    ///
-    /// # Panics
-    /// If the distance has another number of vertices than the surface.
+    /// [`Error::NoSource`] for a distance without sources; [`Error::Surface`] with `ForeignSurface` for a distance of another
+    /// surface.
     pub fn follow(&mut self, distance: &Distance) -> Result<()> {
         if distance.sources.is_empty() {
             return Err(Error::NoSource);
         }
-        assert_eq!(distance.values.len(), self.surface.vertex_count(), "the distance belongs to another surface");
+        self.surface.require_own(distance.surface(), "distance")?;
         self.flow.follow(&self.surface, distance);
         Ok(())
     }

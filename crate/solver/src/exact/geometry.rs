@@ -1,6 +1,7 @@
 //! What the wavefront needs of a surface: triangles laid in the plane, what lies across each edge, pseudo-sources.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::window::GRAZE;
 use heatwalk_surface::surface::Surface;
@@ -150,6 +151,7 @@ fn vertices_of_closed_fans(surface: &Surface) -> Vec<bool> {
 /// What a [`Wavefront`](super::Wavefront) needs of a surface, made once and shared by all wavefronts on it.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
+    pub(super) surface: Arc<Surface>,
     /// `#F`.
     pub(super) frames: Vec<Frame>,
     /// `#V`.
@@ -158,7 +160,9 @@ pub struct ExactGeometry {
 
 impl ExactGeometry {
     /// Lays out the triangles and finds the pseudo-sources of a surface.
-    pub fn new(surface: &Surface) -> Self {
+    pub fn new(surface: impl Into<Arc<Surface>>) -> Self {
+        let owner = surface.into();
+        let surface = &*owner;
         let mut frames = Vec::with_capacity(surface.face_count());
         let mut angles = vec![AngleSum::default(); surface.vertex_count()];
         for face in surface.mesh().faces() {
@@ -168,7 +172,7 @@ impl ExactGeometry {
             }
             frames.push(frame);
         }
-        let mut geometry = Self { frames, bends: Vec::new() };
+        let mut geometry = Self { surface: Arc::clone(&owner), frames, bends: Vec::new() };
         let is_plain = vertices_of_closed_fans(surface);
         let bend = |(vertex, angle): (usize, &AngleSum)| {
             if !is_plain[vertex] {
@@ -181,6 +185,11 @@ impl ExactGeometry {
         };
         geometry.bends = angles.iter().enumerate().map(bend).collect();
         geometry
+    }
+
+    /// The surface that it was made of.
+    pub fn surface(&self) -> &Arc<Surface> {
+        &self.surface
     }
 
     /// How paths bend at a vertex where edges may have one face, or several.

@@ -31,7 +31,7 @@ pub use wavefront::Wavefront;
 use crate::error::{Error, Result};
 use heatwalk_surface::Path;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Place, Source, VertexData};
+use heatwalk_surface::{Source, ToPoint, ToSource, VertexData};
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
 const WORK_BETWEEN_CALLS: usize = 20_000;
@@ -42,15 +42,18 @@ const WORK_BETWEEN_CALLS: usize = 20_000;
 /// `progress` is told the distance below which all values are final, and can stop the work.
 ///
 /// # Errors
-/// [`Error::NoSource`]; those of [`Source::validated`]; [`Error::Cancelled`].
-pub fn exact_distance<S: Copy + Into<Source>>(
+/// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::Cancelled`].
+pub fn exact_distance<S: ToSource>(
     surface: &Arc<Surface>,
     sources: &[S],
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<VertexData<f64>> {
-    let sources = validated(surface, sources)?;
-    let geometry = Arc::new(ExactGeometry::new(surface));
-    let mut wavefront = Wavefront::new(Arc::clone(surface), geometry, &sources, &[]);
+    if sources.is_empty() {
+        return Err(Error::NoSource);
+    }
+    let sources = checked_sources(surface, sources)?;
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
+    let mut wavefront = Wavefront::of_checked(geometry, sources, &[]);
     while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS) {
         if progress(wavefront.radius()).is_break() {
             return Err(Error::Cancelled);
@@ -62,26 +65,19 @@ pub fn exact_distance<S: Copy + Into<Source>>(
 /// A shortest path to the source for which initial distance plus length is least.
 ///
 /// # Errors
-/// [`Error::NoSource`]; those of [`Source::validated`] and [`Place::validated`]; [`Error::Unreachable`].
-pub fn shortest_path<S: Copy + Into<Source>>(
-    surface: &Arc<Surface>,
-    geometry: &Arc<ExactGeometry>,
-    from: Place,
-    sources: &[S],
-) -> Result<Path> {
-    let sources = validated(surface, sources)?;
-    let target = from.validated(surface)?;
-    let mut wavefront = Wavefront::new(Arc::clone(surface), Arc::clone(geometry), &sources, &[target]);
-    // No way can get shorter once the front has passed the target.
+/// [`Error::NoSource`]; those of [`ToSource::to_source`] and [`ToPoint::to_point`]; [`Error::Unreachable`].
+pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPoint, sources: &[S]) -> Result<Path> {
+    if sources.is_empty() {
+        return Err(Error::NoSource);
+    }
+    let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[from])?;
+    // No path can get shorter once the front has passed the target.
     while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
         wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS);
     }
     wavefront.path_from_target(0)
 }
 
-fn validated<S: Copy + Into<Source>>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
-    if sources.is_empty() {
-        return Err(Error::NoSource);
-    }
-    sources.iter().map(|&source| Ok(source.into().validated(surface)?)).collect()
+fn checked_sources<S: ToSource>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
+    sources.iter().map(|source| Ok(source.to_source(surface)?)).collect()
 }

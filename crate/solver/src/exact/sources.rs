@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::geometry::{Bend, ExactGeometry, Frame, Turn, after};
 use super::wavefront::{Origin, Wavefront};
 use super::window::{Window, length};
-use heatwalk_surface::{Place, Source, VertexId};
+use heatwalk_surface::{Place, VertexId};
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
@@ -23,8 +23,9 @@ impl Wavefront {
     pub(super) fn start(&mut self) {
         let geometry = Arc::clone(&self.geometry);
         for number in 0..self.sources.len() {
-            let Source { point: location, initial_distance: value } = self.sources[number];
-            let faces = geometry.faces_at(&self.surface, location);
+            let source = self.sources[number];
+            let value = source.initial_distance();
+            let faces = geometry.faces_at(&self.surface, source.place());
             let root = (self.surface.vertex_count() + number) as u32;
             for &(face, weights) in &faces {
                 self.light_from_inside(face, weights, value, root);
@@ -89,7 +90,7 @@ impl Wavefront {
         match self.origins[vertex as usize] {
             Origin::Straight { root, .. } => (root as usize)
                 .checked_sub(self.values.len())
-                .is_some_and(|number| self.values[VertexId(vertex)] <= self.sources[number].initial_distance),
+                .is_some_and(|number| self.values[VertexId(vertex)] <= self.sources[number].initial_distance()),
             _ => false,
         }
     }
@@ -122,7 +123,7 @@ impl Wavefront {
     /// Barycentric weights in a face of a vertex or source that windows start from.
     pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
         let location = match (root as usize).checked_sub(self.values.len()) {
-            Some(number) => self.sources[number].point,
+            Some(number) => self.sources[number].place(),
             None => Place::Vertex(VertexId(root)),
         };
         let faces = self.geometry.faces_at(&self.surface, location);

@@ -46,8 +46,9 @@ impl Wavefront {
     /// The shortest path from a vertex to its source; its value must be final.
     ///
     /// # Errors
-    /// [`Error::Unreachable`] where the value is infinite.
+    /// [`Error::Unreachable`] where the value is infinite; `BadVertex` where there is no such vertex.
     pub fn path_from_vertex(&self, vertex: VertexId) -> Result<Path> {
+        self.surface.point(vertex)?;
         self.path_from(self.at_vertex(vertex.0))
     }
 
@@ -103,7 +104,7 @@ impl Wavefront {
 
     fn location_of_root(&self, root: u32) -> Place {
         match (root as usize).checked_sub(self.values.len()) {
-            Some(number) => self.sources[number].point,
+            Some(number) => self.sources[number].place(),
             None => Place::Vertex(VertexId(root)),
         }
     }
@@ -223,7 +224,7 @@ impl Trace<'_> {
         let value = front.values[VertexId(vertex)];
         let Origin::Window { root, .. } = start.origin else { return None };
         let offset = match (root as usize).checked_sub(front.values.len()) {
-            Some(number) => front.sources[number].initial_distance,
+            Some(number) => front.sources[number].initial_distance(),
             None => front.values[VertexId(root)],
         };
         (value < start.value && value <= offset + left + 2.0 * near).then_some(vertex)

@@ -3,12 +3,14 @@
 use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
+use super::checked_sources;
 use super::geometry::{ExactGeometry, Frame, after};
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{GRAZE, Window, length};
+use crate::error::Result;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Element, Place, Source, VertexData, VertexId};
+use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 1.0;
@@ -35,7 +37,7 @@ pub struct Wavefront {
     pub(super) values: VertexData<f64>,
     /// `#V`.
     pub(super) origins: Vec<Origin>,
-    /// Points with a finite value.
+    /// Vertices with a finite value.
     reached: Vec<VertexId>,
     /// All windows; those not in use form a list from `free`. Number 0 is none.
     pub(super) windows: Vec<Window>,
@@ -52,16 +54,33 @@ pub struct Wavefront {
 }
 
 impl Wavefront {
-    /// Starts at sources; `targets` are further points of the surface whose distance is wanted. Sources and targets
-    /// are as [`Source::validated`] and [`Place::validated`] return them.
-    pub fn new<S: Copy + Into<Source>>(
-        surface: Arc<Surface>,
+    /// Starts at sources on the geometry's surface.
+    ///
+    /// # Errors
+    /// Those of [`ToSource::to_source`].
+    pub fn new<S: ToSource>(geometry: Arc<ExactGeometry>, sources: &[S]) -> Result<Self> {
+        let sources = checked_sources(&geometry.surface, sources)?;
+        Ok(Self::of_checked(geometry, sources, &[]))
+    }
+
+    /// The same with `targets`: further points of the surface whose distance is wanted.
+    ///
+    /// # Errors
+    /// Those of [`ToSource::to_source`] and [`ToPoint::to_point`].
+    pub fn with_targets<S: ToSource, T: ToPoint>(
         geometry: Arc<ExactGeometry>,
         sources: &[S],
-        targets: &[Place],
-    ) -> Self {
+        targets: &[T],
+    ) -> Result<Self> {
+        let sources = checked_sources(&geometry.surface, sources)?;
+        let place = |target: &T| Ok(target.to_point(&geometry.surface)?.place());
+        let targets = targets.iter().map(place).collect::<Result<Vec<Place>>>()?;
+        Ok(Self::of_checked(geometry, sources, &targets))
+    }
+
+    pub(crate) fn of_checked(geometry: Arc<ExactGeometry>, sources: Vec<Source>, targets: &[Place]) -> Self {
+        let surface = Arc::clone(&geometry.surface);
         let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
-        let sources: Vec<Source> = sources.iter().map(|&source| source.into()).collect();
         let base = base(&sources);
         let none = Window::new(0.0, 0.0, [0.0; 2], 0.0, 0);
         let mut wavefront = Self {
@@ -85,8 +104,16 @@ impl Wavefront {
     }
 
     /// Starts anew at other sources, without targets, in the memory held: clears only what has been touched.
-    pub fn restart(&mut self, sources: &[Source]) {
-        self.sources = sources.to_vec();
+    ///
+    /// # Errors
+    /// Those of [`ToSource::to_source`]; then nothing has changed.
+    pub fn restart<S: ToSource>(&mut self, sources: &[S]) -> Result<()> {
+        let sources = checked_sources(&self.surface, sources)?;
+        self.restart_checked(sources);
+        Ok(())
+    }
+
+    pub(crate) fn restart_checked(&mut self, sources: Vec<Source>) {
         self.targets = Targets::new(&self.surface, &self.geometry, &[]);
         for vertex in self.reached.drain(..) {
             self.values[vertex] = f64::INFINITY;
@@ -95,13 +122,14 @@ impl Wavefront {
         self.windows.truncate(1);
         self.free = 0;
         let heads = &mut self.heads;
-        self.queue.clear(base(sources), |item| {
+        self.queue.clear(base(&sources), |item| {
             // A half-edge where windows wait is in the queue.
             if let Some(head) = heads.get_mut(item as usize) {
                 *head = 0;
             }
         });
         self.propagated = 0;
+        self.sources = sources;
         self.start();
     }
 
@@ -118,6 +146,11 @@ impl Wavefront {
             }
         }
         self.radius() >= radius
+    }
+
+    /// The surface that it grows on.
+    pub fn surface(&self) -> &Arc<Surface> {
+        &self.surface
     }
 
     /// Every value below this is final; infinity when all is done.
@@ -243,7 +276,7 @@ impl Wavefront {
 
 /// Where the queue begins.
 fn base(sources: &[Source]) -> f64 {
-    sources.iter().map(|source| source.initial_distance).fold(f64::MAX, f64::min)
+    sources.iter().map(Source::initial_distance).fold(f64::MAX, f64::min)
 }
 
 /// A window that crosses a face.

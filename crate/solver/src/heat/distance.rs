@@ -7,7 +7,7 @@ use crate::heat::HeatSolver;
 use crate::heat::field::divergence;
 use crate::heat::near::Near;
 use crate::options::MultiSource;
-use heatwalk_surface::{Place, Source, VertexData};
+use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, ToSource, VertexData};
 
 /// Share of its initial distance by which the distance at a source may miss it for rounding.
 const ROUNDING: f64 = 1e-9;
@@ -15,6 +15,7 @@ const ROUNDING: f64 = 1e-9;
 /// Distance from a set of sources.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distance {
+    surface: SurfaceId,
     /// `#P`, in the file's unit, non-negative, never NaN; infinity on pieces without a source. At a source that is a
     /// vertex it is exactly its initial distance; with summed sources, the mean over the sources of a component is 0
     /// before values below 0 become 0.
@@ -28,6 +29,20 @@ pub struct Distance {
 }
 
 impl Distance {
+    /// The surface that it was solved on.
+    pub fn surface(&self) -> SurfaceId {
+        self.surface
+    }
+
+    /// The distance at a point, in the file's unit, interpolated linearly in its face.
+    ///
+    /// # Errors
+    /// [`Error::Surface`] with `ForeignSurface` for another surface than [`Self::surface`], and as [`Surface::point`].
+    pub fn at(&self, surface: &Surface, point: impl ToPoint) -> Result<f64> {
+        surface.require_own(self.surface, "distance")?;
+        Ok(surface.point(point)?.place().interpolate(surface, &self.values))
+    }
+
     /// The largest finite distance.
     pub fn max(&self) -> f64 {
         self.values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max)
@@ -46,7 +61,7 @@ impl HeatSolver {
     /// [`Error::NoSource`]; [`Error::BadVertex`], [`Error::BadPoint`] and [`Error::BadParameter`] for a source that is
     /// not on the surface or starts from a bad value; [`Error::NotConverged`] of conjugate gradients;
     /// [`Error::OutOfMemory`].
-    pub fn distance<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Distance> {
+    pub fn distance<S: ToSource>(&self, sources: &[S]) -> Result<Distance> {
         let sources = self.validated(sources)?;
         let (heat, is_active) = self.heat(&sources)?;
         self.with_near_field(&sources, |near| self.distance_beyond(near, heat, &sources, &is_active))
@@ -56,21 +71,21 @@ impl HeatSolver {
     ///
     /// # Errors
     /// As [`HeatSolver::distance`].
-    pub fn refine<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Refinement> {
+    pub fn refine<S: ToSource>(&self, sources: &[S]) -> Result<Refinement> {
         let sources = self.validated(sources)?;
         let (heat, is_active) = self.heat(&sources)?;
-        Ok(Refinement { front: self.wavefront(&sources), heat, sources, is_active })
+        Ok(Refinement { front: self.start_wavefront(sources.clone()), heat, sources, is_active })
     }
 
-    fn validated<S: Copy + Into<Source>>(&self, sources: &[S]) -> Result<Vec<Source>> {
+    fn validated<S: ToSource>(&self, sources: &[S]) -> Result<Vec<Source>> {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
         let mut valid: Vec<Source> = Vec::with_capacity(sources.len());
         for &source in sources {
-            let source: Source = source.into().validated(&self.surface)?;
-            match valid.iter_mut().find(|other| other.point == source.point) {
-                Some(other) => other.initial_distance = other.initial_distance.min(source.initial_distance),
+            let source = source.to_source(&self.surface)?;
+            match valid.iter_mut().find(|other| other.place() == source.place()) {
+                Some(other) => *other = other.from_at_most(source.initial_distance()),
                 None => valid.push(source),
             }
         }
@@ -88,7 +103,7 @@ impl HeatSolver {
         let surface = &*self.surface;
         let mut has_source = vec![false; surface.report().components];
         for source in sources {
-            has_source[source.point.component(surface) as usize] = true;
+            has_source[source.place().component(surface) as usize] = true;
         }
         let is_reachable = |point: usize| has_source[surface.components().as_slice()[point] as usize];
         let is_known = |point: usize| near.at(point as u32).is_some() || !is_reachable(point);
@@ -108,21 +123,21 @@ impl HeatSolver {
             values[point as usize] = exact;
         }
         let mut values = VertexData::from(values);
-        let is_source = |source: &Source, value: f64| value >= source.initial_distance * (1.0 - ROUNDING);
+        let is_source = |source: &Source, value: f64| value >= source.initial_distance() * (1.0 - ROUNDING);
         if self.parameters().sources == MultiSource::Exact {
             for source in sources {
-                if let Some(vertex) = source.point.vertex(surface) {
+                if let Some(vertex) = source.place().vertex(surface) {
                     let value = &mut values[vertex];
                     if is_source(source, *value) {
-                        *value = source.initial_distance;
+                        *value = source.initial_distance();
                     }
                 }
             }
         }
         // A source that another one reaches before its starting value is none.
-        let remains = |source: &&Source| is_source(source, source.point.interpolate(surface, &values));
-        let sources = sources.iter().filter(remains).map(|source| source.point).collect();
-        Ok(Distance { values, heat: heat.into(), sources, exact_below: near.radius })
+        let remains = |source: &&Source| is_source(source, source.place().interpolate(surface, &values));
+        let sources = sources.iter().filter(remains).map(|source| source.place()).collect();
+        Ok(Distance { surface: surface.id(), values, heat: heat.into(), sources, exact_below: near.radius })
     }
 }
 
@@ -140,8 +155,9 @@ impl Refinement {
     /// heat beyond.
     ///
     /// # Errors
-    /// As [`HeatSolver::distance`].
+    /// As [`HeatSolver::distance`]; [`Error::Surface`] with `ForeignSurface` for a solver of another surface.
     pub fn step(&mut self, solver: &HeatSolver, work: usize) -> Result<Distance> {
+        solver.surface().require_own(self.front.surface().id(), "refinement")?;
         self.front.advance(f64::INFINITY, work);
         let near = Near::of(&self.front, self.front.radius());
         solver.distance_beyond(&near, self.heat.clone(), &self.sources, &self.is_active)

@@ -33,15 +33,15 @@ impl HeatSolver {
         if self.parameters.sources == MultiSource::Summed {
             return Ok((self.summed(heat, sources)?, is_active));
         }
-        let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
-        let level = |source: &Source| ((least - source.initial_distance) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
+        let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);
+        let level = |source: &Source| ((least - source.initial_distance()) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
         loop {
             let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
             let levels: Vec<(Source, f64)> =
                 active.iter().map(|&index| (sources[index], level(&sources[index]))).collect();
             let (values, supplies) = self.prescribed(heat, &levels)?;
             // Sources of the least starting value always give heat; rounding must not drop one of them.
-            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].initial_distance > least;
+            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].initial_distance() > least;
             let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
             if dropped.is_empty() {
                 return Ok((values, is_active));
@@ -58,7 +58,7 @@ impl HeatSolver {
         if let [(source, _)] = levels {
             // The level of a single source is arbitrary.
             let supply: Vec<(u32, f64)> = source
-                .point
+                .place()
                 .support(surface)
                 .filter(|&(vertex, _)| !self.is_held(heat, vertex.index()))
                 .map(|(vertex, weight)| (vertex.0, weight * SOURCE_HEAT))
@@ -67,7 +67,7 @@ impl HeatSolver {
                 return Ok((heat.system.solve_sparse(&supply)?, vec![SOURCE_HEAT]));
             }
         }
-        let vertices: Vec<VertexId> = levels.iter().filter_map(|(source, _)| source.point.vertex(surface)).collect();
+        let vertices: Vec<VertexId> = levels.iter().filter_map(|(source, _)| source.place().vertex(surface)).collect();
         let mut is_fixed: Vec<bool> = (0..surface.vertex_count()).map(|point| self.is_held(heat, point)).collect();
         let constrained;
         let is_constrained = vertices.len() > 1 && self.is_cheaper_to_factor(&heat.system, vertices.len());
@@ -86,7 +86,7 @@ impl HeatSolver {
         let mut prescribed = vec![0.0; surface.vertex_count()];
         let mut constraints: Vec<(usize, Functional)> = Vec::new();
         for (index, &(source, level)) in levels.iter().enumerate() {
-            let support = || source.point.support(surface).map(|(vertex, weight)| (vertex.0, weight));
+            let support = || source.place().support(surface).map(|(vertex, weight)| (vertex.0, weight));
             let free: Functional = support().filter(|&(point, _)| !is_fixed[point as usize]).collect();
             if free.is_empty() {
                 for (point, _) in support() {
@@ -121,7 +121,7 @@ impl HeatSolver {
                     .zip(&responses)
                     .map(|(&(index, _), response)| {
                         let (source, level) = levels[index];
-                        let support = source.point.support(surface);
+                        let support = source.place().support(surface);
                         let known: f64 = support.map(|(vertex, weight)| prescribed[vertex.index()] * weight).sum();
                         level - known - begun.evaluate(response)
                     })
@@ -140,7 +140,7 @@ impl HeatSolver {
             }
             let supply = self.laplacian.apply(1.0 / heat.time, &values);
             for (index, (source, _)) in levels.iter().enumerate() {
-                if let Some(vertex) = source.point.vertex(surface).filter(|&vertex| is_fixed[vertex.index()]) {
+                if let Some(vertex) = source.place().vertex(surface).filter(|&vertex| is_fixed[vertex.index()]) {
                     supplies[index] = supply[vertex.index()];
                 }
             }
@@ -152,7 +152,7 @@ impl HeatSolver {
     /// entry makes of it.
     fn summed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
         let mut supply = vec![0.0; self.surface.vertex_count()];
-        for (vertex, weight) in sources.iter().flat_map(|source| source.point.support(&self.surface)) {
+        for (vertex, weight) in sources.iter().flat_map(|source| source.place().support(&self.surface)) {
             supply[vertex.index()] += weight * SOURCE_HEAT;
         }
         let mut prescribed = vec![0.0; supply.len()];

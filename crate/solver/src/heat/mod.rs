@@ -116,7 +116,7 @@ impl HeatSolver {
         report(progress, Stage::Assembling, 0.0)?;
         memory::require(BYTES_PER_FACE * surface.face_count() as u64, "assembling the matrices")?;
         let extent = dijkstra::extent(&surface);
-        let exact = Arc::new(ExactGeometry::new(&surface));
+        let exact = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
         Self::assemble(surface, parameters, extent, exact, progress)
     }
 

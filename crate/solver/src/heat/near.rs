@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::heat::HeatSolver;
 use crate::options::ExactRadius;
-use heatwalk_surface::{Source, VertexData, VertexId};
+use heatwalk_surface::{Source, ToSource, VertexData, VertexId};
 
 /// A radius that work has cut short is rounded down to a power of this in mean edges, so that moving or adding a
 /// source mostly leaves it, and with it the responses kept from before.
@@ -43,8 +44,15 @@ impl<'a> Near<'a> {
 
 impl HeatSolver {
     /// The wavefront of exact distances from some sources.
-    pub fn wavefront(&self, sources: &[Source]) -> Wavefront {
-        Wavefront::new(Arc::clone(&self.surface), Arc::clone(&self.exact), sources, &[])
+    ///
+    /// # Errors
+    /// As [`Surface::source`](heatwalk_surface::Surface::source).
+    pub fn wavefront<S: ToSource>(&self, sources: &[S]) -> Result<Wavefront> {
+        Wavefront::new(Arc::clone(&self.exact), sources)
+    }
+
+    pub(super) fn start_wavefront(&self, sources: Vec<Source>) -> Wavefront {
+        Wavefront::of_checked(Arc::clone(&self.exact), sources, &[])
     }
 
     /// What `answer` makes of the near field that the parameters ask for.
@@ -52,10 +60,10 @@ impl HeatSolver {
         let kept = self.front.lock().expect("no holder of the lock panics").take();
         let mut front = match kept {
             Some(mut front) => {
-                front.restart(sources);
+                front.restart_checked(sources.to_vec());
                 front
             }
-            None => self.wavefront(sources),
+            None => self.start_wavefront(sources.to_vec()),
         };
         let answer = answer(&self.near_field(sources, &mut front));
         *self.front.lock().expect("no holder of the lock panics") = Some(front);
@@ -63,7 +71,7 @@ impl HeatSolver {
     }
 
     fn near_field<'a>(&self, sources: &[Source], front: &'a mut Wavefront) -> Near<'a> {
-        let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
+        let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);
         match self.parameters.exact_radius {
             ExactRadius::Edges(0.0) => Near { values: front.values(), reached: front.reached(), radius: least },
             ExactRadius::Edges(edges) => {

@@ -57,10 +57,14 @@ impl HeatSolver {
             })
             .collect();
         for source in sources {
-            let support = source.point.support(&self.surface);
+            let support = source.place().support(&self.surface);
             let functional: Functional = support.map(|(vertex, weight)| (vertex.0, weight)).collect();
             if !functional.iter().all(|&(point, _)| near.at(point).is_some()) {
-                known.push(Known { component: component(functional[0].0), functional, value: source.initial_distance });
+                known.push(Known {
+                    component: component(functional[0].0),
+                    functional,
+                    value: source.initial_distance(),
+                });
             }
         }
         known

@@ -12,16 +12,17 @@ use crate::error::{Error, Result};
 use crate::heat::Distance;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, Place, VertexData, VertexId};
+use heatwalk_surface::{FaceId, Place, ToPoint, VertexData, VertexId};
 use heatwalk_surface::{Path, PathPoint};
 
 /// Follows the distance from `from` down to a source.
 ///
 /// # Errors
 /// [`Error::Unreachable`] where the distance is infinite; [`Error::BadVertex`] and [`Error::BadPoint`] as
-/// [`Place::validated`].
-pub fn descend(surface: &Surface, distance: &Distance, from: Place) -> Result<Path> {
-    let start = from.validated(surface)?.snapped(surface);
+/// [`Surface::point`]; [`Error::Surface`] with `ForeignSurface` for a distance of another surface.
+pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Result<Path> {
+    surface.require_own(distance.surface(), "distance")?;
+    let start = surface.point(from)?.place().snapped(surface);
     if start.interpolate(surface, &distance.values).is_infinite() {
         return Err(Error::Unreachable);
     }

@@ -15,6 +15,7 @@ use glam::DVec2;
 use super::funnel::{Piece, share_of, tighten};
 use super::link::{Turn, shortest_turn};
 use super::strip::{Step, Strip, unfold};
+use crate::error::Result;
 use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{FaceId, Place};
@@ -31,13 +32,17 @@ const LONGEST_WORK: usize = 1000;
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
 ///
 /// Every piece of the result is straight once the faces that it goes through are unfolded, and at every vertex between
-/// its ends all ways around within the surface turn by π at least.
-pub fn straighten(surface: &Surface, path: &Path) -> Path {
-    let Some(mut chain) = Chain::new(surface, path) else { return path.clone() };
+/// its ends all turns around it within the surface are π at least.
+///
+/// # Errors
+/// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a path on another surface.
+pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
+    surface.require_own(path.surface(), "path")?;
+    let Some(mut chain) = Chain::new(surface, path) else { return Ok(path.clone()) };
     chain.shorten(LONGEST_WORK * path.points.len());
     let straight = Path::new(surface, chain.points());
     // Where it was straight already, rounding may make it longer.
-    if straight.length() <= path.length() { straight } else { path.clone() }
+    Ok(if straight.length() <= path.length() { straight } else { path.clone() })
 }
 
 /// A vertex that the path goes through, or one of its ends.

@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::error::{Error, Result};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, FaceId, Place, VertexId};
+use heatwalk_surface::{Element, FaceId, Place, ToPoint, VertexId};
 use heatwalk_surface::{Path, PathPoint, SNAP};
 
 /// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
@@ -35,17 +35,17 @@ pub struct Straightest {
 /// Over an edge of three faces or more, the walk goes on into the one that is straightest in space.
 ///
 /// # Errors
-/// [`Error::BadVertex`] and [`Error::BadPoint`] as [`Place::validated`], and for a face that the point does not
+/// [`Error::BadVertex`] and [`Error::BadPoint`] as [`Surface::point`], and for a face that the point does not
 /// lie on; [`Error::BadParameter`] for a direction that is zero, not finite or square to the surface, and for a length
 /// that is negative, not finite, or more than a million faces long.
 pub fn straightest(
     surface: &Surface,
-    from: Place,
+    from: impl ToPoint,
     face: Option<FaceId>,
     direction: DVec3,
     length: f64,
 ) -> Result<Straightest> {
-    let location = from.validated(surface)?.snapped(surface);
+    let location = surface.point(from)?.place().snapped(surface);
     if !(length >= 0.0 && length.is_finite()) {
         return Err(Error::BadParameter { name: "length", value: length.to_string(), range: "0 or more, and finite" });
     }
@@ -63,7 +63,7 @@ pub fn straightest(
         Some(face) if faces.contains(&face) => (face, in_plane(surface, face, direction)),
         Some(face) => {
             let problem = "the point to start from does not lie on it".to_owned();
-            let weights = format!("{from:?}");
+            let weights = format!("{location:?}");
             return Err(heatwalk_surface::Error::BadPoint { face: face.index(), weights, problem }.into());
         }
         None => best_face(surface, location, &faces, direction),
