@@ -15,6 +15,9 @@ mod multifrontal;
 mod multigrid;
 mod ordering;
 mod pattern;
+#[cfg(test)]
+mod samples;
+mod scalar;
 mod schur;
 mod schur_cache;
 mod simd;
@@ -29,6 +32,7 @@ pub use factor::Factor;
 pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
+pub use scalar::{Pair, Scalar};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;
 pub use symbolic::{FactorMemory, Symbolic};
