@@ -1,9 +1,4 @@
-//! Sparse symmetric positive definite systems, native and on wasm32.
-//!
-//! The way of the data: [`Pattern`] and [`SymmetricMatrix`] → [`Permutation`] (elimination order) → [`Symbolic`] (pattern
-//! of the factors, once for all matrices of one pattern) → [`Factor`] → [`System`], which solves whole right sides, sparse
-//! ones, and right sides under linear constraints without factoring again. Where factors do not fit,
-//! [`ConjugateGradients`] solves with multigrid as preconditioner.
+#![doc = include_str!("../README.md")]
 
 mod conjugate_gradients;
 mod dissection;
