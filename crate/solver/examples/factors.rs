@@ -143,7 +143,7 @@ fn heat(laplacian: &Laplacian) -> SymmetricMatrix {
 fn poisson(laplacian: &Laplacian, surface: &Surface) -> SymmetricMatrix {
     let mut is_met = vec![false; laplacian.size()];
     let meets = |&component: &u32| !std::mem::replace(&mut is_met[component as usize], true);
-    let is_constrained: Vec<bool> = surface.component_of_point.iter().map(meets).collect();
+    let is_constrained: Vec<bool> = surface.components().iter().map(meets).collect();
     let mut values = laplacian.stiffness.values().to_vec();
     for point in 0..laplacian.size() {
         for entry in laplacian.column(point) {
