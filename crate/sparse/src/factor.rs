@@ -8,20 +8,24 @@ use std::sync::Arc;
 use crate::error::{Error, Result};
 use crate::matrix::SymmetricMatrix;
 use crate::multifrontal::{Factorisation, Failure};
+use crate::scalar::Scalar;
 use crate::simd::{Work, dispatch};
 use crate::sparse_vector::SparseVector;
 use crate::substitution;
 use crate::symbolic::{Supernode, Symbolic};
 
+#[cfg(test)]
+mod tests;
+
 /// Sparse right sides that are gone through side by side.
 const LANES: usize = 8;
 
-/// The Cholesky factor `C` of one matrix `A = C Cᵀ`.
+/// The Cholesky factor `C` of one matrix `A = C Cᴴ`.
 #[derive(Debug)]
-pub struct Factor {
+pub struct Factor<T = f64> {
     symbolic: Arc<Symbolic>,
     /// Supernodes one after another, each a dense column-major block of its own rows, then the rows below.
-    values: Vec<f64>,
+    values: Vec<T>,
 }
 
 impl Symbolic {
@@ -31,13 +35,13 @@ impl Symbolic {
     /// # Errors
     /// [`Error::PatternMismatch`]; [`Error::NotPositiveDefinite`] with the row of the failing pivot;
     /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
-    pub fn factor<const N: usize>(
+    pub fn factor<T: Scalar, const N: usize>(
         self: &Arc<Self>,
-        matrices: [&SymmetricMatrix; N],
+        matrices: [&SymmetricMatrix<T>; N],
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<[Factor; N]> {
+    ) -> Result<[Factor<T>; N]> {
         const { assert!(N == 1 || N == 2, "one matrix or two are factored at a time") };
-        let has_pattern = |matrix: &SymmetricMatrix| {
+        let has_pattern = |matrix: &SymmetricMatrix<T>| {
             Arc::ptr_eq(matrix.pattern(), &self.pattern) || *matrix.pattern() == self.pattern
         };
         if let Some(matrix) = matrices.iter().position(|matrix| !has_pattern(matrix)) {
@@ -55,7 +59,7 @@ impl Symbolic {
     }
 }
 
-impl Factor {
+impl<T: Scalar> Factor<T> {
     /// Number of rows.
     pub fn size(&self) -> usize {
         self.symbolic.size()
@@ -70,7 +74,7 @@ impl Factor {
     ///
     /// # Panics
     /// Where the right side has another length.
-    pub fn solve(&self, right: &[f64]) -> Vec<f64> {
+    pub fn solve(&self, right: &[T]) -> Vec<T> {
         self.backward(self.forward(right))
     }
 
@@ -78,31 +82,31 @@ impl Factor {
     ///
     /// # Panics
     /// Where a row is not in the matrix.
-    pub fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+    pub fn solve_sparse(&self, right: &[(u32, T)]) -> Vec<T> {
         self.backward(self.forward_sparse(right))
     }
 
     /// A supernode and its dense block.
     #[inline(always)]
-    fn block(&self, index: usize) -> (Supernode<'_>, &[f64]) {
+    fn block(&self, index: usize) -> (Supernode<'_>, &[T]) {
         let supernode = self.symbolic.supernode(index);
         let block = &self.values[supernode.values.clone()];
         (supernode, block)
     }
 
     /// `C⁻¹ right`, in the elimination order.
-    pub(crate) fn forward(&self, right: &[f64]) -> Vec<f64> {
+    pub(crate) fn forward(&self, right: &[T]) -> Vec<T> {
         assert_eq!(right.len(), self.size(), "a right side has the size of the matrix");
         let old_of_new = &self.symbolic.permutation.old_of_new;
-        let mut x: Vec<f64> = old_of_new.iter().map(|&old| right[old as usize]).collect();
+        let mut x: Vec<T> = old_of_new.iter().map(|&old| right[old as usize]).collect();
         dispatch(Forward { factor: self, supernodes: 0..self.symbolic.supernode_count(), x: &mut x });
         x
     }
 
     /// The same for a right side that is zero but at a few rows, given as `(row, value)`: only the ancestors of these
     /// rows in the elimination tree are touched.
-    fn forward_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
-        let mut x = vec![0.0; self.symbolic.size()];
+    fn forward_sparse(&self, right: &[(u32, T)]) -> Vec<T> {
+        let mut x = vec![T::ZERO; self.symbolic.size()];
         for &(row, value) in right {
             x[self.unknown(row)] += value;
         }
@@ -111,19 +115,14 @@ impl Factor {
         x
     }
 
-    /// `C⁻ᵀ x` for a vector in the elimination order; the result is in the order of the matrix.
-    pub(crate) fn backward(&self, mut x: Vec<f64>) -> Vec<f64> {
+    /// `C⁻ᴴ x` for a vector in the elimination order; the result is in the order of the matrix.
+    pub(crate) fn backward(&self, mut x: Vec<T>) -> Vec<T> {
         dispatch(Backward { factor: self, x: &mut x });
         let new_of_old = &self.symbolic.permutation.new_of_old;
         new_of_old.iter().map(|&new| x[new as usize]).collect()
     }
 
-    /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
-    pub(crate) fn forward_sparse_all(&self, rights: &[&[(u32, f64)]]) -> Vec<SparseVector> {
-        rights.chunks(LANES).flat_map(|rights| dispatch(ForwardSparse { factor: self, rights })).collect()
-    }
-
-    fn reach(&self, right: &[(u32, f64)]) -> Vec<u32> {
+    fn reach(&self, right: &[(u32, T)]) -> Vec<u32> {
         self.symbolic.reach(right.iter().map(|&(row, _)| self.unknown(row)))
     }
 
@@ -132,14 +131,21 @@ impl Factor {
     }
 }
 
-/// `x ← C⁻¹ x`, by the supernodes that matter.
-struct Forward<'a, I> {
-    factor: &'a Factor,
-    supernodes: I,
-    x: &'a mut [f64],
+impl Factor {
+    /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
+    pub(crate) fn forward_sparse_all(&self, rights: &[&[(u32, f64)]]) -> Vec<SparseVector> {
+        rights.chunks(LANES).flat_map(|rights| dispatch(ForwardSparse { factor: self, rights })).collect()
+    }
 }
 
-impl<I: Iterator<Item = usize>> Work for Forward<'_, I> {
+/// `x ← C⁻¹ x`, by the supernodes that matter.
+struct Forward<'a, T, I> {
+    factor: &'a Factor<T>,
+    supernodes: I,
+    x: &'a mut [T],
+}
+
+impl<T: Scalar, I: Iterator<Item = usize>> Work for Forward<'_, T, I> {
     type Output = ();
 
     #[inline(always)]
@@ -147,18 +153,18 @@ impl<I: Iterator<Item = usize>> Work for Forward<'_, I> {
         let mut change = Vec::new();
         for index in self.supernodes {
             let (supernode, block) = self.factor.block(index);
-            substitution::forward::<FUSED>(&supernode, block, self.x, &mut change);
+            substitution::forward::<T, FUSED>(&supernode, block, self.x, &mut change);
         }
     }
 }
 
-/// `x ← C⁻ᵀ x`.
-struct Backward<'a> {
-    factor: &'a Factor,
-    x: &'a mut [f64],
+/// `x ← C⁻ᴴ x`.
+struct Backward<'a, T> {
+    factor: &'a Factor<T>,
+    x: &'a mut [T],
 }
 
-impl Work for Backward<'_> {
+impl<T: Scalar> Work for Backward<'_, T> {
     type Output = ();
 
     #[inline(always)]
@@ -166,7 +172,7 @@ impl Work for Backward<'_> {
         let mut known = Vec::new();
         for index in (0..self.factor.symbolic.supernode_count()).rev() {
             let (supernode, block) = self.factor.block(index);
-            substitution::backward::<FUSED>(&supernode, block, self.x, &mut known);
+            substitution::backward::<T, FUSED>(&supernode, block, self.x, &mut known);
         }
     }
 }
@@ -197,7 +203,7 @@ impl Work for ForwardSparse<'_> {
         let mut change = Vec::new();
         for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
             let (supernode, block) = factor.block(lanes[0].0 as usize);
-            substitution::forward_lanes::<LANES, FUSED>(&supernode, block, &mut x, &mut change);
+            substitution::forward_lanes::<f64, LANES, FUSED>(&supernode, block, &mut x, &mut change);
             let own = &x[supernode.start..supernode.start + supernode.width];
             for &(_, lane) in lanes {
                 vectors[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));

@@ -3,7 +3,8 @@
 //! All arrays hold the entries of `N` matrices interleaved: the lanes of one entry lie next to each other, so that fronts
 //! of a few rows, which are most of them, still fill vector registers, and every index is computed once for all.
 
-use crate::simd::{Pair, array, multiply_add};
+use crate::scalar::{Pair, Scalar};
+use crate::simd::array;
 
 /// Numbers of a packed block: rows of the front times lanes.
 const BLOCK: usize = 8;
@@ -24,15 +25,15 @@ pub(crate) struct NotPositive {
 }
 
 /// A frontal matrix: lower triangle, rows in the elimination order.
-pub(crate) struct Front<'a, const N: usize> {
+pub(crate) struct Front<'a, T, const N: usize> {
     /// Number of rows.
     pub(crate) rows: usize,
     /// Number of columns to eliminate.
     pub(crate) columns: usize,
     /// `rows × columns`, column-major. What is above the diagonal is not looked at.
-    pub(crate) eliminated: &'a mut [f64],
+    pub(crate) eliminated: &'a mut [T],
     /// The lower triangle of the other columns, one after another, each from its diagonal on.
-    pub(crate) rest: &'a mut [f64],
+    pub(crate) rest: &'a mut [T],
 }
 
 /// First number of a column of a packed lower triangle.
@@ -41,10 +42,10 @@ pub(crate) fn packed_start(rows: usize, column: usize) -> usize {
     column * (2 * rows - column + 1) / 2
 }
 
-impl<const N: usize> Front<'_, N> {
+impl<T: Scalar, const N: usize> Front<'_, T, N> {
     /// A column from its diagonal on.
     #[inline(always)]
-    pub(crate) fn column(&mut self, column: usize) -> &mut [f64] {
+    pub(crate) fn column(&mut self, column: usize) -> &mut [T] {
         match column.checked_sub(self.columns) {
             None => &mut self.eliminated[(column * self.rows + column) * N..(column + 1) * self.rows * N],
             Some(column) => {
@@ -57,7 +58,7 @@ impl<const N: usize> Front<'_, N> {
 
     /// Replaces the columns to eliminate by those of the Cholesky factor and the others by their Schur complement.
     #[inline(always)]
-    pub(crate) fn eliminate<const FUSED: bool>(&mut self, packed: &mut Vec<f64>) -> Result<(), NotPositive> {
+    pub(crate) fn eliminate<const FUSED: bool>(&mut self, packed: &mut Vec<T>) -> Result<(), NotPositive> {
         let mut panel = 0;
         while panel < self.columns {
             let panel_end = (panel + PANEL).min(self.columns);
@@ -89,26 +90,27 @@ impl<const N: usize> Front<'_, N> {
             let column = &mut here[j * N..rows * N];
             for k in from..j {
                 let other = &before[(k * rows + j) * N..(k + 1) * rows * N];
-                let factors: [f64; 2] = array(|lane| -other[lane % N]);
+                let factors: [T; 2] = array(|lane| -other[lane % N].conj());
                 let ((pairs, last), (other_pairs, other_last)) = (column.as_chunks_mut(), other.as_chunks());
                 for (pair, other) in pairs.iter_mut().zip(other_pairs) {
-                    let sum = Pair::new(*pair).plus_product::<FUSED>(Pair::new(*other), Pair::new(factors));
+                    let sum = T::Pair::new(*pair).plus_product::<FUSED>(T::Pair::new(*other), T::Pair::new(factors));
                     *pair = sum.numbers();
                 }
                 for (entry, other) in last.iter_mut().zip(other_last) {
-                    *entry = multiply_add::<FUSED>(*other, factors[0], *entry);
+                    *entry = T::multiply_add::<FUSED>(*other, factors[0], *entry);
                 }
             }
             let mut inverses = [0.0; N];
             for lane in 0..N {
-                if column[lane].is_nan() || column[lane] <= 0.0 {
+                let pivot = column[lane].real();
+                if pivot.is_nan() || pivot <= 0.0 {
                     return Err(NotPositive { column: j, lane });
                 }
-                inverses[lane] = 1.0 / column[lane].sqrt();
+                inverses[lane] = 1.0 / pivot.sqrt();
             }
             for entry in column.as_chunks_mut::<N>().0 {
                 for lane in 0..N {
-                    entry[lane] *= inverses[lane];
+                    entry[lane] = entry[lane].scale(inverses[lane]);
                 }
             }
         }
@@ -117,11 +119,11 @@ impl<const N: usize> Front<'_, N> {
 
     /// Copies the rows from `to` on of columns `from..to`, in blocks of `BLOCK` numbers, each with all its columns.
     #[inline(always)]
-    fn pack(&self, from: usize, to: usize, packed: &mut Vec<f64>) {
+    fn pack(&self, from: usize, to: usize, packed: &mut Vec<T>) {
         let depth = to - from;
         let numbers = (self.rows - to) * N;
         packed.clear();
-        packed.resize(numbers.div_ceil(BLOCK) * BLOCK * depth, 0.0);
+        packed.resize(numbers.div_ceil(BLOCK) * BLOCK * depth, T::ZERO);
         for k in 0..depth {
             let start = ((from + k) * self.rows + to) * N;
             let (blocks, last) = self.eliminated[start..start + numbers].as_chunks::<BLOCK>();
@@ -137,7 +139,7 @@ impl<const N: usize> Front<'_, N> {
 
     /// Takes `depth` packed columns, whose first row is `first`, out of columns `first..end`.
     #[inline(always)]
-    fn update<const FUSED: bool>(&mut self, depth: usize, first: usize, end: usize, packed: &[f64]) {
+    fn update<const FUSED: bool>(&mut self, depth: usize, first: usize, end: usize, packed: &[T]) {
         let block_rows = BLOCK / N;
         let stride = BLOCK * depth;
         let blocks = packed.len() / stride;
@@ -151,7 +153,7 @@ impl<const N: usize> Front<'_, N> {
                 let tile_columns = TILE_COLUMNS.min(columns - tile);
                 for row_block in block.max(chunk_start)..chunk_end {
                     let left = &packed[row_block * stride..(row_block + 1) * stride];
-                    let products = tile_products::<N, FUSED>(left, right, offset);
+                    let products = tile_products::<T, N, FUSED>(left, right, offset);
                     for (j, products) in products.iter().enumerate().take(tile_columns) {
                         subtract(self.column(first + tile + j), products, row_block * block_rows, tile + j, N);
                     }
@@ -161,19 +163,19 @@ impl<const N: usize> Front<'_, N> {
     }
 }
 
-/// Products of a block of rows with `TILE_COLUMNS` rows of another from row `offset` on, summed over their columns.
+/// Products of a block of rows with the conjugates of `TILE_COLUMNS` rows of another from row `offset` on, summed over their columns.
 #[inline(always)]
-fn tile_products<const N: usize, const FUSED: bool>(
-    left: &[f64],
-    right: &[f64],
+fn tile_products<T: Scalar, const N: usize, const FUSED: bool>(
+    left: &[T],
+    right: &[T],
     offset: usize,
-) -> [[f64; BLOCK]; TILE_COLUMNS] {
-    let mut sums = [[Pair::new([0.0; 2]); BLOCK / 2]; TILE_COLUMNS];
+) -> [[T; BLOCK]; TILE_COLUMNS] {
+    let mut sums = [[T::Pair::default(); BLOCK / 2]; TILE_COLUMNS];
     for (left, right) in left.as_chunks::<BLOCK>().0.iter().zip(right.as_chunks::<BLOCK>().0) {
         let right = &right[offset * N..(offset + TILE_COLUMNS) * N];
-        let left: [Pair; BLOCK / 2] = array(|i| Pair::new([left[2 * i], left[2 * i + 1]]));
+        let left: [T::Pair; BLOCK / 2] = array(|i| T::Pair::new([left[2 * i], left[2 * i + 1]]));
         for (j, sums) in sums.iter_mut().enumerate() {
-            let right = Pair::new(array(|lane| right[j * N + lane % N]));
+            let right = T::Pair::new(array(|lane| right[j * N + lane % N].conj()));
             for (sum, left) in sums.iter_mut().zip(left) {
                 *sum = sum.plus_product::<FUSED>(left, right);
             }
@@ -184,7 +186,7 @@ fn tile_products<const N: usize, const FUSED: bool>(
 
 /// Subtracts a block of rows from row `row` on from a column that begins at row `start`.
 #[inline(always)]
-fn subtract(column: &mut [f64], block: &[f64; BLOCK], row: usize, start: usize, lanes: usize) {
+fn subtract<T: Scalar>(column: &mut [T], block: &[T; BLOCK], row: usize, start: usize, lanes: usize) {
     if let Some(target) = row.checked_sub(start).and_then(|skip| column[skip * lanes..].first_chunk_mut::<BLOCK>()) {
         for lane in 0..BLOCK {
             target[lane] -= block[lane];
@@ -193,6 +195,6 @@ fn subtract(column: &mut [f64], block: &[f64; BLOCK], row: usize, start: usize, 
     }
     let (skip, above) = (row.saturating_sub(start) * lanes, start.saturating_sub(row) * lanes);
     for (target, value) in column[skip..].iter_mut().zip(&block[above.min(BLOCK)..]) {
-        *target -= value;
+        *target -= *value;
     }
 }

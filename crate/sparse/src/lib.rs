@@ -1,9 +1,4 @@
-//! Sparse symmetric positive definite systems, native and on wasm32.
-//!
-//! The way of the data: [`Pattern`] and [`SymmetricMatrix`] → [`Permutation`] (elimination order) → [`Symbolic`] (pattern
-//! of the factors, once for all matrices of one pattern) → [`Factor`] → [`System`], which solves whole right sides, sparse
-//! ones, and right sides under linear constraints without factoring again. Where factors do not fit,
-//! [`ConjugateGradients`] solves with multigrid as preconditioner.
+#![doc = include_str!("../README.md")]
 
 mod conjugate_gradients;
 mod dissection;
@@ -15,6 +10,9 @@ mod multifrontal;
 mod multigrid;
 mod ordering;
 mod pattern;
+#[cfg(test)]
+mod samples;
+mod scalar;
 mod schur;
 mod schur_cache;
 mod simd;
@@ -29,6 +27,7 @@ pub use factor::Factor;
 pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
+pub use scalar::{Pair, Scalar};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;
 pub use symbolic::{FactorMemory, Symbolic};

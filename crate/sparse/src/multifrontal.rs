@@ -8,6 +8,7 @@
 use std::ops::ControlFlow;
 
 use crate::front::{Front, NotPositive, packed_start};
+use crate::scalar::Scalar;
 use crate::simd::{Work, array};
 use crate::symbolic::{Supernode, Symbolic};
 
@@ -26,25 +27,25 @@ pub(crate) enum Failure {
 }
 
 /// Factors the `N` matrices with these values of the lower triangle.
-pub(crate) struct Factorisation<'a, const N: usize> {
+pub(crate) struct Factorisation<'a, T, const N: usize> {
     pub(crate) symbolic: &'a Symbolic,
-    pub(crate) matrices: [&'a [f64]; N],
+    pub(crate) matrices: [&'a [T]; N],
     /// Told the share of the work done, now and then.
     pub(crate) progress: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
 }
 
-impl<const N: usize> Work for Factorisation<'_, N> {
+impl<T: Scalar, const N: usize> Work for Factorisation<'_, T, N> {
     /// Values of the factors: supernodes one after another, each a dense column-major block.
-    type Output = Result<[Vec<f64>; N], Failure>;
+    type Output = Result<[Vec<T>; N], Failure>;
 
     #[inline(always)]
     fn run<const FUSED: bool>(self) -> Self::Output {
         let Self { symbolic, matrices, progress } = self;
-        let mut factors: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
+        let mut factors: [Vec<T>; N] = std::array::from_fn(|_| Vec::new());
         for factor in &mut factors {
             factor.try_reserve_exact(symbolic.factor_nonzeros()).map_err(|_| Failure::OutOfMemory)?;
         }
-        let mut stack: Vec<f64> = Vec::new();
+        let mut stack: Vec<T> = Vec::new();
         stack.try_reserve_exact(symbolic.stack_length() * N).map_err(|_| Failure::OutOfMemory)?;
         let mut waiting: Vec<u32> = Vec::new();
         let mut eliminated = Vec::new();
@@ -64,18 +65,22 @@ impl<const N: usize> Work for Factorisation<'_, N> {
             let Supernode { start, width, below, .. } = symbolic.supernode(index);
             let rows = width + below.len();
             eliminated.clear();
-            eliminated.resize(rows * width * N, 0.0);
-            for &(source, place) in symbolic.entries(index) {
-                let target = &mut eliminated.as_chunks_mut::<N>().0[place as usize];
-                *target = array(|lane| matrices[lane][source as usize]);
+            eliminated.resize(rows * width * N, T::ZERO);
+            let [kept, transposed] = symbolic.entries(index);
+            let targets = eliminated.as_chunks_mut::<N>().0;
+            for &(source, place) in kept {
+                targets[place as usize] = array(|lane| matrices[lane][source as usize]);
+            }
+            for &(source, place) in transposed {
+                targets[place as usize] = array(|lane| matrices[lane][source as usize].conj());
             }
             for (place, &row) in below.iter().enumerate() {
                 places[row as usize] = (width + place) as u32;
             }
             let top = stack.len();
-            stack.resize(top + packed_start(below.len(), below.len()) * N, 0.0);
+            stack.resize(top + packed_start(below.len(), below.len()) * N, T::ZERO);
             let (children, rest) = stack.split_at_mut(top);
-            let mut front = Front::<N> { rows, columns: width, eliminated: &mut eliminated, rest };
+            let mut front = Front::<T, N> { rows, columns: width, eliminated: &mut eliminated, rest };
             let mut bottom = top;
             while let Some(&child) = waiting.last().filter(|&&child| symbolic.parent(child as usize) == index as u32) {
                 waiting.pop();
@@ -107,7 +112,7 @@ impl<const N: usize> Work for Factorisation<'_, N> {
 
 /// Adds the packed lower triangle that a child left over; `relative` are its rows in the front, ascending.
 #[inline(always)]
-fn add<const N: usize>(front: &mut Front<'_, N>, child: &[f64], relative: &[u32]) {
+fn add<T: Scalar, const N: usize>(front: &mut Front<'_, T, N>, child: &[T], relative: &[u32]) {
     let mut child = child;
     for (j, &column) in relative.iter().enumerate() {
         let (entries, others) = child.split_at((relative.len() - j) * N);

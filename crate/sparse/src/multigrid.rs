@@ -5,6 +5,8 @@
 //! the finer, and there in the same way, until no rows are coupled.
 
 mod aggregation;
+#[cfg(test)]
+mod tests;
 
 use crate::matrix::SymmetricMatrix;
 use crate::pattern::NONE;

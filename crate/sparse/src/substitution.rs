@@ -1,7 +1,8 @@
 //! One supernode's part in solving with a Cholesky factor. Its block is dense and column-major: its own rows, then those
 //! below.
 
-use crate::simd::{Pair, array, multiply_add};
+use crate::scalar::{Pair, Scalar};
+use crate::simd::array;
 use crate::symbolic::Supernode;
 
 /// Columns that are gone through side by side. Most supernodes have no more.
@@ -12,11 +13,11 @@ const ROWS: usize = 4;
 
 /// `x ← C⁻¹ x` as far as the supernode goes. `scratch` may hold anything.
 #[inline(always)]
-pub(crate) fn forward<const FUSED: bool>(
+pub(crate) fn forward<T: Scalar, const FUSED: bool>(
     supernode: &Supernode<'_>,
-    block: &[f64],
-    x: &mut [f64],
-    scratch: &mut Vec<f64>,
+    block: &[T],
+    x: &mut [T],
+    scratch: &mut Vec<T>,
 ) {
     let &Supernode { start, width, below, .. } = supernode;
     let offset = start + width;
@@ -25,45 +26,45 @@ pub(crate) fn forward<const FUSED: bool>(
     let height = width + below.len();
     scratch.clear();
     scratch.extend_from_slice(own);
-    scratch.resize(height, 0.0);
+    scratch.resize(height, T::ZERO);
     let groups = width / GROUP * GROUP;
     for first in (0..groups).step_by(GROUP) {
-        forward_group::<GROUP, FUSED>(&block[first * height..], first, scratch);
+        forward_group::<T, GROUP, FUSED>(&block[first * height..], first, scratch);
     }
     let rest = &block[groups * height..];
     match width - groups {
-        1 => forward_group::<1, FUSED>(rest, groups, scratch),
-        2 => forward_group::<2, FUSED>(rest, groups, scratch),
-        3 => forward_group::<3, FUSED>(rest, groups, scratch),
+        1 => forward_group::<T, 1, FUSED>(rest, groups, scratch),
+        2 => forward_group::<T, 2, FUSED>(rest, groups, scratch),
+        3 => forward_group::<T, 3, FUSED>(rest, groups, scratch),
         _ => {}
     }
     let (values, changes) = scratch.split_at(width);
     own.copy_from_slice(values);
     for (&row, change) in below.iter().zip(changes) {
-        beyond[row as usize - offset] += change;
+        beyond[row as usize - offset] += *change;
     }
 }
 
 /// [`forward`] for columns `first..first + W`, which `block` begins with, of a supernode whose rows are `x`.
 #[inline(always)]
-fn forward_group<const W: usize, const FUSED: bool>(block: &[f64], first: usize, x: &mut [f64]) {
+fn forward_group<T: Scalar, const W: usize, const FUSED: bool>(block: &[T], first: usize, x: &mut [T]) {
     let height = x.len();
-    let columns: [&[f64]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
+    let columns: [&[T]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
     let (own, beyond) = x[first..].split_at_mut(W);
     for j in 0..W {
-        own[j] /= columns[j][j];
+        own[j] = own[j].divide(columns[j][j].real());
         for k in j + 1..W {
-            own[k] = multiply_add::<FUSED>(-columns[j][k], own[j], own[k]);
+            own[k] = T::multiply_add::<FUSED>(-columns[j][k], own[j], own[k]);
         }
     }
-    let values: [f64; W] = array(|j| -own[j]);
-    let columns: [(&[[f64; ROWS]], &[f64]); W] = array(|j| columns[j][W..].as_chunks());
+    let values: [T; W] = array(|j| -own[j]);
+    let columns: [(&[[T; ROWS]], &[T]); W] = array(|j| columns[j][W..].as_chunks());
     let (blocks, last) = beyond.as_chunks_mut::<ROWS>();
-    let all: [&[[f64; ROWS]]; W] = array(|j| &columns[j].0[..blocks.len()]);
+    let all: [&[[T; ROWS]]; W] = array(|j| &columns[j].0[..blocks.len()]);
     for (i, target) in blocks.iter_mut().enumerate() {
         let mut pairs = pairs_of(target);
         for j in 0..W {
-            let (entries, value) = (pairs_of(&all[j][i]), Pair::new([values[j]; 2]));
+            let (entries, value) = (pairs_of(&all[j][i]), T::Pair::new([values[j]; 2]));
             for (pair, entries) in pairs.iter_mut().zip(entries) {
                 *pair = pair.plus_product::<FUSED>(entries, value);
             }
@@ -72,18 +73,18 @@ fn forward_group<const W: usize, const FUSED: bool>(block: &[f64], first: usize,
     }
     for (i, target) in last.iter_mut().enumerate() {
         for j in 0..W {
-            *target = multiply_add::<FUSED>(columns[j].1[i], values[j], *target);
+            *target = T::multiply_add::<FUSED>(columns[j].1[i], values[j], *target);
         }
     }
 }
 
-/// `x ← C⁻ᵀ x` as far as the supernode goes. `scratch` may hold anything.
+/// `x ← C⁻ᴴ x` as far as the supernode goes. `scratch` may hold anything.
 #[inline(always)]
-pub(crate) fn backward<const FUSED: bool>(
+pub(crate) fn backward<T: Scalar, const FUSED: bool>(
     supernode: &Supernode<'_>,
-    block: &[f64],
-    x: &mut [f64],
-    scratch: &mut Vec<f64>,
+    block: &[T],
+    x: &mut [T],
+    scratch: &mut Vec<T>,
 ) {
     let &Supernode { start, width, below, .. } = supernode;
     let offset = start + width;
@@ -96,75 +97,75 @@ pub(crate) fn backward<const FUSED: bool>(
     let groups = width / GROUP * GROUP;
     let rest = &block[groups * height..];
     match width - groups {
-        1 => backward_group::<1, FUSED>(rest, groups, scratch),
-        2 => backward_group::<2, FUSED>(rest, groups, scratch),
-        3 => backward_group::<3, FUSED>(rest, groups, scratch),
+        1 => backward_group::<T, 1, FUSED>(rest, groups, scratch),
+        2 => backward_group::<T, 2, FUSED>(rest, groups, scratch),
+        3 => backward_group::<T, 3, FUSED>(rest, groups, scratch),
         _ => {}
     }
     for first in (0..groups).step_by(GROUP).rev() {
-        backward_group::<GROUP, FUSED>(&block[first * height..], first, scratch);
+        backward_group::<T, GROUP, FUSED>(&block[first * height..], first, scratch);
     }
     own.copy_from_slice(&scratch[..width]);
 }
 
 /// [`backward`] for columns `first..first + W`, which `block` begins with, of a supernode whose rows are `x`.
 #[inline(always)]
-fn backward_group<const W: usize, const FUSED: bool>(block: &[f64], first: usize, x: &mut [f64]) {
+fn backward_group<T: Scalar, const W: usize, const FUSED: bool>(block: &[T], first: usize, x: &mut [T]) {
     let height = x.len();
-    let columns: [&[f64]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
+    let columns: [&[T]; W] = array(|j| &block[j * height + first..(j + 1) * height]);
     let (own, beyond) = x[first..].split_at_mut(W);
-    let below: [(&[[f64; ROWS]], &[f64]); W] = array(|j| columns[j][W..].as_chunks());
+    let below: [(&[[T; ROWS]], &[T]); W] = array(|j| columns[j][W..].as_chunks());
     let (blocks, last) = beyond.as_chunks::<ROWS>();
-    let all: [&[[f64; ROWS]]; W] = array(|j| &below[j].0[..blocks.len()]);
-    let mut sums = [[Pair::default(); ROWS / 2]; W];
+    let all: [&[[T; ROWS]]; W] = array(|j| &below[j].0[..blocks.len()]);
+    let mut sums = [[T::Pair::default(); ROWS / 2]; W];
     for (i, known) in blocks.iter().enumerate() {
         let known = pairs_of(known);
         for j in 0..W {
             let entries = pairs_of(&all[j][i]);
             for row in 0..ROWS / 2 {
-                sums[j][row] = sums[j][row].plus_product::<FUSED>(entries[row], known[row]);
+                sums[j][row] = sums[j][row].plus_product::<FUSED>(entries[row].conj(), known[row]);
             }
         }
     }
-    let mut products: [f64; W] = array(|j| sums[j].iter().flat_map(|sum| sum.numbers()).sum());
+    let mut products: [T; W] = array(|j| sums[j].iter().flat_map(|sum| sum.numbers()).sum());
     for (i, known) in last.iter().enumerate() {
         for j in 0..W {
-            products[j] = multiply_add::<FUSED>(below[j].1[i], *known, products[j]);
+            products[j] = T::multiply_add::<FUSED>(below[j].1[i].conj(), *known, products[j]);
         }
     }
     for j in (0..W).rev() {
-        own[j] = (own[j] - products[j]) / columns[j][j];
+        own[j] = (own[j] - products[j]).divide(columns[j][j].real());
         for k in 0..j {
-            products[k] = multiply_add::<FUSED>(columns[k][j], own[j], products[k]);
+            products[k] = T::multiply_add::<FUSED>(columns[k][j].conj(), own[j], products[k]);
         }
     }
 }
 
 #[inline(always)]
-fn pairs_of(numbers: &[f64; ROWS]) -> [Pair; ROWS / 2] {
-    array(|pair| Pair::new([numbers[2 * pair], numbers[2 * pair + 1]]))
+fn pairs_of<T: Scalar>(numbers: &[T; ROWS]) -> [T::Pair; ROWS / 2] {
+    array(|pair| T::Pair::new([numbers[2 * pair], numbers[2 * pair + 1]]))
 }
 
 /// [`forward`] for `L` vectors at a time. `change` is scratch.
 #[inline(always)]
-pub(crate) fn forward_lanes<const L: usize, const FUSED: bool>(
+pub(crate) fn forward_lanes<T: Scalar, const L: usize, const FUSED: bool>(
     supernode: &Supernode<'_>,
-    block: &[f64],
-    x: &mut [[f64; L]],
-    change: &mut Vec<[f64; L]>,
+    block: &[T],
+    x: &mut [[T; L]],
+    change: &mut Vec<[T; L]>,
 ) {
     let &Supernode { start, width, below, .. } = supernode;
     change.clear();
-    change.resize(below.len(), [0.0; L]);
+    change.resize(below.len(), [T::ZERO; L]);
     for (j, column) in block.chunks_exact(width + below.len()).enumerate() {
         let (values, others) = x[start + j..start + width].split_first_mut().expect("a column has its diagonal");
         for value in values.iter_mut() {
-            *value /= column[j];
+            *value = value.divide(column[j].real());
         }
         let targets = others.iter_mut().chain(change.iter_mut());
         for (target, entry) in targets.zip(&column[j + 1..]) {
             for lane in 0..L {
-                target[lane] = multiply_add::<FUSED>(-entry, values[lane], target[lane]);
+                target[lane] = T::multiply_add::<FUSED>(-*entry, values[lane], target[lane]);
             }
         }
     }

@@ -16,6 +16,7 @@ use crate::error::{Error, Result};
 use crate::front::packed_start;
 use crate::ordering::{Permutation, view};
 use crate::pattern::{NONE, Pattern};
+use crate::scalar::Scalar;
 
 /// Two supernodes become one where they have at most so many columns together and at most this share of zeros.
 const RELAXATION: &[(usize, f64)] = &[(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0.05)];
@@ -41,7 +42,8 @@ pub struct Symbolic {
     value_start: Vec<usize>,
     /// The supernode that each leaves its Schur complement to; [`NONE`] at a root.
     parent: Vec<u32>,
-    /// `#supernodes + 1`, where the entries of each begin in `entries`.
+    /// `2 #supernodes + 1`, where the entries of each begin in `entries`: those that the elimination order leaves below the
+    /// diagonal, then those that it moves above it, where the conjugate stands for them.
     entry_start: Vec<u32>,
     /// Stored entries of the matrix, each with its place in its supernode's block.
     entries: Vec<(u32, u32)>,
@@ -136,15 +138,17 @@ impl Symbolic {
     fn place_entries(&mut self, pattern: &Pattern) {
         let new_of_old = &self.permutation.new_of_old;
         let ends = |column: usize, entry: usize| {
-            let [a, b] = [column, pattern.rows()[entry] as usize].map(|old| new_of_old[old]);
-            (a.min(b), a.max(b))
+            let [column, row] = [column, pattern.rows()[entry] as usize].map(|old| new_of_old[old]);
+            (column.min(row), column.max(row), usize::from(row < column))
         };
+        let group = |low: u32, is_transposed: usize| 2 * self.supernode_of[low as usize] as usize + is_transposed;
         let stored = || (0..pattern.size()).flat_map(|column| pattern.column(column).map(move |entry| (column, entry)));
-        let mut entry_start = vec![0; self.supernode_count() + 1];
+        let mut entry_start = vec![0; 2 * self.supernode_count() + 1];
         for (column, entry) in stored() {
-            entry_start[self.supernode_of[ends(column, entry).0 as usize] as usize + 1] += 1;
+            let (low, _, is_transposed) = ends(column, entry);
+            entry_start[group(low, is_transposed) + 1] += 1;
         }
-        for index in 0..self.supernode_count() {
+        for index in 0..2 * self.supernode_count() {
             entry_start[index + 1] += entry_start[index];
         }
         let mut free: Vec<u32> = entry_start.clone();
@@ -152,8 +156,8 @@ impl Symbolic {
         let mut placed = vec![(0, 0); pattern.nonzeros()];
         let mut position = vec![(0, 0); pattern.nonzeros()];
         for (column, entry) in stored() {
-            let (low, high) = ends(column, entry);
-            let slot = &mut free[self.supernode_of[low as usize] as usize];
+            let (low, high, is_transposed) = ends(column, entry);
+            let slot = &mut free[group(low, is_transposed)];
             placed[*slot as usize] = (entry as u32, 0);
             position[*slot as usize] = (low, high);
             *slot += 1;
@@ -165,7 +169,7 @@ impl Symbolic {
                 places[row as usize] = (width + place) as u32;
             }
             let rows = (width + below.len()) as u32;
-            for slot in entry_start[index] as usize..entry_start[index + 1] as usize {
+            for slot in entry_start[2 * index] as usize..entry_start[2 * index + 2] as usize {
                 let (low, high) = position[slot];
                 let row = if (high as usize) < start + width { high - start as u32 } else { places[high as usize] };
                 placed[slot].1 = (low - start as u32) * rows + row;
@@ -225,9 +229,11 @@ impl Symbolic {
         self.parent[index]
     }
 
-    /// The stored entries of the matrix in a supernode's columns, each with its place in the dense block.
-    pub(crate) fn entries(&self, index: usize) -> &[(u32, u32)] {
-        &self.entries[self.entry_start[index] as usize..self.entry_start[index + 1] as usize]
+    /// The stored entries of the matrix in a supernode's columns, each with its place in the dense block: those to be
+    /// taken as they are, and those of which the conjugate is taken.
+    pub(crate) fn entries(&self, index: usize) -> [&[(u32, u32)]; 2] {
+        let ends = |group: usize| self.entry_start[group] as usize..self.entry_start[group + 1] as usize;
+        [2 * index, 2 * index + 1].map(|group| &self.entries[ends(group)])
     }
 
     /// Nonzeros of a factor, zeros inside supernodes counted.
@@ -240,10 +246,10 @@ impl Symbolic {
         self.stack_length
     }
 
-    /// What factors of the pattern take, when so many matrices are factored side by side.
-    pub fn memory(&self, matrices: usize) -> FactorMemory {
+    /// What factors of the pattern take, when so many matrices of numbers `T` are factored side by side.
+    pub fn memory<T: Scalar>(&self, matrices: usize) -> FactorMemory {
         let widest = self.value_start.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap_or(0);
-        let bytes = |numbers: usize| numbers as u64 * size_of::<f64>() as u64;
+        let bytes = |numbers: usize| numbers as u64 * size_of::<T>() as u64;
         FactorMemory {
             factor: bytes(self.factor_nonzeros()),
             factorization: bytes(matrices * (self.stack_length + widest)),

@@ -34,7 +34,7 @@ impl Solve {
         if matrices == 0 {
             return Ok(());
         }
-        let memory = symbolic.memory(matrices.min(SIDE_BY_SIDE));
+        let memory = symbolic.memory::<f64>(matrices.min(SIDE_BY_SIDE));
         let mut blocks = vec![memory.factor; matrices];
         // Work on the factors ends before the first solve begins.
         blocks.push(memory.factorization.max(BYTES_PER_NUMBER * (SOLVE_NUMBERS * symbolic.size()) as u64));

@@ -1,0 +1,279 @@
+//! Solutions put back into their matrices, of real and of complex numbers; what is refused.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use std::collections::BTreeMap;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+use super::*;
+use crate::ordering::Permutation;
+use crate::pattern::Pattern;
+use crate::samples::{Mesh, assemble, right_side};
+use crate::schur::{Functional, SchurComplement, evaluate};
+use crate::system::System;
+
+/// Share of the right side by which a solution may miss it: rounding, by the length of the sums and the growth in the
+/// factor.
+const RESIDUAL: f64 = 1e-12;
+
+fn go_on(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+fn analysed(pattern: &Arc<Pattern>) -> Arc<Symbolic> {
+    let permutation = Permutation::fill_reducing(pattern).expect("memory");
+    Arc::new(Symbolic::analyse(pattern, permutation).expect("memory"))
+}
+
+fn assert_solves(matrix: &SymmetricMatrix, solution: &[f64], right: &[f64]) {
+    let mut rest: Vec<f64> = right.iter().map(|value| -value).collect();
+    matrix.multiply_add(solution, &mut rest);
+    let largest = solution.iter().fold(1.0_f64, |largest, value| largest.max(value.abs()));
+    let missed = rest.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    assert!(missed <= RESIDUAL * largest, "{missed} at solutions up to {largest}");
+}
+
+#[test]
+fn solutions_satisfy_their_matrices() {
+    for mesh in [Mesh::grid(1, 1, 0.0, 1.0), Mesh::grid(40, 30, 3.0, 1.0), Mesh::icosphere(3)] {
+        let mesh = mesh.beside(&Mesh::icosphere(0));
+        let (poisson, heat) = (mesh.poisson(), mesh.heat());
+        let symbolic = analysed(poisson.pattern());
+        let factors = symbolic.factor([&poisson, &heat], &mut go_on).expect("positive definite");
+        for (matrix, both) in [poisson, heat].iter().zip(factors) {
+            let right = right_side(matrix.size());
+            assert_solves(matrix, &both.solve(&right), &right);
+            let [alone] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
+            assert_solves(matrix, &alone.solve(&right), &right);
+            let few = [(3, 2.0), (0, -1.0), (3, 0.5)];
+            let mut right = vec![0.0; matrix.size()];
+            (right[3], right[0]) = (2.5, -1.0);
+            assert_solves(matrix, &both.solve_sparse(&few), &right);
+            assert_eq!(both.nonzeros(), symbolic.factor_nonzeros());
+        }
+    }
+}
+
+#[test]
+fn constraints_are_met_by_changing_the_right_side_where_they_act() {
+    let mesh = Mesh::grid(20, 20, 0.5, 1.0);
+    let matrix = mesh.heat();
+    let [factor] = analysed(matrix.pattern()).factor([&matrix], &mut go_on).expect("positive definite");
+    let iterative = crate::conjugate_gradients::ConjugateGradients::new(matrix.clone());
+    let functionals: Vec<Functional> = vec![vec![(30, 1.0)], vec![(100, 0.5), (101, 0.5)], vec![(250, 1.0)]];
+    let wanted = [1.0, -2.0, 0.25];
+    // Rounding, and the residual at which conjugate gradients stop, by condition numbers of some 10.
+    for (system, bound) in [(System::Cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)] {
+        let right = right_side(system.size());
+        let columns = system.schur_columns(&functionals).expect("converges");
+        let mut partial = system.partial_solve(&right).expect("converges");
+        let missing: Vec<f64> = wanted.iter().zip(&columns).map(|(value, e)| value - partial.evaluate(e)).collect();
+        let multipliers = SchurComplement::new(&columns, 0.0).solve(&missing);
+        for (&multiplier, column) in multipliers.iter().zip(&columns) {
+            partial.add(multiplier, column);
+        }
+        let solution = partial.finish();
+        for (functional, value) in functionals.iter().zip(wanted) {
+            assert!((evaluate(functional, &solution) - value).abs() < bound);
+        }
+        let mut changed = right;
+        for (&(unknown, weight), multiplier) in
+            functionals.iter().zip(&multipliers).flat_map(|(e, m)| e.iter().map(move |term| (term, m)))
+        {
+            changed[unknown as usize] += multiplier * weight;
+        }
+        let direct = system.solve(&changed).expect("converges");
+        assert!(solution.iter().zip(&direct).all(|(a, b)| (a - b).abs() < bound));
+    }
+}
+
+#[test]
+fn any_order_becomes_one_that_can_be_factored() {
+    let matrix = Mesh::grid(12, 9, 0.0, 1.0).poisson();
+    let size = matrix.size() as u32;
+    // Steps of a number without a common divisor visit every row.
+    let order: Vec<u32> = (0..size).map(|place| place * 37 % size).collect();
+    let permutation = Permutation::new(matrix.pattern(), order).expect("every row once");
+    let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
+    let [factor] = symbolic.factor([&matrix], &mut go_on).expect("positive definite");
+    let right = right_side(matrix.size());
+    assert_solves(&matrix, &factor.solve(&right), &right);
+}
+
+#[test]
+fn rejects_what_does_not_fit() {
+    let matrix = Mesh::grid(5, 5, 0.0, 1.0).poisson();
+    let pattern = matrix.pattern();
+    let other = Mesh::grid(6, 5, 0.0, 1.0).poisson();
+    let code = |error: Error| error.code();
+    let permutation = Permutation::fill_reducing(other.pattern()).expect("memory");
+    assert_eq!(Symbolic::analyse(pattern, permutation).map_err(code).unwrap_err(), "permutation-mismatch");
+    // The identity is a postorder of a path, but not of two pairs of rows that interleave.
+    let path = Pattern::new(vec![0, 2, 4, 6, 7], vec![0, 1, 1, 2, 2, 3, 3]).expect("a pattern");
+    let pairs = Arc::new(Pattern::new(vec![0, 2, 4, 5, 6], vec![0, 2, 1, 3, 2, 3]).expect("a pattern"));
+    let permutation = Permutation::new(&path, vec![0, 1, 2, 3]).expect("an order");
+    assert_eq!(Symbolic::analyse(&pairs, permutation).map_err(code).unwrap_err(), "permutation-mismatch");
+    let path = Pattern::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2]).expect("a pattern");
+    for (order, place) in [(vec![0, 1, 1], 2), (vec![0, 3, 1], 1), (vec![0, 1], 2), (vec![0, 1, 2, 0], 3)] {
+        let error = Permutation::new(&path, order).unwrap_err();
+        assert_eq!(error, Error::InvalidPermutation { place, size: 3 });
+    }
+    let symbolic = analysed(pattern);
+    let error = symbolic.factor([&matrix, &other], &mut go_on).map(|_| ()).unwrap_err();
+    assert_eq!(error, Error::PatternMismatch { matrix: 1 });
+    let mut values = matrix.values().to_vec();
+    values[pattern.column(7).start] = -1.0;
+    let indefinite = SymmetricMatrix::new(Arc::clone(pattern), values).expect("values of the pattern");
+    let error = symbolic.factor([&matrix, &indefinite], &mut go_on).map(|_| ()).unwrap_err();
+    assert!(matches!(error, Error::NotPositiveDefinite { matrix: 1, .. }), "{error}");
+    let large = Mesh::icosphere(4).poisson();
+    let stop = &mut |_| ControlFlow::Break(());
+    assert_eq!(analysed(large.pattern()).factor([&large], stop).map(|_| ()).unwrap_err(), Error::Cancelled);
+    let error = SymmetricMatrix::new(Arc::clone(pattern), vec![1.0]).unwrap_err();
+    assert_eq!(error, Error::ValueCount { values: 1, nonzeros: pattern.nonzeros() });
+}
+
+#[test]
+fn rejects_invalid_patterns() {
+    let code = |column_start: &[u32], rows: &[u32]| {
+        Pattern::new(column_start.to_vec(), rows.to_vec()).map(|_| "valid").unwrap_or_else(|error| error.code())
+    };
+    assert_eq!(code(&[0, 2, 3], &[0, 1, 1]), "valid");
+    for column_start in [&[][..], &[1, 2, 3], &[0, 2, 2], &[0, 3, 2], &[0, 2, 4]] {
+        assert_ne!(code(column_start, &[0, 1, 1]), "valid", "{column_start:?}");
+    }
+    assert_eq!(code(&[0, 2, 3], &[0, 1, 0]), "missing-diagonal");
+    assert_eq!(code(&[0, 2, 2], &[0, 1]), "missing-diagonal");
+    assert_eq!(code(&[0, 2, 3], &[0, 2, 1]), "invalid-row");
+    assert_eq!(code(&[0, 3, 4], &[0, 1, 1, 1]), "invalid-row");
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Complex {
+    re: f64,
+    im: f64,
+}
+
+impl Complex {
+    fn of_angle(angle: f64) -> Self {
+        Self { re: angle.cos(), im: angle.sin() }
+    }
+}
+
+impl Add for Complex {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl Neg for Complex {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}
+
+impl Sub for Complex {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Complex {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+impl AddAssign for Complex {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Complex {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl Sum for Complex {
+    fn sum<I: Iterator<Item = Self>>(numbers: I) -> Self {
+        numbers.fold(Self::ZERO, Add::add)
+    }
+}
+
+impl Scalar for Complex {
+    type Pair = [Self; 2];
+    const ZERO: Self = Self { re: 0.0, im: 0.0 };
+
+    fn conj(self) -> Self {
+        Self { re: self.re, im: -self.im }
+    }
+
+    fn real(self) -> f64 {
+        self.re
+    }
+
+    fn abs2(self) -> f64 {
+        self.re * self.re + self.im * self.im
+    }
+
+    fn scale(self, factor: f64) -> Self {
+        Self { re: self.re * factor, im: self.im * factor }
+    }
+
+    fn divide(self, divisor: f64) -> Self {
+        Self { re: self.re / divisor, im: self.im / divisor }
+    }
+
+    fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
+        a * b + c
+    }
+}
+
+/// The Hermitian matrix of a grid, whose couplings turn by angles that differ from edge to edge.
+fn hermitian(side: u32, turn: f64) -> SymmetricMatrix<Complex> {
+    let mut entries = BTreeMap::new();
+    for vertex in 0..side * side {
+        entries.insert([vertex; 2], Complex { re: 4.1, im: 0.0 });
+        let right = (vertex % side + 1 < side).then_some(vertex + 1);
+        for other in right.into_iter().chain((vertex + side < side * side).then_some(vertex + side)) {
+            entries.insert([vertex, other], -Complex::of_angle(turn * f64::from(vertex + 3 * other)));
+        }
+    }
+    assemble((side * side) as usize, &entries)
+}
+
+#[test]
+fn hermitian_matrices_are_solved() {
+    let matrices = [hermitian(30, 0.7), hermitian(30, 1.9)];
+    let symbolic = analysed(matrices[0].pattern());
+    let has_transposed = |index| !symbolic.entries(index)[1].is_empty();
+    assert!((0..symbolic.supernode_count()).any(has_transposed), "else the test shows nothing of conjugates");
+    let both = symbolic.factor(matrices.each_ref(), &mut go_on).expect("positive definite");
+    for (matrix, both) in matrices.iter().zip(both) {
+        let [alone] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
+        let right: Vec<Complex> = (0..matrix.size()).map(|row| Complex::of_angle(row as f64 * 1.7)).collect();
+        for factor in [both, alone] {
+            let solution = factor.solve(&right);
+            let mut rest: Vec<Complex> = right.iter().map(|&value| -value).collect();
+            for column in 0..matrix.size() {
+                for entry in matrix.pattern().column(column) {
+                    let row = matrix.pattern().rows()[entry] as usize;
+                    rest[row] += matrix[entry] * solution[column];
+                    if row != column {
+                        rest[column] += matrix[entry].conj() * solution[row];
+                    }
+                }
+            }
+            let missed = rest.iter().fold(0.0_f64, |most, value| most.max(value.abs2().sqrt()));
+            assert!(missed <= RESIDUAL, "{missed}");
+        }
+    }
+}
