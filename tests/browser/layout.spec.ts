@@ -85,6 +85,14 @@ test('the panel collapses and remembers its sections', async ({ heatwalk, page }
   await expect(page.getByRole('button', { name: 'Open a file…' })).toBeHidden();
 });
 
+test('the panel remembers sections by the names of earlier versions', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await page.evaluate(() => localStorage.setItem('heatwalk.panel', '{"look":false,"show":true}'));
+  await heatwalk.open();
+  await expect(page.locator('#section-style')).not.toHaveAttribute('open');
+  await expect(page.locator('#section-display')).toHaveAttribute('open');
+});
+
 test('every control has a name', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const nameless = await page.evaluate(() =>
