@@ -10,6 +10,9 @@ use crate::surface::{Surface, SurfaceId};
 /// less than anything seen.
 const WEIGHT_TOLERANCE: f64 = 1e-5;
 
+/// The sum of three weights that were divided by their sum misses 1 by no more than this.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// A crossing nearer to a vertex or an edge than this share of the edge is on it. Rounding of one crossing is 10⁻¹⁶,
 /// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
 pub const SNAP: f64 = 1e-10;
@@ -76,7 +79,9 @@ impl Place {
                 if (sum - 1.0).abs() > WEIGHT_TOLERANCE {
                     return bad("weights must sum to 1".to_owned());
                 }
-                Ok(Self::Face { face, weights: cut.map(|weight| weight / sum) })
+                // A place that was checked before stays the same, bit by bit.
+                let scale = if (sum - 1.0).abs() <= ROUNDING { 1.0 } else { sum };
+                Ok(Self::Face { face, weights: cut.map(|weight| weight / scale) })
             }
         }
     }
