@@ -10,6 +10,7 @@ mod multifrontal;
 mod multigrid;
 mod ordering;
 mod pattern;
+mod real;
 #[cfg(test)]
 mod samples;
 mod scalar;

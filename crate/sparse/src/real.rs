@@ -1,0 +1,83 @@
+//! Real numbers as scalars.
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use core::arch::wasm32::{f64x2_add, f64x2_mul, v128};
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use crate::scalar::Pair;
+use crate::scalar::Scalar;
+
+impl Scalar for f64 {
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    type Pair = Register;
+    #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+    type Pair = [f64; 2];
+
+    const ZERO: Self = 0.0;
+
+    #[inline(always)]
+    fn conj(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn real(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn abs2(self) -> f64 {
+        self * self
+    }
+
+    #[inline(always)]
+    fn scale(self, factor: f64) -> Self {
+        self * factor
+    }
+
+    #[inline(always)]
+    fn divide(self, divisor: f64) -> Self {
+        self / divisor
+    }
+
+    #[inline(always)]
+    fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
+        if FUSED { a.mul_add(b, c) } else { a * b + c }
+    }
+}
+
+/// Two numbers in one vector register. On wasm32 the compiler does not find pairs by itself as it does elsewhere.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[derive(Debug, Clone, Copy)]
+pub struct Register(v128);
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+impl Default for Register {
+    #[inline(always)]
+    fn default() -> Self {
+        Self::new([0.0; 2])
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+impl Pair<f64> for Register {
+    #[inline(always)]
+    fn new(numbers: [f64; 2]) -> Self {
+        Self(bytemuck::cast(numbers))
+    }
+
+    #[inline(always)]
+    fn numbers(self) -> [f64; 2] {
+        bytemuck::cast(self.0)
+    }
+
+    #[inline(always)]
+    fn conj(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn plus_product<const FUSED: bool>(self, a: Self, b: Self) -> Self {
+        Self(f64x2_add(self.0, f64x2_mul(a.0, b.0)))
+    }
+}
