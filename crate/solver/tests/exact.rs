@@ -267,7 +267,7 @@ fn bad_requests_are_refused() {
     let mut go_on = |_| ControlFlow::Continue(());
     assert_eq!(exact_distance::<Place>(&surface, &[], &mut go_on), Err(Error::NoSource));
     let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
-    assert!(matches!(offset, Err(Error::BadParameter { .. })));
+    assert!(matches!(offset, Err(Error::Surface(SurfaceError::BadParameter { .. }))));
     let vertex = exact_distance(&surface, &[(Place::Vertex(VertexId(1000)), 0.0)], &mut go_on);
     assert!(matches!(vertex, Err(Error::Surface(SurfaceError::BadVertex { .. }))));
     let values = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), 1.0)], &mut go_on).expect("values");
