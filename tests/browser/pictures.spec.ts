@@ -46,10 +46,10 @@ async function show(heatwalk: HeatwalkPage, link: string, clear = true): Promise
   await expect
     .poll(() => page.evaluate(() => window.heatwalk.camera?.[2]))
     .toBe(Number(/cam=[^,]*,[^,]*,([^,]*)/.exec(link)?.[1]));
-  return picture(heatwalk, 0.5, clear);
+  return capture(heatwalk, 0.5, clear);
 }
 
-async function picture({ page }: HeatwalkPage, scale: number, clear: boolean): Promise<PNG> {
+async function capture({ page }: HeatwalkPage, scale: number, clear: boolean): Promise<PNG> {
   const base64 = await page.evaluate(
     async ([factor, isClear]) => {
       const file = await window.heatwalk.picture(factor, isClear);
@@ -123,7 +123,7 @@ test('a mesh of any size and anywhere is drawn alike', async ({ heatwalk, page }
     const { diameter } = await heatwalk.mesh();
     // The box of the unit sphere; positions on a map keep ten of its digits.
     expect(diameter / size / Math.sqrt(12)).toBeCloseTo(1, 3);
-    return picture(heatwalk, 0.5, true);
+    return capture(heatwalk, 0.5, true);
   };
   const usual = await shown(1, [0, 0, 0]);
   const off: string[] = [];

@@ -13,7 +13,7 @@ pub const HEIGHT: u32 = 180;
 const CLEARLY: u8 = 32;
 /// Versions of the software device round differently, so contours fall on other samples: a pixel along them differs where a
 /// sample is on the other side, by up to all there is. On one machine no pixel differs. The smallest thing that a test must
-/// see missing, a pin, covers some two hundred.
+/// see missing, the walker, covers more than a hundred.
 const CLEARLY_DIFFERENT_PIXELS: usize = 40;
 /// The same of the whole picture: rounding of colours is less than one step, and contours are a hundredth of the pixels.
 const MEAN_DIFFERENCE: f64 = 0.3;
