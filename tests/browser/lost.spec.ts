@@ -43,7 +43,7 @@ test('a renderer that traps is made anew with the scene intact', async ({ page }
   await expect.poll(() => canvas?.evaluate((element) => element.isConnected)).toBe(false);
   await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).toBe(heatwalk.backend);
   await expect.poll(stripes).toBe(before);
-  await expect(page.getByRole('alert')).toContainText('The renderer failed and was started again');
+  await expect(page.getByRole('alert')).toContainText('The renderer failed and was restarted');
 
   // The fresh one takes another mesh.
   await page.getByRole('button', { name: 'Sphere', exact: true }).click();

@@ -61,7 +61,7 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
   }, TRAP);
   await heatwalk.drop([['ball.off', BALL]]);
   const alert = page.getByRole('alert');
-  await expect(alert).toContainText('ball.off was not opened: The renderer failed and was started again');
+  await expect(alert).toContainText('ball.off was not opened: The renderer failed and was restarted');
   await heatwalk.rest();
   expect(await everything(heatwalk)).toEqual(before);
   await expect.poll(async () => difference(picture, await heatwalk.picture())).toBe(0);
