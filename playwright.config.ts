@@ -22,6 +22,8 @@ const WEBGPU = [
   '--ignore-gpu-blocklist',
 ];
 
+const DRAWN = /(display|lost|pictures|scene)\.spec\.ts$/;
+
 const browser = (args: readonly string[]) => ({
   launchOptions: {
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
@@ -46,7 +48,8 @@ export default defineConfig({
   projects: [
     { name: 'unit', testDir: 'tests/unit' },
     { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
-    { name: 'webgpu', testDir: 'tests/browser', use: browser(WEBGPU) },
+    // What is drawn is looked at on both; what the page does is the same on either.
+    { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, use: browser(WEBGPU) },
   ],
   webServer: {
     // Node itself, not npx: stopping npx would leave its child on the port.

@@ -114,6 +114,19 @@ export class HeatwalkPage {
     return pixel;
   }
 
+  /** The scene drawn beside the canvas, `scale` times as large as the window; on a transparent ground if `clear`. */
+  async drawing(scale: number, clear: boolean): Promise<PNG> {
+    const base64 = await this.page.evaluate(
+      async ([times, isClear]) => {
+        const picture = await window.heatwalk.picture(times, isClear);
+        const bytes = new Uint8Array(await picture.arrayBuffer());
+        return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+      },
+      [scale, clear] as const,
+    );
+    return PNG.sync.read(Buffer.from(base64, 'base64'));
+  }
+
   /** The window as drawn once everything has settled, without what floats over the canvas. */
   async picture(): Promise<PNG> {
     await this.settled();

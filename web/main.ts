@@ -115,6 +115,13 @@ session.failure.watch((failure) => {
   messages.fail(failure.message, failure.stack ?? '', opener.remedy(failure));
 });
 
+/** What nobody has caught: a handler has failed, and the page goes on. */
+const unforeseen = (error: unknown) => {
+  if (error instanceof Error) messages.fail(`Something went wrong: ${error.message}`, error.stack ?? '');
+};
+addEventListener('error', ({ error }) => unforeseen(error));
+addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
+
 frames.start();
 async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(location.hash)]);

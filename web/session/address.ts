@@ -21,7 +21,8 @@ export class Address {
       clearTimeout(this.#timer);
       this.#timer = window.setTimeout(() => this.#write(), REST_MS);
     });
-    addEventListener('hashchange', () => void opener.link(location.hash));
+    // A link that cannot be opened gives way to the scene that stays.
+    addEventListener('hashchange', () => void opener.link(location.hash).then(() => this.#write()));
   }
 
   /** The whole address of the present scene. */

@@ -1,14 +1,22 @@
 /** The crowd: asks the solver for its next step whenever the last one has come, and shows it. */
+import type { Engine } from '../solver/engine';
 import { LARGEST_CROWD } from '../state/scene';
-import { reducedMotion, type Session } from './session';
+import { reducedMotion } from '../view/motion';
+import type { Session } from './session';
 
 /** A walker of the crowd crosses the model in this time. */
 const CROSSING_SECONDS = 12;
 
+/** How many are shown, who moves them, and on which mesh. */
+interface Out {
+  count: number;
+  engine: Engine;
+  mesh: unknown;
+}
+
 export class CrowdWalk {
   readonly #session: Session;
-  /** How many the solver has, and of which mesh. */
-  #out: { count: number; mesh: unknown } = { count: 0, mesh: null };
+  #out: Out | null = null;
   #waiting: Promise<void> | null = null;
   /** Seconds since the last step was asked for. */
   #seconds = 0;
@@ -19,13 +27,14 @@ export class CrowdWalk {
 
   /** To be called once a frame. */
   advance(seconds: number): void {
-    const { shown, scene, paused } = this.#session;
-    const mesh = shown.value?.opened ?? null;
-    const count = mesh && shown.value?.answer.field ? Math.min(scene.state.crowd, LARGEST_CROWD) : 0;
-    const asked = count !== this.#out.count || (count > 0 && mesh !== this.#out.mesh);
+    const { shown, scene, paused, engine } = this.#session;
+    const count = shown.value?.answer.field ? Math.min(scene.state.crowd, LARGEST_CROWD) : 0;
+    const mesh = shown.value?.opened;
+    const anew = engine !== this.#out?.engine || mesh !== this.#out.mesh;
+    const asked = count !== (this.#out?.count ?? 0) || (count > 0 && anew);
     this.#seconds += seconds;
-    if (this.#waiting || !(asked || (count > 0 && !paused.value && !reducedMotion()))) return;
-    this.#waiting = this.#step(count, mesh, asked, shown.value?.places.diameter ?? 1).finally(() => {
+    if (!engine || this.#waiting || !(asked || (count > 0 && !paused.value && !reducedMotion()))) return;
+    this.#waiting = this.#step({ count, engine, mesh }, asked, shown.value?.places.diameter ?? 1).finally(() => {
       this.#waiting = null;
     });
   }
@@ -35,18 +44,18 @@ export class CrowdWalk {
     await this.#waiting;
   }
 
-  async #step(count: number, mesh: unknown, asked: boolean, diameter: number): Promise<void> {
+  async #step(out: Out, asked: boolean, diameter: number): Promise<void> {
+    const { count, engine } = out;
     const session = this.#session;
     const step = asked ? 0 : (this.#seconds * diameter) / CROSSING_SECONDS;
     this.#seconds = 0;
+    this.#out = out;
     try {
-      if (asked) await session.crowd(count);
-      const poses = count > 0 ? await session.stepCrowd(step) : new Float32Array();
-      this.#out = { count, mesh };
-      if (session.shown.value?.opened === mesh) session.view.setCrowd(poses);
+      if (asked) await engine.crowd(count);
+      const poses = count > 0 ? await engine.stepCrowd(step) : new Float32Array();
+      if (session.engine === engine) session.view.setCrowd(poses);
     } catch (error) {
-      // A mesh that was closed meanwhile has no crowd.
-      if (session.shown.value?.opened === mesh) throw error;
+      session.fail(error);
     }
   }
 }

@@ -37,7 +37,6 @@ const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
 export class Opener {
   readonly #session: Session;
   readonly #voice: Voice;
-  #load: (() => Promise<MeshInput>) | null = null;
   /** What a link wants to see of a file that only the user can give. */
   #awaited: SceneState | null = null;
 
@@ -54,9 +53,9 @@ export class Opener {
   async preset(id: string, state?: SceneState): Promise<void> {
     const preset = findPreset(id);
     if (!preset) return;
-    this.#forget();
     const { title, load, view } = preset;
-    await this.#open({ title, load, state: state ?? preset.start, choosePlaces: false, view });
+    const request = { title, load, state: state ?? preset.start, choosePlaces: false, view };
+    await this.#open(request, () => this.#forget());
   }
 
   async files(files: readonly File[]): Promise<void> {
@@ -106,11 +105,7 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    const { state } = this.#session.scene;
-    const title = this.#session.shown.value?.opened.name;
-    if (!this.#load || !title) return;
-    const next = { ...state, parts, sources: [], walker: null };
-    await this.#open({ title, load: this.#load, state: next, choosePlaces: true, view: null });
+    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null });
   }
 
   /** What can be done when a question to the mesh on screen has failed. */
@@ -124,16 +119,14 @@ export class Opener {
 
   /** The same mesh once more, in a worker of its own. */
   async #again(state: SceneState): Promise<void> {
-    const title = this.#session.shown.value?.opened.name;
-    if (!this.#load || !title) return;
-    await this.#open({ title, load: this.#load, state, choosePlaces: true, view: null });
+    const { request } = this.#session;
+    if (request) await this.#open({ ...request, state, choosePlaces: true, view: null });
   }
 
   /** When nothing is opened, the reason is told. */
   async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
     try {
       const shown = await this.#session.open(request);
-      this.#load = request.load;
       if (request.state.sources.length > this.#session.scene.state.sources.length) {
         this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
       }

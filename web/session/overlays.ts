@@ -1,5 +1,6 @@
 /** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
 import type { DistanceField, EdgeKind } from '../protocol';
+import type { Engine } from '../solver/engine';
 import type { Overlay, Painted } from '../state/scene';
 import type { Edges } from '../view/view';
 import type { Session } from './session';
@@ -48,41 +49,48 @@ export class Overlays {
     const { view } = session;
     const { overlays, painted } = session.scene.state;
     const field = session.shown.value?.answer.field ?? null;
+    const { engine } = session;
+    // A fresh worker's first answer asks again.
+    if (!engine) return;
     try {
-      const edges = anew ? await this.#edges(overlays) : null;
+      const edges = anew ? await edgesOf(engine, overlays) : null;
       const kind = (['distance', 'heat'] as const).find((vectors) => overlays.includes(vectors));
-      const arrows = kind && field ? await session.gradients(kind) : new Float32Array();
-      const instead = painted === 'distance' || !field ? null : await this.#instead(painted, field);
+      const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
+      const other = painted === 'distance' || !field ? null : await instead(engine, painted, field);
       if (wish !== this.#wish) return;
       if (edges) view.setEdges(edges);
       view.setArrows(arrows);
-      session.paint(instead);
+      session.paint(other);
     } catch (error) {
-      // A mesh that was closed meanwhile has nothing to show.
-      if (wish === this.#wish) session.failure.value = error instanceof Error ? error : new Error(String(error));
+      if (wish === this.#wish) session.fail(error);
     }
   }
+}
 
-  async #edges(overlays: readonly Overlay[]): Promise<Edges[]> {
-    const edges: Edges[] = [];
-    for (const { overlay, kind, colour } of EDGES) {
-      if (overlays.includes(overlay)) edges.push({ ends: await this.#session.edges(kind), colour });
-    }
-    return edges;
+async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Edges[]> {
+  const edges: Edges[] = [];
+  for (const { overlay, kind, colour } of EDGES) {
+    if (overlays.includes(overlay)) edges.push({ ends: await engine.edges(kind), colour });
   }
+  return edges;
+}
 
-  async #instead(painted: Painted, { distance, tangents }: DistanceField): Promise<Parameters<Session['paint']>[0]> {
-    if (painted === 'heat') {
-      // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
-      const cold = (await this.#session.heat()).map((logarithm) => -logarithm);
-      const whole = largest(cold);
-      return { field: { distance: cold, tangents, maxDistance: whole }, whole };
-    }
-    const errors = (await this.#session.errors()) ?? new Float32Array(distance.length);
-    // Errors are noise from vertex to vertex, so they have colours and no stripes.
-    const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
-    return { field, whole: 0 };
+/** The field that is painted in the place of distance. */
+async function instead(
+  engine: Engine,
+  painted: Painted,
+  { distance, tangents }: DistanceField,
+): Promise<Parameters<Session['paint']>[0]> {
+  if (painted === 'heat') {
+    // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
+    const cold = (await engine.heat()).map((logarithm) => -logarithm);
+    const whole = largest(cold);
+    return { field: { distance: cold, tangents, maxDistance: whole }, whole };
   }
+  const errors = (await engine.errors()) ?? new Float32Array(distance.length);
+  // Errors are noise from vertex to vertex, so they have colours and no stripes.
+  const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+  return { field, whole: 0 };
 }
 
 function largest(values: Float32Array): number {

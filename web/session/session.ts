@@ -1,18 +1,20 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import type { DistanceField, EdgeKind, ProgressListener, SceneryPart } from '../protocol';
+import type { ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import type { Answer, Engine } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
-import { Cancelled } from '../solver/remote';
-import { visible, type Scene, type SceneState } from '../state/scene';
+import { Cancelled, WorkerLost } from '../solver/remote';
+import { Places } from '../state/places';
+import type { Scene, SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { PaintedField, View } from '../view/view';
-import { Walk } from '../view/walk';
+import type { Walk } from '../view/walk';
 import { type OpenRequest, prepare, type Shown } from './prepare';
+import { Presenter } from './presenter';
 
-/** A way home that takes longer is traced only when the hand rests. */
+/** A path that takes longer is traced only when the pointer rests. */
 const LIVE_PATH_MS = 8;
-/** A field that takes longer, a frame at 60 a second, has a small near field while a hand drags. */
+/** A field that takes longer, a frame at 60 a second, has a small exact region while the pointer drags. */
 const LIVE_FIELD_MS = 16;
 
 /** Radians a second: a turn in sixteen seconds. */
@@ -29,36 +31,35 @@ export interface Loading {
 export class Session {
   readonly scene: Scene;
   readonly view: View;
-  readonly walk = new Walk();
   readonly loading = new Signal<Loading | null>(null);
   readonly shown = new Signal<Shown | null>(null);
-  /** A question to the solver failed. */
+  /** A question to the solver failed, or the worker that holds the mesh was lost. */
   readonly failure = new Signal<Error | null>(null);
   readonly paused = new Signal(false);
   /** Whether the model turns by itself. */
   readonly turntable = new Signal(false);
-  /** Distance fields solved and shown since the page was opened; the slices of refining are not counted. */
+  /** Distance fields solved and shown since the page was opened; refinement steps are not counted. */
   solves = 0;
   readonly refiner = new Refiner(
     (answer) => this.#refined(answer),
-    (error) => this.#fail(error),
+    (error) => this.fail(error),
   );
   readonly #client = new SolverClient();
+  readonly #presenter: Presenter;
+  /** What the mesh on screen was opened by. */
+  #request: OpenRequest | null = null;
+  /** Null before the first mesh, and while the worker of the one on screen is lost. */
   #engine: Engine | null = null;
-  /** The field shown, of distance. */
-  #field: DistanceField | null = null;
-  /** What periods of the look are shares of: of distance, the diameter. */
-  #whole = 1;
-  /** Yaw that the light is set up for, radians. */
-  #facing = 0;
-  /** How far the stripes have moved, in periods. */
-  #flow = 0;
+  #lost: WorkerLost | null = null;
+  /** What was asked when a worker was lost last, as text. */
+  #fatal = '';
   #dragging = false;
   #quick = false;
 
   constructor(scene: Scene, view: View) {
     this.scene = scene;
     this.view = view;
+    this.#presenter = new Presenter(scene, view);
     scene.subscribe((state, previous) => this.#follow(state, previous));
     this.paused.watch((paused) => {
       this.walk.paused = paused;
@@ -66,30 +67,35 @@ export class Session {
     this.turntable.watch(() => this.showTurntable());
   }
 
+  get walk(): Walk {
+    return this.#presenter.walk;
+  }
+
+  /** What the mesh on screen was opened by; null before the first. */
+  get request(): OpenRequest | null {
+    return this.#request;
+  }
+
+  /** Where the mesh on screen can be asked; null before the first, and while its worker is lost. */
+  get engine(): Engine | null {
+    return this.#engine;
+  }
+
   /** Shows another mesh once it is solved; until then, and if this rejects, everything stays as it was. */
-  async open(request: OpenRequest): Promise<Shown> {
-    const report: ProgressListener = ({ stage, fraction, vertices }) => {
-      if (this.loading.value === mine) {
-        mine = { title: request.title, stage, fraction, vertices };
-        this.loading.value = mine;
-      }
-    };
-    let mine: Loading = { title: request.title, stage: 'Fetching', fraction: 0, vertices: 0 };
-    this.loading.value = mine;
+  open(request: OpenRequest): Promise<Shown> {
     const { parts, parameters } = request.state;
-    let engine: Engine | null = null;
-    try {
-      engine = await this.#client.open(request.load, parts, parameters, report);
-      const { state, shown } = await prepare(engine, request);
-      if (this.loading.value !== mine) throw new Cancelled();
-      this.#adopt(engine, state, shown, request.view);
-      return shown;
-    } catch (error) {
-      engine?.dispose();
-      throw error;
-    } finally {
-      if (this.loading.value === mine) this.loading.value = null;
-    }
+    return this.#whileLoading(request.title, async (progress, check) => {
+      const engine = await this.#client.open(request.load, parts, parameters, progress);
+      try {
+        const { state, shown } = await prepare(engine, request);
+        check();
+        this.#adopt(engine, state, shown, request);
+        return shown;
+      } catch (error) {
+        engine.dispose();
+        throw error;
+      }
+    });
   }
 
   cancelOpening(): void {
@@ -97,7 +103,7 @@ export class Session {
     this.#client.cancel();
   }
 
-  /** During a drag a small near field may do, and the way home may wait until the hand rests. */
+  /** During a drag a small exact region may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
     const answer = this.shown.value?.answer;
     this.#dragging = dragging;
@@ -113,140 +119,151 @@ export class Session {
     return this.#dragging;
   }
 
-  /** Nothing is being opened, solved or refined, and no hand holds a source. */
+  /** Nothing is being opened, solved or refined, and no source is dragged. */
   get settled(): boolean {
     return this.loading.value === null && (this.#engine === null || this.refiner.settled);
   }
 
-  /** The field that the worker holds: the one shown, unless a question or a slice is under way. */
-  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
-    return this.#open().gradients(kind);
-  }
-
-  heat(): Promise<Float32Array> {
-    return this.#open().heat();
-  }
-
-  errors(): Promise<Float32Array | null> {
-    return this.#open().errors();
-  }
-
-  edges(kind: EdgeKind): Promise<Float32Array> {
-    return this.#open().edges(kind);
-  }
-
-  crowd(count: number): Promise<void> {
-    return this.#open().crowd(count);
-  }
-
-  stepCrowd(step: number): Promise<Float32Array> {
-    return this.#open().stepCrowd(step);
-  }
-
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
   paint(instead: { field: PaintedField; whole: number } | null): void {
-    this.view.setField(instead?.field ?? this.#field);
-    const whole = instead?.whole ?? this.shown.value?.places.diameter ?? 1;
-    if (whole !== this.#whole) {
-      this.#whole = whole;
-      this.#showLook();
-    }
+    this.#presenter.paint(instead);
+  }
+
+  /** Takes what moves by itself further. */
+  animate(seconds: number): void {
+    this.#presenter.animate(seconds);
   }
 
   showTurntable(): void {
     this.view.spin = this.turntable.value ? TURNTABLE_SPEED : 0;
   }
 
-  #showLook(): void {
-    const { look } = this.scene.state;
-    this.view.setLook(look, this.#whole, this.#facing);
-    if (look.flow === 0) this.#flow = 0;
-    this.#showOffset();
+  /** Tells that a question failed. What a worker that has ended leaves unanswered is no failure of its own. */
+  fail(error: unknown): void {
+    if (error instanceof Cancelled || error instanceof WorkerLost) return;
+    this.failure.value = toError(error);
   }
 
-  #showOffset(): void {
-    this.view.setOffset(this.scene.state.look.offset + this.#flow);
-  }
-
-  #open(): Engine {
-    if (!this.#engine) throw new Error('No mesh is open.');
-    return this.#engine;
-  }
-
-  /** Takes what moves by itself further. */
-  animate(seconds: number): void {
-    const still = reducedMotion();
-    const diameter = this.shown.value?.places.diameter ?? 1;
-    if ((!still || this.walk.performs) && this.walk.advance(seconds, diameter)) this.view.setWalker(this.walk.arc);
-    const { flow } = this.scene.state.look;
-    if (flow !== 0 && !still && !this.paused.value) {
-      this.#flow = (this.#flow + seconds * flow) % 1;
-      this.#showOffset();
+  /** `check` throws once another opening, or `cancelOpening`, has taken the place of this one. */
+  async #whileLoading<T>(
+    title: string,
+    work: (progress: ProgressListener, check: () => void) => Promise<T>,
+  ): Promise<T> {
+    let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
+    const isMine = () => this.loading.value === mine;
+    const progress: ProgressListener = (reached) => {
+      if (!isMine()) return;
+      mine = { title, ...reached };
+      this.loading.value = mine;
+    };
+    this.loading.value = mine;
+    try {
+      return await work(progress, () => {
+        if (!isMine()) throw new Cancelled();
+      });
+    } finally {
+      if (isMine()) this.loading.value = null;
     }
   }
 
-  #adopt(engine: Engine, state: SceneState, shown: Shown, view: OpenRequest['view']): void {
-    // The one step that can fail, so the first: until then nothing of the old scene is let go.
-    const { surface, scenery, drawTransform } = shown.opened;
-    this.view.setMesh(surface, visible(scenery, state), drawTransform);
+  /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */
+  #adopt(engine: Engine, state: SceneState, shown: Shown, request: OpenRequest): void {
+    const before = this.shown.value;
+    try {
+      this.#presenter.replace(shown, state, request.view);
+    } catch (error) {
+      // As if it were another mesh, so that what is shown beside the field comes back too.
+      if (before) this.shown.value = { ...before, opened: { ...before.opened } };
+      throw error;
+    }
     this.#engine?.dispose();
-    this.#engine = engine;
+    this.#use(engine);
+    this.#request = request;
     this.failure.value = null;
-    if (view) this.#facing = view[0];
-    this.#whole = shown.places.diameter;
-    this.view.setLook(state.look, this.#whole, this.#facing);
-    if (state.camera) {
-      this.view.camera = state.camera;
-    } else if (view) {
-      this.view.camera = [...view, 3, 0, 0, 0];
-      this.view.frame();
-    }
-    this.#show(shown, true);
+    this.#count(shown.answer);
+    this.shown.value = shown;
     this.scene.load(state);
-    this.#showPins();
     this.#rest();
     // The next opening finds its worker compiled, and the first picture does not wait for it.
     setTimeout(() => this.#client.warmUp(), 1500);
   }
 
+  #use(engine: Engine): void {
+    this.#engine = engine;
+    this.#lost = null;
+    void engine.lost.then((lost) => {
+      if (engine !== this.#engine) return;
+      this.#engine = null;
+      this.#lost = lost;
+      return this.#revive(lost);
+    });
+  }
+
+  /** Gives the scene a fresh worker, once: what has ended two workers would end a third. */
+  async #revive(lost: WorkerLost): Promise<void> {
+    this.refiner.giveUp();
+    const { state } = this.scene;
+    const asked = asText(state);
+    if (!this.#request || this.loading.value || asked === this.#fatal) {
+      this.failure.value = lost;
+      return;
+    }
+    this.#fatal = asked;
+    const { load, title } = this.#request;
+    try {
+      const engine = await this.#whileLoading(title, async (progress, check) => {
+        const opened = await this.#client.open(load, state.parts, state.parameters, progress);
+        check();
+        return opened;
+      });
+      this.#use(engine);
+    } catch (error) {
+      this.failure.value = error instanceof Cancelled ? lost : toError(error);
+      return;
+    }
+    if (await this.#solve()) {
+      this.failure.value = new Error(`${lost.message} A fresh solver has taken over; the scene is as it was.`, {
+        cause: lost,
+      });
+    }
+  }
+
   #follow(state: SceneState, previous: SceneState): void {
     const { value: shown } = this.shown;
     if (!shown) return;
-    if (state.look !== previous.look) {
-      this.#showLook();
-    }
-    if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
-    this.#showScenery(shown.opened.scenery, state, previous);
-    if (!this.#isAnswered(shown.answer)) void this.#solve();
+    if (this.#lost || !this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
   }
 
-  /** A new scenery is costly, so only where other parts are seen. */
-  #showScenery(parts: readonly SceneryPart[], state: SceneState, previous: SceneState): void {
-    const [now, before] = [visible(parts, state), visible(parts, previous)];
-    if (now.length !== before.length || now.some((mesh, i) => mesh !== before[i])) this.view.setScenery(now);
-  }
-
-  async #solve(): Promise<void> {
+  /** Whether the scene's question was answered and shown. */
+  async #solve(): Promise<boolean> {
     const engine = this.#engine;
     const { value: before } = this.shown;
-    if (!engine || !before) return;
+    if (this.#lost && !this.loading.value) void this.#revive(this.#lost);
+    if (!engine || !before) return false;
     const { sources, parameters, walker, way } = this.scene.state;
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
     this.refiner.interrupt();
     try {
       const answer = await engine.ask({ sources, parameters, from: wait ? null : walker, way, quick: this.#quick });
-      if (!answer || engine !== this.#engine) return;
+      if (!answer || engine !== this.#engine) return false;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
-      this.#show({ ...before, answer: { ...answer, pathMs } }, moved);
+      this.#show({ ...this.#meshOf(engine, before), answer: { ...answer, pathMs } }, moved);
       this.failure.value = null;
       if (!this.#dragging) this.#rest();
+      return true;
     } catch (error) {
-      if (error instanceof Cancelled) return;
+      if (error instanceof Cancelled || error instanceof WorkerLost) return false;
       this.refiner.giveUp();
-      this.#fail(error);
+      this.fail(error);
+      return false;
     }
+  }
+
+  /** A fresh worker has opened the mesh anew. */
+  #meshOf({ opened }: Engine, before: Shown): Omit<Shown, 'answer'> {
+    return opened === before.opened ? before : { opened, places: new Places(opened) };
   }
 
   /** Begins the refinement of what is shown, unless a newer question is already asked. */
@@ -273,34 +290,22 @@ export class Session {
     if (shown) this.#show({ ...shown, answer }, false);
   }
 
-  #fail(error: unknown): void {
-    this.failure.value = error instanceof Error ? error : new Error(String(error));
-  }
-
   #show(shown: Shown, fromStart: boolean): void {
-    const { field, path, question } = shown.answer;
-    this.#field = field;
-    if (this.scene.state.painted === 'distance') this.paint(null);
-    if (question.from || !this.#dragging) {
-      this.view.setPath(path);
-      this.walk.follow(path?.length ?? 0, fromStart);
-      if (path) this.view.setWalker(this.walk.arc);
-    }
-    if (field?.refineMs === 0 && field !== this.shown.value?.answer.field) this.solves += 1;
+    this.#presenter.answer(shown, fromStart, shown.answer.question.from !== null || !this.#dragging);
+    this.#count(shown.answer);
     this.shown.value = shown;
   }
 
-  #showPins(): void {
-    const places = this.shown.value?.places;
-    const { sources, selected } = this.scene.state;
-    if (!places) return;
-    this.view.setPins(
-      sources.map((source) => places.at(source)).filter((place) => place !== null),
-      selected,
-    );
+  #count({ field }: Answer): void {
+    if (field?.refineMs === 0 && field !== this.shown.value?.answer.field) this.solves += 1;
   }
 }
 
-export function reducedMotion(): boolean {
-  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+/** What the solver is asked about, as text. */
+function asText({ camera: _camera, look: _look, hidden: _hidden, selected: _selected, ...asked }: SceneState): string {
+  return JSON.stringify(asked);
+}
+
+function toError(thrown: unknown): Error {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }

@@ -55,11 +55,13 @@ export class SolverClient {
     if (this.#spare) return;
     const spare = new SolverWorker(this.#compiled());
     this.#spare = spare;
-    spare.call(spare.api.warmUp()).catch(() => {
-      // The worker that opens the next mesh says what is wrong, should it be wrong again.
+    // The worker that opens the next mesh says what is wrong, should it be wrong again.
+    const forget = () => {
       spare.end(new Cancelled());
       if (this.#spare === spare) this.#spare = null;
-    });
+    };
+    void spare.lost.then(forget);
+    spare.call(spare.api.warmUp()).catch(forget);
   }
 
   #compiled(): Promise<WebAssembly.Module> {

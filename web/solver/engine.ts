@@ -12,7 +12,7 @@ import type {
   TracedWay,
   Way,
 } from '../protocol';
-import { Cancelled, type SolverWorker } from './remote';
+import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
 export interface Question {
   sources: readonly Source[];
@@ -60,6 +60,11 @@ export class Engine {
     this.#worker = worker;
     this.#parameters = parameters;
     this.#factoring = opened;
+  }
+
+  /** Resolves when the worker is lost. */
+  get lost(): Promise<WorkerLost> {
+    return this.#worker.lost;
   }
 
   /** Latest wins: one question runs, one waits, and a waiting one that is overtaken answers null. */

@@ -9,7 +9,7 @@ export class Cancelled extends Error {
   }
 }
 
-/** The worker is gone: out of memory, or a defect. Nothing can be asked of this mesh until it is opened again. */
+/** The worker is gone: out of memory, or a defect. Its mesh must be opened again in another one. */
 export class WorkerLost extends Error {}
 
 const NOT_STARTED = 'The solver could not be started.';
@@ -17,22 +17,23 @@ const NOT_STARTED = 'The solver could not be started.';
 /** One worker and the calls to it. */
 export class SolverWorker {
   readonly #worker: Worker;
-  readonly #abort: (reason: Error) => void;
-  readonly #aborted: Promise<never>;
+  readonly #ended = Promise.withResolvers<never>();
   readonly api: Remote<SolverApi>;
+  /** Resolves when the worker is lost, whether or not a call was under way; not when it is ended on purpose. */
+  readonly lost: Promise<WorkerLost>;
 
   /** `module`: the solver's, compiled. */
   constructor(module: Promise<WebAssembly.Module>) {
     this.#worker = new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
     this.api = wrap<SolverApi>(this.#worker);
-    const { promise, reject } = Promise.withResolvers<never>();
-    this.#abort = reject;
-    this.#aborted = promise;
-    // Nobody need be waiting when a worker ends.
-    promise.catch(() => undefined);
+    this.lost = new Promise((resolve) => {
+      this.#ended.promise.catch((reason: unknown) => {
+        if (reason instanceof WorkerLost) resolve(reason);
+      });
+    });
     this.#worker.addEventListener('error', (event) => {
       event.preventDefault();
-      this.end(new WorkerLost(event.message || NOT_STARTED));
+      this.end(event.message ? stopped(event.message, event) : new WorkerLost(NOT_STARTED));
     });
     module
       .then((compiled) => this.api.start(compiled))
@@ -42,20 +43,19 @@ export class SolverWorker {
   /** Comlink never settles the calls of a terminated worker, so every call races against the worker's end. */
   async call<T>(answer: Promise<T>): Promise<T> {
     try {
-      return await Promise.race([answer, this.#aborted]);
+      return await Promise.race([answer, this.#ended.promise]);
     } catch (error) {
       const wrapped = toError(error);
-      if (isTrap(wrapped)) {
-        this.end(wrapped);
-        throw lost(wrapped);
-      }
-      throw wrapped;
+      if (!isTrap(wrapped)) throw wrapped;
+      this.end(lostTo(wrapped));
+      return this.#ended.promise;
     }
   }
 
-  end(reason: Error): void {
+  /** The first reason counts. */
+  end(reason: Cancelled | WorkerLost): void {
     this.#worker.terminate();
-    this.#abort(reason);
+    this.#ended.reject(reason);
   }
 }
 
@@ -63,14 +63,16 @@ function toError(thrown: unknown): Error {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
-function lost(trap: Error): WorkerLost {
-  if (!isOutOfMemory(trap)) {
-    return new WorkerLost(`The solver stopped unexpectedly (${trap.message}).`, { cause: trap });
-  }
+function lostTo(trap: Error): WorkerLost {
+  if (!isOutOfMemory(trap)) return stopped(trap.message, trap);
   const error = new WorkerLost(
     'The mesh needs more memory than the browser gives; use one with fewer triangles, or the native program.',
     { cause: trap },
   );
   error.name = OUT_OF_MEMORY;
   return error;
+}
+
+function stopped(reason: string, cause: unknown): WorkerLost {
+  return new WorkerLost(`The solver stopped unexpectedly (${reason}).`, { cause });
 }

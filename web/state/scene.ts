@@ -1,5 +1,6 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
 import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
+import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
@@ -163,7 +164,7 @@ export class Scene {
   #replace(state: SceneState): void {
     const previous = this.#state;
     this.#state = state;
-    for (const listener of this.#listeners) listener(state, previous);
+    tellEach(this.#listeners, state, previous);
   }
 }
 

@@ -15,7 +15,7 @@ export class Signal<T> {
     const previous = this.#value;
     if (Object.is(next, previous)) return;
     this.#value = next;
-    for (const listener of this.#listeners) listener(next, previous);
+    tellEach(this.#listeners, next, previous);
   }
 
   /** Calls at once with the present value, then on every change. Returns the function that ends this. */
@@ -23,6 +23,19 @@ export class Signal<T> {
     this.#listeners.add(listener);
     listener(this.#value, this.#value);
     return () => this.#listeners.delete(listener);
+  }
+}
+
+/** One listener that fails keeps none of the others from hearing; its error is one that nobody has caught. */
+export function tellEach<A extends unknown[]>(listeners: Iterable<(...news: A) => void>, ...news: A): void {
+  for (const listener of listeners) {
+    try {
+      listener(...news);
+    } catch (error) {
+      queueMicrotask(() => {
+        throw error;
+      });
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
 import type { DistanceField, PathKind, SurfacePoint } from '../protocol';
 import type { Session } from '../session/session';
+import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
 import { PRESETS } from '../state/presets';
 import type { SceneState } from '../state/scene';
@@ -117,8 +118,8 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
       const shown = session.shown.value;
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field.distance) : Number.NaN;
     },
-    gradients: (kind) => session.gradients(kind),
-    heat: () => session.heat(),
+    gradients: async (kind) => openEngine(session).gradients(kind),
+    heat: async () => openEngine(session).heat(),
     async picture(scale = 1, clear = false) {
       await api.settled();
       // What is wanted since the field came is asked for in the next frame.
@@ -133,4 +134,9 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     },
   };
   Object.defineProperty(window, 'heatwalk', { value: Object.freeze(api) });
+}
+
+function openEngine({ engine }: Session): Engine {
+  if (!engine) throw new Error('No mesh is open.');
+  return engine;
 }

@@ -1,8 +1,9 @@
 /** Mouse and touch input on the stage. */
 import type { SurfacePoint } from '../../protocol';
-import { reducedMotion, type Session } from '../../session/session';
+import type { Session } from '../../session/session';
 import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
 import type { Signal } from '../../state/signal';
+import { reducedMotion } from '../../view/motion';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
 import { type Finger, listenToWheel, pinch } from './orbit';

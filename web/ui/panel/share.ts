@@ -96,9 +96,7 @@ function worker(name: string, title: string) {
   const run = (session: Session, work: () => Promise<void>) => {
     button.disabled = true;
     work()
-      .catch((error: unknown) => {
-        session.failure.value = error instanceof Error ? error : new Error(String(error));
-      })
+      .catch((error: unknown) => session.fail(error))
       .finally(() => {
         button.disabled = false;
       });

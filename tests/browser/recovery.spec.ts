@@ -1,0 +1,167 @@
+/** No mesh ends the page: what cannot be opened changes nothing, and what is lost is made anew. */
+import { grid, off, sphere } from '../fixtures';
+import { difference, expect, type HeatwalkPage, test } from '../page';
+
+const N = 24;
+const GRID = off(grid(N));
+const at = (i: number, j: number) => i + (N + 1) * j;
+const SOURCES = [at(3, 4), at(20, 20)];
+const OPTIONS = `s=${SOURCES.join(',')}&w=${at(20, 2)}&b=dirichlet&refine=0&show=edges&crowd=20&look=lagoon`;
+
+const BALL = off(sphere(16));
+
+/** A module whose one function, `trap`, divides by zero. */
+const TRAP = [
+  [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
+  [0x01, 0x04, 0x01, 0x60, 0x00, 0x00],
+  [0x03, 0x02, 0x01, 0x00],
+  [0x07, 0x08, 0x01, 0x04, 0x74, 0x72, 0x61, 0x70, 0x00, 0x00],
+  [0x0a, 0x0a, 0x01, 0x08, 0x00, 0x41, 0x01, 0x41, 0x00, 0x6d, 0x1a, 0x0b],
+].flat();
+
+/** What must outlive whatever fails. */
+async function everything(heatwalk: HeatwalkPage) {
+  const { page } = heatwalk;
+  return {
+    scene: await heatwalk.scene(),
+    mesh: await heatwalk.mesh(),
+    field: await distances(heatwalk),
+    camera: await page.evaluate(() => window.heatwalk.camera),
+    fragment: new URL(page.url()).hash,
+    heading: await page.locator('.heading').innerText(),
+    sources: await page.locator('#section-sources').innerText(),
+  };
+}
+
+const distances = ({ page }: HeatwalkPage) =>
+  page.evaluate(
+    (count) => Array.from({ length: count }, (_, vertex) => window.heatwalk.distanceAt({ vertex })),
+    (N + 1) ** 2,
+  );
+
+async function openGrid(heatwalk: HeatwalkPage): Promise<void> {
+  // Nothing moves by itself, so that pictures can be compared.
+  await heatwalk.page.emulateMedia({ reducedMotion: 'reduce' });
+  await heatwalk.openFile('grid.off', GRID, OPTIONS);
+  await expect(heatwalk.page).toHaveURL(/hash=[\da-f]{64}/);
+}
+
+test('a mesh that cannot be drawn changes nothing, and the next one opens', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  const before = await everything(heatwalk);
+  const picture = await heatwalk.picture();
+  await page.evaluate((bytes) => {
+    const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
+    const { prototype } = WebGL2RenderingContext;
+    const { bufferData } = prototype;
+    prototype.bufferData = () => {
+      prototype.bufferData = bufferData;
+      (trap as () => void)();
+    };
+  }, TRAP);
+  await heatwalk.drop([['ball.off', BALL]]);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('ball.off was not opened: The renderer failed and was restarted');
+  await heatwalk.rest();
+  expect(await everything(heatwalk)).toEqual(before);
+  await expect.poll(async () => difference(picture, await heatwalk.picture())).toBe(0);
+
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await expect.poll(async () => (await heatwalk.scene()).sources).toHaveLength(1);
+  await heatwalk.dropAndOpen([['ball.off', BALL]]);
+  await expect(alert).toBeEmpty();
+});
+
+test('coordinates near the end of the numbers are drawn or refused, and the next mesh opens', async ({
+  heatwalk,
+  page,
+}) => {
+  await openGrid(heatwalk);
+  const { positions, triangles } = sphere(16);
+  const far = positions.map(([x, y, z]) => [1e25 * (x + 1), 1e25 * y, 1e25 * z] as [number, number, number]);
+  await heatwalk.drop([['far.off', off({ positions: far, triangles })]]);
+  const outcome = page.locator('.message', { hasText: 'far.off' });
+  await expect(outcome).toBeVisible();
+  await heatwalk.settled();
+  await heatwalk.dropAndOpen([['ball.off', BALL]]);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  expect((await heatwalk.field()).maxDistance).toBeCloseTo(Math.PI, 1);
+  const solves = await heatwalk.solves();
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+});
+
+test('a trap of the solver on the way ends in a fresh one with the same scene', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  const [first] = page.workers();
+  await page.keyboard.press('Enter');
+  await heatwalk.settled();
+  const solves = await heatwalk.solves();
+  const { sources } = await heatwalk.scene();
+  // The clock is read between the steps of every answer.
+  await first.evaluate((bytes) => {
+    const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
+    performance.now = trap as () => number;
+  }, TRAP);
+  await page.keyboard.press('Control+z');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText(/stopped unexpectedly \(divide by zero\)\. A fresh solver has taken over/);
+  await heatwalk.settled();
+  expect(page.workers()).not.toContain(first);
+  expect(await heatwalk.solves()).toBe(solves + 1);
+  const after = await heatwalk.scene();
+  expect(after.sources).toEqual(SOURCES.map((vertex) => ({ vertex })));
+  expect(after.parameters.boundary).toBe('dirichlet');
+  for (const vertex of SOURCES) expect(await heatwalk.distanceAt({ vertex })).toBe(0);
+  expect(await page.evaluate(() => window.heatwalk.walker?.length)).toBeGreaterThan(0.5);
+
+  // Undo goes on where it was.
+  await page.keyboard.press('Control+Shift+z');
+  await expect.poll(() => heatwalk.solves()).toBe(solves + 2);
+  expect((await heatwalk.scene()).sources).toEqual(sources);
+});
+
+test('a solver that stops while nobody asks is replaced, and shows the same', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  await heatwalk.settled();
+  const before = await everything(heatwalk);
+  const picture = await heatwalk.picture();
+  await page.workers()[0].evaluate(() => {
+    setTimeout(() => {
+      throw new Error('a defect');
+    });
+  });
+  await expect(page.getByRole('alert')).toContainText('A fresh solver has taken over; the scene is as it was.');
+  await heatwalk.settled();
+  expect(await everything(heatwalk)).toEqual(before);
+  await expect.poll(async () => difference(picture, await heatwalk.picture())).toBe(0);
+});
+
+test('a question that ends every solver is asked twice and no more', async ({ heatwalk, page }) => {
+  let solvers = 0;
+  page.on('worker', () => (solvers += 1));
+  await page.route(/entry.*\.js$/, async (route) => {
+    const response = await route.fetch();
+    const ends = `addEventListener('message', (event) => {
+      const { path, argumentList } = event.data;
+      if (path?.[0] !== 'solve' || argumentList[0].value.length !== 3) return;
+      event.stopImmediatePropagation();
+      throw new Error('three');
+    });`;
+    await route.fulfill({ response, body: ends + (await response.text()) });
+  });
+  await openGrid(heatwalk);
+  const before = await distances(heatwalk);
+  await page.keyboard.press('Shift+Enter');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('The solver stopped unexpectedly (Uncaught Error: three).');
+  await expect(alert.getByRole('button', { name: 'Open the mesh again' })).toBeVisible();
+  await heatwalk.settled();
+  const asked = solvers;
+  // What is shown stays of use, and another question is answered.
+  expect(await distances(heatwalk)).toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect(alert).toContainText('A fresh solver has taken over');
+  expect(await distances(heatwalk)).toEqual(before);
+  expect(solvers).toBeLessThanOrEqual(asked + 1);
+});

@@ -1,0 +1,145 @@
+/** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
+import type { DistanceField } from '../protocol';
+import { type Scene, type SceneState, visible } from '../state/scene';
+import { reducedMotion } from '../view/motion';
+import type { PaintedField, View } from '../view/view';
+import { Walk } from '../view/walk';
+import type { OpenRequest, Shown } from './prepare';
+
+export class Presenter {
+  readonly walk = new Walk();
+  readonly #scene: Scene;
+  readonly #view: View;
+  /** What is on the view. */
+  #shown: Shown | null = null;
+  #state: SceneState;
+  /** The field shown, of distance. */
+  #field: DistanceField | null = null;
+  /** What the period of the style is a share of: for distance, the diameter. */
+  #whole = 1;
+  /** Yaw that the light is set up for, radians. */
+  #facing = 0;
+  /** How far the stripes have moved, in periods. */
+  #flow = 0;
+
+  constructor(scene: Scene, view: View) {
+    this.#scene = scene;
+    this.#view = view;
+    this.#state = scene.state;
+    scene.subscribe((state) => this.#follow(state));
+  }
+
+  /**
+   * Shows another mesh. Where the view cannot take it, it is started anew with what it showed before, and the reason is
+   * thrown.
+   */
+  replace(shown: Shown, state: SceneState, from: OpenRequest['view']): void {
+    const before = { shown: this.#shown, state: this.#state, facing: this.#facing, camera: this.#view.camera };
+    try {
+      this.#showAll(shown, state, from?.[0] ?? this.#facing, 0);
+      if (state.camera) {
+        this.#view.camera = state.camera;
+      } else if (from) {
+        this.#view.camera = [...from, 3, 0, 0, 0];
+        this.#view.frame();
+      }
+    } catch (error) {
+      // One that is not being replaced already has seen half of it. The next one is given what was shown.
+      if (this.#view.backend.value !== null) void this.#view.start();
+      if (before.shown) this.#showAll(before.shown, before.state, before.facing, this.walk.arc);
+      if (before.camera) this.#view.camera = before.camera;
+      throw error;
+    }
+    this.walk.follow(shown.answer.path?.length ?? 0, true);
+  }
+
+  /** Shows another answer for the same mesh; its path replaces the one shown if `withPath`. */
+  answer(shown: Shown, fromStart: boolean, withPath: boolean): void {
+    this.#showField(shown);
+    if (!withPath) return;
+    this.walk.follow(shown.answer.path?.length ?? 0, fromStart);
+    this.#showPath(shown, this.walk.arc);
+  }
+
+  /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
+  paint(instead: { field: PaintedField; whole: number } | null): void {
+    this.#view.setField(instead?.field ?? this.#field);
+    const whole = instead?.whole ?? this.#shown?.places.diameter ?? 1;
+    if (whole !== this.#whole) {
+      this.#whole = whole;
+      this.#showLook();
+    }
+  }
+
+  /** Takes what moves by itself further. */
+  animate(seconds: number): void {
+    const still = reducedMotion();
+    const diameter = this.#shown?.places.diameter ?? 1;
+    if ((!still || this.walk.performs) && this.walk.advance(seconds, diameter)) this.#view.setWalker(this.walk.arc);
+    const { flow } = this.#scene.state.look;
+    if (flow !== 0 && !still && !this.walk.paused) {
+      this.#flow = (this.#flow + seconds * flow) % 1;
+      this.#showOffset();
+    }
+  }
+
+  #showAll(shown: Shown, state: SceneState, facing: number, arc: number): void {
+    this.#state = state;
+    this.#facing = facing;
+    this.#whole = shown.places.diameter;
+    const { surface, scenery, drawTransform } = shown.opened;
+    this.#view.setMesh(surface, visible(scenery, state), drawTransform);
+    this.#showLook();
+    this.#showField(shown);
+    this.#showPath(shown, arc);
+    this.#showPins();
+  }
+
+  #showField(shown: Shown): void {
+    this.#shown = shown;
+    this.#field = shown.answer.field;
+    if (this.#state.painted === 'distance') this.paint(null);
+  }
+
+  #showPath({ answer: { path } }: Shown, arc: number): void {
+    this.#view.setPath(path);
+    if (path) this.#view.setWalker(arc);
+  }
+
+  #follow(state: SceneState): void {
+    const previous = this.#state;
+    this.#state = state;
+    if (!this.#shown || state === previous) return;
+    if (state.look !== previous.look) this.#showLook();
+    if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
+    this.#showScenery(state, previous);
+  }
+
+  #showLook(): void {
+    const { look } = this.#state;
+    this.#view.setLook(look, this.#whole, this.#facing);
+    if (look.flow === 0) this.#flow = 0;
+    this.#showOffset();
+  }
+
+  #showOffset(): void {
+    this.#view.setOffset(this.#state.look.offset + this.#flow);
+  }
+
+  /** A new scenery is costly, so only where other parts are seen. */
+  #showScenery(state: SceneState, previous: SceneState): void {
+    const parts = this.#shown?.opened.scenery ?? [];
+    const [now, before] = [visible(parts, state), visible(parts, previous)];
+    if (now.length !== before.length || now.some((mesh, i) => mesh !== before[i])) this.#view.setScenery(now);
+  }
+
+  #showPins(): void {
+    const places = this.#shown?.places;
+    const { sources, selected } = this.#state;
+    if (!places) return;
+    this.#view.setPins(
+      sources.map((source) => places.at(source)).filter((place) => place !== null),
+      selected,
+    );
+  }
+}
