@@ -57,3 +57,7 @@ pub use options::{
 };
 pub use path::{Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage};
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
