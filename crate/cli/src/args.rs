@@ -6,7 +6,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 use heatwalk::{LinearSolver, MultiSource};
 
-use crate::dials::{Dials, choice};
+use crate::options::{Options, choice};
 use crate::place::{Line, Place, SourcePlace};
 
 /// Geodesic distance and paths on meshes by the heat method.
@@ -23,7 +23,7 @@ pub enum Command {
     Info(Info),
     /// Distance of every vertex from the sources
     Distance(Distance),
-    /// The way from one place to another
+    /// The path from one place to another
     Path(Path),
     /// Time both linear solvers on each mesh
     Table(Table),
@@ -55,21 +55,21 @@ pub struct Distance {
     /// Source: a vertex V or a place F:b0,b1,b2 in a triangle, with @D if it starts from a distance D; may be repeated
     #[arg(long = "source", value_name = "S", required_unless_present = "lines")]
     pub sources: Vec<SourcePlace>,
-    /// Sources: all vertices along the shortest way on edges through these ones, V,V[,V...]; may be repeated
+    /// Sources: all vertices along the shortest path on edges through these ones, V,V[,V...]; may be repeated
     #[arg(long = "line", value_name = "V,V...")]
     pub lines: Vec<Line>,
     /// Close each line
     #[arg(long, requires = "lines")]
     pub closed: bool,
     #[command(flatten)]
-    pub dials: Dials,
+    pub options: Options,
     /// How linear systems are solved
     #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
     pub solver: LinearSolver,
     /// How several sources are joined
     #[arg(long, default_value_t, value_parser = choice::<MultiSource>())]
     pub multi: MultiSource,
-    /// Exact polyhedral distances everywhere; the dials of the heat method then do nothing
+    /// Exact polyhedral distances everywhere; the options of the heat method then do nothing
     #[arg(long)]
     pub exact: bool,
     /// Tell the error against exact distances
@@ -94,14 +94,14 @@ pub struct Path {
     #[arg(long, value_name = "S")]
     pub to: Place,
     #[command(flatten)]
-    pub dials: Dials,
+    pub options: Options,
     /// How linear systems are solved
     #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
     pub solver: LinearSolver,
     /// Straighten the path until it is locally shortest
     #[arg(long)]
     pub straighten: bool,
-    /// An exact shortest path; the dials of the heat method then do nothing
+    /// An exact shortest path; the options of the heat method then do nothing
     #[arg(long, conflicts_with = "straighten")]
     pub exact: bool,
     /// Write the points to an .obj or .csv file
@@ -115,7 +115,7 @@ pub struct Table {
     #[arg(value_name = "MESH", required = true)]
     pub meshes: Vec<String>,
     #[command(flatten)]
-    pub dials: Dials,
+    pub options: Options,
     /// Tell the errors against exact distances too
     #[arg(long)]
     pub exact: bool,

@@ -55,7 +55,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
 }
 
 fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
-    let parameters = arguments.dials.parameters(arguments.solver, arguments.multi);
+    let parameters = arguments.options.parameters(arguments.solver, arguments.multi);
     let Factored { solver, precompute_ms, stages_ms } = factor(surface, parameters)?;
     let start = Instant::now();
     let distance = solver.distance(sources)?;

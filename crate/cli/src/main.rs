@@ -3,11 +3,11 @@
 mod answer;
 mod args;
 mod commands;
-mod dials;
 mod distance;
 mod exact;
 mod input;
 mod markdown;
+mod options;
 mod output;
 mod path;
 mod place;

@@ -55,7 +55,7 @@ pub fn path(arguments: &Path) -> Result<String> {
 }
 
 fn by_heat(surface: &Arc<Surface>, from: SurfacePoint, to: SurfacePoint, arguments: &Path) -> Result<Found> {
-    let parameters = arguments.dials.parameters(arguments.solver, MultiSource::default());
+    let parameters = arguments.options.parameters(arguments.solver, MultiSource::default());
     let Factored { solver, precompute_ms, .. } = factor(surface, parameters)?;
     let start = Instant::now();
     let distance = solver.distance(&[to])?;

@@ -64,7 +64,7 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let source = VertexId(0);
     let exact = arguments.exact.then(|| exact::distances(&exact::geometry(&surface).0, &[source])).transpose()?;
     let figures = |linear_solver, sources| -> Result<Figures> {
-        let parameters = arguments.dials.parameters(linear_solver, MultiSource::default());
+        let parameters = arguments.options.parameters(linear_solver, MultiSource::default());
         let Factored { solver, precompute_ms, .. } = factor(&surface, parameters)?;
         let solve_ms = median_solve_ms(&sample(&surface, sources), |source| Ok(solver.distance(&[source])?))?;
         let error = match &exact {

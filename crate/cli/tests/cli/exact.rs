@@ -26,15 +26,15 @@ fn exact_distances_need_no_factors() {
     }
     assert!((answer["max_distance"].as_f64().unwrap() - 2.0_f64.sqrt()).abs() < 1e-9, "{answer}");
     assert_eq!(answer["unreachable"], 0);
-    // The dials of the heat method are not looked at.
-    let dials = ["--operator", "plain", "--solver", "cg", "--multi", "summed", "--t", "9", "--near", "2"];
+    // The options of the heat method are not looked at.
+    let options = ["--operator", "plain", "--solver", "cg", "--multi", "summed", "--t", "9", "--near", "2"];
     let arguments = ["distance", "flat.ply", "--source", "0", "--exact"];
-    assert_eq!(json(&folder, &[&arguments[..], &dials].concat())["max_distance"], answer["max_distance"]);
+    assert_eq!(json(&folder, &[&arguments[..], &options].concat())["max_distance"], answer["max_distance"]);
 }
 
 #[test]
-fn exact_distances_end_at_other_pieces() {
-    let folder = folder("exact_pieces");
+fn exact_distances_end_at_other_components() {
+    let folder = folder("exact_components");
     let exact = distances(&folder, &["two.obj", "--source", "0", "--exact"]);
     assert!(exact[3..].iter().all(|value| value.is_infinite()), "{exact:?}");
     for (value, wanted) in exact.iter().zip([0.0, 1.0, 1.0]) {

@@ -1,8 +1,8 @@
 //! The real binary on small files.
 
-mod dials;
 mod exact;
 mod files;
+mod options;
 mod paths;
 mod sources;
 mod table;
@@ -22,7 +22,7 @@ fn flat() -> Soup {
     shapes::grid(8, 8)
 }
 
-/// A folder of its own for each test, with a torus, two flat unit squares, a damaged file and one of two pieces.
+/// A folder of its own for each test, with a torus, two flat unit squares, a damaged file and one of two components.
 fn folder(test: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     fs::create_dir_all(&folder).unwrap();

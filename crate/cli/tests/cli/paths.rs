@@ -51,16 +51,16 @@ fn a_path_joins_places_inside_triangles() {
     let folder = folder("path_places");
     let ends = ["path", "flat.ply", "--from", "3:0.2,0.3,0.5", "--to", "100:0.2,0.3,0.5"];
     let straight = length(place(3), place(100));
-    for dials in
+    for options in
         [&["--near", "0"][..], &["--near", "0", "--solver", "cg"], &["--near", "0", "--straighten"], &["--exact"]]
     {
-        let answer = json(&folder, &[&ends[..], dials].concat());
+        let answer = json(&folder, &[&ends[..], options].concat());
         // A point of a face is a weighted sum of its corners, up to rounding.
-        assert!(length(end(&answer, false), place(3)) < 1e-12, "{dials:?}: {answer}");
-        assert!(length(end(&answer, true), place(100)) < 1e-12, "{dials:?}: {answer}");
+        assert!(length(end(&answer, false), place(3)) < 1e-12, "{options:?}: {answer}");
+        assert!(length(end(&answer, true), place(100)) < 1e-12, "{options:?}: {answer}");
         let length = number(&answer, "length");
         // No way is shorter than the straight one; eight cells across, that of the heat method is near it.
-        assert!((straight - 1e-12..1.2 * straight).contains(&length), "{dials:?}: {length} {straight}");
+        assert!((straight - 1e-12..1.2 * straight).contains(&length), "{options:?}: {length} {straight}");
     }
 }
 
@@ -101,7 +101,7 @@ fn straightening_never_lengthens() {
 }
 
 #[test]
-fn a_path_is_straightened_or_exact_and_stays_on_its_piece() {
+fn a_path_is_straightened_or_exact_and_stays_on_its_component() {
     let folder = folder("path_refused");
     let ends = ["path", "flat.ply", "--from", "0", "--to", "80"];
     assert!(refused(&folder, &[&ends[..], &["--exact", "--straighten"]].concat()).contains("cannot be used"));

@@ -62,10 +62,10 @@ fn shapes_and_single_parts_have_rows() {
 #[test]
 fn errors_are_against_exact_distances() {
     let folder = folder("table_exact");
-    let dials = ["--near", "0", "--t", "1", "--operator", "plain", "--boundary", "neumann"];
-    let arguments = [&["torus.ply", "--exact", "--repeat", "1"], &dials[..]].concat();
+    let options = ["--near", "0", "--t", "1", "--operator", "plain", "--boundary", "neumann"];
+    let arguments = [&["torus.ply", "--exact", "--repeat", "1"], &options[..]].concat();
     let rows = json(&folder, &[&["table"], &arguments[..]].concat());
-    let compared = json(&folder, &[&["distance", "torus.ply", "--source", "0", "--compare"], &dials[..]].concat());
+    let compared = json(&folder, &[&["distance", "torus.ply", "--source", "0", "--compare"], &options[..]].concat());
     for key in ["mean_error_percent", "max_error_percent"] {
         let expected = compared[key].as_f64().unwrap();
         assert!(expected > 0.1, "the heat method is not exact: {compared}");

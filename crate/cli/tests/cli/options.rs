@@ -1,4 +1,4 @@
-//! The dials of the heat method.
+//! The options of the heat method.
 
 use std::fs;
 
@@ -7,10 +7,10 @@ use heatwalk::io::write;
 use crate::{difference, distances, flat, folder, json};
 
 #[test]
-fn dials_change_the_answer() {
-    let folder = folder("dials");
-    let max = |dials: &[&str]| {
-        let arguments = [&["distance", "grid.ply", "--source", "0", "--near", "0"], dials].concat();
+fn options_change_the_answer() {
+    let folder = folder("options");
+    let max = |options: &[&str]| {
+        let arguments = [&["distance", "grid.ply", "--source", "0", "--near", "0"], options].concat();
         json(&folder, &arguments)["max_distance"].as_f64().unwrap()
     };
     assert_eq!(max(&[]), max(&["--t", "auto"]));
@@ -22,8 +22,8 @@ fn dials_change_the_answer() {
 #[test]
 fn the_time_factor_is_reported() {
     let folder = folder("time_factor");
-    let factor = |dials: &[&str]| {
-        let arguments = [&["distance", "flat.ply", "--source", "0"], dials].concat();
+    let factor = |options: &[&str]| {
+        let arguments = [&["distance", "flat.ply", "--source", "0"], options].concat();
         json(&folder, &arguments)["time_factor"].as_f64().unwrap()
     };
     assert_eq!(factor(&["--t", "2.5"]), 2.5);
@@ -34,14 +34,14 @@ fn the_time_factor_is_reported() {
 #[test]
 fn both_linear_solvers_agree() {
     let folder = folder("solver");
-    for dials in [&["torus.ply"][..], &["torus.ply", "--t", "5"], &["grid.ply", "--boundary", "average"]] {
+    for options in [&["torus.ply"][..], &["torus.ply", "--t", "5"], &["grid.ply", "--boundary", "average"]] {
         let of = |solver| {
             let places = ["--source", "0", "--source", "7:0.2,0.3,0.5", "--near", "0", "--solver", solver];
-            distances(&folder, &[dials, &places].concat())
+            distances(&folder, &[options, &places].concat())
         };
         // Conjugate gradients stop at a residual of 10⁻¹², which the matrices of so small meshes, and heat that falls
         // by some orders of magnitude, make this much of.
-        assert!(difference(&of("cg"), &of("cholesky")) < 1e-6, "{dials:?}");
+        assert!(difference(&of("cg"), &of("cholesky")) < 1e-6, "{options:?}");
     }
     let nonzeros = |solver| {
         let arguments = ["distance", "torus.ply", "--source", "0", "--solver", solver];
@@ -62,7 +62,8 @@ fn the_delaunay_operator_is_the_best_on_bad_triangles() {
     fs::write(folder.join("sheared.ply"), write::distance_ply(&soup, &none)).unwrap();
     let centre = soup.positions[40];
     let straight: Vec<f64> = soup.positions.iter().map(|at| (*at - centre).length()).collect();
-    let of = |dials: &[&str]| distances(&folder, &[&["sheared.ply", "--source", "40", "--near", "0"], dials].concat());
+    let of =
+        |options: &[&str]| distances(&folder, &[&["sheared.ply", "--source", "40", "--near", "0"], options].concat());
     let delaunay = of(&["--operator", "delaunay"]);
     assert_eq!(difference(&delaunay, &of(&[])), 0.0, "it is the default");
     for operator in ["plain", "relocate"] {
