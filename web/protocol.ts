@@ -1,8 +1,13 @@
 /**
- * The messages between the page and the solver's worker: the only definition of them. The worker exposes a `SolverApi`
- * with comlink; buffers are transferred, never copied. Lengths are in the unit of the file but
- * for those that are said to be as they are drawn: see `DrawTransform`.
+ * The messages between the page and the solver's worker. The worker exposes a `SolverApi` with comlink; buffers are
+ * transferred, never copied. What Rust gives and takes is defined there: names, ranges and options come from the generated
+ * contract, the rest from the types of the solver's module. Lengths are in the unit of the file but for those that are
+ * said to be as they are drawn: see `DrawTransform`.
  */
+
+import type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
+import type * as wasm from './wasm/solver/heatwalk_worker';
+import type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
 /** A file as the user gave it. The mesh comes first, then what it refers to (.bin). */
 export interface NamedBytes {
@@ -16,40 +21,11 @@ export type MeshInput =
   | { kind: 'shape'; shape: string }
   | { kind: 'arrays'; name: string; positions: Float32Array; triangles: Uint32Array };
 
-/** A place on the surface: an input vertex, or a face of `DrawMesh.triangles` with three weights that sum to 1. */
-export type SurfacePoint = { vertex: number } | { face: number; weights: [number, number, number] };
+/** What the solver's module gives, as a plain object: its properties without its methods. */
+export type Plain<T> = { [Key in keyof T as T[Key] extends (...given: never[]) => unknown ? never : Key]: T[Key] };
 
-/** A place that distance is measured from. */
-export type Source = SurfacePoint & {
-  /** The value that distance starts from here, 0 or more, in the unit of the file; 0 when absent. */
-  offset?: number;
-};
-
-/** The triangles that carry the operators. */
-export type Operator = 'delaunay' | 'plain' | 'relocate';
-/** Sparse factors, or conjugate gradients. */
-export type LinearSolver = 'cholesky' | 'cg';
-export type Boundary = 'neumann' | 'dirichlet' | 'average';
-/** How several sources are joined: each held at its starting value, or their heat added up. */
-export type MultiSource = 'exact' | 'superposed';
-/** Down the field as it is, the same made as short as it gets, or the shortest there is, whatever the field. */
-export type PathKind = 'descent' | 'straight' | 'exact';
-
-export interface Parameters {
-  operator: Operator;
-  solver: LinearSolver;
-  /** m in t = m h², h the mean edge length; "auto": chosen by how even the edges are. */
-  timeFactor: number | 'auto';
-  boundary: Boundary;
-  multi: MultiSource;
-  /** Radius around the sources in which distances are exact at once, in mean edges; 0: none; "auto": what is cheap. */
-  nearField: number | 'auto';
-  /** Most memory that factors may take, in MiB; "auto": what the browser gives. */
-  memory: number | 'auto';
-}
-
-/** Name of the error of a call that memory did not suffice for. */
-export const OUT_OF_MEMORY = 'OutOfMemory';
+export type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
+export type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
 export interface PartInfo {
   name: string;
@@ -66,33 +42,9 @@ export interface DrawTransform {
   scale: number;
 }
 
-/** Triangles to draw, with vertices split where the normal jumps. */
-export interface DrawMesh {
-  /** #D × 3, as they are drawn */
-  positions: Float32Array;
-  /** #D × 3, unit length */
-  normals: Float32Array;
-  /** #F × 3, indices of drawn vertices, counter-clockwise seen from outside */
-  triangles: Uint32Array;
-}
-
-/** What was done to make a surface of the triangles, in counts. */
-export interface BuildReport {
-  inputVertices: number;
-  /** Vertices after welding. */
-  vertices: number;
-  faces: number;
-  weldedVertices: number;
-  unreferencedVertices: number;
-  degenerateFaces: number;
-  duplicateFaces: number;
-  turnedFaces: number;
-  nonManifoldEdges: number;
-  components: number;
-  boundaryLoops: number;
-  /** Euler characteristic V − E + F. */
-  eulerCharacteristic: number;
-}
+export type DrawMesh = Plain<wasm.DrawMesh>;
+export type BuildReport = Plain<wasm.BuildReport>;
+export type SurfacePath = Plain<wasm.SurfacePath>;
 
 export interface Timings {
   readMs: number;
@@ -134,21 +86,9 @@ export interface OpenedMesh extends Factoring {
   meanEdge: number;
 }
 
-export interface DistanceField {
-  /** One value a drawn vertex of the surface; Infinity where no source can be reached. */
-  distance: Float32Array;
+export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'maxError'> {
   /** #D × 4: the direction in which distance grows at each drawn vertex, 127 for a unit; the fourth number is 0. */
   tangents: Int8Array;
-  /** Largest finite distance. */
-  maxDistance: number;
-  /** Welded vertices that no source reaches. */
-  unreachableVertices: number;
-  /** Values below this are exact polyhedral distances; Infinity when all are. */
-  exactBelow: number;
-  /** Share of the reachable welded vertices whose value is exact, 0 to 1. */
-  exactShare: number;
-  /** m in t = m h², as asked for or chosen. */
-  timeFactor: number;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
   error: FieldError | null;
   /** Of `solve` alone. */
@@ -161,15 +101,6 @@ export interface DistanceField {
 export interface FieldError {
   mean: number;
   max: number;
-}
-
-export interface SurfacePath {
-  /** #P × 3, from the start to the source, as they are drawn. */
-  points: Float32Array;
-  /** #P × 3, unit surface normals at the points. */
-  normals: Float32Array;
-  /** In the unit of the file. */
-  length: number;
 }
 
 /** A way home that is wanted. */
@@ -197,8 +128,6 @@ export interface Progress {
   fraction: number;
   vertices: number;
 }
-
-export type EdgeKind = 'mesh' | 'boundary' | 'operator';
 
 export type ProgressListener = (progress: Progress) => void;
 
@@ -228,11 +157,14 @@ export interface SolverApi {
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.
    */
-  gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
+  gradients(kind: FaceField): Promise<Float32Array>;
   /** One value a drawn vertex: log10 of the last field's heat over its maximum; −Infinity where there is none. */
   heat(): Promise<Float32Array>;
-  /** How many walkers go home by the last field, wherever they start; 0: none. Those who are out stay out. */
-  crowd(count: number): Promise<void>;
+  /**
+   * How many walkers take the path to the sources by the last field, wherever they start; 0: none. Those who are out stay
+   * out. `height`: of those who set out, in bounding radii of the surface.
+   */
+  crowd(count: number, height: number): Promise<void>;
   /**
    * Moves each walker by `step` and gives 10 numbers a walker: position, unit surface normal and unit heading (three
    * each), and the length that it has walked, as they are drawn. Who arrives starts again elsewhere, with length 0. Walkers keep their

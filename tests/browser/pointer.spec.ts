@@ -179,7 +179,7 @@ test('the time factor slider and the boundary menu change the solution', async (
   const solves = await heatwalk.solves();
   await page.locator('#section-solver > summary').click();
   await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
-  await expect.poll(async () => (await heatwalk.scene()).parameters.timeFactor).toBe(10);
+  await expect.poll(async () => (await heatwalk.scene()).parameters.timeStep).toBe(10);
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
   await page.getByRole('combobox', { name: 'Boundary' }).selectOption('dirichlet');
   await expect(page).toHaveURL(/t=10&b=dirichlet/);

@@ -50,7 +50,7 @@ const OPTIONS = [
   't=4&near=0',
   't=1&b=dirichlet&near=0',
   't=1&b=average&near=0',
-  't=1&multi=superposed&near=0',
+  't=1&multi=summed&near=0',
   't=1&near=8',
   't=1&near=0&op=plain',
   't=1&near=0&op=relocate',
@@ -100,7 +100,7 @@ test('every choice of the panel is solved and written to the link', async ({ hea
   await page.getByText('More solver settings').click();
   for (const [label, values, key] of [
     ['Boundary', ['dirichlet', 'average'], 'b'],
-    ['Multi-source', ['superposed'], 'multi'],
+    ['Multi-source', ['summed'], 'multi'],
     ['Operator', ['plain', 'relocate'], 'op'],
     ['Linear solver', ['cg'], 'solver'],
   ] as const) {
@@ -135,7 +135,7 @@ test('the solver can choose the time factor and the exact region', async ({ heat
   await expect(page).toHaveURL(/near=0/);
   await expect.poll(async () => (await heatwalk.field()).exactBelow).toBe(0);
   await page.getByRole('button', { name: 'Exact region, automatic' }).click();
-  expect((await heatwalk.scene()).parameters.nearField).toBe('auto');
+  expect((await heatwalk.scene()).parameters.exactRadius).toBe('auto');
 });
 
 test('the path is the steepest descent, straightened or exact', async ({ heatwalk, page }) => {

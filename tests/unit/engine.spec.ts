@@ -2,7 +2,7 @@ import { expect, test } from '@playwright/test';
 import type { DistanceField, OpenedMesh, Solved, Source, Way } from '../../web/protocol';
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
-import { DEFAULT_PARAMETERS } from '../../web/state/scene';
+import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 
 const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
 const QUESTION: Question = {
@@ -46,7 +46,7 @@ test('another path over the same field does not solve again', async () => {
   const second = await it.ask({ ...QUESTION, from: { vertex: 2 }, way: 'straight' });
   expect(calls).toEqual(['solve descent', 'path straight']);
   expect(second?.field).toBe(first?.field);
-  await it.ask({ ...QUESTION, parameters: { ...DEFAULT_PARAMETERS, timeFactor: 2 } });
+  await it.ask({ ...QUESTION, parameters: { ...DEFAULT_PARAMETERS, timeStep: 2 } });
   expect(calls.slice(2)).toEqual(['configure', 'solve descent']);
 });
 

@@ -1,8 +1,20 @@
 import { expect, test } from '@playwright/test';
-import type { Parameters } from '../../web/protocol';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
-import { DEFAULT_PARAMETERS, emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
+import { emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
+import {
+  BOUNDARY,
+  DEFAULT_PARAMETERS,
+  EXACT_RADIUS_EDGES,
+  LINEAR_SOLVER,
+  MEMORY_LIMIT_MEBIBYTES,
+  MULTI_SOURCE,
+  OPERATOR,
+  type Parameters,
+  PATH_KIND,
+  TIME_STEP_FACTORS,
+  VERTEX_FIELD,
+} from '../../web/wasm/contract';
 
 const START: SceneState = {
   ...emptyScene({ kind: 'preset', id: 'bunny' }),
@@ -44,10 +56,10 @@ test('every change survives the link', () => {
     parameters: {
       operator: 'plain',
       solver: 'cg',
-      timeFactor: 2.5,
+      timeStep: 2.5,
       boundary: 'average',
-      multi: 'superposed',
-      nearField: 12.5,
+      sources: 'summed',
+      exactRadius: 12.5,
       memory: 500,
     },
     way: 'descent',
@@ -74,38 +86,51 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=superposed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
 
-const CHANGES: readonly Partial<Parameters>[] = [
-  { operator: 'plain' },
-  { operator: 'relocate' },
-  { solver: 'cg' },
-  { timeFactor: 1 },
-  { timeFactor: 1000 },
-  { boundary: 'dirichlet' },
-  { boundary: 'average' },
-  { multi: 'superposed' },
-  { nearField: 0 },
-  { nearField: 64 },
-  { memory: 0 },
-  { memory: 4096 },
+const CHANGES: { [Option in keyof Parameters]: readonly Parameters[Option][] } = {
+  operator: OPERATOR.names,
+  solver: LINEAR_SOLVER.names,
+  timeStep: TIME_STEP_FACTORS,
+  boundary: BOUNDARY.names,
+  sources: MULTI_SOURCE.names,
+  exactRadius: EXACT_RADIUS_EDGES,
+  memory: MEMORY_LIMIT_MEBIBYTES,
+};
+const SCENES: readonly Partial<SceneState>[] = [
+  ...Object.entries(CHANGES).flatMap(([option, values]) =>
+    values.map((value) => ({ parameters: changed(option, value) })),
+  ),
+  ...PATH_KIND.names.map((way) => ({ way })),
+  ...VERTEX_FIELD.names.map((painted) => ({ painted })),
 ];
 
-for (const change of CHANGES) {
-  test(`a link holds ${JSON.stringify(change)} and nothing else`, () => {
-    const state = { ...START, parameters: { ...DEFAULT_PARAMETERS, ...change } };
-    expect(throughLink(state)).toEqual(state);
-    expect(encodeLink(state, START).split('&')).toHaveLength(3);
-  });
+function changed(option: string, value: unknown): Parameters {
+  return { ...DEFAULT_PARAMETERS, [option]: value };
 }
+
+test('a link holds every choice and both ends of every range, and nothing else', () => {
+  for (const scene of SCENES) {
+    const state = { ...START, ...scene };
+    expect(throughLink(state)).toEqual(state);
+    const isDefault = JSON.stringify(state) === JSON.stringify(START);
+    expect(encodeLink(state, START).split('&')).toHaveLength(isDefault ? 2 : 3);
+  }
+});
+
+test('a former name is read as what it is called now', () => {
+  const decoded = decodeLink('#v=1&m=bunny&multi=superposed', startOf);
+  expect(decoded?.notices).toEqual([]);
+  expect(decoded?.state.parameters.sources).toBe('summed');
+});
 
 test('a preset with other settings can be set back to the defaults', () => {
   const start: SceneState = {
     ...START,
-    parameters: { ...DEFAULT_PARAMETERS, timeFactor: 2, nearField: 0 },
+    parameters: { ...DEFAULT_PARAMETERS, timeStep: 2, exactRadius: 0 },
     way: 'exact',
     refine: false,
   };
@@ -117,7 +142,7 @@ test('a preset with other settings can be set back to the defaults', () => {
 test('an old link keeps its meaning', () => {
   const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
   expect(decoded?.notices).toEqual([]);
-  expect(decoded?.state.parameters).toMatchObject({ timeFactor: 1, boundary: 'neumann' });
+  expect(decoded?.state.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
   expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
 });
 

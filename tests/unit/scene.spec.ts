@@ -1,6 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { moveSource, setInitialDistance } from '../../web/state/edit';
-import { DEFAULT_PARAMETERS, emptyScene, Scene } from '../../web/state/scene';
+import { emptyScene, Scene } from '../../web/state/scene';
+import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 
@@ -64,10 +65,10 @@ test('a new change clears the redo history', () => {
 test('undo does not change camera, style or parameters', () => {
   const scene = fresh();
   scene.place({ sources: [{ vertex: 2 }] });
-  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { ...DEFAULT_PARAMETERS, timeFactor: 4 } });
+  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { ...DEFAULT_PARAMETERS, timeStep: 4 } });
   scene.undo();
   expect(scene.state.camera).toEqual([1, 0, 3, 0, 0, 0]);
-  expect(scene.state.parameters.timeFactor).toBe(4);
+  expect(scene.state.parameters.timeStep).toBe(4);
 });
 
 test('another mesh clears the undo history', () => {

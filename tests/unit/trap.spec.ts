@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import { OUT_OF_MEMORY } from '../../web/protocol';
+import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 import { isOutOfMemory } from '../../web/solver/trap';
 
 const named = (name: string, message: string) => Object.assign(new Error(message), { name });

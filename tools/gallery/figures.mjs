@@ -76,7 +76,7 @@ export const FIGURES = [
     title: 'Many sources',
     text: 'If the heat of several sources is summed, no source has distance 0. With sources as constraints each has, without factoring again.',
     panels: [
-      ['Summed', `m=icosphere&multi=superposed&near=0&refine=0&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
+      ['Summed', `m=icosphere&multi=summed&near=0&refine=0&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
       ['Exact', `m=icosphere&w=none&cam=0.6,0.35,3.6,0,0,0`, LINE],
     ],
   },

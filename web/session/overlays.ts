@@ -1,7 +1,8 @@
 /** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
-import type { DistanceField, EdgeKind } from '../protocol';
+import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
-import type { Overlay, Painted } from '../state/scene';
+import type { Overlay } from '../state/scene';
+import { type EdgeKind, FACE_FIELD, type VertexField } from '../wasm/contract';
 import type { Edges } from '../view/view';
 import type { Session } from './session';
 
@@ -54,7 +55,7 @@ export class Overlays {
     if (!engine) return;
     try {
       const edges = anew ? await edgesOf(engine, overlays) : null;
-      const kind = (['distance', 'heat'] as const).find((vectors) => overlays.includes(vectors));
+      const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
       const other = painted === 'distance' || !field ? null : await instead(engine, painted, field);
       if (wish !== this.#wish) return;
@@ -78,7 +79,7 @@ async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Ed
 /** The field that is painted in the place of distance. */
 async function instead(
   engine: Engine,
-  painted: Painted,
+  painted: VertexField,
   { distance, tangents }: DistanceField,
 ): Promise<Parameters<Session['paint']>[0]> {
   if (painted === 'heat') {

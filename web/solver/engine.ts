@@ -2,6 +2,7 @@
 import type {
   DistanceField,
   EdgeKind,
+  FaceField,
   Factoring,
   OpenedMesh,
   Parameters,
@@ -12,6 +13,7 @@ import type {
   TracedWay,
   Way,
 } from '../protocol';
+import { CROWD_HEIGHT } from '../state/scene';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
 export interface Question {
@@ -97,7 +99,7 @@ export class Engine {
     });
   }
 
-  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
+  gradients(kind: FaceField): Promise<Float32Array> {
     return this.#worker.call(this.#worker.api.gradients(kind));
   }
 
@@ -106,7 +108,7 @@ export class Engine {
   }
 
   crowd(count: number): Promise<void> {
-    return this.#worker.call(this.#worker.api.crowd(count));
+    return this.#worker.call(this.#worker.api.crowd(count, CROWD_HEIGHT));
   }
 
   stepCrowd(step: number): Promise<Float32Array> {

@@ -1,6 +1,7 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
-import { OUT_OF_MEMORY, type SolverApi } from '../protocol';
+import type { SolverApi } from '../protocol';
+import { OUT_OF_MEMORY } from '../wasm/contract';
 import { isOutOfMemory, isTrap } from './trap';
 
 export class Cancelled extends Error {

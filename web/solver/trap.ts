@@ -1,9 +1,9 @@
 /** The ways in which a solver can end. */
-import { OUT_OF_MEMORY } from '../protocol';
+import { OUT_OF_MEMORY, TRAP } from '../wasm/contract';
 
 /** Whether a wasm module trapped, out of memory or by a defect: it must not be called again. */
 export function isTrap(error: Error): boolean {
-  return error.name === 'RuntimeError' || error instanceof RangeError;
+  return error.name === TRAP || error instanceof RangeError;
 }
 
 /** Whether a call failed for want of memory, by a refusal or by a trap. */

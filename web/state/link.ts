@@ -1,21 +1,23 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
-import type { Boundary, LinearSolver, MultiSource, Operator, PathKind, Source, SurfacePoint } from '../protocol';
+import type { Source, SurfacePoint } from '../protocol';
+import {
+  AUTOMATIC,
+  BOUNDARY,
+  type Choice,
+  EXACT_RADIUS_EDGES,
+  LINEAR_SOLVER,
+  MEMORY_LIMIT_MEBIBYTES,
+  MULTI_SOURCE,
+  OPERATOR,
+  PATH_KIND,
+  TIME_STEP_FACTORS,
+  VERTEX_FIELD,
+} from '../wasm/contract';
 import type { Finish, Style, MapName } from './styles';
 import { findStyle, isRamp, STYLE_NUMBERS, STYLE_RANGES, MAPS, PATTERNS, SURROUNDINGS } from './styles';
-import { LARGEST_CROWD, type MeshReference, OVERLAYS, PAINTED, type SceneState, withOffset } from './scene';
+import { LARGEST_CROWD, type MeshReference, OVERLAYS, type SceneState, withOffset } from './scene';
 
 const VERSION = '1';
-const OPERATORS: readonly Operator[] = ['delaunay', 'plain', 'relocate'];
-const SOLVERS: readonly LinearSolver[] = ['cholesky', 'cg'];
-const BOUNDARIES: readonly Boundary[] = ['neumann', 'dirichlet', 'average'];
-const MULTI_SOURCES: readonly MultiSource[] = ['exact', 'superposed'];
-const WAYS: readonly PathKind[] = ['descent', 'straight', 'exact'];
-
-export const TIME_FACTOR_RANGE: readonly [number, number] = [0.1, 1000];
-/** In mean edges. */
-export const NEAR_FIELD_RANGE: readonly [number, number] = [0, 64];
-/** In MiB; wasm32 has 4 GiB. */
-const MEMORY_RANGE: readonly [number, number] = [0, 4096];
 
 export interface Decoded {
   state: SceneState;
@@ -41,11 +43,11 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   const { parameters } = state;
-  add('t', dial(parameters.timeFactor), dial(start.parameters.timeFactor));
+  add('t', option(parameters.timeStep), option(start.parameters.timeStep));
   add('b', parameters.boundary, start.parameters.boundary);
-  add('multi', parameters.multi, start.parameters.multi);
-  add('near', dial(parameters.nearField), dial(start.parameters.nearField));
-  add('memory', dial(parameters.memory), dial(start.parameters.memory));
+  add('multi', parameters.sources, start.parameters.sources);
+  add('near', option(parameters.exactRadius), option(start.parameters.exactRadius));
+  add('memory', option(parameters.memory), option(start.parameters.memory));
   add('op', parameters.operator, start.parameters.operator);
   add('solver', parameters.solver, start.parameters.solver);
   add('way', state.way, start.way);
@@ -95,14 +97,14 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   const { parameters } = state;
-  read('t', automaticOr(within(...TIME_FACTOR_RANGE)), (factor) => (parameters.timeFactor = factor));
-  read('b', oneOf(BOUNDARIES), (boundary) => (parameters.boundary = boundary));
-  read('multi', oneOf(MULTI_SOURCES), (multi) => (parameters.multi = multi));
-  read('near', automaticOr(within(...NEAR_FIELD_RANGE)), (radius) => (parameters.nearField = radius));
-  read('memory', automaticOr(within(...MEMORY_RANGE)), (most) => (parameters.memory = most));
-  read('op', oneOf(OPERATORS), (operator) => (parameters.operator = operator));
-  read('solver', oneOf(SOLVERS), (solver) => (parameters.solver = solver));
-  read('way', oneOf(WAYS), (way) => (state.way = way));
+  read('t', automaticOr(within(...TIME_STEP_FACTORS)), (factor) => (parameters.timeStep = factor));
+  read('b', choiceOf(BOUNDARY), (boundary) => (parameters.boundary = boundary));
+  read('multi', choiceOf(MULTI_SOURCE), (sources) => (parameters.sources = sources));
+  read('near', automaticOr(within(...EXACT_RADIUS_EDGES)), (radius) => (parameters.exactRadius = radius));
+  read('memory', automaticOr(within(...MEMORY_LIMIT_MEBIBYTES)), (most) => (parameters.memory = most));
+  read('op', choiceOf(OPERATOR), (operator) => (parameters.operator = operator));
+  read('solver', choiceOf(LINEAR_SOLVER), (solver) => (parameters.solver = solver));
+  read('way', choiceOf(PATH_KIND), (way) => (state.way = way));
   read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
   read('cam', parseCamera, (camera) => (state.camera = camera));
   read(
@@ -110,7 +112,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     (name) => findStyle(name) ?? null,
     ({ name }) => (state.look = baseStyle(name, start.look)),
   );
-  read('paint', oneOf(PAINTED), (painted) => (state.painted = painted));
+  read('paint', choiceOf(VERTEX_FIELD), (painted) => (state.painted = painted));
   read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
   read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
   const change = (part: Partial<Style>) => (state.look = { ...state.look, ...part });
@@ -150,8 +152,8 @@ function amount(value: number): string {
   return String(Number(value.toPrecision(6))).replace('+', '');
 }
 
-function dial(value: number | 'auto'): string {
-  return value === 'auto' ? value : number(value);
+function option(value: number | typeof AUTOMATIC): string {
+  return value === AUTOMATIC ? value : number(value);
 }
 
 function flag(value: boolean): string {
@@ -228,8 +230,14 @@ function oneOf<T extends string>(words: readonly T[]): (text: string) => T | nul
   return (text) => words.find((word) => word === text) ?? null;
 }
 
-function automaticOr(parse: (text: string) => number | null): (text: string) => number | 'auto' | null {
-  return (text) => (text === 'auto' ? text : parse(text));
+/** Links of before hold former names. */
+function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string) => T | null {
+  const named = oneOf(names);
+  return (text) => named(text) ?? (Object.hasOwn(former, text) ? former[text] : null);
+}
+
+function automaticOr(parse: (text: string) => number | null): (text: string) => number | typeof AUTOMATIC | null {
+  return (text) => (text === AUTOMATIC ? text : parse(text));
 }
 
 function parseCamera(text: string): number[] | null {

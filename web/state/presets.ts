@@ -1,7 +1,8 @@
 /** The preset scenes. Each loads only when it is asked for. */
-import type { Boundary, MeshInput, SurfacePoint } from '../protocol';
+import type { MeshInput, SurfacePoint } from '../protocol';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
-import { DEFAULT_PARAMETERS, emptyScene, type SceneState } from './scene';
+import { type Boundary, DEFAULT_PARAMETERS } from '../wasm/contract';
+import { emptyScene, type SceneState } from './scene';
 
 export interface Preset {
   id: string;

@@ -1,13 +1,10 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
 import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
+import { DEFAULT_PARAMETERS, PATH_KIND, VERTEX_FIELD, type VertexField } from '../wasm/contract';
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
 export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
-
-export const PAINTED = ['distance', 'heat', 'error'] as const;
-/** The distance, the heat that it comes from (on a log scale), or the error of the heat method. */
-export type Painted = (typeof PAINTED)[number];
 
 export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
 /**
@@ -17,6 +14,9 @@ export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'di
 export type Overlay = (typeof OVERLAYS)[number];
 
 export const LARGEST_CROWD = 10_000;
+
+/** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
+export const CROWD_HEIGHT = 0.03;
 
 /** What undo goes back over. */
 export interface Places {
@@ -38,7 +38,7 @@ export interface SceneState extends Places {
   camera: readonly number[] | null;
   look: Style;
   /** The field that the surface is colored by. */
-  painted: Painted;
+  painted: VertexField;
   /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
   /** What is drawn in addition. */
@@ -49,16 +49,6 @@ export interface SceneState extends Places {
   selected: number;
 }
 
-export const DEFAULT_PARAMETERS: Parameters = {
-  operator: 'delaunay',
-  solver: 'cholesky',
-  timeFactor: 'auto',
-  boundary: 'neumann',
-  multi: 'exact',
-  nearField: 'auto',
-  memory: 'auto',
-};
-
 export function emptyScene(mesh: MeshReference): SceneState {
   return {
     mesh,
@@ -66,11 +56,11 @@ export function emptyScene(mesh: MeshReference): SceneState {
     sources: [],
     walker: null,
     parameters: DEFAULT_PARAMETERS,
-    way: 'straight',
+    way: PATH_KIND.default,
     refine: true,
     camera: null,
     look: DEFAULT_STYLE,
-    painted: 'distance',
+    painted: VERTEX_FIELD.default,
     hidden: [],
     overlays: ['scenery'],
     crowd: 0,

@@ -86,6 +86,14 @@ export function select<T extends string>(
   };
 }
 
+/** Names with what is said of each, as `select` takes them. */
+export function labelled<T extends string>(
+  names: readonly T[],
+  labels: Readonly<Record<T, string>>,
+): (readonly [T, string])[] {
+  return names.map((name) => [name, labels[name]]);
+}
+
 export function toggle(
   label: string,
   change: (on: boolean) => void,

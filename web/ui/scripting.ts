@@ -1,5 +1,5 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
-import type { DistanceField, PathKind, SurfacePoint } from '../protocol';
+import type { DistanceField, FaceField, PathKind, SurfacePoint } from '../protocol';
 import type { Session } from '../session/session';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
@@ -45,7 +45,7 @@ export interface Heatwalk {
   /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: SurfacePoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
-  gradients(kind: 'heat' | 'distance'): Promise<Float32Array>;
+  gradients(kind: FaceField): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
   heat(): Promise<Float32Array>;
   /** A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`. */

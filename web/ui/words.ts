@@ -61,7 +61,7 @@ function repairs(report: BuildReport): string[] {
   say('removed', report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
   say('removed', report.degenerateFaces, 'degenerate triangle');
   say('removed', report.duplicateFaces, 'duplicate triangle');
-  say('flipped', report.turnedFaces, 'triangle');
+  say('flipped', report.flippedFaces, 'triangle');
   say('cut along', report.nonManifoldEdges, 'non-manifold edge');
   return done;
 }

@@ -3,6 +3,7 @@ import type { DistanceField, DrawMesh, DrawTransform, SurfacePath, SurfacePoint 
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
+import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
 import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -233,7 +234,7 @@ export class View {
 
   /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
   setCrowd(poses: Float32Array): void {
-    this.#show('crowd', (viewer) => viewer.set_crowd(poses));
+    this.#show('crowd', (viewer) => viewer.set_crowd(poses, CROWD_HEIGHT));
   }
 
   /** One vector a triangle; empty for none. */

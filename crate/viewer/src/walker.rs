@@ -13,9 +13,6 @@ use crate::vertex::vertex_layout;
 /// The walker's height in bounding radii of the surface.
 pub(crate) const HEIGHT: f32 = 0.105;
 
-/// The same of a walker of the crowd: ten thousand find room.
-const CROWD_HEIGHT: f32 = 0.03;
-
 // What a part hangs from, and its colour: the tags that walker.wgsl reads.
 const TRUNK: f32 = 0.0;
 const THIGH: f32 = 1.0;
@@ -95,9 +92,8 @@ impl Walkers {
         self.crowd.figures.clear();
     }
 
-    /// Replaces the crowd; `radius` is the surface's bounding radius.
-    pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[CrowdPose], radius: f32) {
-        let height = CROWD_HEIGHT * radius;
+    /// Replaces the crowd, each `height` high.
+    pub(crate) fn set_crowd(&mut self, context: &Context, poses: &[CrowdPose], height: f32) {
         self.crowd.figures.set(context, poses.iter().map(|pose| Figure::in_crowd(pose, height)));
     }
 

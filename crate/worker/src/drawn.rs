@@ -7,10 +7,24 @@ use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
+use crate::failure::{Failure, Result};
 use crate::results::DrawMesh;
 
 /// Edges bent by more than this are drawn sharp: above a smooth model's largest bend, under a box's.
 const CREASE_ANGLE: f64 = std::f64::consts::PI * 0.25;
+
+/// What [`Drawn::point`] and [`Drawn::source`] read.
+#[wasm_bindgen(typescript_custom_section)]
+const PLACES: &str = "
+/** A place on the surface: an input vertex, or a face of the drawing with three weights that sum to 1. */
+export type SurfacePoint = { vertex: number } | { face: number; weights: [number, number, number] };
+
+/** A place that distance is measured from. */
+export type Source = SurfacePoint & {
+  /** The initial distance here, 0 or more, in the unit of the file; 0 when absent. */
+  offset?: number;
+};
+";
 
 /// A surface as it is drawn.
 pub struct Drawn {
@@ -45,7 +59,7 @@ impl Drawn {
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
     /// which are those of the surface's face.
-    pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint, JsError> {
+    pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint> {
         if let Some(vertex) = number(place, "vertex") {
             let input = InputVertex(vertex as u32);
             let problem = || "is on no triangle of the surface".to_owned();
@@ -53,14 +67,14 @@ impl Drawn {
             return Ok(surface.point(surface.vertex_of_input(input).ok_or_else(absent)?)?);
         }
         let face =
-            number(place, "face").ok_or_else(|| JsError::new("a place is a vertex or a face with three weights"))?;
+            number(place, "face").ok_or_else(|| Failure::misuse("a place is a vertex or a face with three weights"))?;
         let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
         let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
         Ok(surface.point(Place::Face { face: FaceId(face as u32), weights })?)
     }
 
     /// Reads a place and its `offset`, the value that distances start from there; 0 when absent.
-    pub fn source(&self, surface: &Surface, place: &JsValue) -> Result<Source, JsError> {
+    pub fn source(&self, surface: &Surface, place: &JsValue) -> Result<Source> {
         Ok(surface.source(self.point(surface, place)?, number(place, "offset").unwrap_or(0.0))?)
     }
 }

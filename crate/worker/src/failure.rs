@@ -1,24 +1,54 @@
-//! Errors as JavaScript sees them, told apart by their name.
+//! Failures as JavaScript sees them: errors with a sentence, told apart by their name.
 
 use js_sys::Error;
 use wasm_bindgen::{JsValue, throw_val};
 
-/// What memory did not suffice for; `OUT_OF_MEMORY` of the page's protocol.
-const OUT_OF_MEMORY: &str = "OutOfMemory";
+/// Name of the error of a call that memory did not suffice for.
+pub const OUT_OF_MEMORY: &str = "OutOfMemory";
 
-/// As a trap is named.
-const TRAP: &str = "RuntimeError";
+/// Name of the error of a call that ended the module, as that of a trap: the module must not be called again.
+pub const TRAP: &str = "RuntimeError";
 
-/// The solver's error, to be thrown.
-pub fn thrown(error: &heatwalk::Error) -> JsValue {
-    let thrown = Error::new(&error.to_string());
-    if matches!(error, heatwalk::Error::TooLarge { .. } | heatwalk::Error::OutOfMemory { .. }) {
-        thrown.set_name(OUT_OF_MEMORY);
+/// What a call throws.
+pub struct Failure(Error);
+
+/// What a call returns.
+pub type Result<T> = std::result::Result<T, Failure>;
+
+impl Failure {
+    /// A call that does not keep to the interface.
+    pub fn misuse(sentence: &str) -> Self {
+        Self(Error::new(sentence))
     }
-    thrown.into()
 }
 
-/// Ends the module, which must not be called again.
+/// Whatever the solver can fail with.
+impl<E> From<E> for Failure
+where
+    heatwalk::Error: From<E>,
+{
+    fn from(error: E) -> Self {
+        use heatwalk::Error as Solver;
+        use heatwalk::surface::Error as Surface;
+        let error = Solver::from(error);
+        let thrown = Error::new(&error.to_string());
+        if matches!(
+            error,
+            Solver::TooLarge { .. } | Solver::OutOfMemory { .. } | Solver::Surface(Surface::OutOfMemory { .. })
+        ) {
+            thrown.set_name(OUT_OF_MEMORY);
+        }
+        Self(thrown)
+    }
+}
+
+impl From<Failure> for JsValue {
+    fn from(Failure(error): Failure) -> Self {
+        error.into()
+    }
+}
+
+/// Ends the module.
 pub fn end(message: &str) -> ! {
     let trap = Error::new(message);
     trap.set_name(TRAP);

@@ -1,12 +1,13 @@
 //! A distance field as the page gets it, and what is known of how exact it is.
 
 use heatwalk::{Distance, RelativeError};
+use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 
-/// A distance field, one value a drawn vertex.
-#[wasm_bindgen]
+/// A distance field.
+#[wasm_bindgen(inspectable)]
 pub struct Field {
     values: Vec<f32>,
     max: f64,
@@ -41,49 +42,50 @@ impl Field {
 
 #[wasm_bindgen]
 impl Field {
-    /// `#D`, infinite where no source is in reach. Can be taken once.
-    pub fn take_values(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.values)
+    /// One value a drawn vertex of the surface; Infinity where no source can be reached.
+    #[wasm_bindgen(getter)]
+    pub fn distance(&self) -> Float32Array {
+        self.values.as_slice().into()
     }
 
     /// Largest finite distance.
-    #[wasm_bindgen(getter)]
+    #[wasm_bindgen(getter, js_name = maxDistance)]
     pub fn max(&self) -> f64 {
         self.max
     }
 
     /// Welded vertices that no source reaches.
-    #[wasm_bindgen(getter)]
+    #[wasm_bindgen(getter, js_name = unreachableVertices)]
     pub fn unreachable(&self) -> u32 {
         self.unreachable
     }
 
-    /// Values below this are exact; infinite when all are.
-    #[wasm_bindgen(getter)]
+    /// Values below this are exact polyhedral distances; Infinity when all are.
+    #[wasm_bindgen(getter, js_name = exactBelow)]
     pub fn exact_below(&self) -> f64 {
         self.exact_below
     }
 
-    /// Share of the reachable welded vertices whose value is exact.
-    #[wasm_bindgen(getter)]
+    /// Share of the reachable welded vertices whose value is exact, 0 to 1.
+    #[wasm_bindgen(getter, js_name = exactShare)]
     pub fn exact_share(&self) -> f64 {
         self.exact_share
     }
 
     /// m in t = m h², as asked for or chosen.
-    #[wasm_bindgen(getter)]
+    #[wasm_bindgen(getter, js_name = timeFactor)]
     pub fn time_factor(&self) -> f64 {
         self.time_factor
     }
 
-    /// Mean relative error of the field before it was refined; present once it is exact.
-    #[wasm_bindgen(getter)]
+    /// Mean relative error of the field before it was refined; undefined until all of it is exact.
+    #[wasm_bindgen(getter, js_name = meanError)]
     pub fn mean_error(&self) -> Option<f64> {
         self.error.map(|error| error.mean)
     }
 
-    /// Largest relative error of the field before it was refined; present once it is exact.
-    #[wasm_bindgen(getter)]
+    /// Largest relative error of the field before it was refined; undefined until all of it is exact.
+    #[wasm_bindgen(getter, js_name = maxError)]
     pub fn max_error(&self) -> Option<f64> {
         self.error.map(|error| error.max)
     }

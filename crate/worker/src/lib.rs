@@ -1,11 +1,10 @@
 //! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
-//! The objects follow the way of the data: a [`MeshFile`] is read, a [`WalkedSurface`] is built from some of its parts,
+//! The objects follow the way of the data: a [`MeshFile`] is read, a [`ActiveSurface`] is built from some of its parts,
 //! a [`solver::Solver`] factors it and answers.
 
 #![cfg(target_arch = "wasm32")]
 
-mod crowd;
 mod drawn;
 mod failure;
 mod field;
@@ -19,12 +18,22 @@ use glam::DVec3;
 use heatwalk::Soup;
 use heatwalk::{Surface, io};
 use heatwalk_scene::{DrawTransform, shapes};
-use js_sys::{Function, Uint8Array};
+use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::results::{DrawMesh, Report};
+use crate::failure::{Failure, Result};
+use crate::results::{BuildReport, DrawMesh};
 use crate::solver::Solver;
+
+/// The types of arguments that have no type in Rust: names and options are those of the generated contract.
+#[wasm_bindgen(typescript_custom_section)]
+const ARGUMENTS: &str = "
+import type { EdgeKind, FaceField, Parameters, PathKind } from '../contract';
+
+/** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
+export type Progress = (stage: string, fraction: number) => void;
+";
 
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
 #[wasm_bindgen(start)]
@@ -47,10 +56,10 @@ pub struct MeshFile {
 #[wasm_bindgen]
 impl MeshFile {
     /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
-    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self, JsError> {
+    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self> {
         let files: Vec<(String, Vec<u8>)> =
             names.into_iter().zip(bytes).map(|(name, bytes)| (name, bytes.to_vec())).collect();
-        let (name, bytes) = files.first().ok_or_else(|| JsError::new("no file was given"))?;
+        let (name, bytes) = files.first().ok_or_else(|| Failure::misuse("no file was given"))?;
         let resource = |uri: &str| {
             let wanted = uri.rsplit('/').next();
             files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
@@ -59,7 +68,7 @@ impl MeshFile {
     }
 
     /// Makes a shape.
-    pub fn shape(name: &str) -> Result<Self, JsError> {
+    pub fn shape(name: &str) -> Result<Self> {
         Ok(Self { soup: shapes::by_name(name)? })
     }
 
@@ -79,17 +88,17 @@ impl MeshFile {
         self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
     }
 
-    /// The surface formed by the parts `walked`.
-    pub fn surface(&self, walked: &[u32]) -> Result<WalkedSurface, JsValue> {
-        let chosen: Vec<usize> = walked.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen).map_err(|error| failure::thrown(&error.into()))?;
-        let surface = Surface::build(&soup).map_err(|error| failure::thrown(&error.into()))?;
+    /// The surface formed by the parts `active`.
+    pub fn surface(&self, active: &[u32]) -> Result<ActiveSurface> {
+        let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
+        let soup = self.soup.select(&chosen)?;
+        let surface = Surface::build(&soup)?;
         let transform = DrawTransform::around(&surface, &self.soup);
-        Ok(WalkedSurface { drawn: Arc::new(Drawn::new(&surface, transform)), surface: Arc::new(surface) })
+        Ok(ActiveSurface { drawn: Arc::new(Drawn::new(&surface, transform)), surface: Arc::new(surface) })
     }
 
-    /// The triangles of a part that is not walked on, to be drawn beside those that are.
-    pub fn scenery(&self, part: u32, beside: &WalkedSurface) -> Result<DrawMesh, JsError> {
+    /// The triangles of an inactive part, to be drawn beside those of the surface.
+    pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<DrawMesh> {
         let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
             Ok(surface) => Ok(Drawn::new(&surface, beside.drawn.transform).mesh()),
@@ -102,13 +111,13 @@ impl MeshFile {
 
 /// A welded surface, ready to be factored.
 #[wasm_bindgen]
-pub struct WalkedSurface {
+pub struct ActiveSurface {
     surface: Arc<Surface>,
     drawn: Arc<Drawn>,
 }
 
 #[wasm_bindgen]
-impl WalkedSurface {
+impl ActiveSurface {
     /// The surface's triangles, to be drawn.
     pub fn drawing(&self) -> DrawMesh {
         self.drawn.mesh()
@@ -131,12 +140,16 @@ impl WalkedSurface {
     }
 
     /// What was done to make it.
-    pub fn report(&self) -> Report {
-        Report::of(self.surface.report())
+    pub fn report(&self) -> BuildReport {
+        BuildReport::of(self.surface.report())
     }
 
-    /// Factors the heat and Poisson matrices. `progress` is called with a stage in words and its fraction.
-    pub fn factor(&self, parameters: &JsValue, progress: &Function) -> Result<Solver, JsValue> {
+    /// Factors the heat and Poisson matrices. `progress` is told the stages.
+    pub fn factor(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] parameters: &Object,
+        #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
+    ) -> Result<Solver> {
         Solver::new(&self.surface, &self.drawn, parameters, progress)
     }
 }

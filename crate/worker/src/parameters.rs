@@ -1,52 +1,56 @@
-//! The page's words for the solver's parameters.
+//! The page's words for the options of the solver: those of `Parameters` in the generated contract.
 
 use heatwalk::{AUTOMATIC, Choice, ExactRadius, MemoryLimit, Parameters, TimeStep};
-use js_sys::Reflect;
-use wasm_bindgen::prelude::*;
+use js_sys::{Array, Object};
+use wasm_bindgen::JsValue;
 
-/// Reads `{ operator, solver, timeFactor, boundary, multi, nearField, memory }`; what is absent is as the solver has it.
-pub fn parameters(given: &JsValue) -> Result<Parameters, JsError> {
-    let given = Given(given);
-    let default = Parameters::default();
-    Ok(Parameters {
-        operator: given.choice("operator", default.operator)?,
-        solver: given.choice("solver", default.solver)?,
-        time_step: given.number("timeFactor", TimeStep::Automatic, TimeStep::Factor)?,
-        boundary: given.choice("boundary", default.boundary)?,
-        sources: given.choice("multi", default.sources)?,
-        exact_radius: given.number("nearField", ExactRadius::Automatic, ExactRadius::Edges)?,
-        memory: given.number("memory", MemoryLimit::Automatic, MemoryLimit::mebibytes)?,
-    })
+use crate::failure::{Failure, Result};
+
+/// Reads options; those that are absent are as the solver has them.
+///
+/// # Errors
+/// For an option that does not exist, or a value that it does not take.
+pub fn parameters(given: &Object) -> Result<Parameters> {
+    let mut parameters = Parameters::default();
+    for entry in Object::entries(given) {
+        let entry = Array::from(&entry);
+        let key = entry.get(0).as_string().unwrap_or_default();
+        let value = Value { key: &key, value: entry.get(1) };
+        match key.as_str() {
+            "operator" => parameters.operator = value.choice()?,
+            "solver" => parameters.solver = value.choice()?,
+            "timeStep" => parameters.time_step = value.automatic_or(TimeStep::Factor)?,
+            "boundary" => parameters.boundary = value.choice()?,
+            "sources" => parameters.sources = value.choice()?,
+            "exactRadius" => parameters.exact_radius = value.automatic_or(ExactRadius::Edges)?,
+            "memory" => parameters.memory = value.automatic_or(MemoryLimit::mebibytes)?,
+            _ => return Err(Failure::misuse(&format!("there is no option '{key}'"))),
+        }
+    }
+    Ok(parameters)
 }
 
-struct Given<'a>(&'a JsValue);
+struct Value<'a> {
+    key: &'a str,
+    value: JsValue,
+}
 
-impl Given<'_> {
-    fn value(&self, key: &str) -> JsValue {
-        Reflect::get(self.0, &key.into()).unwrap_or(JsValue::UNDEFINED)
+impl Value<'_> {
+    fn choice<C: Choice>(&self) -> Result<C> {
+        let name = self.value.as_string().ok_or_else(|| self.refused())?;
+        Ok(name.parse()?)
     }
 
-    fn choice<C: Choice>(&self, key: &str, absent: C) -> Result<C, JsError> {
-        let value = self.value(key);
-        if value.is_undefined() {
-            return Ok(absent);
-        }
-        let name = value.as_string().ok_or_else(|| unknown(key, &value))?;
-        Ok(name.parse::<C>()?)
-    }
-
-    /// A number, or the word "auto".
-    fn number<T>(&self, key: &str, automatic: T, number: impl Fn(f64) -> T) -> Result<T, JsError> {
-        let value = self.value(key);
-        match value.as_f64() {
+    /// A number, or the word for an automatic choice, which is the default of all numbers.
+    fn automatic_or<T: Default>(&self, number: impl Fn(f64) -> T) -> Result<T> {
+        match self.value.as_f64() {
             Some(amount) => Ok(number(amount)),
-            None if value.is_undefined() || value.as_string().as_deref() == Some(AUTOMATIC) => Ok(automatic),
-            None => Err(unknown(key, &value)),
+            None if self.value.as_string().as_deref() == Some(AUTOMATIC) => Ok(T::default()),
+            None => Err(self.refused()),
         }
     }
-}
 
-fn unknown(key: &str, value: &JsValue) -> JsError {
-    let value = value.as_string().unwrap_or_else(|| format!("{value:?}"));
-    JsError::new(&format!("the parameter {key} has no choice '{value}'"))
+    fn refused(&self) -> Failure {
+        Failure::misuse(&format!("the option {} does not take {:?}", self.key, self.value))
+    }
 }

@@ -1,11 +1,13 @@
-//! What the page gets back: numbers and flat arrays. Each array is copied once, into a buffer of JavaScript's.
+//! What the page gets: objects whose properties, made plain by `toJSON`, are the messages of the page's protocol. Each array
+//! is copied once, into a buffer of JavaScript's.
 
-use heatwalk::{BuildReport, Path};
+use heatwalk::Path;
 use heatwalk_scene::DrawTransform;
+use js_sys::{Float32Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-/// Triangles to draw.
-#[wasm_bindgen]
+/// Triangles to draw, with vertices split where the normal jumps.
+#[wasm_bindgen(inspectable)]
 #[derive(Default)]
 pub struct DrawMesh {
     pub(crate) positions: Vec<f32>,
@@ -15,70 +17,73 @@ pub struct DrawMesh {
 
 #[wasm_bindgen]
 impl DrawMesh {
-    /// `#D × 3`, as they are drawn. Can be taken once.
-    pub fn take_positions(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.positions)
+    /// `#D × 3`, as they are drawn.
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Float32Array {
+        self.positions.as_slice().into()
     }
 
-    /// `#D × 3`, unit length. Can be taken once.
-    pub fn take_normals(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.normals)
+    /// `#D × 3`, unit length.
+    #[wasm_bindgen(getter)]
+    pub fn normals(&self) -> Float32Array {
+        self.normals.as_slice().into()
     }
 
-    /// `#F × 3`. Can be taken once.
-    pub fn take_triangles(&mut self) -> Vec<u32> {
-        std::mem::take(&mut self.triangles)
+    /// `#F × 3`, indices of drawn vertices, counter-clockwise seen from outside.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Uint32Array {
+        self.triangles.as_slice().into()
     }
 }
 
-/// The counts of a build.
-#[wasm_bindgen]
-pub struct Report(BuildReport);
+/// What was done to make a surface of the triangles, in counts.
+#[wasm_bindgen(inspectable)]
+pub struct BuildReport(heatwalk::BuildReport);
 
-impl Report {
-    pub(crate) fn of(report: &BuildReport) -> Self {
+impl BuildReport {
+    pub(crate) fn of(report: &heatwalk::BuildReport) -> Self {
         Self(report.clone())
     }
 }
 
 macro_rules! counts {
-    ($($(#[$doc:meta])* $name:ident),* $(,)?) => {
+    ($($(#[$doc:meta])* $name:ident as $called:ident),* $(,)?) => {
         #[wasm_bindgen]
-        impl Report {
-            $($(#[$doc])* #[wasm_bindgen(getter)] pub fn $name(&self) -> f64 { self.0.$name as f64 })*
+        impl BuildReport {
+            $($(#[$doc])* #[wasm_bindgen(getter, js_name = $called)] pub fn $name(&self) -> f64 { self.0.$name as f64 })*
         }
     };
 }
 
 counts! {
     /// Vertices of the input.
-    input_vertices,
+    input_vertices as inputVertices,
     /// Vertices after welding.
-    vertices,
+    vertices as vertices,
     /// Faces kept.
-    faces,
+    faces as faces,
     /// Input vertices that were merged into another.
-    welded_vertices,
+    welded_vertices as weldedVertices,
     /// Input vertices that no kept face uses.
-    unreferenced_vertices,
+    unreferenced_vertices as unreferencedVertices,
     /// Faces dropped because they have no area.
-    degenerate_faces,
+    degenerate_faces as degenerateFaces,
     /// Faces dropped because they repeat another.
-    duplicate_faces,
+    duplicate_faces as duplicateFaces,
     /// Faces flipped to agree with their neighbours.
-    flipped_faces,
+    flipped_faces as flippedFaces,
     /// Edges with more than two faces.
-    non_manifold_edges,
+    non_manifold_edges as nonManifoldEdges,
     /// Connected components.
-    components,
+    components as components,
     /// Boundary loops.
-    boundary_loops,
-    /// V − E + F.
-    euler_characteristic,
+    boundary_loops as boundaryLoops,
+    /// Euler characteristic V − E + F.
+    euler_characteristic as eulerCharacteristic,
 }
 
 /// A path on the surface, from its start to the source.
-#[wasm_bindgen]
+#[wasm_bindgen(inspectable)]
 pub struct SurfacePath {
     points: Vec<f32>,
     normals: Vec<f32>,
@@ -95,14 +100,16 @@ impl SurfacePath {
 
 #[wasm_bindgen]
 impl SurfacePath {
-    /// `#P × 3`, as they are drawn. Can be taken once.
-    pub fn take_points(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.points)
+    /// `#P × 3`, from the start to the source, as they are drawn.
+    #[wasm_bindgen(getter)]
+    pub fn points(&self) -> Float32Array {
+        self.points.as_slice().into()
     }
 
-    /// `#P × 3`, unit length. Can be taken once.
-    pub fn take_normals(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.normals)
+    /// `#P × 3`, unit surface normals at the points.
+    #[wasm_bindgen(getter)]
+    pub fn normals(&self) -> Float32Array {
+        self.normals.as_slice().into()
     }
 
     /// Its length in the file's unit.

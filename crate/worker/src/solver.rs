@@ -8,12 +8,11 @@ use heatwalk::{
     Stage, Surface, VertexData, descend, exact, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
-use js_sys::{Array, Function};
+use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
-use crate::crowd::crowd;
 use crate::drawn::Drawn;
-use crate::failure::thrown;
+use crate::failure::Result;
 use crate::field::Field;
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
@@ -22,7 +21,10 @@ use crate::results::SurfacePath;
 /// the rings around a source, where heat is off most, are exact.
 const QUICK_EDGES: f64 = 8.0;
 
-/// The factors of a surface, the distance field solved last, and the crowd that walks home by it.
+/// The same walkers start at the same places whenever a mesh is opened.
+const CROWD_SEED: u64 = 1;
+
+/// The factors of a surface, the distance field solved last, and the crowd that walks to the sources.
 #[wasm_bindgen]
 pub struct Solver {
     solver: HeatSolver,
@@ -48,20 +50,14 @@ struct Refining {
 }
 
 impl Solver {
-    pub(crate) fn new(
-        surface: &Arc<Surface>,
-        drawn: &Arc<Drawn>,
-        given: &JsValue,
-        progress: &Function,
-    ) -> Result<Self, JsValue> {
+    pub(crate) fn new(surface: &Arc<Surface>, drawn: &Arc<Drawn>, given: &Object, progress: &Function) -> Result<Self> {
         let parameters = parameters(given)?;
-        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress))
-            .map_err(|error| thrown(&error))?;
+        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress))?;
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None, crowd: None })
     }
 
     /// The solver's parameters are the same after as before: the exact radius belongs to the query, no factor to it.
-    fn quick_distance(&mut self, sources: &[Source]) -> Result<Distance, JsError> {
+    fn quick_distance(&mut self, sources: &[Source]) -> Result<Distance> {
         let asked = self.solver.parameters();
         let edges = match asked.exact_radius {
             ExactRadius::Edges(edges) => edges.min(QUICK_EDGES),
@@ -74,7 +70,7 @@ impl Solver {
         Ok(distance?)
     }
 
-    fn solved(&self) -> Result<&Solved, JsError> {
+    fn solved(&self) -> Result<&Solved> {
         self.solved.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
     }
 }
@@ -82,8 +78,12 @@ impl Solver {
 #[wasm_bindgen]
 impl Solver {
     /// Factors again what the change needs, and forgets the field.
-    pub fn configure(&mut self, given: &JsValue, progress: &Function) -> Result<(), JsValue> {
-        self.solver.set_parameters(parameters(given)?, &mut reporter(progress)).map_err(|error| thrown(&error))?;
+    pub fn configure(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
+        #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
+    ) -> Result<()> {
+        self.solver.set_parameters(parameters(given)?, &mut reporter(progress))?;
         self.solved = None;
         Ok(())
     }
@@ -94,9 +94,13 @@ impl Solver {
     }
 
     /// Distance to the nearest of `sources`; with an exact radius of at most [`QUICK_EDGES`] when `quick`.
-    pub fn solve(&mut self, sources: &Array, quick: bool) -> Result<Field, JsError> {
+    pub fn solve(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
+        quick: bool,
+    ) -> Result<Field> {
         let sources = sources.iter().map(|source| self.drawn.source(self.solver.surface(), &source));
-        let sources = sources.collect::<Result<Vec<_>, _>>()?;
+        let sources = sources.collect::<Result<Vec<_>>>()?;
         let distance = if quick { self.quick_distance(&sources)? } else { self.solver.distance(&sources)? };
         let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
         if let Some(crowd) = &mut self.crowd {
@@ -107,7 +111,7 @@ impl Solver {
     }
 
     /// Makes the last field exact by about `work` windows further from the sources; once all is exact, nothing changes.
-    pub fn refine(&mut self, work: u32) -> Result<Field, JsError> {
+    pub fn refine(&mut self, work: u32) -> Result<Field> {
         let solved = self.solved.as_mut().ok_or(heatwalk::Error::NoSource)?;
         if solved.distance.exact_below < f64::INFINITY {
             let mut refining = match solved.refining.take() {
@@ -132,8 +136,12 @@ impl Solver {
         Ok(Field::of(&self.drawn, &solved.distance, self.solver.time_factor(), solved.error))
     }
 
-    /// The way from a point to its nearest source: "descent" of the last field, the same made "straight", or "exact".
-    pub fn path(&self, from: &JsValue, kind: &str) -> Result<SurfacePath, JsError> {
+    /// The path from a place to its nearest source: "descent" of the last field, the same made "straight", or "exact".
+    pub fn path(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
+    ) -> Result<SurfacePath> {
         let solved = self.solved()?;
         let surface = self.solver.surface();
         let from = self.drawn.point(surface, from)?;
@@ -146,13 +154,13 @@ impl Solver {
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
-    pub fn tangents(&self) -> Result<Vec<i8>, JsError> {
+    pub fn tangents(&self) -> Result<Vec<i8>> {
         let directions = self.solved()?.distance.directions(self.solver.surface())?;
         Ok(self.drawn.spread_directions(&directions))
     }
 
     /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", of the last field.
-    pub fn gradients(&self, kind: &str) -> Result<Vec<f32>, JsError> {
+    pub fn gradients(&self, #[wasm_bindgen(unchecked_param_type = "FaceField")] kind: &str) -> Result<Vec<f32>> {
         let solved = self.solved()?;
         let surface = self.solver.surface();
         let vectors = match kind.parse()? {
@@ -164,7 +172,7 @@ impl Solver {
 
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
     /// operators see ("operator"), drawn on the surface.
-    pub fn edges(&self, kind: &str) -> Result<Vec<f32>, JsError> {
+    pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
         let surface = self.solver.surface();
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
@@ -176,7 +184,7 @@ impl Solver {
 
     /// `#D`: how far the last field was off before it was made exact, relative to the exact distance; 0 at sources and
     /// where nothing is reached. None until all of it is exact.
-    pub fn errors(&self) -> Result<Option<Vec<f32>>, JsError> {
+    pub fn errors(&self) -> Result<Option<Vec<f32>>> {
         let solved = self.solved()?;
         let Some(instant) = &solved.instant else { return Ok(None) };
         let error = |(instant, exact): (&f64, &f64)| {
@@ -188,20 +196,22 @@ impl Solver {
     }
 
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
-    pub fn heat(&self) -> Result<Vec<f32>, JsError> {
+    pub fn heat(&self) -> Result<Vec<f32>> {
         let heat = &self.solved()?.distance.heat;
         let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let logarithms: VertexData<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
         Ok(self.drawn.spread(&logarithms))
     }
 
-    /// Changes the number of walkers; 0 sends all away.
-    pub fn set_crowd(&mut self, count: u32) -> Result<(), JsError> {
+    /// Changes the number of walkers; 0 sends all away. `height`: of those who set out, in bounding radii of the surface.
+    pub fn set_crowd(&mut self, count: u32, height: f64) -> Result<()> {
         match &mut self.crowd {
             _ if count == 0 => self.crowd = None,
             Some(crowd) => crowd.set_count(count as usize),
             None => {
-                let mut crowd = crowd(self.solver.surface(), count)?;
+                let surface = self.solver.surface();
+                let height = height * surface.bounding_radius();
+                let mut crowd = Crowd::new(Arc::clone(surface), count as usize, height, CROWD_SEED)?;
                 if let Some(solved) = &self.solved {
                     crowd.follow(&solved.distance)?;
                 }
@@ -213,7 +223,7 @@ impl Solver {
 
     /// Moves the crowd by `step` down the last field and gives each walker's pose, `#walkers × 10`: position, unit normal
     /// and unit heading (three numbers each), and the length walked so far. Empty without a field or a crowd.
-    pub fn step_crowd(&mut self, step: f64) -> Result<Vec<f32>, JsError> {
+    pub fn step_crowd(&mut self, step: f64) -> Result<Vec<f32>> {
         let (Some(crowd), Some(_)) = (&mut self.crowd, &self.solved) else { return Ok(Vec::new()) };
         crowd.advance(step)?;
         Ok(crowd.poses(&self.drawn.transform))

@@ -1,6 +1,7 @@
-//! Build steps that need Rust: `cargo xtask wasm [solver|viewer]`, `cargo xtask test-wasm`, `cargo xtask clippy-wasm`;
-//! and a check, `cargo xtask cycles [FOLDER]`.
+//! Build steps that need Rust: `cargo xtask wasm [solver|viewer]`, `cargo xtask contract`, `cargo xtask test-wasm`,
+//! `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
 
+mod contract;
 mod cycles;
 mod modules;
 mod toolchain;
@@ -12,7 +13,7 @@ use anyhow::{Result, bail};
 use crate::modules::{SOLVER, VIEWER};
 use crate::toolchain::Toolchain;
 
-const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | test-wasm | clippy-wasm | cycles [FOLDER]";
+const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -20,11 +21,16 @@ fn main() -> Result<()> {
     match words.as_slice() {
         ["wasm"] => {
             let toolchain = Toolchain::find()?;
+            contract::write(workspace())?;
             modules::build(&SOLVER, &toolchain)?;
             modules::build(&VIEWER, &toolchain)
         }
-        ["wasm", "solver"] => modules::build(&SOLVER, &Toolchain::find()?),
+        ["wasm", "solver"] => {
+            contract::write(workspace())?;
+            modules::build(&SOLVER, &Toolchain::find()?)
+        }
         ["wasm", "viewer"] => modules::build(&VIEWER, &Toolchain::find()?),
+        ["contract"] => contract::write(workspace()),
         ["test-wasm"] => modules::test_solver(&Toolchain::find()?),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
         ["cycles"] => cycles::check(Path::new("crate")),
@@ -35,4 +41,8 @@ fn main() -> Result<()> {
         }
         _ => bail!(USAGE),
     }
+}
+
+fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crate/xtask lies two folders down")
 }

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::toolchain::{TARGET, Toolchain};
+use crate::workspace;
 
 /// A wasm module of the page.
 pub struct Module {
@@ -101,10 +102,6 @@ pub fn clippy(toolchain: &Toolchain) -> Result<()> {
             .env("CARGO_ENCODED_RUSTFLAGS", [module.flags, "-Dwarnings"].join("\u{1f}").trim_start_matches('\u{1f}')))?;
     }
     Ok(())
-}
-
-fn workspace() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crate/xtask lies two folders down")
 }
 
 fn modified(path: &Path) -> Option<SystemTime> {

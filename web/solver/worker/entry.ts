@@ -1,15 +1,16 @@
 /** The worker: the solver's wasm module behind the interface of protocol.ts. */
 import { expose, transfer } from 'comlink';
 import type {
-  BuildReport,
   DistanceField,
   DrawMesh,
   DrawTransform,
   EdgeKind,
+  FaceField,
   Factoring,
   MeshInput,
   OpenedMesh,
   Parameters,
+  Plain,
   Solved,
   SolverApi,
   Source,
@@ -78,7 +79,7 @@ const api: SolverApi = {
       const walked = parts.length > 0 ? parts : names.map((_, index) => index);
       const surface = file.surface(Uint32Array.from(walked));
       try {
-        const report = reportOf(surface);
+        const report = plain(surface.report());
         const buildMs = clock();
         const solver = surface.factor(parameters, (stage: string, fraction: number) => {
           progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices: report.vertices });
@@ -91,11 +92,11 @@ const api: SolverApi = {
           hash,
           parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
           walked: [...walked],
-          surface: drawMesh(surface.drawing()),
+          surface: plain(surface.drawing()),
           inputVertices: surface.input_vertices(),
           drawTransform: drawTransformOf(surface),
           scenery: names.flatMap((_, part) =>
-            walked.includes(part) ? [] : [{ part, mesh: drawMesh(file.scenery(part, surface)) }],
+            walked.includes(part) ? [] : [{ part, mesh: plain(file.scenery(part, surface)) }],
           ),
           report,
           meanEdge: surface.mean_edge(),
@@ -138,7 +139,7 @@ const api: SolverApi = {
     const field = mesh.solver.refine(mesh.work);
     const passed = clock();
     mesh.refineMs += passed;
-    if (field.exact_below < Infinity) {
+    if (field.exactBelow < Infinity) {
       const wanted = Math.max(SLICE_MS, SLICE_SOLVES * mesh.solveMs);
       // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
       const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
@@ -152,7 +153,7 @@ const api: SolverApi = {
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
-  gradients(kind: 'heat' | 'distance'): Promise<Float32Array> {
+  gradients(kind: FaceField): Promise<Float32Array> {
     const vectors = openMesh().solver.gradients(kind);
     return Promise.resolve(transfer(vectors, [vectors.buffer]));
   },
@@ -162,8 +163,8 @@ const api: SolverApi = {
     return Promise.resolve(transfer(heat, [heat.buffer]));
   },
 
-  crowd(count: number): Promise<void> {
-    openMesh().solver.set_crowd(count);
+  crowd(count: number, height: number): Promise<void> {
+    openMesh().solver.set_crowd(count, height);
     return Promise.resolve();
   },
 
@@ -205,21 +206,9 @@ function solvedOf(field: wasm.Field, mesh: Current, way: Way | null): Promise<So
 }
 
 function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): DistanceField {
-  const { mean_error: mean, max_error: max } = field;
-  const answer: DistanceField = {
-    distance: field.take_values(),
-    tangents: solver.tangents(),
-    maxDistance: field.max,
-    unreachableVertices: field.unreachable,
-    exactBelow: field.exact_below,
-    exactShare: field.exact_share,
-    timeFactor: field.time_factor,
-    error: mean !== undefined && max !== undefined ? { mean, max } : null,
-    solveMs,
-    refineMs,
-  };
-  field.free();
-  return answer;
+  const { meanError: mean, maxError: max, ...solved } = plain(field);
+  const error = mean !== undefined && max !== undefined ? { mean, max } : null;
+  return { ...solved, tangents: solver.tangents(), error, solveMs, refineMs };
 }
 
 function trace({ solver }: Current, way: Way | null): TracedWay {
@@ -229,10 +218,7 @@ function trace({ solver }: Current, way: Way | null): TracedWay {
 
 function pathOf(solver: wasm.Solver, { from, kind }: Way): SurfacePath | null {
   try {
-    const path = solver.path(from, kind);
-    const answer: SurfacePath = { points: path.take_points(), normals: path.take_normals(), length: path.length };
-    path.free();
-    return answer;
+    return plain(solver.path(from, kind));
   } catch (error) {
     if (error instanceof Error && isTrap(error)) throw error;
     return null;
@@ -268,35 +254,16 @@ function nameOf(input: MeshInput): string {
   }
 }
 
-function reportOf(surface: wasm.WalkedSurface): BuildReport {
-  const counts = surface.report();
-  const report: BuildReport = {
-    inputVertices: counts.input_vertices,
-    vertices: counts.vertices,
-    faces: counts.faces,
-    weldedVertices: counts.welded_vertices,
-    unreferencedVertices: counts.unreferenced_vertices,
-    degenerateFaces: counts.degenerate_faces,
-    duplicateFaces: counts.duplicate_faces,
-    turnedFaces: counts.flipped_faces,
-    nonManifoldEdges: counts.non_manifold_edges,
-    components: counts.components,
-    boundaryLoops: counts.boundary_loops,
-    eulerCharacteristic: counts.euler_characteristic,
-  };
-  counts.free();
-  return report;
+/** What the module gave, as a message; its memory is given back. */
+function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T> {
+  const message = given.toJSON() as Plain<T>;
+  given.free();
+  return message;
 }
 
-function drawTransformOf(surface: wasm.WalkedSurface): DrawTransform {
+function drawTransformOf(surface: wasm.ActiveSurface): DrawTransform {
   const [x, y, z, scale] = surface.draw_transform();
   return { center: [x, y, z], scale };
-}
-
-function drawMesh(mesh: wasm.DrawMesh): DrawMesh {
-  const arrays = { positions: mesh.take_positions(), normals: mesh.take_normals(), triangles: mesh.take_triangles() };
-  mesh.free();
-  return arrays;
 }
 
 function buffersOf({ positions, normals, triangles }: DrawMesh): Transferable[] {

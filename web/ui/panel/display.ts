@@ -1,6 +1,7 @@
 import type { Session } from '../../session/session';
-import { LARGEST_CROWD, type Overlay, OVERLAYS, type Painted, PAINTED } from '../../state/scene';
-import { h, select, slider, toggle } from '../dom';
+import { LARGEST_CROWD, type Overlay, OVERLAYS } from '../../state/scene';
+import { VERTEX_FIELD, type VertexField } from '../../wasm/contract';
+import { h, labelled, select, slider, toggle } from '../dom';
 import { count, percent } from '../words';
 
 const OVERLAY_WORDS: Record<Overlay, string> = {
@@ -14,7 +15,7 @@ const OVERLAY_WORDS: Record<Overlay, string> = {
 /** Both are drawn as arrows: one replaces the other. */
 const ARROWS: readonly Overlay[] = ['heat', 'distance'];
 
-const COLOR_BY_WORDS: Record<Painted, string> = {
+const COLOR_BY_WORDS: Record<VertexField, string> = {
   distance: 'distance',
   heat: 'heat, log scale',
   error: 'error of the heat method',
@@ -26,10 +27,8 @@ const CROWD_STEPS = 100;
 /** Which field the surface is colored by, which overlays are drawn, and the size of the crowd. */
 export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
-  const colorBy = select<Painted>(
-    'Color by',
-    PAINTED.map((name) => [name, COLOR_BY_WORDS[name]] as const),
-    (value) => scene.set({ painted: value }),
+  const colorBy = select('Color by', labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
+    scene.set({ painted: value }),
   );
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
@@ -76,7 +75,7 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
-function legendOf(session: Session, painted: Painted): string {
+function legendOf(session: Session, painted: VertexField): string {
   const error = session.shown.value?.answer.field?.error;
   if (painted === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
   if (painted === 'distance') return '';

@@ -1,34 +1,46 @@
-import type { Boundary, LinearSolver, MultiSource, Operator, Parameters, PathKind } from '../../protocol';
 import type { Session } from '../../session/session';
-import { NEAR_FIELD_RANGE, TIME_FACTOR_RANGE } from '../../state/link';
-import { automaticSlider, h, select, toggle } from '../dom';
+import {
+  AUTOMATIC,
+  BOUNDARY,
+  type Boundary,
+  EXACT_RADIUS_EDGES,
+  LINEAR_SOLVER,
+  type LinearSolver,
+  MULTI_SOURCE,
+  type MultiSource,
+  OPERATOR,
+  type Operator,
+  type Parameters,
+  PATH_KIND,
+  type PathKind,
+  TIME_STEP_FACTORS,
+} from '../../wasm/contract';
+import { automaticSlider, h, labelled, select, toggle } from '../dom';
 import { refiningSentence } from '../words';
 
-type Choices<T> = readonly (readonly [T, string])[];
-
-const PATHS: Choices<PathKind> = [
-  ['descent', 'Steepest descent'],
-  ['straight', 'Straightened'],
-  ['exact', 'Exact'],
-];
-const BOUNDARIES: Choices<Boundary> = [
-  ['neumann', 'Insulated (Neumann)'],
-  ['dirichlet', 'Cold (Dirichlet)'],
-  ['average', 'Average of both'],
-];
-const MULTI_SOURCES: Choices<MultiSource> = [
-  ['exact', 'Exact'],
-  ['superposed', 'Summed'],
-];
-const OPERATORS: Choices<Operator> = [
-  ['delaunay', 'Intrinsic Delaunay'],
-  ['plain', 'As in the file'],
-  ['relocate', 'Relocated vertices'],
-];
-const SOLVERS: Choices<LinearSolver> = [
-  ['cholesky', 'Cholesky'],
-  ['cg', 'Conjugate gradients'],
-];
+const PATHS: Record<PathKind, string> = {
+  descent: 'Steepest descent',
+  straight: 'Straightened',
+  exact: 'Exact',
+};
+const BOUNDARIES: Record<Boundary, string> = {
+  neumann: 'Insulated (Neumann)',
+  dirichlet: 'Cold (Dirichlet)',
+  average: 'Average of both',
+};
+const MULTI_SOURCES: Record<MultiSource, string> = {
+  exact: 'Exact',
+  summed: 'Summed',
+};
+const OPERATORS: Record<Operator, string> = {
+  delaunay: 'Intrinsic Delaunay',
+  plain: 'As in the file',
+  relocate: 'Relocated vertices',
+};
+const SOLVERS: Record<LinearSolver, string> = {
+  cholesky: 'Cholesky',
+  cg: 'Conjugate gradients',
+};
 
 /** Exactness and path first, then the settings of the method; the less common ones are collapsed. */
 export function solverSection(session: Session): HTMLElement {
@@ -37,40 +49,43 @@ export function solverSection(session: Session): HTMLElement {
   let chosenNear = 0;
   const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
   const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
-  const path = select('Path', PATHS, (value) => scene.set({ way: value }));
-  const [low, high] = TIME_FACTOR_RANGE;
+  const path = select('Path', labelled(PATH_KIND.names, PATHS), (value) => scene.set({ way: value }));
+  const [low, high] = TIME_STEP_FACTORS;
   const factor = automaticSlider({
     label: 'Time factor m',
     min: Math.log10(low),
     max: Math.log10(high),
     step: 0.05,
     describe: (value) => `${fromLogarithm(value)}`,
-    change: (value) => change({ timeFactor: value === 'auto' ? value : fromLogarithm(value) }),
+    change: (value) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }),
   });
-  const boundary = select('Boundary', BOUNDARIES, (value) => change({ boundary: value }));
+  const boundary = select('Boundary', labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
+  const [nearest, farthest] = EXACT_RADIUS_EDGES;
   const near = automaticSlider({
     label: 'Exact region',
-    min: NEAR_FIELD_RANGE[0],
-    max: NEAR_FIELD_RANGE[1],
+    min: nearest,
+    max: farthest,
     step: 1,
     describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? 'about ' : ''}${value} mean edge lengths`),
-    change: (value) => change({ nearField: value }),
+    change: (value) => change({ exactRadius: value }),
   });
-  const multi = select('Multi-source', MULTI_SOURCES, (value) => change({ multi: value }));
-  const operator = select('Operator', OPERATORS, (value) => change({ operator: value }));
-  const solver = select('Linear solver', SOLVERS, (value) => change({ solver: value }));
+  const multi = select('Multi-source', labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
+    change({ sources: value }),
+  );
+  const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => change({ operator: value }));
+  const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) => change({ solver: value }));
 
   const show = () => {
     const { parameters, ...state } = scene.state;
     refine.show(state.refine);
     path.show(state.way);
     factor.show(
-      parameters.timeFactor === 'auto' ? 'auto' : Math.log10(parameters.timeFactor),
+      parameters.timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(parameters.timeStep),
       Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
     );
     boundary.show(parameters.boundary);
-    near.show(parameters.nearField, chosenNear);
-    multi.show(parameters.multi);
+    near.show(parameters.exactRadius, chosenNear);
+    multi.show(parameters.sources);
     operator.show(parameters.operator);
     solver.show(parameters.solver);
   };
@@ -84,7 +99,7 @@ export function solverSection(session: Session): HTMLElement {
     // What refinement has reached since is not what was chosen.
     if (field.refineMs === 0) {
       const edges = Math.round(field.exactBelow / shown.opened.meanEdge);
-      chosenNear = Math.min(Math.max(edges, NEAR_FIELD_RANGE[0]), NEAR_FIELD_RANGE[1]);
+      chosenNear = Math.min(Math.max(edges, nearest), farthest);
     }
     show();
   });

@@ -197,16 +197,16 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// Replaces the crowd.
+    /// Replaces the crowd. `height`: of each walker, in bounding radii of the surface.
     ///
     /// # Errors
     /// When a number is not finite.
-    pub fn set_crowd(&mut self, poses: &[CrowdPose]) -> Result<(), Error> {
+    pub fn set_crowd(&mut self, poses: &[CrowdPose], height: f32) -> Result<(), Error> {
         if let Some(index) = poses.iter().position(|pose| !pose.is_finite()) {
             return Err(Error::NotFinite { what: "poses", index });
         }
         let radius = self.radius();
-        self.walkers.set_crowd(&self.context, poses, radius);
+        self.walkers.set_crowd(&self.context, poses, height * radius);
         self.dirty = true;
         Ok(())
     }

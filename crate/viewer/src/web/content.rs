@@ -156,16 +156,17 @@ impl Viewer {
         self.renderer.set_walker(arc);
     }
 
-    /// `#walkers × 10`: position, unit normal, unit heading, length walked; empty = none.
+    /// `#walkers × 10`: position, unit normal, unit heading, length walked; empty = none. `height`: of each, in bounding
+    /// radii of the surface.
     ///
     /// # Errors
     /// Throws when the numbers are no tens or not finite.
-    pub fn set_crowd(&mut self, poses: &[f32]) -> Result<(), JsError> {
+    pub fn set_crowd(&mut self, poses: &[f32], height: f32) -> Result<(), JsError> {
         let walkers: &[CrowdPose] = bytemuck::try_cast_slice(poses).map_err(|_| {
             let expected = poses.len() - poses.len() % (size_of::<CrowdPose>() / size_of::<f32>());
             Error::WrongLength { what: "poses", expected, found: poses.len() }
         })?;
-        Ok(self.renderer.set_crowd(walkers)?)
+        Ok(self.renderer.set_crowd(walkers, height)?)
     }
 
     /// Takes the walker away.

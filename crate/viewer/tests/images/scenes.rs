@@ -176,7 +176,7 @@ fn crowd(renderer: &mut Renderer) -> Result<(), Error> {
             CrowdPose { position: place, normal: place, heading: -away(place), arc: 0.037 * index as f32 }
         })
         .collect();
-    renderer.set_crowd(&poses)?;
+    renderer.set_crowd(&poses, 0.03)?;
     let target = glam::DVec3::new(-0.2, 0.46, 0.85);
     renderer.move_camera(|camera| camera.set_view(View { yaw: -0.25, pitch: 0.5, distance: 0.6, target }));
     Ok(())

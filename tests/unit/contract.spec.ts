@@ -1,0 +1,104 @@
+/** The solver's module takes what the page may say, name by name, and nothing else. */
+import fs from 'node:fs';
+import path from 'node:path';
+import { expect, test } from '@playwright/test';
+import {
+  AUTOMATIC,
+  BOUNDARY,
+  DEFAULT_PARAMETERS,
+  EDGE_KIND,
+  EXACT_RADIUS_EDGES,
+  FACE_FIELD,
+  LINEAR_SOLVER,
+  MEMORY_LIMIT_MEBIBYTES,
+  MULTI_SOURCE,
+  OPERATOR,
+  OUT_OF_MEMORY,
+  type Parameters,
+  PATH_KIND,
+  TIME_STEP_FACTORS,
+} from '../../web/wasm/contract';
+import { initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
+
+const MODULE = path.join(import.meta.dirname, '../../web/wasm/solver/heatwalk_worker_bg.wasm');
+const SOURCES = [{ vertex: 0 }, { face: 3, weights: [0.2, 0.3, 0.5] as [number, number, number], offset: 0.1 }];
+
+/** All that an option may be, from the least to the greatest. */
+const VALUES: { [Option in keyof Parameters]: readonly Parameters[Option][] } = {
+  operator: OPERATOR.names,
+  solver: LINEAR_SOLVER.names,
+  timeStep: [...TIME_STEP_FACTORS, AUTOMATIC],
+  boundary: BOUNDARY.names,
+  sources: MULTI_SOURCE.names,
+  exactRadius: [...EXACT_RADIUS_EDGES, AUTOMATIC],
+  memory: [MEMORY_LIMIT_MEBIBYTES[1], AUTOMATIC],
+};
+
+let solver: Solver;
+test.beforeAll(() => {
+  initSync({ module: fs.readFileSync(MODULE) });
+  // A surface with a boundary and uneven triangles, where every option makes a difference.
+  const [positions, triangles] = [new Float32Array(3 * 81), [] as number[]];
+  for (let i = 0; i < 81; i++) positions.set([(i % 9) ** 1.5, Math.floor(i / 9) + (i % 9), 0], 3 * i);
+  for (let i = 0; i < 72; i++) if (i % 9 < 8) triangles.push(i, i + 1, i + 10, i, i + 10, i + 9);
+  const file = MeshFile.arrays('grid', positions, Uint32Array.from(triangles));
+  solver = file.surface(Uint32Array.of(0)).factor(DEFAULT_PARAMETERS, () => undefined);
+});
+
+function configure(options: object): void {
+  solver.configure(options, () => undefined);
+}
+
+function farthest(options: Partial<Parameters>): number {
+  configure({ exactRadius: 0, ...options });
+  return solver.solve(SOURCES, false).maxDistance;
+}
+
+for (const [option, values] of Object.entries(VALUES)) {
+  test(`${option} takes each of its values, and each makes a difference`, () => {
+    const answers = values.map((value) => farthest({ [option]: value }));
+    for (const answer of answers) expect(answer).toBeGreaterThan(1);
+    // Linear solvers differ in what they cost, and enough memory is enough.
+    if (option === 'memory') expect(new Set(answers).size).toBe(1);
+    else if (option === 'solver') expect(answers[1]).not.toBe(answers[0]);
+    else expect(new Set(answers).size).toBe(values.length);
+  });
+}
+
+test('former names are taken', () => {
+  for (const [former, name] of Object.entries(MULTI_SOURCE.former)) {
+    expect(farthest({ sources: former as typeof name })).toBe(farthest({ sources: name }));
+  }
+});
+
+test('every kind of path, gradient and edges is answered', () => {
+  farthest({});
+  for (const kind of PATH_KIND.names) expect(solver.path({ vertex: 80 }, kind).length, kind).toBeGreaterThan(1);
+  for (const kind of FACE_FIELD.names) expect(solver.gradients(kind), kind).toHaveLength(3 * 128);
+  for (const kind of EDGE_KIND.names) expect(solver.edges(kind).length, kind).toBeGreaterThan(0);
+});
+
+test('what is no option, no value or no name is refused in a sentence', () => {
+  expect(() => configure({ heat: 1 })).toThrow("there is no option 'heat'");
+  expect(() => configure({ timeStep: 'fast' })).toThrow('timeStep');
+  expect(() => configure({ boundary: 'warm' })).toThrow('neumann, dirichlet, average');
+  expect(() => solver.path({ vertex: 80 }, 'home' as 'exact')).toThrow('descent, straight, exact');
+});
+
+test('want of memory has its name', () => {
+  expect(() => configure({ memory: 0, boundary: 'dirichlet' })).toThrow(
+    expect.objectContaining({ name: OUT_OF_MEMORY }),
+  );
+});
+
+test('what the module gives is a plain object with all that the page reads', () => {
+  farthest({});
+  const field = solver.solve(SOURCES, true).toJSON() as Record<string, unknown>;
+  expect(field['distance']).toBeInstanceOf(Float32Array);
+  expect(field).toMatchObject({
+    unreachableVertices: 0,
+    exactShare: expect.any(Number),
+    timeFactor: expect.any(Number),
+  });
+  expect(structuredClone(field)).toEqual(field);
+});
