@@ -20,16 +20,8 @@ const POINTER_HZ = 120;
 /** CSS pixels. */
 const DRAG_RADIUS = 15;
 
-/** As the page starts out. */
-const PARAMETERS = {
-  operator: 'delaunay',
-  solver: 'cholesky',
-  timeFactor: 'auto',
-  boundary: 'neumann',
-  multi: 'exact',
-  nearField: 'auto',
-  memory: 'auto',
-};
+/** None: the page starts out with the solver's defaults. */
+const PARAMETERS = {};
 
 /** An empty page beside the real one, and the mesh that is measured. */
 const BLANK = '/bench/';

@@ -20,17 +20,10 @@ impl Failure {
     pub fn misuse(sentence: &str) -> Self {
         Self(Error::new(sentence))
     }
-}
 
-/// Whatever the solver can fail with.
-impl<E> From<E> for Failure
-where
-    heatwalk::Error: From<E>,
-{
-    fn from(error: E) -> Self {
+    fn of(error: &heatwalk::Error) -> Self {
         use heatwalk::Error as Solver;
         use heatwalk::surface::Error as Surface;
-        let error = Solver::from(error);
         let thrown = Error::new(&error.to_string());
         if matches!(
             error,
@@ -39,6 +32,16 @@ where
             thrown.set_name(OUT_OF_MEMORY);
         }
         Self(thrown)
+    }
+}
+
+/// Whatever the solver can fail with.
+impl<E> From<E> for Failure
+where
+    heatwalk::Error: From<E>,
+{
+    fn from(error: E) -> Self {
+        Self::of(&error.into())
     }
 }
 
