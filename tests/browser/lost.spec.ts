@@ -18,7 +18,7 @@ test('a lost graphics context is restored with the scene intact', async ({ page 
   await expect.poll(stripes).toBe(before);
 });
 
-test('a renderer that traps is made anew with the scene intact', async ({ page }, info) => {
+test('a renderer that traps restarts with the scene intact', async ({ page }, info) => {
   const heatwalk = new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2');
   await heatwalk.open();
   const [x, y] = await heatwalk.pixelOnModel();
@@ -51,7 +51,7 @@ test('a renderer that traps is made anew with the scene intact', async ({ page }
   await heatwalk.pixelOnModel();
 });
 
-test('what the graphics device refuses is told, and drawing goes on', async ({ page }, info) => {
+test('an error of the graphics device is reported, and drawing goes on', async ({ page }, info) => {
   test.skip(info.project.name !== 'webgpu', 'the page can reach the device of WebGPU only');
   const heatwalk = new HeatwalkPage(page, 'WebGPU');
   await page.addInitScript(() => {

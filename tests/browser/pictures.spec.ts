@@ -126,7 +126,7 @@ function moved(size: number, shift: readonly number[]): string {
   return obj({ ball: place(sphere(24), 0), plate: place(grid(4), -1.2) });
 }
 
-test('a mesh of any size and anywhere is drawn alike', async ({ heatwalk, page }) => {
+test('a mesh of any size and position looks the same', async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
   await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
   const link =

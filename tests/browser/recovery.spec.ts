@@ -72,7 +72,7 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
   await expect(alert).toBeEmpty();
 });
 
-test('coordinates near the end of the numbers are drawn or refused, and the next mesh opens', async ({
+test('coordinates near the limits of floating point are drawn or refused, and the next mesh opens', async ({
   heatwalk,
   page,
 }) => {
@@ -91,7 +91,7 @@ test('coordinates near the end of the numbers are drawn or refused, and the next
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
 });
 
-test('a trap of the solver on the way ends in a fresh one with the same scene', async ({ heatwalk, page }) => {
+test('after a trap the solver restarts with the same scene', async ({ heatwalk, page }) => {
   await openGrid(heatwalk);
   const [first] = page.workers();
   await page.keyboard.press('Enter');
@@ -105,7 +105,7 @@ test('a trap of the solver on the way ends in a fresh one with the same scene', 
   }, TRAP);
   await page.keyboard.press('Control+z');
   const alert = page.getByRole('alert');
-  await expect(alert).toContainText(/stopped unexpectedly \(divide by zero\)\. A fresh solver has taken over/);
+  await expect(alert).toContainText(/stopped unexpectedly \(divide by zero\)\. The solver was restarted/);
   await heatwalk.settled();
   expect(page.workers()).not.toContain(first);
   expect(await heatwalk.solves()).toBe(solves + 1);
@@ -121,7 +121,7 @@ test('a trap of the solver on the way ends in a fresh one with the same scene', 
   expect((await heatwalk.scene()).sources).toEqual(sources);
 });
 
-test('a solver that stops while nobody asks is replaced, and shows the same', async ({ heatwalk, page }) => {
+test('a solver that stops while idle restarts with the same scene', async ({ heatwalk, page }) => {
   await openGrid(heatwalk);
   await heatwalk.settled();
   const before = await everything(heatwalk);
@@ -131,13 +131,13 @@ test('a solver that stops while nobody asks is replaced, and shows the same', as
       throw new Error('a defect');
     });
   });
-  await expect(page.getByRole('alert')).toContainText('A fresh solver has taken over; the scene is as it was.');
+  await expect(page.getByRole('alert')).toContainText('The solver was restarted; the scene is unchanged.');
   await heatwalk.settled();
   expect(await everything(heatwalk)).toEqual(before);
   await expect.poll(async () => difference(picture, await heatwalk.picture())).toBe(0);
 });
 
-test('a question that ends every solver is asked twice and no more', async ({ heatwalk, page }) => {
+test('a query that traps every solver is sent only twice', async ({ heatwalk, page }) => {
   let solvers = 0;
   page.on('worker', () => (solvers += 1));
   await page.route(/entry.*\.js$/, async (route) => {
@@ -161,7 +161,7 @@ test('a question that ends every solver is asked twice and no more', async ({ he
   // What is shown stays of use, and another question is answered.
   expect(await distances(heatwalk)).toEqual(before);
   await page.keyboard.press('Control+z');
-  await expect(alert).toContainText('A fresh solver has taken over');
+  await expect(alert).toContainText('The solver was restarted');
   expect(await distances(heatwalk)).toEqual(before);
   expect(solvers).toBeLessThanOrEqual(asked + 1);
 });

@@ -106,10 +106,7 @@ test('a bad file leaves the scene as it is and says why', async ({ heatwalk, pag
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
 });
 
-test('a long load shows its stage; Cancel keeps the old scene, and the page stays of use', async ({
-  heatwalk,
-  page,
-}) => {
+test('a long load shows its stage; Cancel keeps the old scene and a usable page', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const before = await heatwalk.mesh();
   await heatwalk.drop([['large.off', off(sphere(330))]]);
@@ -123,7 +120,7 @@ test('a long load shows its stage; Cancel keeps the old scene, and the page stay
   await expect(page.getByRole('alert')).toBeEmpty();
 });
 
-test('a part that no source reaches is named in the panel', async ({ heatwalk, page }) => {
+test('a component that no source reaches is named in the panel', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const small = sphere(12, [0.9, -0.6, 1.2]);
   const file = obj({
@@ -173,7 +170,7 @@ test('a link brings back the same scene and nearly the same picture', async ({ h
   expect(difference(picture, await heatwalk.picture())).toBeLessThan(0.03);
 });
 
-test('a link to a file asks for it by name and knows it by its hash', async ({ heatwalk, page }) => {
+test('a link to a file asks for it by name and checks its hash', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
   await expect(page).toHaveURL(/m=file&name=ball\.off&hash=[\da-f]{64}/);

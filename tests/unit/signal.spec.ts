@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { Signal } from '../../web/state/signal';
 
-test('a listener that fails keeps no other from hearing, and its error is not swallowed', () => {
+test('a failing listener does not stop the others, and its error is reported', () => {
   const uncaught: unknown[] = [];
   const { queueMicrotask } = globalThis;
   globalThis.queueMicrotask = (task) => {

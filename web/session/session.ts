@@ -222,7 +222,7 @@ export class Session {
       return;
     }
     if (await this.#solve()) {
-      this.failure.value = new Error(`${lost.message} A fresh solver has taken over; the scene is as it was.`, {
+      this.failure.value = new Error(`${lost.message} The solver was restarted; the scene is unchanged.`, {
         cause: lost,
       });
     }
