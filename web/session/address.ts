@@ -3,7 +3,7 @@ import { encodeLink } from '../state/link';
 import type { Scene } from '../state/scene';
 import { type Opener, startOf } from './opener';
 
-/** The address is written when the hand rests; browsers limit how often it may change. */
+/** The address is written after a pause; browsers limit how often it may change. */
 const REST_MS = 300;
 
 export class Address {

@@ -21,7 +21,7 @@ export class Frames {
   #moved = performance.now();
   /** What went wrong in a frame last. */
   #told = '';
-  /** Where the camera was a frame ago, while a hand's move is still settling. */
+  /** Where the camera was a frame ago, while a camera move still settles. */
   #settling: string | null = null;
 
   constructor(session: Session, crowd: CrowdWalk) {
@@ -41,7 +41,7 @@ export class Frames {
     });
   }
 
-  /** A hand moved the camera: once at rest it belongs to the scene. */
+  /** The user moved the camera: once at rest it belongs to the scene. */
   cameraMoved(): void {
     this.#settling = '';
   }
@@ -56,7 +56,7 @@ export class Frames {
       this.#session.animate(seconds);
       this.#moved = now;
     }
-    // So do pictures of fields that a hand asks for faster than they can be drawn.
+    // So do frames of fields that a drag asks for faster than they can be drawn.
     const waits = now < this.#rests && this.#session.dragging;
     this.#last = now;
     this.#drew = !waits && this.#session.view.render(step(passed));

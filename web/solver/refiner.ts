@@ -1,4 +1,4 @@
-/** Instant, then exact: once the hand rests, the answer that is shown is made exact, slice by slice. */
+/** Refinement: when the user pauses, the answer that is shown is made exact step by step. */
 import type { SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { Answer, Engine } from './engine';
@@ -6,18 +6,18 @@ import type { Answer, Engine } from './engine';
 /**
  * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks;
  * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `idle`: no field; `large`, `late` and
- * `stuck`: given up, for the size of the mesh, the time, or because a few slices brought nothing; `failed`: the question
- * or a slice failed.
+ * `stuck`: given up, for the size of the mesh, the time, or because a few steps made no progress; `failed`: the query
+ * or a step failed.
  */
 export type Phase =
   'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'idle' | 'large' | 'late' | 'stuck' | 'failed';
 
-/** Nobody has asked anything for so long. */
+/** Pause before refinement begins. */
 const REST_MS = 300;
-/** The front of windows, and the exact way's, need memory and time that grow faster than the mesh. */
+/** Exact distances and exact paths need memory and time that grow faster than the mesh. */
 export const MOST_TRIANGLES = 200_000;
 export const MOST_SECONDS = 60;
-/** Slices without progress after which it is given up. */
+/** Steps without progress after which refinement stops. */
 const PATIENCE = 3;
 
 export class Refiner {
@@ -38,7 +38,7 @@ export class Refiner {
     return !['solving', 'resting', 'refining'].includes(this.phase.value);
   }
 
-  /** A question is asked, or a hand holds something. */
+  /** A query is sent, or something is dragged. */
   interrupt(): void {
     this.#turn = {};
     clearTimeout(this.#timer);
@@ -82,7 +82,7 @@ export class Refiner {
   async #trace(engine: Engine, answer: Answer, turn: object): Promise<Answer | null> {
     const traced = await engine.traceExactly(answer);
     if (turn !== this.#turn || !traced) return null;
-    // Where there is no exact way, the one that stood in for it stays.
+    // Where there is no exact path, the straightened one stays.
     if (!traced.path) return answer;
     this.#show(traced);
     return traced;
@@ -101,7 +101,7 @@ export class Refiner {
       idle = next.field.exactBelow > reached ? 0 : idle + 1;
       if (idle === PATIENCE) return 'stuck';
       reached = next.field.exactBelow;
-      // The first slices may not yet reach as far as the near field of the instant answer.
+      // The first steps may not yet reach as far as the exact region of the first answer.
       if (!shown.field || reached <= shown.field.exactBelow) continue;
       shown = next;
       this.#show(next);

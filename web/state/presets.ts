@@ -162,7 +162,7 @@ async function loadDragon(): Promise<MeshInput> {
   return { kind: 'files', files: [{ name: 'dragon.ply', bytes: isGzip(packed) ? await unzip(packed) : packed }] };
 }
 
-/** Some servers unpack .gz on the way. */
+/** Some servers unpack .gz before they send it. */
 function isGzip(bytes: Uint8Array): boolean {
   return bytes[0] === 0x1f && bytes[1] === 0x8b;
 }
