@@ -73,13 +73,13 @@ export interface OpenedMesh extends Factoring {
   hash: string;
   parts: PartInfo[];
   /** Indices of the parts that form the surface. */
-  walked: number[];
+  active: number[];
   surface: DrawMesh;
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
   drawTransform: DrawTransform;
-  /** The parts that are not walked on. */
+  /** The inactive parts. */
   scenery: SceneryPart[];
   report: BuildReport;
   /** Mean edge length. */
@@ -93,7 +93,7 @@ export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'ma
   error: FieldError | null;
   /** Of `solve` alone. */
   solveMs: number;
-  /** Of all slices of refining so far. */
+  /** Of all steps of refinement so far. */
   refineMs: number;
 }
 
@@ -103,21 +103,21 @@ export interface FieldError {
   max: number;
 }
 
-/** A way home that is wanted. */
-export interface Way {
+/** A path that is wanted. */
+export interface PathRequest {
   from: SurfacePoint;
   kind: PathKind;
 }
 
-export interface TracedWay {
+export interface TracedPath {
   /** Null where none was wanted, and where there is none: the start is on a part that no source reaches. */
   path: SurfacePath | null;
   /** Of tracing alone. */
   pathMs: number;
 }
 
-/** A field and the way home by it, in one message: both are shown in the same frame. */
-export interface Solved extends TracedWay {
+/** A field and the path on it, in one message: both are shown in the same frame. */
+export interface Solved extends TracedPath {
   field: DistanceField;
 }
 
@@ -144,15 +144,15 @@ export interface SolverApi {
   open(input: MeshInput, parts: number[], parameters: Parameters, progress: ProgressListener): Promise<OpenedMesh>;
   /** Factors again what the change needs. The last field is forgotten. */
   configure(parameters: Parameters): Promise<Factoring>;
-  /** `quick`: with a small near field whatever the parameters, for a hand that drags. */
-  solve(sources: Source[], quick: boolean, way: Way | null): Promise<Solved>;
+  /** `quick`: with a small exact region whatever the parameters, during a drag. */
+  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
   /**
-   * One slice of making the last field exact, from the sources outward: exact inside, heat beyond. Takes 100 to
+   * One step of making the last field exact, from the sources outward: exact inside, heat beyond. Takes 100 to
    * 200 ms, or twice a solve where that is more; the next call goes on. Once all is exact, the field stays as it is.
    */
-  refine(way: Way | null): Promise<Solved>;
-  /** A way home by the last field. */
-  path(way: Way): Promise<TracedWay>;
+  refine(request: PathRequest | null): Promise<Solved>;
+  /** A path on the last field. */
+  path(request: PathRequest): Promise<TracedPath>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

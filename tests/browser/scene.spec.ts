@@ -134,7 +134,7 @@ test('a component that no source reaches is named in the panel', async ({ heatwa
 
   // Solved on one part alone, nothing is out of reach.
   await page.getByRole('checkbox', { name: 'moon' }).click();
-  await expect.poll(async () => (await heatwalk.mesh()).walked).toEqual([0]);
+  await expect.poll(async () => (await heatwalk.mesh()).active).toEqual([0]);
   await expect(sources.getByText('cannot be reached')).toBeHidden();
   expect(await page.evaluate(() => window.heatwalk.field?.unreachableVertices)).toBe(0);
 });
@@ -160,7 +160,7 @@ test('a link brings back the same scene and nearly the same picture', async ({ h
 
   await heatwalk.open(link);
   const after = await heatwalk.scene();
-  expect(after.look).toEqual(before.look);
+  expect(after.style).toEqual(before.style);
   expect(after.sources).toHaveLength(2);
   for (const [i, source] of before.sources.entries()) {
     expect(after.sources[i]).toMatchObject('face' in source ? { face: source.face } : source);

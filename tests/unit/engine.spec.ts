@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import type { DistanceField, OpenedMesh, Solved, Source, Way } from '../../web/protocol';
+import type { DistanceField, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
 import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
@@ -9,7 +9,7 @@ const QUESTION: Question = {
   sources: [{ vertex: 0 }],
   parameters: DEFAULT_PARAMETERS,
   from: { vertex: 1 },
-  way: 'descent',
+  pathKind: 'descent',
   quick: false,
 };
 
@@ -19,16 +19,16 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
   const slices: (() => void)[] = [];
   const api = {
     configure: async () => calls.push('configure'),
-    solve: async (_: Source[], quick: boolean, way: Way | null) => {
-      calls.push(['solve', ...(quick ? ['quick'] : []), ...kinds(way)].join(' '));
+    solve: async (_: Source[], quick: boolean, request: PathRequest | null) => {
+      calls.push(['solve', ...(quick ? ['quick'] : []), ...kinds(request)].join(' '));
       return solved(0);
     },
-    refine: (way: Way | null) => {
-      calls.push(['refine', ...kinds(way)].join(' '));
+    refine: (request: PathRequest | null) => {
+      calls.push(['refine', ...kinds(request)].join(' '));
       return new Promise<Solved>((resolve) => slices.push(() => resolve(solved(1))));
     },
-    path: async (way: Way) => {
-      calls.push(`path ${way.kind}`);
+    path: async (request: PathRequest) => {
+      calls.push(`path ${request.kind}`);
       return { path: null, pathMs: 0 };
     },
   };
@@ -37,13 +37,13 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 
-const kinds = (way: Way | null) => (way ? [way.kind] : []);
+const kinds = (request: PathRequest | null) => (request ? [request.kind] : []);
 const soon = () => new Promise((resolve) => setTimeout(resolve, 5));
 
 test('another path over the same field does not solve again', async () => {
   const { engine: it, calls } = engine();
   const first = await it.ask(QUESTION);
-  const second = await it.ask({ ...QUESTION, from: { vertex: 2 }, way: 'straight' });
+  const second = await it.ask({ ...QUESTION, from: { vertex: 2 }, pathKind: 'straight' });
   expect(calls).toEqual(['solve descent', 'path straight']);
   expect(second?.field).toBe(first?.field);
   await it.ask({ ...QUESTION, parameters: { ...DEFAULT_PARAMETERS, timeStep: 2 } });
@@ -62,7 +62,7 @@ test('a quick field is solved again in full, a full one is kept', async () => {
 
 test('a straightened path replaces the exact one until that is traced', async () => {
   const { engine: it, calls } = engine();
-  const answer = await it.ask({ ...QUESTION, way: 'exact' });
+  const answer = await it.ask({ ...QUESTION, pathKind: 'exact' });
   expect(answer?.pathKind).toBe('straight');
   const traced = answer && (await it.traceExactly(answer));
   expect(traced?.pathKind).toBe('exact');

@@ -62,14 +62,14 @@ test('every change survives the link', () => {
       exactRadius: 12.5,
       memory: 500,
     },
-    way: 'descent',
+    pathKind: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
-    painted: 'heat',
+    colorBy: 'heat',
     hidden: [1, 3],
     overlays: ['scenery', 'boundary', 'distance'],
     crowd: 250,
-    look: {
+    style: {
       ...neon,
       width: 0.35,
       ramp: 'viridis',
@@ -104,8 +104,8 @@ const SCENES: readonly Partial<SceneState>[] = [
   ...Object.entries(CHANGES).flatMap(([option, values]) =>
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
-  ...PATH_KIND.names.map((way) => ({ way })),
-  ...VERTEX_FIELD.names.map((painted) => ({ painted })),
+  ...PATH_KIND.names.map((pathKind) => ({ pathKind })),
+  ...VERTEX_FIELD.names.map((colorBy) => ({ colorBy })),
 ];
 
 function changed(option: string, value: unknown): Parameters {
@@ -131,7 +131,7 @@ test('a preset with other settings can be set back to the defaults', () => {
   const start: SceneState = {
     ...START,
     parameters: { ...DEFAULT_PARAMETERS, timeStep: 2, exactRadius: 0 },
-    way: 'exact',
+    pathKind: 'exact',
     refine: false,
   };
   const link = encodeLink(START, start);

@@ -8,7 +8,7 @@ import { until } from '../../web/state/signal';
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
 const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
 
-function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
+function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   const field: DistanceField = {
     distance: new Float32Array(),
     tangents: new Int8Array(),
@@ -21,10 +21,16 @@ function answer(exactBelow: number, way: PathKind = 'descent'): Answer {
     solveMs: 1,
     refineMs: 0,
   };
-  const question = { sources: [{ vertex: 0 }], parameters: STATE.parameters, from: { vertex: 1 }, way, quick: false };
+  const question = {
+    sources: [{ vertex: 0 }],
+    parameters: STATE.parameters,
+    from: { vertex: 1 },
+    pathKind,
+    quick: false,
+  };
   const timings = { readMs: 0, buildMs: 0, precomputeMs: 0 };
   const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
-  return { question, field, path: PATH, pathKind: way === 'exact' ? 'straight' : way, pathMs: 0, factoring };
+  return { question, field, path: PATH, pathKind: pathKind === 'exact' ? 'straight' : pathKind, pathMs: 0, factoring };
 }
 
 /** An engine whose slices reach as far as told; the last one again and again. */
@@ -35,7 +41,7 @@ function engine(reach: readonly number[], triangles = 100): { engine: Engine; sl
     refine: async (before: Answer) => {
       const exactBelow = reach[Math.min(slices, reach.length - 1)];
       slices += 1;
-      return { ...before, ...answer(exactBelow, before.question.way), pathKind: before.pathKind };
+      return { ...before, ...answer(exactBelow, before.question.pathKind), pathKind: before.pathKind };
     },
     traceExactly: async (before: Answer) => ({ ...before, pathKind: 'exact' as const }),
   };
@@ -119,7 +125,7 @@ for (const [name, end, phase] of [
 
 test('the exact path is traced at rest, even if the field is not refined', async () => {
   const { refiner: it, shown, settled } = refiner();
-  it.rest(engine([]).engine, answer(0, 'exact'), { ...STATE, refine: false, way: 'exact' });
+  it.rest(engine([]).engine, answer(0, 'exact'), { ...STATE, refine: false, pathKind: 'exact' });
   await settled();
   expect(it.phase.value).toBe('off');
   expect(shown.map(({ pathKind }) => pathKind)).toEqual(['exact']);

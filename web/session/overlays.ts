@@ -35,7 +35,7 @@ export class Overlays {
   follow(): void {
     const session = this.#session;
     session.scene.subscribe((state, previous) => {
-      if (state.overlays !== previous.overlays || state.painted !== previous.painted) this.#latest = this.#update(true);
+      if (state.overlays !== previous.overlays || state.colorBy !== previous.colorBy) this.#latest = this.#update(true);
     });
     session.shown.watch((shown, previous) => {
       const anew = shown?.opened !== previous?.opened || shown?.answer.factoring !== previous?.answer.factoring;
@@ -48,7 +48,7 @@ export class Overlays {
     const wish = ++this.#wish;
     const session = this.#session;
     const { view } = session;
-    const { overlays, painted } = session.scene.state;
+    const { overlays, colorBy } = session.scene.state;
     const field = session.shown.value?.answer.field ?? null;
     const { engine } = session;
     // A fresh worker's first answer asks again.
@@ -57,7 +57,7 @@ export class Overlays {
       const edges = anew ? await edgesOf(engine, overlays) : null;
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
-      const other = painted === 'distance' || !field ? null : await instead(engine, painted, field);
+      const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
       if (wish !== this.#wish) return;
       if (edges) view.setEdges(edges);
       view.setArrows(arrows);
@@ -76,13 +76,13 @@ async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Ed
   return edges;
 }
 
-/** The field that is painted in the place of distance. */
+/** The field that is shown instead of the distance. */
 async function instead(
   engine: Engine,
-  painted: VertexField,
+  colorBy: VertexField,
   { distance, tangents }: DistanceField,
 ): Promise<Parameters<Session['paint']>[0]> {
-  if (painted === 'heat') {
+  if (colorBy === 'heat') {
     // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
     const cold = (await engine.heat()).map((logarithm) => -logarithm);
     const whole = largest(cold);

@@ -25,14 +25,14 @@ export interface OpenRequest {
 export async function prepare(engine: Engine, request: OpenRequest): Promise<{ state: SceneState; shown: Shown }> {
   const { opened } = engine;
   const places = new Places(opened);
-  const { parameters, way } = request.state;
+  const { parameters, pathKind } = request.state;
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
   if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
-  let answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
+  let answer = await ask(engine, { sources, parameters, from: walker, pathKind, quick: false });
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field.distance);
-    answer = await ask(engine, { sources, parameters, from: walker, way, quick: false });
+    answer = await ask(engine, { sources, parameters, from: walker, pathKind, quick: false });
   }
   const { mesh } = request.state;
   return {

@@ -2,7 +2,7 @@
 import type { DistanceField } from '../protocol';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
-import type { PaintedField, View } from '../view/view';
+import type { ShownField, View } from '../view/view';
 import { Walk } from '../view/walk';
 import type { OpenRequest, Shown } from './prepare';
 
@@ -62,12 +62,12 @@ export class Presenter {
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
-  paint(instead: { field: PaintedField; whole: number } | null): void {
+  paint(instead: { field: ShownField; whole: number } | null): void {
     this.#view.setField(instead?.field ?? this.#field);
     const whole = instead?.whole ?? this.#shown?.places.diameter ?? 1;
     if (whole !== this.#whole) {
       this.#whole = whole;
-      this.#showLook();
+      this.#showStyle();
     }
   }
 
@@ -76,7 +76,7 @@ export class Presenter {
     const still = reducedMotion();
     const diameter = this.#shown?.places.diameter ?? 1;
     if ((!still || this.walk.performs) && this.walk.advance(seconds, diameter)) this.#view.setWalker(this.walk.arc);
-    const { flow } = this.#scene.state.look;
+    const { flow } = this.#scene.state.style;
     if (flow !== 0 && !still && !this.walk.paused) {
       this.#flow = (this.#flow + seconds * flow) % 1;
       this.#showOffset();
@@ -89,7 +89,7 @@ export class Presenter {
     this.#whole = shown.places.diameter;
     const { surface, scenery, drawTransform } = shown.opened;
     this.#view.setMesh(surface, visible(scenery, state), drawTransform);
-    this.#showLook();
+    this.#showStyle();
     this.#showField(shown);
     this.#showPath(shown, arc);
     this.#showPins();
@@ -98,7 +98,7 @@ export class Presenter {
   #showField(shown: Shown): void {
     this.#shown = shown;
     this.#field = shown.answer.field;
-    if (this.#state.painted === 'distance') this.paint(null);
+    if (this.#state.colorBy === 'distance') this.paint(null);
   }
 
   #showPath({ answer: { path } }: Shown, arc: number): void {
@@ -110,20 +110,20 @@ export class Presenter {
     const previous = this.#state;
     this.#state = state;
     if (!this.#shown || state === previous) return;
-    if (state.look !== previous.look) this.#showLook();
+    if (state.style !== previous.style) this.#showStyle();
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     this.#showScenery(state, previous);
   }
 
-  #showLook(): void {
-    const { look } = this.#state;
-    this.#view.setLook(look, this.#whole, this.#facing);
-    if (look.flow === 0) this.#flow = 0;
+  #showStyle(): void {
+    const { style } = this.#state;
+    this.#view.setStyle(style, this.#whole, this.#facing);
+    if (style.flow === 0) this.#flow = 0;
     this.#showOffset();
   }
 
   #showOffset(): void {
-    this.#view.setOffset(this.#state.look.offset + this.#flow);
+    this.#view.setOffset(this.#state.style.offset + this.#flow);
   }
 
   /** A new scenery is costly, so only where other parts are seen. */

@@ -7,7 +7,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { Places } from '../state/places';
 import type { Scene, SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
-import type { PaintedField, View } from '../view/view';
+import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import { type OpenRequest, prepare, type Shown } from './prepare';
 import { Presenter } from './presenter';
@@ -125,7 +125,7 @@ export class Session {
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
-  paint(instead: { field: PaintedField; whole: number } | null): void {
+  paint(instead: { field: ShownField; whole: number } | null): void {
     this.#presenter.paint(instead);
   }
 
@@ -241,11 +241,17 @@ export class Session {
     const { value: before } = this.shown;
     if (this.#lost && !this.loading.value) void this.#revive(this.#lost);
     if (!engine || !before) return false;
-    const { sources, parameters, walker, way } = this.scene.state;
+    const { sources, parameters, walker, pathKind } = this.scene.state;
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
     this.refiner.interrupt();
     try {
-      const answer = await engine.ask({ sources, parameters, from: wait ? null : walker, way, quick: this.#quick });
+      const answer = await engine.ask({
+        sources,
+        parameters,
+        from: wait ? null : walker,
+        pathKind,
+        quick: this.#quick,
+      });
       if (!answer || engine !== this.#engine) return false;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
@@ -275,12 +281,12 @@ export class Session {
 
   /** Whether an answer is to what the scene asks. */
   #isAnswered({ question }: Answer): boolean {
-    const { sources, parameters, walker, way } = this.scene.state;
+    const { sources, parameters, walker, pathKind } = this.scene.state;
     return (
       question.sources === sources &&
       question.parameters === parameters &&
       question.from === walker &&
-      question.way === way &&
+      question.pathKind === pathKind &&
       (this.#quick || !question.quick)
     );
   }
@@ -302,7 +308,7 @@ export class Session {
 }
 
 /** What the solver is asked about, as text. */
-function asText({ camera: _camera, look: _look, hidden: _hidden, selected: _selected, ...asked }: SceneState): string {
+function asText({ camera: _camera, style: _style, hidden: _hidden, selected: _selected, ...asked }: SceneState): string {
   return JSON.stringify(asked);
 }
 

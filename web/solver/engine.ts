@@ -10,8 +10,8 @@ import type {
   Solved,
   Source,
   SurfacePoint,
-  TracedWay,
-  Way,
+  TracedPath,
+  PathRequest,
 } from '../protocol';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
@@ -19,15 +19,15 @@ import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 export interface Question {
   sources: readonly Source[];
   parameters: Parameters;
-  /** Where to start the way home; null: no way is wanted. */
+  /** Start of the path; null: no path is wanted. */
   from: SurfacePoint | null;
-  /** The way that is wanted in the end. The exact one takes long, so a straightened one stands in for it at first. */
-  way: PathKind;
-  /** A field with a small near field will do. */
+  /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
+  pathKind: PathKind;
+  /** A small exact region is enough. */
   quick: boolean;
 }
 
-export interface Answer extends TracedWay {
+export interface Answer extends TracedPath {
   question: Question;
   /** Null when there are no sources. */
   field: DistanceField | null;
@@ -50,7 +50,7 @@ export class Engine {
   /** The field that the worker holds, and of which sources. */
   #held: { sources: readonly Source[]; quick: boolean; field: DistanceField } | null = null;
   #busy = false;
-  /** Ends with the slice or exact way that was asked for last. */
+  /** Ends with the refinement step or exact path that was asked for last. */
   #bettering: Promise<void> = Promise.resolve();
   #waiting: Waiting | null = null;
 
@@ -78,23 +78,23 @@ export class Engine {
     });
   }
 
-  /** An answer made better by one slice of refining. Null when a question is asked: that comes first. */
+  /** An answer improved by one step of refinement. Null when a query is waiting: that comes first. */
   refine(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
       const { question, pathKind } = answer;
-      // The exact way does not depend on the field.
-      const way = pathKind === 'exact' ? null : wayOf(question, pathKind);
-      const { field, path, pathMs } = await this.#worker.call(this.#worker.api.refine(way));
+      // The exact path does not depend on the field.
+      const request = pathKind === 'exact' ? null : requestOf(question, pathKind);
+      const { field, path, pathMs } = await this.#worker.call(this.#worker.api.refine(request));
       this.#held = { sources: question.sources, quick: false, field };
-      return way ? { ...answer, field, path, pathMs } : { ...answer, field };
+      return request ? { ...answer, field, path, pathMs } : { ...answer, field };
     });
   }
 
-  /** An answer with the exact way home. Null when a question is asked: that comes first. */
+  /** An answer with the exact path. Null when a query is waiting: that comes first. */
   traceExactly(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
-      const { path } = await this.#path(wayOf(answer.question, 'exact'));
-      // The time of a way home is that of one traced while the hand moves.
+      const { path } = await this.#path(requestOf(answer.question, 'exact'));
+      // The time of a path is that of one traced during a drag.
       return { ...answer, path, pathKind: 'exact' };
     });
   }
@@ -172,26 +172,26 @@ export class Engine {
       this.#parameters = parameters;
       this.#held = null;
     }
-    const pathKind = question.way === 'exact' ? 'straight' : question.way;
+    const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;
     const about = { question, pathKind, factoring: this.#factoring };
     if (sources.length === 0) return { ...about, field: null, path: null, pathMs: 0 };
-    const way = wayOf(question, pathKind);
+    const request = requestOf(question, pathKind);
     const held = this.#held;
-    // Another way home does not undo what refining has reached.
+    // Another path does not undo what refinement has reached.
     if (held && held.sources === sources && (question.quick || !held.quick)) {
-      return { ...about, field: held.field, ...(await this.#path(way)) };
+      return { ...about, field: held.field, ...(await this.#path(request)) };
     }
     this.#held = null;
-    const solved: Solved = await this.#worker.call(api.solve([...sources], question.quick, way));
+    const solved: Solved = await this.#worker.call(api.solve([...sources], question.quick, request));
     this.#held = { sources, quick: question.quick, field: solved.field };
     return { ...about, ...solved };
   }
 
-  async #path(way: Way | null): Promise<TracedWay> {
-    return way ? this.#worker.call(this.#worker.api.path(way)) : { path: null, pathMs: 0 };
+  async #path(request: PathRequest | null): Promise<TracedPath> {
+    return request ? this.#worker.call(this.#worker.api.path(request)) : { path: null, pathMs: 0 };
   }
 }
 
-function wayOf({ from }: Question, kind: PathKind): Way | null {
+function requestOf({ from }: Question, kind: PathKind): PathRequest | null {
   return from && { from, kind };
 }

@@ -52,11 +52,11 @@ export class Refiner {
   }
 
   /** The answer is shown; its refinement begins unless somebody asks before. */
-  rest(engine: Engine, answer: Answer, { refine, way }: SceneState): void {
+  rest(engine: Engine, answer: Answer, { refine, pathKind }: SceneState): void {
     this.interrupt();
     const turn = this.#turn;
     const large = engine.opened.report.faces > MOST_TRIANGLES;
-    const traces = way === 'exact' && answer.path !== null && answer.pathKind !== 'exact' && !large;
+    const traces = pathKind === 'exact' && answer.path !== null && answer.pathKind !== 'exact' && !large;
     const end = endOf(answer, refine, large);
     if (end && !traces) {
       this.phase.value = end;

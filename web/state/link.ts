@@ -50,22 +50,22 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('memory', option(parameters.memory), option(start.parameters.memory));
   add('op', parameters.operator, start.parameters.operator);
   add('solver', parameters.solver, start.parameters.solver);
-  add('way', state.way, start.way);
+  add('way', state.pathKind, start.pathKind);
   add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
-  add('look', state.look.name, start.look.name);
-  const look = baseStyle(state.look.name, start.look);
-  add('paint', state.painted, start.painted);
+  add('look', state.style.name, start.style.name);
+  const style = baseStyle(state.style.name, start.style);
+  add('paint', state.colorBy, start.colorBy);
   add('show', state.overlays.join(',') || 'none', start.overlays.join(',') || 'none');
   add('crowd', number(state.crowd), number(start.crowd));
-  add('ramp', state.look.ramp, look.ramp);
-  add('stripe', state.look.stripe.replace('#', ''), look.stripe.replace('#', ''));
-  add('style', state.look.pattern, look.pattern);
-  for (const key of STYLE_NUMBERS) add(key, number(state.look[key]), number(look[key]));
-  add('surface', encodeFinish(state.look.surface), encodeFinish(look.surface));
-  add('stripes', encodeFinish(state.look.stripes), encodeFinish(look.stripes));
-  add('maps', encodeMaps(state.look.maps), encodeMaps(look.maps));
-  add('around', state.look.surroundings, look.surroundings);
+  add('ramp', state.style.ramp, style.ramp);
+  add('stripe', state.style.stripe.replace('#', ''), style.stripe.replace('#', ''));
+  add('style', state.style.pattern, style.pattern);
+  for (const key of STYLE_NUMBERS) add(key, number(state.style[key]), number(style[key]));
+  add('surface', encodeFinish(state.style.surface), encodeFinish(style.surface));
+  add('stripes', encodeFinish(state.style.stripes), encodeFinish(style.stripes));
+  add('maps', encodeMaps(state.style.maps), encodeMaps(style.maps));
+  add('around', state.style.surroundings, style.surroundings);
   return entries.map(([key, value]) => `${key}=${value}`).join('&');
 }
 
@@ -104,18 +104,18 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('memory', automaticOr(within(...MEMORY_LIMIT_MEBIBYTES)), (most) => (parameters.memory = most));
   read('op', choiceOf(OPERATOR), (operator) => (parameters.operator = operator));
   read('solver', choiceOf(LINEAR_SOLVER), (solver) => (parameters.solver = solver));
-  read('way', choiceOf(PATH_KIND), (way) => (state.way = way));
+  read('way', choiceOf(PATH_KIND), (pathKind) => (state.pathKind = pathKind));
   read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
   read('cam', parseCamera, (camera) => (state.camera = camera));
   read(
     'look',
     (name) => findStyle(name) ?? null,
-    ({ name }) => (state.look = baseStyle(name, start.look)),
+    ({ name }) => (state.style = baseStyle(name, start.style)),
   );
-  read('paint', choiceOf(VERTEX_FIELD), (painted) => (state.painted = painted));
+  read('paint', choiceOf(VERTEX_FIELD), (colorBy) => (state.colorBy = colorBy));
   read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
   read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
-  const change = (part: Partial<Style>) => (state.look = { ...state.look, ...part });
+  const change = (part: Partial<Style>) => (state.style = { ...state.style, ...part });
   read(
     'ramp',
     (name) => (isRamp(name) ? name : null),

@@ -21,7 +21,7 @@ interface Outline {
   sources: SurfacePoint[];
   walker: SurfacePoint;
   view?: readonly [number, number];
-  look: string;
+  style: string;
   change?: Partial<Style>;
   boundary?: Boundary;
   /** Active parts; all when left out. */
@@ -32,7 +32,7 @@ interface Outline {
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, look, change, boundary, parts } = outline;
+  const { title, credit, load, sources, walker, view, style, change, boundary, parts } = outline;
   return {
     id,
     title,
@@ -45,7 +45,7 @@ function preset(id: string, outline: Outline): Preset {
       sources,
       walker,
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
-      look: { ...(findStyle(look) ?? DEFAULT_STYLE), ...change },
+      style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },
   };
 }
@@ -58,29 +58,29 @@ export const PRESETS: readonly Preset[] = [
     sources: [at(746)],
     walker: at(896),
     view: [-0.5, 0.25],
-    look: 'zebra',
+    style: 'zebra',
   }),
   preset('horse', {
     title: 'Horse',
     sources: [at(6286)],
     walker: at(7959),
     view: [2.45, 0.15],
-    look: 'zebra',
+    style: 'zebra',
   }),
-  preset('animal', { title: 'Cow', sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], look: 'gold' }),
+  preset('animal', { title: 'Cow', sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], style: 'gold' }),
   preset('triceratops', {
     title: 'Triceratops',
     sources: [at(13535)],
     walker: at(11760),
     view: [0.55, 0.25],
-    look: 'lava',
+    style: 'lava',
   }),
   preset('skull', {
     title: 'Skull',
     sources: [at(13241)],
     walker: at(4799),
     view: [1.8, 0.2],
-    look: 'bone',
+    style: 'bone',
     parts: [0],
   }),
   preset('dragon', {
@@ -90,7 +90,7 @@ export const PRESETS: readonly Preset[] = [
     sources: [at(19706)],
     walker: at(11215),
     view: [-0.25, 0.2],
-    look: 'ember',
+    style: 'ember',
   }),
   preset('teapot', {
     title: 'Teapot',
@@ -100,14 +100,14 @@ export const PRESETS: readonly Preset[] = [
     sources: [at(420), at(598), at(568)],
     walker: at(124),
     view: [0.4, 0.4],
-    look: 'porcelain',
+    style: 'porcelain',
   }),
   preset('maze', {
     title: 'Maze',
     sources: [at(139)],
     walker: at(0),
     view: [0.45, 0.9],
-    look: 'water',
+    style: 'water',
     parts: [0],
   }),
   preset('high_genus', {
@@ -115,21 +115,21 @@ export const PRESETS: readonly Preset[] = [
     sources: [at(12823)],
     walker: at(6105),
     view: [1.75, 0.3],
-    look: 'jade',
+    style: 'jade',
   }),
-  preset('ring', { title: 'Ring', sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], look: 'amethyst' }),
+  preset('ring', { title: 'Ring', sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], style: 'amethyst' }),
   preset('hemisphere', {
     title: 'Hemisphere',
     sources: [at(2499)],
     walker: at(4577),
     view: [1.15, 0.45],
-    look: 'citrus',
+    style: 'citrus',
     parts: [0],
     boundary: 'average',
   }),
-  preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], look: 'contour' }),
-  preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], look: 'neon' }),
-  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], look: 'citrus' }),
+  preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], style: 'contour' }),
+  preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
+  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], style: 'citrus' }),
 ];
 
 export const FIRST_PRESET = PRESETS[0];

@@ -31,14 +31,14 @@ export interface SceneState extends Places {
   parts: readonly number[];
   parameters: Parameters;
   /** The kind of path that the walker takes. */
-  way: PathKind;
+  pathKind: PathKind;
   /** Whether a field at rest is made exact. */
   refine: boolean;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
-  look: Style;
+  style: Style;
   /** The field that the surface is colored by. */
-  painted: VertexField;
+  colorBy: VertexField;
   /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
   /** What is drawn in addition. */
@@ -56,11 +56,11 @@ export function emptyScene(mesh: MeshReference): SceneState {
     sources: [],
     walker: null,
     parameters: DEFAULT_PARAMETERS,
-    way: PATH_KIND.default,
+    pathKind: PATH_KIND.default,
     refine: true,
     camera: null,
-    look: DEFAULT_STYLE,
-    painted: VERTEX_FIELD.default,
+    style: DEFAULT_STYLE,
+    colorBy: VERTEX_FIELD.default,
     hidden: [],
     overlays: ['scenery'],
     crowd: 0,

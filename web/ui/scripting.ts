@@ -31,7 +31,7 @@ export interface Heatwalk {
     components: number;
     boundaryLoops: number;
     parts: readonly string[];
-    walked: readonly number[];
+    active: readonly number[];
     diameter: number;
   } | null;
   /** Of the field that is shown. */
@@ -93,7 +93,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
         components: opened.report.components,
         boundaryLoops: opened.report.boundaryLoops,
         parts: opened.parts.map(({ name }) => name),
-        walked: [...opened.walked],
+        active: [...opened.active],
         diameter: places.diameter,
       };
     },

@@ -114,12 +114,12 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
 }
 
 /** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function unreachedParts({ parts, walked, surface }: OpenedMesh, { distance }: DistanceField): string[] {
-  const total = walked.reduce((sum, part) => sum + parts[part].triangles, 0);
-  if (walked.length < 2 || 3 * total !== surface.triangles.length) return [];
+function unreachedParts({ parts, active, surface }: OpenedMesh, { distance }: DistanceField): string[] {
+  const total = active.reduce((sum, part) => sum + parts[part].triangles, 0);
+  if (active.length < 2 || 3 * total !== surface.triangles.length) return [];
   const names: string[] = [];
   let first = 0;
-  for (const part of walked) {
+  for (const part of active) {
     const end = first + 3 * parts[part].triangles;
     if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity))
       names.push(parts[part].name);

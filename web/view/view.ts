@@ -15,7 +15,7 @@ export interface PointHit {
 }
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type PaintedField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
+export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
 
 /** Segments, #E × 2 × 3, and their CSS colour. */
 export interface Edges {
@@ -29,7 +29,7 @@ const ORDER = [
   'surface',
   'scenery',
   'surroundings',
-  'look',
+  'style',
   'offset',
   'field',
   'pins',
@@ -186,25 +186,25 @@ export class View {
   }
 
   /** Null where there is none. */
-  setField(field: PaintedField | null): void {
+  setField(field: ShownField | null): void {
     const { distance, tangents, maxDistance } = field ?? NO_FIELD;
     this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
   }
 
   /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
-  setLook(look: Style, whole: number, facing: number): void {
-    const period = look.period * whole;
-    const uses = (map: MapName) => look.maps.includes(map);
-    const { metalness, roughness } = uses('specular') ? look.stripes : look.surface;
-    const { glow } = uses('emission') ? look.stripes : look.surface;
+  setStyle(style: Style, whole: number, facing: number): void {
+    const period = style.period * whole;
+    const uses = (map: MapName) => style.maps.includes(map);
+    const { metalness, roughness } = uses('specular') ? style.stripes : style.surface;
+    const { glow } = uses('emission') ? style.stripes : style.surface;
     this.#show('surroundings', (viewer) =>
-      viewer.set_environment(look.surroundings, facing + (look.light * Math.PI) / 180),
+      viewer.set_environment(style.surroundings, facing + (style.light * Math.PI) / 180),
     );
-    this.#show('look', (viewer) => {
-      viewer.set_ramps(rampBytes(look));
-      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(look.surface), finishOf({ metalness, roughness, glow }));
-      if (look.pattern === 'lines') viewer.set_lines(period, look.width * WIDEST_LINE);
-      else viewer.set_bands(period, look.width, look.sharpness, uses('normal') ? look.relief : 0);
+    this.#show('style', (viewer) => {
+      viewer.set_ramps(rampBytes(style));
+      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(style.surface), finishOf({ metalness, roughness, glow }));
+      if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
+      else viewer.set_bands(period, style.width, style.sharpness, uses('normal') ? style.relief : 0);
     });
   }
 

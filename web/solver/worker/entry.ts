@@ -16,8 +16,8 @@ import type {
   Source,
   SurfacePath,
   Timings,
-  TracedWay,
-  Way,
+  TracedPath,
+  PathRequest,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { isTrap } from '../trap';
@@ -76,8 +76,8 @@ const api: SolverApi = {
       progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
       const names = file.part_names();
       const triangles = file.part_triangles();
-      const walked = parts.length > 0 ? parts : names.map((_, index) => index);
-      const surface = file.surface(Uint32Array.from(walked));
+      const active = parts.length > 0 ? parts : names.map((_, index) => index);
+      const surface = file.surface(Uint32Array.from(active));
       try {
         const report = plain(surface.report());
         const buildMs = clock();
@@ -91,12 +91,12 @@ const api: SolverApi = {
           name: nameOf(input),
           hash,
           parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
-          walked: [...walked],
+          active: [...active],
           surface: plain(surface.drawing()),
           inputVertices: surface.input_vertices(),
           drawTransform: drawTransformOf(surface),
           scenery: names.flatMap((_, part) =>
-            walked.includes(part) ? [] : [{ part, mesh: plain(file.scenery(part, surface)) }],
+            active.includes(part) ? [] : [{ part, mesh: plain(file.scenery(part, surface)) }],
           ),
           report,
           meanEdge: surface.mean_edge(),
@@ -124,16 +124,16 @@ const api: SolverApi = {
     return factoringOf(mesh, memory);
   },
 
-  solve(sources: Source[], quick: boolean, way: Way | null): Promise<Solved> {
+  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
     const field = mesh.solver.solve(sources, quick);
     mesh.solveMs = clock();
     mesh.refineMs = 0;
-    return solvedOf(field, mesh, way);
+    return solvedOf(field, mesh, request);
   },
 
-  refine(way: Way | null): Promise<Solved> {
+  refine(request: PathRequest | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
     const field = mesh.solver.refine(mesh.work);
@@ -145,11 +145,11 @@ const api: SolverApi = {
       const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
       mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
     }
-    return solvedOf(field, mesh, way);
+    return solvedOf(field, mesh, request);
   },
 
-  path(way: Way): Promise<TracedWay> {
-    const traced = trace(openMesh(), way);
+  path(request: PathRequest): Promise<TracedPath> {
+    const traced = trace(openMesh(), request);
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
@@ -198,8 +198,8 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
   return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
 }
 
-function solvedOf(field: wasm.Field, mesh: Current, way: Way | null): Promise<Solved> {
-  const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, way) };
+function solvedOf(field: wasm.Field, mesh: Current, request: PathRequest | null): Promise<Solved> {
+  const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, request) };
   return Promise.resolve(
     transfer(solved, [solved.field.distance.buffer, solved.field.tangents.buffer, ...pathBuffersOf(solved)]),
   );
@@ -211,12 +211,12 @@ function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): Dis
   return { ...solved, tangents: solver.tangents(), error, solveMs, refineMs };
 }
 
-function trace({ solver }: Current, way: Way | null): TracedWay {
+function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
-  return { path: way && pathOf(solver, way), pathMs: clock() };
+  return { path: request && pathOf(solver, request), pathMs: clock() };
 }
 
-function pathOf(solver: wasm.Solver, { from, kind }: Way): SurfacePath | null {
+function pathOf(solver: wasm.Solver, { from, kind }: PathRequest): SurfacePath | null {
   try {
     return plain(solver.path(from, kind));
   } catch (error) {
@@ -225,7 +225,7 @@ function pathOf(solver: wasm.Solver, { from, kind }: Way): SurfacePath | null {
   }
 }
 
-function pathBuffersOf({ path }: TracedWay): Transferable[] {
+function pathBuffersOf({ path }: TracedPath): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer] : [];
 }
 

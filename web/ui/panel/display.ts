@@ -28,7 +28,7 @@ const CROWD_STEPS = 100;
 export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
   const colorBy = select('Color by', labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
-    scene.set({ painted: value }),
+    scene.set({ colorBy: value }),
   );
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
@@ -49,11 +49,11 @@ export function displaySection(session: Session): HTMLElement {
     change: (value) => scene.set({ crowd: walkersAt(value) }),
   });
   const showLegend = () => {
-    legend.textContent = legendOf(session, scene.state.painted);
+    legend.textContent = legendOf(session, scene.state.colorBy);
     legend.hidden = legend.textContent === '';
   };
   const show = () => {
-    colorBy.show(scene.state.painted);
+    colorBy.show(scene.state.colorBy);
     for (const { overlay, show: showToggle } of overlays) showToggle(scene.state.overlays.includes(overlay));
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
@@ -75,10 +75,10 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
-function legendOf(session: Session, painted: VertexField): string {
+function legendOf(session: Session, colorBy: VertexField): string {
   const error = session.shown.value?.answer.field?.error;
-  if (painted === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
-  if (painted === 'distance') return '';
+  if (colorBy === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
+  if (colorBy === 'distance') return '';
   if (!error) return 'The error is known once all distances are exact.';
   return `Relative error: mean ${percent(error.mean)}; the color scale ends at the maximum, ${percent(error.max)}.`;
 }

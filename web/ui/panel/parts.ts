@@ -15,19 +15,19 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
   const list = h('fieldset', { class: 'parts', hidden: true });
   let rows: readonly Row[] = [];
 
-  const fill = ({ parts, walked }: OpenedMesh) => {
+  const fill = ({ parts, active }: OpenedMesh) => {
     const choose = (index: number, on: boolean) => {
-      const others = walked.filter((part) => part !== index);
+      const others = active.filter((part) => part !== index);
       void opener.parts(on ? [...others, index].toSorted((a, b) => a - b) : others);
     };
     rows = parts.map(({ name, triangles }, index) => {
-      const isActive = walked.includes(index);
+      const isActive = active.includes(index);
       const label = name || `Part ${index + 1}`;
       const box = h('input', {
         type: 'checkbox',
         checked: isActive,
         // The last active part stays: a surface needs at least one.
-        disabled: isActive && walked.length === 1,
+        disabled: isActive && active.length === 1,
         onchange: () => {
           choose(index, box.checked);
           // The old choice stays until the new one is solved.
@@ -45,7 +45,7 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
     });
     list.hidden = parts.length < 2;
     list.replaceChildren(
-      h('legend', {}, `Active parts, ${walked.length} of ${parts.length}`),
+      h('legend', {}, `Active parts, ${active.length} of ${parts.length}`),
       ...rows.map(({ element }) => element),
     );
   };

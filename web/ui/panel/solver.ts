@@ -49,7 +49,7 @@ export function solverSection(session: Session): HTMLElement {
   let chosenNear = 0;
   const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
   const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
-  const path = select('Path', labelled(PATH_KIND.names, PATHS), (value) => scene.set({ way: value }));
+  const path = select('Path', labelled(PATH_KIND.names, PATHS), (value) => scene.set({ pathKind: value }));
   const [low, high] = TIME_STEP_FACTORS;
   const factor = automaticSlider({
     label: 'Time factor m',
@@ -66,7 +66,7 @@ export function solverSection(session: Session): HTMLElement {
     min: nearest,
     max: farthest,
     step: 1,
-    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? 'about ' : ''}${value} mean edge lengths`),
+    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? '≈ ' : ''}${value} edges`),
     change: (value) => change({ exactRadius: value }),
   });
   const multi = select('Multi-source', labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
@@ -78,7 +78,7 @@ export function solverSection(session: Session): HTMLElement {
   const show = () => {
     const { parameters, ...state } = scene.state;
     refine.show(state.refine);
-    path.show(state.way);
+    path.show(state.pathKind);
     factor.show(
       parameters.timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(parameters.timeStep),
       Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
@@ -90,7 +90,11 @@ export function solverSection(session: Session): HTMLElement {
     solver.show(parameters.solver);
   };
   scene.subscribe((state, previous) => {
-    if (state.parameters !== previous.parameters || state.way !== previous.way || state.refine !== previous.refine)
+    if (
+      state.parameters !== previous.parameters ||
+      state.pathKind !== previous.pathKind ||
+      state.refine !== previous.refine
+    )
       show();
   });
   session.shown.watch((shown, previous) => {
@@ -126,7 +130,11 @@ export function solverSection(session: Session): HTMLElement {
         'div',
         { class: 'stack' },
         near.element,
-        h('p', { class: 'quiet' }, 'Radius around the sources in which distances are exact at once.'),
+        h(
+          'p',
+          { class: 'quiet' },
+          'Radius around the sources in which distances are exact at once, in mean edge lengths.',
+        ),
         multi.element,
         operator.element,
         solver.element,
@@ -141,7 +149,7 @@ function refiningStatus(session: Session): HTMLElement {
   const show = () => {
     const { phase, settled } = session.refiner;
     const field = session.shown.value?.answer.field;
-    const sentence = field ? refiningSentence(phase.value, field, session.scene.state.way) : '';
+    const sentence = field ? refiningSentence(phase.value, field, session.scene.state.pathKind) : '';
     status.setAttribute('aria-live', settled ? 'polite' : 'off');
     if (status.textContent !== sentence) status.textContent = sentence;
   };

@@ -28,19 +28,19 @@ interface Part {
 /** Gallery of preset styles, then pattern, colors, materials and lighting. */
 export function styleSection(session: Session): HTMLElement {
   const { scene } = session;
-  const change = (part: Partial<Style>) => scene.set({ look: { ...scene.state.look, ...part } });
+  const change = (part: Partial<Style>) => scene.set({ style: { ...scene.state.style, ...part } });
   const parts: Part[] = [
-    gallery((style) => scene.set({ look: style })),
+    gallery((style) => scene.set({ style })),
     patternControls(session, change),
     colours(change),
-    materials(() => scene.state.look, change),
+    materials(() => scene.state.style, change),
     light(change),
   ];
   const show = () => {
-    for (const part of parts) part.show(scene.state.look);
+    for (const part of parts) part.show(scene.state.style);
   };
   scene.subscribe((state, previous) => {
-    if (state.look !== previous.look) show();
+    if (state.style !== previous.style) show();
   });
   session.shown.watch((shown, previous) => {
     if (shown?.opened !== previous?.opened) show();
