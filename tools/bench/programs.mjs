@@ -1,11 +1,12 @@
 // The native programs of a checkout, each in a process of its own: one that fails takes no other with it.
 
+import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { json } from '../peers.mjs';
 import { cargo } from '../steps.mjs';
 
 const FACTORING = ['ordering', 'analysing', 'factoring'];
-const EXAMPLES = ['bench_mesh', 'closed_forms', 'paths', 'queries'];
+const EXAMPLES = ['bench_mesh', 'closed_forms', 'factors', 'paths', 'queries'];
 
 export class Programs {
   #tree;
@@ -16,7 +17,9 @@ export class Programs {
   }
 
   build() {
-    const programs = ['--bin', 'heatwalk', ...EXAMPLES.flatMap((name) => ['--example', name])];
+    // Another commit may have fewer.
+    const there = EXAMPLES.filter((name) => existsSync(join(this.#tree, 'crate', 'solver', 'examples', `${name}.rs`)));
+    const programs = ['--bin', 'heatwalk', ...there.flatMap((name) => ['--example', name])];
     const manifest = ['--manifest-path', join(this.#tree, 'Cargo.toml')];
     const packages = ['-p', 'heatwalk-cli', '-p', 'heatwalk'];
     cargo('Building the program', ['build', '--release', ...manifest, ...packages, ...programs], 'See above.', {
@@ -49,5 +52,10 @@ export class Programs {
 
   queries(mesh) {
     return json(this.example('queries'), [mesh]);
+  }
+
+  /** By matrix: milliseconds of factoring and a solve, and of faer's under the same elimination order. */
+  factors(mesh) {
+    return json(this.example('factors'), [mesh]);
   }
 }

@@ -30,6 +30,12 @@ export function markdown({ machine, date, commit, versions, meshes, drags, first
     '',
     ...stagesTable(meshes),
     '',
+    "### faer's Cholesky under the same elimination order",
+    '',
+    'One heat matrix and one right side, factor / solve in ms; in brackets the ratios of this to faer.',
+    '',
+    ...factorsTable(meshes),
+    '',
     '### Bars',
     '',
     ...barsTable(bars),
@@ -78,6 +84,19 @@ function stagesTable(meshes) {
     digits(native.factors / cholmod?.analysed_once),
   ]);
   return table(header, rows);
+}
+
+function factorsTable(meshes) {
+  const rows = meshes
+    .filter(({ factors }) => factors)
+    .map(({ name, factors: { factor, solve, ...faer } }) => {
+      const peer = (kind) => {
+        const [factored, solved] = [faer[`faer_${kind}_factor`], faer[`faer_${kind}_solve`]];
+        return `${digits(factored)} / ${digits(solved)} (${digits(factor / factored)} / ${digits(solve / solved)})`;
+      };
+      return [name, `${digits(factor)} / ${digits(solve)}`, peer('supernodal'), peer('simplicial')];
+    });
+  return table(['mesh', 'this', 'faer, supernodal', 'faer, simplicial'], rows);
 }
 
 function barsTable(bars) {
