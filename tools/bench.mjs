@@ -84,7 +84,7 @@ async function measure(mesh) {
   }
   mesh.times = Object.fromEntries(Object.entries(all).map(([who, runs]) => [who, middle(runs)]));
   if (mesh.queries) mesh.queries = middle(asked);
-  if (mesh.who.includes('cholmod') && !mesh.isSlow) mesh.factors = programs.factors(mesh.file);
+  if (mesh.who.includes('cholmod') && !mesh.isSlow) mesh.factors = programs.factors(mesh.file).heat;
 }
 
 /** The median of each number of these equal structures; the first that failed, if any. */

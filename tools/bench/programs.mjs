@@ -54,7 +54,7 @@ export class Programs {
     return json(this.example('queries'), [mesh]);
   }
 
-  /** Milliseconds of one factor and one solve, and of faer's under the same elimination order. */
+  /** By matrix: milliseconds of factoring and a solve, and of faer's under the same elimination order. */
   factors(mesh) {
     return json(this.example('factors'), [mesh]);
   }

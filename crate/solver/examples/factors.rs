@@ -1,5 +1,5 @@
-//! The sparse Cholesky factor of a mesh's heat matrix by this project and by faer, under the same elimination order:
-//! factoring and one solve, in alternation. Prints medians in milliseconds, as JSON.
+//! Cholesky factors of the heat and the Poisson matrix of a mesh: ours against faer's own, on the same matrices in the
+//! same elimination order, on one thread. Prints medians in milliseconds, as JSON.
 //!
 //! `cargo run --release -p heatwalk --example factors -- MESH`
 
@@ -11,123 +11,114 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Conj, MatMut, Par, Side, Spec};
 use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::sparse::{Permutation, Symbolic, SymmetricMatrix};
 use heatwalk::{Operator, Surface, io};
-use heatwalk_sparse::{Permutation, Symbolic, SymmetricMatrix};
-use serde_json::json;
+use serde_json::{Value, json};
 
-const ROUNDS: usize = 9;
-/// Rounding of two eliminations in another order of sums, as a share of the largest value.
-const AGREEMENT: f64 = 1e-9;
+/// Each time is the median of so many. Ours and faer's are taken in turn.
+const ROUNDS: usize = 7;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("give a mesh")?;
-    let surface = Surface::build(&io::read(&path, &fs::read(&path)?, &|_| None)?)?;
-    let matrix = heat_matrix(&surface)?;
-    let permutation = Permutation::fill_reducing(matrix.pattern())?;
-    let [supernodal, simplicial] = [SupernodalThreshold::FORCE_SUPERNODAL, SupernodalThreshold::FORCE_SIMPLICIAL]
-        .map(|threshold| Faer::analyse(&matrix, &permutation, threshold));
-    let (mut supernodal, mut simplicial) = (supernodal?, simplicial?);
-    let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation)?);
-    let right: Vec<f64> = (0..matrix.size()).map(|row| (row as f64).sin()).collect();
+    let soup = io::read(&path, &fs::read(&path)?, &|_| None)?;
+    let surface = Surface::build(&soup)?;
+    let laplacian = Laplacian::new(&surface, Operator::Delaunay);
+    let pattern = laplacian.stiffness.pattern();
+    let permutation = Permutation::fill_reducing(pattern)?;
+    let symbolic = Arc::new(Symbolic::analyse(pattern, permutation.clone())?);
+    let matrices = [heat(&laplacian), poisson(&laplacian, &surface)];
+    let supernodal = Faer::new(&matrices[0], &permutation, SupernodalThreshold::FORCE_SUPERNODAL)?;
+    let simplicial = Faer::new(&matrices[0], &permutation, SupernodalThreshold::FORCE_SIMPLICIAL)?;
+    let right: Vec<f64> = (0..laplacian.size()).map(|row| (row as f64 * 1.7).sin()).collect();
 
-    let mut times = [const { Vec::new() }; 6];
-    for _ in 0..ROUNDS {
-        let (time, factor) = timed(|| symbolic.factor([&matrix], &mut |_| ControlFlow::Continue(())));
-        let [factor] = factor?;
-        times[0].push(time);
-        let (time, own) = timed(|| factor.solve(&right));
-        times[1].push(time);
-        for (index, peer) in [&mut supernodal, &mut simplicial].into_iter().enumerate() {
-            times[2 + 2 * index].push(timed(|| peer.factor(&matrix)).0);
-            let (time, solution) = timed(|| peer.solve(&right));
-            times[3 + 2 * index].push(time);
-            let largest = own.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-            let agrees = own.iter().zip(&solution).all(|(a, b)| (a - b).abs() <= AGREEMENT * largest);
-            assert!(agrees, "the solutions differ");
+    let mut answer = serde_json::Map::new();
+    for (name, matrix) in ["heat", "poisson"].into_iter().zip(&matrices) {
+        let [factor] = symbolic.factor([matrix], &mut go_on)?;
+        let mut values = [&supernodal, &simplicial].map(|faer| vec![0.0; faer.symbolic.len_val()]);
+        let ours = factor.solve(&right);
+        for (faer, values) in [&supernodal, &simplicial].into_iter().zip(&mut values) {
+            let llt = faer.factor(matrix, values)?;
+            let largest = ours.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            let theirs = faer.solve(llt, &right);
+            let difference = ours.iter().zip(&theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(difference <= 1e-6 * largest, "solutions differ by {difference} of {largest}");
         }
+        let mut times: [Vec<f64>; 6] = Default::default();
+        for _ in 0..ROUNDS {
+            times[0].push(time(|| black_box(symbolic.factor([matrix], &mut go_on)).is_ok()));
+            times[1].push(time(|| supernodal.factor(matrix, &mut values[0]).is_ok()));
+            times[2].push(time(|| simplicial.factor(matrix, &mut values[1]).is_ok()));
+            times[3].push(time(|| !black_box(factor.solve(&right)).is_empty()));
+            for (index, faer) in [&supernodal, &simplicial].into_iter().enumerate() {
+                let llt = LltRef::new(&faer.symbolic, &values[index]);
+                times[4 + index].push(time(|| !black_box(faer.solve(llt, &right)).is_empty()));
+            }
+        }
+        let [factor, supernodal, simplicial, solve, supernodal_solve, simplicial_solve] = times.map(median);
+        let entry = json!({
+            "factor": factor, "faer_supernodal_factor": supernodal, "faer_simplicial_factor": simplicial,
+            "solve": solve, "faer_supernodal_solve": supernodal_solve, "faer_simplicial_solve": simplicial_solve,
+        });
+        answer.insert(name.to_owned(), entry);
     }
-    let [factor, solve, supernodal_factor, supernodal_solve, simplicial_factor, simplicial_solve] = times.map(median);
-    println!(
-        "{}",
-        json!({
-            "factor": factor,
-            "solve": solve,
-            "faer_supernodal_factor": supernodal_factor,
-            "faer_supernodal_solve": supernodal_solve,
-            "faer_simplicial_factor": simplicial_factor,
-            "faer_simplicial_solve": simplicial_solve,
-        })
-    );
+    let both = || time(|| black_box(symbolic.factor(matrices.each_ref(), &mut go_on)).is_ok());
+    answer.insert("factor_both".to_owned(), median((0..ROUNDS).map(|_| both()).collect()).into());
+    answer.insert("rows".to_owned(), laplacian.size().into());
+    answer.insert("factor_nonzeros".to_owned(), symbolic.factor_nonzeros().into());
+    answer.insert("faer_supernodal_nonzeros".to_owned(), supernodal.symbolic.len_val().into());
+    answer.insert("faer_simplicial_nonzeros".to_owned(), simplicial.symbolic.len_val().into());
+    println!("{}", Value::from(answer));
     Ok(())
 }
 
-/// `M / t + L` for a time step of one mean edge squared.
-fn heat_matrix(surface: &Surface) -> heatwalk_sparse::Result<SymmetricMatrix> {
-    let laplacian = Laplacian::new(surface, Operator::default());
-    let time = surface.mean_edge() * surface.mean_edge();
-    let (pattern, mut values) = laplacian.stiffness.into_parts();
-    for (column, mass) in laplacian.mass.iter().enumerate() {
-        values[pattern.column(column).start] += mass / time;
-    }
-    SymmetricMatrix::new(pattern, values)
-}
-
-/// faer's Cholesky factorisation of one matrix, with all its memory.
+/// faer's Cholesky in our elimination order, with its own choice of supernodes.
 struct Faer {
     symbolic: SymbolicCholesky<u32>,
-    values: Vec<f64>,
-    memory: MemBuffer,
+    new_of_old: Vec<u32>,
 }
 
 impl Faer {
-    fn analyse(
+    fn new(
         matrix: &SymmetricMatrix,
         permutation: &Permutation,
-        threshold: SupernodalThreshold,
+        supernodal_flop_ratio_threshold: SupernodalThreshold,
     ) -> Result<Self, Box<dyn Error>> {
-        let order = PermRef::new_checked(permutation.old_of_new(), permutation.new_of_old(), matrix.size());
-        let parameters =
-            CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..CholeskySymbolicParams::default() };
-        let symbolic = factorize_symbolic_cholesky(
-            view(matrix).symbolic(),
-            Side::Lower,
-            SymmetricOrdering::Custom(order),
-            parameters,
-        )
-        .map_err(|error| format!("{error:?}"))?;
-        let factoring = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
-        let memory = MemBuffer::new(factoring.or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq)));
-        Ok(Self { values: vec![0.0; symbolic.len_val()], symbolic, memory })
+        let size = matrix.size();
+        let order = PermRef::new_checked(permutation.old_of_new(), permutation.new_of_old(), size);
+        let params = CholeskySymbolicParams { supernodal_flop_ratio_threshold, ..Default::default() };
+        let ordering = SymmetricOrdering::Custom(order);
+        let symbolic = factorize_symbolic_cholesky(view(matrix).symbolic(), Side::Lower, ordering, params)
+            .map_err(|error| format!("faer's analysis: {error:?}"))?;
+        Ok(Self { symbolic, new_of_old: permutation.new_of_old().to_vec() })
     }
 
-    fn factor(&mut self, matrix: &SymmetricMatrix) {
-        let factored = self.symbolic.factorize_numeric_llt(
-            &mut self.values,
-            view(matrix),
-            Side::Lower,
-            LltRegularization::default(),
-            Par::Seq,
-            MemStack::new(&mut self.memory),
-            Default::default(),
-        );
-        assert!(factored.is_ok(), "a heat matrix is positive definite");
+    fn factor<'a>(
+        &'a self,
+        matrix: &SymmetricMatrix,
+        values: &'a mut [f64],
+    ) -> Result<LltRef<'a, u32, f64>, Box<dyn Error>> {
+        let scratch = self.symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
+        let mut memory = MemBuffer::new(scratch);
+        let stack = MemStack::new(&mut memory);
+        let (side, regularization) = (Side::Lower, Default::default());
+        self.symbolic
+            .factorize_numeric_llt(values, view(matrix), side, regularization, Par::Seq, stack, Spec::default())
+            .map_err(|error| format!("faer's factorisation: {error:?}").into())
     }
 
-    fn solve(&mut self, right: &[f64]) -> Vec<f64> {
+    fn solve(&self, llt: LltRef<'_, u32, f64>, right: &[f64]) -> Vec<f64> {
         let mut solution = right.to_vec();
-        let size = solution.len();
-        let factor = LltRef::new(&self.symbolic, &self.values);
-        let side = MatMut::from_column_major_slice_mut(&mut solution, size, 1);
-        factor.solve_in_place_with_conj(Conj::No, side, Par::Seq, MemStack::new(&mut self.memory));
+        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
+        let column = MatMut::from_column_major_slice_mut(&mut solution, self.new_of_old.len(), 1);
+        llt.solve_in_place_with_conj(Conj::No, column, Par::Seq, MemStack::new(&mut memory));
         solution
     }
 }
@@ -138,10 +129,41 @@ fn view(matrix: &SymmetricMatrix) -> SparseColMatRef<'_, u32, f64> {
     SparseColMatRef::new(symbolic, matrix.values())
 }
 
-fn timed<A>(work: impl FnOnce() -> A) -> (f64, A) {
+/// `L + M / t` for a time of the mean area of a point.
+fn heat(laplacian: &Laplacian) -> SymmetricMatrix {
+    let mut values = laplacian.stiffness.values().to_vec();
+    let scale = laplacian.size() as f64 / laplacian.mass.iter().sum::<f64>();
+    for (point, mass) in laplacian.mass.iter().enumerate() {
+        values[laplacian.column(point).start] += scale * mass;
+    }
+    SymmetricMatrix::new(Arc::clone(laplacian.stiffness.pattern()), values).expect("the values of the pattern")
+}
+
+/// `L` with one point of each component constrained, its entries stored as zeros.
+fn poisson(laplacian: &Laplacian, surface: &Surface) -> SymmetricMatrix {
+    let mut is_met = vec![false; laplacian.size()];
+    let meets = |&component: &u32| !std::mem::replace(&mut is_met[component as usize], true);
+    let is_constrained: Vec<bool> = surface.components().iter().map(meets).collect();
+    let mut values = laplacian.stiffness.values().to_vec();
+    for point in 0..laplacian.size() {
+        for entry in laplacian.column(point) {
+            let row = laplacian.rows()[entry] as usize;
+            if is_constrained[point] || is_constrained[row] {
+                values[entry] = f64::from(u8::from(row == point));
+            }
+        }
+    }
+    SymmetricMatrix::new(Arc::clone(laplacian.stiffness.pattern()), values).expect("the values of the pattern")
+}
+
+fn go_on(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+fn time(work: impl FnOnce() -> bool) -> f64 {
     let start = Instant::now();
-    let answer = black_box(work());
-    (start.elapsed().as_secs_f64() * 1e3, answer)
+    assert!(work(), "what was factored once is factored again");
+    start.elapsed().as_secs_f64() * 1e3
 }
 
 fn median(mut times: Vec<f64>) -> f64 {
