@@ -9,10 +9,16 @@ const OUT_OF_MEMORY: &str = "OutOfMemory";
 /// As a trap is named.
 const TRAP: &str = "RuntimeError";
 
-/// The solver's error, to be thrown.
+/// The solver's error, to be thrown, with what a user of the page can do about it.
 pub fn thrown(error: &heatwalk::Error) -> JsValue {
-    let thrown = Error::new(&error.to_string());
-    if matches!(error, heatwalk::Error::TooLarge { .. } | heatwalk::Error::OutOfMemory { .. }) {
+    let remedy = match error.code() {
+        "out-of-memory" => "; use a mesh with fewer triangles, or the native program on a larger machine",
+        "too-large" => ", or the native program on a larger machine",
+        "missing-resource" => "; open both together",
+        _ => "",
+    };
+    let thrown = Error::new(&format!("{error}{remedy}"));
+    if matches!(error.code(), "out-of-memory" | "too-large") {
         thrown.set_name(OUT_OF_MEMORY);
     }
     thrown.into()

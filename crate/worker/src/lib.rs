@@ -47,7 +47,7 @@ pub struct MeshFile {
 #[wasm_bindgen]
 impl MeshFile {
     /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
-    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self, JsError> {
+    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self, JsValue> {
         let files: Vec<(String, Vec<u8>)> =
             names.into_iter().zip(bytes).map(|(name, bytes)| (name, bytes.to_vec())).collect();
         let (name, bytes) = files.first().ok_or_else(|| JsError::new("no file was given"))?;
@@ -55,7 +55,8 @@ impl MeshFile {
             let wanted = uri.rsplit('/').next();
             files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
         };
-        Ok(Self { soup: io::read(name, bytes, &resource)? })
+        let soup = io::read(name, bytes, &resource).map_err(|error| failure::thrown(&error.into()))?;
+        Ok(Self { soup })
     }
 
     /// Makes a shape.
