@@ -92,7 +92,7 @@ export class Refiner {
   async #refine(engine: Engine, answer: Answer, turn: object): Promise<Phase | null> {
     const began = performance.now();
     let shown = answer;
-    let reached = -1;
+    let reached = Number.NEGATIVE_INFINITY;
     let idle = 0;
     while (!isExact(shown)) {
       if (performance.now() - began > 1000 * MOST_SECONDS) return 'late';

@@ -86,7 +86,7 @@ export class Places {
 
   /** The vertex with the largest finite value. */
   farthest(values: Float32Array): SurfacePoint {
-    const value = (drawn: number) => (Number.isFinite(values[drawn]) ? values[drawn] : -1);
+    const value = (drawn: number) => (Number.isFinite(values[drawn]) ? values[drawn] : Number.NEGATIVE_INFINITY);
     return { vertex: this.#mesh.inputVertices[indexOfMax(values.length, value)] };
   }
 }

@@ -12,6 +12,7 @@ mod output;
 mod path;
 mod place;
 mod report;
+mod sentence;
 mod table;
 mod timing;
 
@@ -36,7 +37,7 @@ fn main() -> ExitCode {
     };
     let answer = match outcome {
         Ok(answer) => answer,
-        Err(error) => return fail(&format!("{error:#}")),
+        Err(error) => return fail(&sentence::sentence(&error)),
     };
     match print(&answer.text) {
         Ok(()) => {}

@@ -11,6 +11,7 @@ use crate::args::Table;
 use crate::exact;
 use crate::input::Input;
 use crate::markdown;
+use crate::sentence::sentence;
 use crate::timing::{Factored, build, factor, median_solve_ms, sample};
 
 /// Conjugate gradients take seconds a source on a large mesh, so their median is over so many sources at most.
@@ -44,7 +45,7 @@ fn sentences(measured: &Result<Measured>) -> Vec<String> {
         Ok(Measured { iterated, factored, .. }) => vec![iterated.as_ref().err(), factored.as_ref().err()],
         Err(error) => vec![Some(error)],
     };
-    errors.into_iter().flatten().map(|error| format!("{error:#}")).collect()
+    errors.into_iter().flatten().map(sentence).collect()
 }
 
 fn name(mesh: &str) -> String {
@@ -91,13 +92,13 @@ fn as_json(rows: &[(String, Result<Measured>)]) -> String {
             }
             object
         }
-        Err(error) => json!({ "error": format!("{error:#}") }),
+        Err(error) => json!({ "error": sentence(error) }),
     };
     let row = |(name, measured): &(String, Result<Measured>)| match measured {
         Ok(Measured { triangles, iterated, factored }) => json!({
             "name": name, "triangles": triangles, "conjugate_gradients": figures(iterated), "cholesky": figures(factored)
         }),
-        Err(error) => json!({ "name": name, "error": format!("{error:#}") }),
+        Err(error) => json!({ "name": name, "error": sentence(error) }),
     };
     format!("{}\n", Value::Array(rows.iter().map(row).collect()))
 }

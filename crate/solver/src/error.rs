@@ -48,7 +48,7 @@ pub enum Error {
     },
     /// The factors do not fit into memory, or not into the [`MemoryLimit`](crate::MemoryLimit) given.
     #[error(
-        "factoring takes {} of memory, more than there is; choose conjugate gradients, which need no factors, or the native program on a larger machine",
+        "factoring takes {} of memory, more than there is; choose conjugate gradients, which need no factors",
         memory_size(*.needed_bytes)
     )]
     TooLarge {
@@ -56,7 +56,7 @@ pub enum Error {
         needed_bytes: u64,
     },
     /// Something other than the factors does not fit into memory.
-    #[error("out of memory while {stage}; use a mesh with fewer triangles, or the native program on a larger machine")]
+    #[error("out of memory while {stage}")]
     OutOfMemory {
         /// What was being done.
         stage: &'static str,
@@ -76,6 +76,22 @@ impl From<heatwalk_sparse::Error> for Error {
 }
 
 impl Error {
+    /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Surface(error) => error.code(),
+            Self::NoSource => "no-source",
+            Self::BadParameter { .. } => "bad-parameter",
+            Self::UnknownChoice(_) => "unknown-choice",
+            Self::NotPositiveDefinite { .. } => "not-positive-definite",
+            Self::NotConverged { .. } => "not-converged",
+            Self::TooLarge { .. } => "too-large",
+            Self::OutOfMemory { .. } => "out-of-memory",
+            Self::Unreachable => "unreachable",
+            Self::Cancelled => "cancelled",
+        }
+    }
+
     /// Of linear algebra on matrices of these names.
     pub(crate) fn of_matrices(error: &heatwalk_sparse::Error, names: &[&'static str]) -> Self {
         use heatwalk_sparse::Error as Sparse;

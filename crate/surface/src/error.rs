@@ -5,7 +5,8 @@ use thiserror::Error;
 /// Result with this crate's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Every failure of the crate. The message is one sentence for a person: what is wrong, where, what to do.
+/// Every failure of the crate. The message is one sentence that names what is at fault; [`Error::code`] is for programs, and
+/// for those who word what to do in their own terms.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -36,7 +37,7 @@ pub enum Error {
         remedy: String,
     },
     /// A file that this one refers to was not given.
-    #[error("the file refers to {uri}, which was not given; pass both")]
+    #[error("the file refers to {uri}, which was not given")]
     MissingResource {
         /// The reference as written in the file.
         uri: String,
@@ -106,9 +107,30 @@ pub enum Error {
         range: &'static str,
     },
     /// Something other than the factors does not fit into memory.
-    #[error("out of memory while {stage}; use a mesh with fewer triangles, or the native program on a larger machine")]
+    #[error("out of memory while {stage}")]
     OutOfMemory {
         /// What was being done.
         stage: &'static str,
     },
+}
+
+impl Error {
+    /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::UnknownFormat { .. } => "unknown-format",
+            Self::Malformed { .. } => "malformed",
+            Self::Unsupported { .. } => "unsupported",
+            Self::MissingResource { .. } => "missing-resource",
+            Self::Empty { .. } => "empty",
+            Self::IndexOutOfRange { .. } => "index-out-of-range",
+            Self::NotFinite { .. } => "not-finite",
+            Self::NoSuchPart { .. } => "no-such-part",
+            Self::BadVertex { .. } => "bad-vertex",
+            Self::BadPoint { .. } => "bad-point",
+            Self::ForeignSurface { .. } => "foreign-surface",
+            Self::BadParameter { .. } => "bad-parameter",
+            Self::OutOfMemory { .. } => "out-of-memory",
+        }
+    }
 }

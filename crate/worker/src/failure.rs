@@ -21,14 +21,16 @@ impl Failure {
         Self(Error::new(sentence))
     }
 
+    /// The solver's error, with what a user of the page can do about it.
     fn of(error: &heatwalk::Error) -> Self {
-        use heatwalk::Error as Solver;
-        use heatwalk::surface::Error as Surface;
-        let thrown = Error::new(&error.to_string());
-        if matches!(
-            error,
-            Solver::TooLarge { .. } | Solver::OutOfMemory { .. } | Solver::Surface(Surface::OutOfMemory { .. })
-        ) {
+        let remedy = match error.code() {
+            "out-of-memory" => "; use a mesh with fewer triangles, or the native program on a larger machine",
+            "too-large" => ", or the native program on a larger machine",
+            "missing-resource" => "; open both together",
+            _ => "",
+        };
+        let thrown = Error::new(&format!("{error}{remedy}"));
+        if matches!(error.code(), "out-of-memory" | "too-large") {
             thrown.set_name(OUT_OF_MEMORY);
         }
         Self(thrown)

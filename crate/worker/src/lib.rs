@@ -64,7 +64,8 @@ impl MeshFile {
             let wanted = uri.rsplit('/').next();
             files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
         };
-        Ok(Self { soup: io::read(name, bytes, &resource)? })
+        let soup = io::read(name, bytes, &resource).map_err(|error| failure::thrown(&error.into()))?;
+        Ok(Self { soup })
     }
 
     /// Makes a shape.

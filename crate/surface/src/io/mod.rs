@@ -1,9 +1,21 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
+//!
+//! Each format that can be read is a cargo feature: `gltf`, `obj`, `off`, `ply`, `stl`, all on by default.
 
+#![cfg_attr(
+    not(all(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    allow(dead_code, unreachable_code, unused_variables, reason = "each reader uses some of what they share")
+)]
+
+#[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(feature = "obj")]
 mod obj;
+#[cfg(feature = "off")]
 mod off;
+#[cfg(feature = "ply")]
 mod ply;
+#[cfg(feature = "stl")]
 mod stl;
 mod triangulate;
 pub mod write;
@@ -28,13 +40,19 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let format = Format::of_bytes(bytes)
         .or_else(|| Format::of_extension(extension))
         .ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let soup = match format {
+    let soup: Result<Soup> = match format {
+        #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, resources),
+        #[cfg(feature = "obj")]
         Format::Obj => obj::read(stem, bytes),
+        #[cfg(feature = "off")]
         Format::Off => off::read(stem, bytes),
+        #[cfg(feature = "ply")]
         Format::Ply => ply::read(stem, bytes),
+        #[cfg(feature = "stl")]
         Format::Stl => stl::read(stem, bytes),
-    }?;
+    };
+    let soup = soup?;
     if soup.triangles.is_empty() {
         return Err(Error::Empty { reason: format!("{name} holds no faces; points and lines are not surfaces") });
     }
@@ -43,40 +61,57 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
 
 #[derive(Clone, Copy)]
 enum Format {
+    #[cfg(feature = "gltf")]
     Gltf,
+    #[cfg(feature = "obj")]
     Obj,
+    #[cfg(feature = "off")]
     Off,
+    #[cfg(feature = "ply")]
     Ply,
+    #[cfg(feature = "stl")]
     Stl,
 }
 
 impl Format {
     fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        #[cfg(feature = "gltf")]
         if bytes.starts_with(gltf::GLB_MAGIC) || looks_like_gltf_json(bytes) {
-            Some(Self::Gltf)
-        } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-            Some(Self::Ply)
-        } else if off::has_keyword(bytes) {
-            Some(Self::Off)
-        } else if stl::is_binary(bytes) || stl::is_ascii(bytes) {
-            Some(Self::Stl)
-        } else {
-            None
+            return Some(Self::Gltf);
         }
+        #[cfg(feature = "ply")]
+        if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+            return Some(Self::Ply);
+        }
+        #[cfg(feature = "off")]
+        if off::has_keyword(bytes) {
+            return Some(Self::Off);
+        }
+        #[cfg(feature = "stl")]
+        if stl::is_binary(bytes) || stl::is_ascii(bytes) {
+            return Some(Self::Stl);
+        }
+        None
     }
 
     fn of_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
+            #[cfg(feature = "gltf")]
             "gltf" | "glb" => Some(Self::Gltf),
+            #[cfg(feature = "obj")]
             "obj" => Some(Self::Obj),
+            #[cfg(feature = "off")]
             "off" | "coff" | "noff" => Some(Self::Off),
+            #[cfg(feature = "ply")]
             "ply" => Some(Self::Ply),
+            #[cfg(feature = "stl")]
             "stl" => Some(Self::Stl),
             _ => None,
         }
     }
 }
 
+#[cfg(feature = "gltf")]
 fn looks_like_gltf_json(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     text.starts_with(b"{") && text.windows(7).any(|window| window == b"\"asset\"")

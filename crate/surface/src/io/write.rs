@@ -3,11 +3,13 @@
 use std::fmt::Write as _;
 
 use glam::DVec3;
+#[cfg(feature = "gltf")]
 use serde_json::json;
 
 use crate::soup::Soup;
 
 /// Stands for "no source can be reached" in a GLB file, which must not hold infinities (glTF 2.0, 3.6.2.2).
+#[cfg(feature = "gltf")]
 pub const UNREACHABLE_IN_GLB: f32 = -1.0;
 
 /// Binary little-endian PLY with `x y z distance` as doubles. `distance`: one value an input vertex, may be infinite.
@@ -41,6 +43,7 @@ pub fn distance_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
 ///
 /// # Panics
 /// If there is not one distance for each vertex.
+#[cfg(feature = "gltf")]
 pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     assert_eq!(soup.positions.len(), distance.len(), "one distance for each vertex");
     let positions: Vec<[f32; 3]> = soup.positions.iter().map(|position| position.as_vec3().to_array()).collect();
@@ -98,6 +101,7 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     bytes
 }
 
+#[cfg(feature = "gltf")]
 fn bounds<const N: usize>(rows: &[[f32; N]]) -> ([f32; N], [f32; N]) {
     let mut lower = [f32::INFINITY; N];
     let mut upper = [f32::NEG_INFINITY; N];

@@ -1,0 +1,44 @@
+//! Errors in one sentence, with what a user of the program can do about them.
+
+use anyhow::Error;
+
+/// All that is known of an error. Libraries say what is wrong; what helps depends on who asks.
+pub fn sentence(error: &Error) -> String {
+    match code(error).and_then(remedy) {
+        Some(remedy) => format!("{error:#}; {remedy}"),
+        None => format!("{error:#}"),
+    }
+}
+
+fn code(error: &Error) -> Option<&'static str> {
+    error.chain().find_map(|cause| {
+        let surface = || cause.downcast_ref::<heatwalk::surface::Error>().map(heatwalk::surface::Error::code);
+        cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code).or_else(surface)
+    })
+}
+
+fn remedy(code: &str) -> Option<&'static str> {
+    match code {
+        "out-of-memory" => Some("use a mesh with fewer triangles, or a larger machine"),
+        "too-large" => Some("or use a larger machine"),
+        "missing-resource" => Some("put it beside the mesh"),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use anyhow::Context;
+
+    use super::sentence;
+
+    #[test]
+    fn a_remedy_follows_the_whole_sentence() {
+        let missing = heatwalk::surface::Error::MissingResource { uri: "a.bin".to_owned() };
+        let inner = Err::<(), _>(missing).context("m.gltf").unwrap_err();
+        assert_eq!(sentence(&inner), "m.gltf: the file refers to a.bin, which was not given; put it beside the mesh");
+        let nested = heatwalk::Error::Surface(heatwalk::surface::Error::OutOfMemory { stage: "building" });
+        assert!(sentence(&nested.into()).ends_with("or a larger machine"));
+        assert_eq!(sentence(&heatwalk::Error::NoSource.into()), heatwalk::Error::NoSource.to_string());
+    }
+}
