@@ -5,6 +5,7 @@ mod contract;
 mod cycles;
 mod modules;
 mod toolchain;
+mod workspace;
 
 use std::path::Path;
 
@@ -12,6 +13,7 @@ use anyhow::{Result, bail};
 
 use crate::modules::{SOLVER, VIEWER};
 use crate::toolchain::Toolchain;
+use crate::workspace::workspace;
 
 const USAGE: &str = "usage: cargo xtask wasm [solver|viewer] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
 
@@ -41,8 +43,4 @@ fn main() -> Result<()> {
         }
         _ => bail!(USAGE),
     }
-}
-
-fn workspace() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crate/xtask lies two folders down")
 }

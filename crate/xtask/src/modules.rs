@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::toolchain::{TARGET, Toolchain};
-use crate::workspace;
+use crate::workspace::workspace;
 
 /// A wasm module of the page.
 pub struct Module {

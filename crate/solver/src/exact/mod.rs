@@ -14,6 +14,7 @@
 
 mod geometry;
 mod lists;
+mod origin;
 mod overlap;
 mod queue;
 mod sources;
@@ -31,7 +32,7 @@ pub use wavefront::Wavefront;
 use crate::error::{Error, Result};
 use heatwalk_surface::Path;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Source, ToPoint, ToSource, VertexData};
+use heatwalk_surface::{ToPoint, ToSource, VertexData};
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
 const WORK_BETWEEN_CALLS: usize = 20_000;
@@ -51,7 +52,7 @@ pub fn exact_distance<S: ToSource>(
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    let sources = checked_sources(surface, sources)?;
+    let sources = wavefront::checked_sources(surface, sources)?;
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut wavefront = Wavefront::of_checked(geometry, sources, &[]);
     while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS) {
@@ -76,8 +77,4 @@ pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPo
         wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS);
     }
     wavefront.path_from_target(0)
-}
-
-fn checked_sources<S: ToSource>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
-    sources.iter().map(|source| Ok(source.to_source(surface)?)).collect()
 }

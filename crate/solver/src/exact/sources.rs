@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::geometry::{Bend, ExactGeometry, Frame, Turn, after};
-use super::wavefront::{Origin, Wavefront};
+use super::origin::Origin;
+use super::wavefront::Wavefront;
 use super::window::{Window, length};
 use heatwalk_surface::{Place, VertexId};
 

@@ -1,7 +1,7 @@
 //! Points of the surface, beside its vertices, whose distance is wanted.
 
 use super::geometry::{ExactGeometry, Frame};
-use super::wavefront::Origin;
+use super::origin::Origin;
 use super::window::{GRAZE, Window, length};
 use heatwalk_surface::Place;
 use heatwalk_surface::surface::Surface;

@@ -1,7 +1,8 @@
 //! Shortest paths, traced back through the faces that their windows crossed.
 
 use super::geometry::after;
-use super::wavefront::{Origin, Wavefront};
+use super::origin::Origin;
+use super::wavefront::Wavefront;
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};

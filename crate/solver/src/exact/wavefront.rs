@@ -3,8 +3,8 @@
 use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
-use super::checked_sources;
 use super::geometry::{ExactGeometry, Frame, after};
+use super::origin::Origin;
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{GRAZE, Window, length};
@@ -14,17 +14,6 @@ use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, Ve
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 1.0;
-
-/// Where a value came from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Origin {
-    /// Nowhere yet.
-    None,
-    /// Straight through, or along, a face from a root on it.
-    Straight { face: u32, root: u32 },
-    /// Through position `at` of a half-edge, whose face it lies on, in a window with the source at `(x, −depth)`.
-    Window { halfedge: u32, root: u32, at: f64, x: f64, depth: f64 },
-}
 
 /// Exact distances that grow outward from their sources; stopped and continued at will, with the same result.
 #[derive(Debug)]
@@ -323,4 +312,12 @@ impl Crossing {
 fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
     let towards = cos * up + sin * forward;
     if towards > 0.0 { smaller(at * up / towards, along) } else { along }
+}
+
+/// Sources of one surface.
+///
+/// # Errors
+/// Those of [`ToSource::to_source`].
+pub(super) fn checked_sources<S: ToSource>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
+    sources.iter().map(|source| Ok(source.to_source(surface)?)).collect()
 }

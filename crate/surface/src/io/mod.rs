@@ -15,18 +15,16 @@ mod obj;
 mod off;
 #[cfg(feature = "ply")]
 mod ply;
+mod reader;
 #[cfg(feature = "stl")]
 mod stl;
 mod triangulate;
 pub mod write;
 
-use glam::DVec3;
-
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 
-/// Gives the bytes of a file that the mesh refers to (percent-decoded relative URI), if there are any.
-pub type Resources<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
+pub use reader::Resources;
 
 /// Reads a mesh. The first bytes tell the format where they can, the extension of `name` otherwise.
 ///
@@ -115,30 +113,4 @@ impl Format {
 fn looks_like_gltf_json(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     text.starts_with(b"{") && text.windows(7).any(|window| window == b"\"asset\"")
-}
-
-/// How each reader says that its format is broken.
-struct Reporter(&'static str);
-
-impl Reporter {
-    fn at(&self, place: impl Into<String>, problem: impl Into<String>) -> Error {
-        Error::Malformed { format: self.0, place: place.into(), problem: problem.into() }
-    }
-
-    fn line(&self, number: usize, problem: impl Into<String>) -> Error {
-        self.at(format!("line {number}"), problem)
-    }
-
-    /// The position on a vertex line, what follows it ignored.
-    fn vertex(&self, arguments: &str, line: usize) -> Result<DVec3> {
-        let mut words = arguments.split_whitespace();
-        let mut coordinates = [0.0; 3];
-        for coordinate in &mut coordinates {
-            *coordinate = words
-                .next()
-                .and_then(|word| word.parse().ok())
-                .ok_or_else(|| self.line(line, "a vertex needs three numbers; correct the line"))?;
-        }
-        Ok(coordinates.into())
-    }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::Reporter;
+use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::error::Result;
 use crate::soup::Soup;

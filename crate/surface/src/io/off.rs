@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Reporter;
+use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::error::{Error, Result};
 use crate::soup::Soup;

@@ -4,7 +4,7 @@ use std::str::SplitAsciiWhitespace;
 
 use glam::DVec3;
 
-use super::Reporter;
+use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::error::Result;
 use crate::soup::Soup;

@@ -24,7 +24,7 @@ fn said<C: Choice + Default>(constant: &str) -> String {
 
 #[test]
 fn the_page_has_the_names_and_ranges_of_the_solver() {
-    let text = module(crate::workspace()).unwrap();
+    let text = module(crate::workspace::workspace()).unwrap();
     let choices = [
         said::<Boundary>("BOUNDARY"),
         said::<EdgeKind>("EDGE_KIND"),

@@ -5,8 +5,8 @@ use gltf::json::accessor::{Accessor, ComponentType, Type, sparse::Sparse};
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
-use super::GLTF;
 use super::container::{Buffers, compressed};
+use super::format::GLTF;
 use crate::error::{Error, Result};
 
 const DRACO: &str = "KHR_draco_mesh_compression";

@@ -5,8 +5,9 @@ use std::cell::OnceCell;
 
 use gltf::json::{Index, Root, buffer};
 
-use super::{GLB_MAGIC, GLTF, Resources, element};
+use super::format::{GLB_MAGIC, GLTF, element};
 use crate::error::{Error, Result};
+use crate::io::reader::Resources;
 
 const JSON_CHUNK: &[u8] = b"JSON";
 const BINARY_CHUNK: &[u8] = b"BIN\0";

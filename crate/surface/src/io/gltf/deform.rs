@@ -7,8 +7,8 @@ use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
 use super::accessor::{Accessors, number};
+use super::format::{GLTF, element};
 use super::scene::Scene;
-use super::{GLTF, element};
 use crate::error::Result;
 
 /// Adds the weighted displacements of the morph targets.

@@ -4,23 +4,21 @@
 mod accessor;
 mod container;
 mod deform;
+mod format;
 mod primitive;
 mod scene;
 
 use glam::DMat4;
 use gltf::json::{self, Root};
 
-use super::{Reporter, Resources};
+use super::reader::Resources;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 use accessor::Accessors;
 use container::Buffers;
+pub use format::GLB_MAGIC;
+use format::{GLTF, element};
 use scene::Scene;
-
-/// The first bytes of a GLB file.
-pub const GLB_MAGIC: &[u8] = b"glTF";
-
-const GLTF: Reporter = Reporter("glTF");
 
 /// Some kilobytes of JSON can name one mesh thousands of times; beyond this many vertices (1.6 GB as f64) we give up.
 const MAX_VERTICES: usize = 1 << 26;
@@ -84,12 +82,4 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
     let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
     soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
     Ok(())
-}
-
-/// The element of a top-level array that an index names.
-fn element<'a, T>(elements: &'a [T], index: json::Index<T>, kind: &str) -> Result<&'a T> {
-    let index = index.value();
-    elements.get(index).ok_or_else(|| {
-        GLTF.at(format!("{kind} {index}"), format!("there are only {} of them; export the file again", elements.len()))
-    })
 }

@@ -3,8 +3,8 @@
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
 
-use super::GLTF;
 use super::accessor::{Accessors, number};
+use super::format::GLTF;
 use crate::error::{Error, Result};
 
 /// The accessor of the positions if the primitive is made of triangles; points and lines are no surface.

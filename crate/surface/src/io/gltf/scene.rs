@@ -3,7 +3,7 @@
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use gltf::json::{self, Root};
 
-use super::{GLTF, element};
+use super::format::{GLTF, element};
 use crate::error::Result;
 
 pub struct Scene {
