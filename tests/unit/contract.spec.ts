@@ -13,10 +13,10 @@ import {
   MEMORY_LIMIT_MEBIBYTES,
   MULTI_SOURCE,
   OPERATOR,
-  OUT_OF_MEMORY,
   type Parameters,
   PATH_KIND,
   TIME_STEP_FACTORS,
+  TOO_LARGE,
 } from '../../web/wasm/contract';
 import { initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
 
@@ -86,8 +86,9 @@ test('what is no option, no value or no name is refused in a sentence', () => {
   expect(() => solver.path({ vertex: 80 }, 'home' as 'exact')).toThrow('descent, straight, exact');
 });
 
-test('want of memory has its name', () => {
-  expect(() => configure({ memory: 0, timeStep: 7 })).toThrow(expect.objectContaining({ name: OUT_OF_MEMORY }));
+test('failures have the codes of the solver as names', () => {
+  expect(() => configure({ timeStep: -1 })).toThrow(expect.objectContaining({ name: 'bad-parameter' }));
+  expect(() => configure({ memory: 0, timeStep: 7 })).toThrow(expect.objectContaining({ name: TOO_LARGE }));
 });
 
 test('what the module gives is a plain object with all that the page reads', () => {

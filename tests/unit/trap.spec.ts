@@ -1,11 +1,12 @@
 import { expect, test } from '@playwright/test';
-import { OUT_OF_MEMORY } from '../../web/wasm/contract';
+import { OUT_OF_MEMORY, TOO_LARGE } from '../../web/wasm/contract';
 import { isOutOfMemory } from '../../web/solver/trap';
 
 const named = (name: string, message: string) => Object.assign(new Error(message), { name });
 
 test('a refusal and a trap without a message count as out of memory', () => {
-  expect(isOutOfMemory(named(OUT_OF_MEMORY, 'factoring takes 5.00 GiB of memory'))).toBe(true);
+  expect(isOutOfMemory(named(OUT_OF_MEMORY, 'out of memory while ordering'))).toBe(true);
+  expect(isOutOfMemory(named(TOO_LARGE, 'factoring takes 5.00 GiB of memory'))).toBe(true);
   for (const message of ['unreachable', 'unreachable executed', 'Unreachable code should not be executed']) {
     expect(isOutOfMemory(new WebAssembly.RuntimeError(message)), message).toBe(true);
   }

@@ -1,5 +1,5 @@
 /** The ways in which a solver can end. */
-import { OUT_OF_MEMORY, TRAP } from '../wasm/contract';
+import { OUT_OF_MEMORY, TOO_LARGE, TRAP } from '../wasm/contract';
 
 /** Whether a wasm module trapped, out of memory or by a defect: it must not be called again. */
 export function isTrap(error: Error): boolean {
@@ -8,7 +8,7 @@ export function isTrap(error: Error): boolean {
 
 /** Whether a call failed for want of memory, by a refusal or by a trap. */
 export function isOutOfMemory(error: Error): boolean {
-  if (error.name === OUT_OF_MEMORY) return true;
+  if (error.name === OUT_OF_MEMORY || error.name === TOO_LARGE) return true;
   // The solver's panics say what broke. Memory that is refused ends it without a word of its own.
   return isTrap(error) && /memory|allocation|unreachable|invalid (typed )?array length/i.test(error.message);
 }

@@ -1,10 +1,13 @@
-//! Failures as JavaScript sees them: errors with a sentence, told apart by their name.
+//! Failures as JavaScript sees them: errors with a sentence, and with the solver's code as their name.
 
 use js_sys::Error;
 use wasm_bindgen::{JsValue, throw_val};
 
 /// Name of the error of a call that memory did not suffice for.
-pub const OUT_OF_MEMORY: &str = "OutOfMemory";
+pub const OUT_OF_MEMORY: &str = "out-of-memory";
+
+/// Name of the error of a call whose factors do not fit into memory, found out before they are made.
+pub const TOO_LARGE: &str = "too-large";
 
 /// Name of the error of a call that ended the module, as that of a trap: the module must not be called again.
 pub const TRAP: &str = "RuntimeError";
@@ -24,15 +27,13 @@ impl Failure {
     /// The solver's error, with what a user of the page can do about it.
     fn of(error: &heatwalk::Error) -> Self {
         let remedy = match error.code() {
-            "out-of-memory" => "; use a mesh with fewer triangles, or the native program on a larger machine",
-            "too-large" => ", or the native program on a larger machine",
+            OUT_OF_MEMORY => "; use a mesh with fewer triangles, or the native program on a larger machine",
+            TOO_LARGE => ", or the native program on a larger machine",
             "missing-resource" => "; open both together",
             _ => "",
         };
         let thrown = Error::new(&format!("{error}{remedy}"));
-        if matches!(error.code(), "out-of-memory" | "too-large") {
-            thrown.set_name(OUT_OF_MEMORY);
-        }
+        thrown.set_name(error.code());
         Self(thrown)
     }
 }

@@ -64,7 +64,7 @@ impl MeshFile {
             let wanted = uri.rsplit('/').next();
             files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
         };
-        let soup = io::read(name, bytes, &resource).map_err(|error| failure::thrown(&error.into()))?;
+        let soup = io::read(name, bytes, &resource)?;
         Ok(Self { soup })
     }
 
