@@ -9,8 +9,8 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use heatwalk::operator::Operators;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
-use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{
     Boundary, ExactRadius, HeatSolver, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
     straighten,
@@ -43,7 +43,7 @@ fn building(criterion: &mut Criterion) {
         bencher.iter(|| IntrinsicTriangulation::delaunay(black_box(&surface)));
     });
     criterion.bench_function("Laplacian, plain", |bencher| {
-        bencher.iter(|| Laplacian::new(black_box(&surface), Operator::Plain));
+        bencher.iter(|| Operators::new(black_box(&surface), Operator::Plain));
     });
 }
 
@@ -119,7 +119,7 @@ fn crowds(criterion: &mut Criterion) {
         bencher.iter(|| crowd.advance(black_box(0.5 * surface.mean_edge())));
     });
     criterion.bench_function("poses of a crowd", |bencher| {
-        bencher.iter(|| black_box(&crowd).poses(&DrawTransform::IDENTITY))
+        bencher.iter(|| black_box(&crowd).poses(&DrawTransform::IDENTITY));
     });
 }
 

@@ -18,6 +18,7 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side, Spec};
+use heatwalk::operator::Operators;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::sparse::{Permutation, Symbolic, SymmetricMatrix};
 use heatwalk::{Operator, Surface, io};
@@ -30,11 +31,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("give a mesh")?;
     let soup = io::read(&path, &fs::read(&path)?, &|_| None)?;
     let surface = Surface::build(&soup)?;
-    let laplacian = Laplacian::new(&surface, Operator::Delaunay);
+    let operators = Operators::new(&surface, Operator::Delaunay);
+    let laplacian = operators.laplacian();
     let pattern = laplacian.stiffness.pattern();
     let permutation = Permutation::fill_reducing(pattern)?;
     let symbolic = Arc::new(Symbolic::analyse(pattern, permutation.clone())?);
-    let matrices = [heat(&laplacian), poisson(&laplacian, &surface)];
+    let matrices = [heat(laplacian), poisson(laplacian, &surface)];
     let supernodal = Faer::new(&matrices[0], &permutation, SupernodalThreshold::FORCE_SUPERNODAL)?;
     let simplicial = Faer::new(&matrices[0], &permutation, SupernodalThreshold::FORCE_SIMPLICIAL)?;
     let right: Vec<f64> = (0..laplacian.size()).map(|row| (row as f64 * 1.7).sin()).collect();

@@ -82,36 +82,3 @@ macro_rules! choice {
 }
 
 pub(crate) use choice;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::options::{Boundary, EdgeKind, FaceField, LinearSolver, MultiSource, Operator, PathKind, VertexField};
-
-    fn read_back<C: Choice>() {
-        for &choice in C::ALL {
-            for name in [choice.name()].iter().chain(choice.former_names()) {
-                assert_eq!(name.parse::<C>(), Ok(choice));
-            }
-        }
-    }
-
-    #[test]
-    fn every_name_is_read_back() {
-        read_back::<Boundary>();
-        read_back::<EdgeKind>();
-        read_back::<FaceField>();
-        read_back::<LinearSolver>();
-        read_back::<MultiSource>();
-        read_back::<Operator>();
-        read_back::<PathKind>();
-        read_back::<VertexField>();
-        assert_eq!("superposed".parse(), Ok(MultiSource::Summed), "links of before");
-    }
-
-    #[test]
-    fn an_unknown_name_is_answered_with_the_names_there_are() {
-        let error = "best".parse::<Operator>().unwrap_err();
-        assert_eq!(error.to_string(), "there is no operator 'best'; choose one of delaunay, plain, relocate");
-    }
-}

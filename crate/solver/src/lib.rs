@@ -1,7 +1,9 @@
 //! Geodesic distance and shortest paths on triangle meshes by the heat method (Crane, Weischedel, Wardetzky 2013).
 //!
 //! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges) →
-//! [`HeatSolver`] (factored once) → [`Distance`] from any sources → [`Path`]s down it.
+//! [`Operators`](operator::Operators) (edge lengths only) → [`Factorization`] (what is factored, by [`FactorOptions`]) →
+//! [`Query`] (what is asked) → [`Distance`] → [`Path`]s down it. [`HeatSolver`] holds a factorization with the options of its
+//! queries, which is all that most callers need:
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -22,6 +24,17 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! # Where more would plug in
+//!
+//! [`HeatFlow`](heat::HeatFlow) and [`Poisson`](heat::Poisson) take any right side and any constraints, and
+//! [`Operators`](operator::Operators) have gradient and divergence of any field, so that related methods are compositions;
+//! `tests/composition.rs` has one of each. A *weighted* or anisotropic metric is its edge lengths
+//! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
+//! such a distance has no exact region. *Signed distance* lets the normals of a curve flow, then solves Poisson for their
+//! directions. *Transport* of vectors needs the connection Laplacian, a complex matrix of the same pattern that
+//! [`sparse`] factors; it would stand beside `HeatFlow`. *Tetrahedra* need elements and a boundary of their own; systems,
+//! flow and Poisson see matrices only.
 
 pub mod accuracy;
 mod choice;
@@ -45,15 +58,15 @@ pub use accuracy::RelativeError;
 pub use choice::{Choice, UnknownChoice};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use error::{Error, Result};
-pub use heat::{Distance, HeatSolver, Refinement};
+pub use heat::{Distance, Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
     PathPoint, Place, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, VertexData, VertexId,
     io,
 };
 pub use options::{
-    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, MultiSource, Operator,
-    Parameters, PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit, MultiSource,
+    Operator, Parameters, PathKind, TimeStep, VertexField,
 };
 pub use path::{Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage};

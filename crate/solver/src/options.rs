@@ -219,7 +219,7 @@ pub enum EdgeKind {
 
 choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator");
 
-/// The options of the heat method.
+/// All options of the heat method: those that are factored, and those of each query.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Parameters {
     /// The triangles that carry the operators.
@@ -238,7 +238,36 @@ pub struct Parameters {
     pub memory: MemoryLimit,
 }
 
+/// What is factored.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FactorOptions {
+    /// The triangles that carry the operators.
+    pub operator: Operator,
+    /// How linear systems are solved.
+    pub solver: LinearSolver,
+    /// How long heat flows.
+    pub time_step: TimeStep,
+    /// What heat does at the boundary.
+    pub boundary: Boundary,
+    /// Most memory that factors may take.
+    pub memory: MemoryLimit,
+}
+
+impl FactorOptions {
+    /// # Errors
+    /// [`Error::BadParameter`].
+    pub(crate) fn check(&self) -> Result<()> {
+        self.time_step.check()
+    }
+}
+
 impl Parameters {
+    /// Those that need factoring.
+    pub fn factor_options(&self) -> FactorOptions {
+        let Self { operator, solver, time_step, boundary, memory, .. } = *self;
+        FactorOptions { operator, solver, time_step, boundary, memory }
+    }
+
     /// # Errors
     /// [`Error::BadParameter`].
     pub(crate) fn check(&self) -> Result<()> {
@@ -249,4 +278,37 @@ impl Parameters {
 
 fn bad(name: &'static str, value: &str, range: &'static str) -> Error {
     Error::BadParameter { name, value: value.to_owned(), range }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::choice::Choice;
+
+    fn read_back<C: Choice>() {
+        for &choice in C::ALL {
+            for name in [choice.name()].iter().chain(choice.former_names()) {
+                assert_eq!(name.parse::<C>(), Ok(choice));
+            }
+        }
+    }
+
+    #[test]
+    fn every_name_is_read_back() {
+        read_back::<Boundary>();
+        read_back::<EdgeKind>();
+        read_back::<FaceField>();
+        read_back::<LinearSolver>();
+        read_back::<MultiSource>();
+        read_back::<Operator>();
+        read_back::<PathKind>();
+        read_back::<VertexField>();
+        assert_eq!("superposed".parse(), Ok(MultiSource::Summed), "links of before");
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_names_there_are() {
+        let error = "best".parse::<Operator>().unwrap_err();
+        assert_eq!(error.to_string(), "there is no operator 'best'; choose one of delaunay, plain, relocate");
+    }
 }

@@ -105,8 +105,8 @@ fn refinements_and_paths() {
     let Two { own, other, point } = two();
     let (here, there) = (solver(&own), solver(&other));
     let mut refinement = there.refine(&[point]).unwrap();
-    assert_eq!(refused(refinement.step(&here, 10)), Some("refinement"));
-    assert!(refinement.step(&there, 10).is_ok());
+    assert_eq!(refused(refinement.step(here.factorization(), 10)), Some("refinement"));
+    assert!(refinement.step(there.factorization(), 10).is_ok());
     let path = Path::along_edges(&other, &heatwalk::edge_path(&other, VertexId(0), VertexId(9)).unwrap()).unwrap();
     assert_eq!(refused(straighten(&own, &path)), Some("path"));
     assert!(straighten(&other, &path).is_ok());

@@ -11,7 +11,7 @@ use common::shortness::{check_valid, largest_kink, sharpest_turn};
 use common::{band, book, square};
 use glam::DVec3;
 use heatwalk::exact::{exact_distance, shortest_path};
-use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Boundary, Error, ExactRadius, FaceId, HeatSolver, MultiSource, Operator, Parameters, Place, Soup, Source, Surface,
@@ -180,7 +180,7 @@ fn distances_are_distances() {
 fn delaunay_weights_are_never_negative() {
     check(200, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
-        let laplacian = Laplacian::new(&surface, Operator::Delaunay);
+        let laplacian = Operators::new(&surface, Operator::Delaunay).laplacian().clone();
         for column in 0..laplacian.size() {
             for entry in laplacian.column(column).skip(1) {
                 // The tolerance of the flips.
@@ -245,9 +245,9 @@ fn the_exact_region_is_exact_and_refining_ends_at_exact() {
             }
         }
         let mut refinement = solver.refine(&sources).expect("valid sources");
-        let mut refined = refinement.step(&solver, 50).expect("valid sources");
+        let mut refined = refinement.step(solver.factorization(), 50).expect("valid sources");
         while !refinement.is_done() {
-            refined = refinement.step(&solver, 500).expect("valid sources");
+            refined = refinement.step(solver.factorization(), 500).expect("valid sources");
         }
         prop_assert!(refined.values.iter().zip(&exact).all(|(value, exact)| same(*value, *exact)));
         Ok(())

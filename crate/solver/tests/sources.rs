@@ -12,6 +12,7 @@ use faer::prelude::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 use glam::DVec3;
+use heatwalk::operator::Operators;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
@@ -62,7 +63,7 @@ fn held_solve(laplacian: &Laplacian, scale: f64, held: &[(u32, f64)], right: &[f
 
 /// The heat method with heat 1 and distance 0 held at the sources, written out in three dimensions.
 fn refactored(surface: &Surface, time: f64, sources: &[u32]) -> Vec<f64> {
-    let laplacian = Laplacian::new(surface, Operator::Plain);
+    let laplacian = Operators::new(surface, Operator::Plain).laplacian().clone();
     let zeros = vec![0.0; laplacian.size()];
     let hot: Vec<(u32, f64)> = sources.iter().map(|&source| (source, 1e290)).collect();
     let heat = held_solve(&laplacian, 1.0 / time, &hot, &zeros);

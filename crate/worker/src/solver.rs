@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::{
-    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Parameters, PathKind, Refinement, RelativeError, Source,
-    Stage, Surface, VertexData, descend, exact, straighten,
+    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, Query, Refinement, RelativeError, Source, Stage,
+    Surface, VertexData, descend, exact, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function, Object};
@@ -56,18 +56,14 @@ impl Solver {
         Ok(Self { solver, drawn: Arc::clone(drawn), solved: None, crowd: None })
     }
 
-    /// The solver's parameters are the same after as before: the exact radius belongs to the query, no factor to it.
-    fn quick_distance(&mut self, sources: &[Source]) -> Result<Distance> {
-        let asked = self.solver.parameters();
-        let edges = match asked.exact_radius {
+    fn quick_distance(&self, sources: &[Source]) -> Result<Distance> {
+        let query = self.solver.query(sources)?;
+        let edges = match query.exact_radius {
             ExactRadius::Edges(edges) => edges.min(QUICK_EDGES),
             ExactRadius::Automatic => QUICK_EDGES,
         };
-        let quick = Parameters { exact_radius: ExactRadius::Edges(edges), ..asked };
-        self.solver.set_parameters(quick, &mut |_, _| ControlFlow::Continue(()))?;
-        let distance = self.solver.distance(sources);
-        self.solver.set_parameters(asked, &mut |_, _| ControlFlow::Continue(()))?;
-        Ok(distance?)
+        let quick = Query { exact_radius: ExactRadius::Edges(edges), ..query };
+        Ok(self.solver.factorization().distance(&quick)?)
     }
 
     fn solved(&self) -> Result<&Solved> {
@@ -121,7 +117,7 @@ impl Solver {
                     instant: solved.distance.values.clone(),
                 },
             };
-            solved.distance = refining.refinement.step(&self.solver, work as usize)?;
+            solved.distance = refining.refinement.step(self.solver.factorization(), work as usize)?;
             if let Some(crowd) = &mut self.crowd {
                 crowd.follow(&solved.distance)?;
             }

@@ -1,195 +1,210 @@
-//! Heat after time t.
+//! Heat after time t, from any supply and under any constraints.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::error::Result;
-use crate::heat::{Condition, Heat, HeatSolver, Solve};
-use crate::options::MultiSource;
-use heatwalk_sparse::{Functional, SchurComplement, System};
-use heatwalk_surface::{Element, Source, VertexId};
+use crate::heat::constraint::Constraint;
+use crate::heat::systems::{CachedSystem, Systems};
+use heatwalk_sparse::{Functional, SchurComplement, SymmetricMatrix, System};
+use heatwalk_surface::{VertexData, VertexId};
 
-/// Heat at a source. Near the largest float, so that heat falls through 1,375 e-folds, not 708, before it reaches the
-/// smallest normal float.
-pub(super) const SOURCE_HEAT: f64 = 1e290;
+/// Name of the matrix in errors.
+pub(super) const HEAT_MATRIX: &str = "heat";
 
-impl HeatSolver {
-    /// Heat `u` (`#P`) under the boundary condition, to an arbitrary scale near 10²⁹⁰, and per source whether it is
-    /// the nearest one to any point: those that are not would have to take heat out.
-    pub(super) fn heat(&self, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
-        let mut answers = self.needed_heats().map(|heat| self.heat_of(heat, sources));
-        let (mut heat, mut is_active) = answers.next().expect("some heat system is always there")?;
-        for answer in answers {
-            let (other, is_active_there) = answer?;
-            for (heat, other) in heat.iter_mut().zip(&other) {
-                *heat = 0.5 * (*heat + other);
-            }
-            for (active, there) in is_active.iter_mut().zip(is_active_there) {
-                *active |= there;
-            }
-        }
-        Ok((heat, is_active))
-    }
+/// What becomes of heat at the boundary.
+#[derive(Debug, Clone)]
+pub enum Condition {
+    /// None leaves.
+    Neumann,
+    /// It is 0 at these vertices (`#V`).
+    Dirichlet(Arc<VertexData<bool>>),
+}
 
-    fn heat_of(&self, heat: &Heat, sources: &[Source]) -> Result<(Vec<f64>, Vec<bool>)> {
-        let mut is_active = vec![true; sources.len()];
-        if self.parameters.sources == MultiSource::Summed {
-            return Ok((self.summed(heat, sources)?, is_active));
-        }
-        let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);
-        let level = |source: &Source| ((least - source.initial_distance()) / heat.time.sqrt() + SOURCE_HEAT.ln()).exp();
-        loop {
-            let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
-            let levels: Vec<(Source, f64)> =
-                active.iter().map(|&index| (sources[index], level(&sources[index]))).collect();
-            let (values, supplies) = self.prescribed(heat, &levels)?;
-            // Sources of the least starting value always give heat; rounding must not drop one of them.
-            let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].initial_distance() > least;
-            let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
-            if dropped.is_empty() {
-                return Ok((values, is_active));
-            }
-            for index in dropped {
-                is_active[index] = false;
-            }
+impl Condition {
+    /// Whether this is the other or a clone of it.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Neumann, Self::Neumann) => true,
+            (Self::Dirichlet(one), Self::Dirichlet(other)) => Arc::ptr_eq(one, other),
+            _ => false,
         }
     }
 
-    /// Heat that is at these levels at the sources, and the supply that each needs for it.
-    fn prescribed(&self, heat: &Heat, levels: &[(Source, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
-        let surface = &*self.surface;
-        if let [(source, _)] = levels {
-            // The level of a single source is arbitrary.
-            let supply: Vec<(u32, f64)> = source
-                .place()
-                .support(surface)
-                .filter(|&(vertex, _)| !self.is_held(heat, vertex.index()))
-                .map(|(vertex, weight)| (vertex.0, weight * SOURCE_HEAT))
-                .collect();
-            if !supply.is_empty() {
-                return Ok((heat.system.solve_sparse(&supply)?, vec![SOURCE_HEAT]));
-            }
+    /// Whether heat is 0 at a vertex.
+    pub(super) fn is_cold(&self, vertex: u32) -> bool {
+        match self {
+            Self::Neumann => false,
+            Self::Dirichlet(is_cold) => is_cold[VertexId(vertex)],
         }
-        let vertices: Vec<VertexId> = levels.iter().filter_map(|(source, _)| source.place().vertex(surface)).collect();
-        let mut is_fixed: Vec<bool> = (0..surface.vertex_count()).map(|point| self.is_held(heat, point)).collect();
-        let constrained;
-        let is_constrained = vertices.len() > 1 && self.is_cheaper_to_factor(&heat.system, vertices.len());
-        let system = if is_constrained {
+    }
+}
+
+/// Heat `u` after one implicit step of time t: `(M / t + L) u = supply`. It is linear in the supply, and any function will
+/// do as one: a point, a curve, or a coordinate of a vector field.
+#[derive(Debug)]
+pub struct HeatFlow {
+    systems: Arc<Systems>,
+    time: f64,
+    condition: Condition,
+    system: CachedSystem,
+}
+
+impl HeatFlow {
+    /// Factors the matrix. `time` is in the unit of the lengths, squared.
+    ///
+    /// # Errors
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
+    /// [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn new(systems: &Arc<Systems>, time: f64, condition: Condition) -> Result<Self> {
+        let system = systems.system(Self::matrix(systems, time, &condition), HEAT_MATRIX)?;
+        Ok(Self::with_system(systems, time, condition, system))
+    }
+
+    pub(super) fn matrix(systems: &Systems, time: f64, condition: &Condition) -> SymmetricMatrix {
+        systems.operators().laplacian().combine(1.0 / time, |vertex| condition.is_cold(vertex as u32))
+    }
+
+    /// With the matrix made ready elsewhere.
+    pub(super) fn with_system(systems: &Arc<Systems>, time: f64, condition: Condition, system: System) -> Self {
+        Self { systems: Arc::clone(systems), time, condition, system: CachedSystem::new(system) }
+    }
+
+    /// The time t, in the unit of the lengths, squared.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// What becomes of heat at the boundary.
+    pub fn condition(&self) -> &Condition {
+        &self.condition
+    }
+
+    /// Stored entries of the factor, zeros inside supernodes counted; 0 for conjugate gradients.
+    pub fn factor_nonzeros(&self) -> usize {
+        self.system.system.factor_nonzeros()
+    }
+
+    /// Heat (`#V`) from a supply (`#V`): heat put in at each vertex, per time t. Supply at cold vertices is lost.
+    ///
+    /// # Errors
+    /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients.
+    pub fn solve(&self, supply: &[f64]) -> Result<Vec<f64>> {
+        let cold = |(vertex, &value): (usize, &f64)| if self.condition.is_cold(vertex as u32) { 0.0 } else { value };
+        Ok(self.system.system.solve(&supply.iter().enumerate().map(cold).collect::<Vec<_>>())?)
+    }
+
+    /// Heat from a supply at a few vertices, none of them cold.
+    pub(super) fn solve_sparse(&self, supply: &Functional) -> Result<Vec<f64>> {
+        Ok(self.system.system.solve_sparse(supply)?)
+    }
+
+    /// Heat from a supply (`#V`) where some vertices have prescribed values (`#V`, 0 elsewhere), all of them cold.
+    pub(super) fn solve_prescribed(&self, supply: &[f64], prescribed: &[f64]) -> Result<Vec<f64>> {
+        let right = self.lifted(supply, prescribed, |vertex| self.condition.is_cold(vertex));
+        let mut values = self.system.system.solve(&right)?;
+        for (value, level) in values.iter_mut().zip(prescribed) {
+            *value += level;
+        }
+        Ok(values)
+    }
+
+    /// Heat from a supply (`#V`) that has the value of each constraint, also where that is on cold vertices, and the heat
+    /// that each constraint puts in for it, which is negative where it takes heat out.
+    ///
+    /// # Errors
+    /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients;
+    /// [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn solve_constrained(&self, supply: &[f64], constraints: &[Constraint]) -> Result<(Vec<f64>, Vec<f64>)> {
+        let laplacian = self.systems.operators().laplacian();
+        let vertices: Vec<u32> = constraints.iter().filter_map(Constraint::vertex).collect();
+        let count = self.systems.operators().vertex_count();
+        let mut is_fixed: Vec<bool> = (0..count as u32).map(|vertex| self.condition.is_cold(vertex)).collect();
+        let factored;
+        let factors_anew = vertices.len() > 1 && self.systems.is_cheaper_to_factor(vertices.len());
+        let system = if factors_anew {
             for &vertex in &vertices {
-                is_fixed[vertex.index()] = true;
+                is_fixed[vertex as usize] = true;
             }
-            let values = self.laplacian.combine(1.0 / heat.time, |point| is_fixed[point]);
-            constrained = self.solve.system(values, "heat")?;
-            &constrained
+            let matrix = laplacian.combine(1.0 / self.time, |vertex| is_fixed[vertex]);
+            factored = self.systems.system(matrix, HEAT_MATRIX)?;
+            &factored
         } else {
-            &heat.system
+            &self.system.system
         };
 
-        // Sources on fixed points are prescribed there; the others are constraints.
-        let mut prescribed = vec![0.0; surface.vertex_count()];
-        let mut constraints: Vec<(usize, Functional)> = Vec::new();
-        for (index, &(source, level)) in levels.iter().enumerate() {
-            let support = || source.place().support(surface).map(|(vertex, weight)| (vertex.0, weight));
-            let free: Functional = support().filter(|&(point, _)| !is_fixed[point as usize]).collect();
-            if free.is_empty() {
-                for (point, _) in support() {
-                    prescribed[point as usize] = level.max(prescribed[point as usize]);
+        // Constraints on fixed vertices are prescribed there; the others are met by Schur complement.
+        let mut levels: BTreeMap<u32, f64> = BTreeMap::new();
+        let mut free: Vec<(usize, Functional)> = Vec::new();
+        for (index, Constraint { functional, value }) in constraints.iter().enumerate() {
+            let part: Functional =
+                functional.iter().copied().filter(|&(vertex, _)| !is_fixed[vertex as usize]).collect();
+            if part.is_empty() {
+                for &(vertex, _) in functional {
+                    levels.entry(vertex).and_modify(|level| *level = level.max(*value)).or_insert(*value);
                 }
             } else {
-                constraints.push((index, free));
+                free.push((index, part));
             }
         }
-        let mut supplies = vec![0.0; levels.len()];
-        let any_prescribed = constraints.len() < levels.len();
-        let mut right = vec![0.0; prescribed.len()];
-        if any_prescribed {
-            right = self.laplacian.apply(1.0 / heat.time, &prescribed);
-            for (value, &is_fixed) in right.iter_mut().zip(&is_fixed) {
-                *value = if is_fixed { 0.0 } else { -*value };
-            }
+        let mut prescribed = vec![0.0; count];
+        for (&vertex, &level) in &levels {
+            prescribed[vertex as usize] = level;
         }
-        let mut values = match constraints.as_slice() {
-            [] => system.solve(&right)?,
-            _ => {
-                let functionals: Vec<Functional> = constraints.iter().map(|(_, free)| free.clone()).collect();
-                let responses = if is_constrained {
-                    system.schur_columns(&functionals)?
-                } else {
-                    let mut kept = heat.responses.lock().expect("no holder of the lock panics");
-                    kept.columns(system, &functionals, self.most_kept(system))?
-                };
-                let mut begun = system.partial_solve(&right)?;
-                let missing: Vec<f64> = constraints
-                    .iter()
-                    .zip(&responses)
-                    .map(|(&(index, _), response)| {
-                        let (source, level) = levels[index];
-                        let support = source.place().support(surface);
-                        let known: f64 = support.map(|(vertex, weight)| prescribed[vertex.index()] * weight).sum();
-                        level - known - begun.evaluate(response)
-                    })
-                    .collect();
-                let amounts = SchurComplement::new(&responses, 0.0).solve(&missing);
-                for ((&(index, _), response), &amount) in constraints.iter().zip(&responses).zip(&amounts) {
-                    begun.add(amount, response);
-                    supplies[index] = amount;
-                }
-                begun.finish()
+        let right = self.lifted(supply, &prescribed, |vertex| is_fixed[vertex as usize]);
+        let mut supplies = vec![0.0; constraints.len()];
+        let mut values = if free.is_empty() {
+            system.solve(&right)?
+        } else {
+            let functionals: Vec<Functional> = free.iter().map(|(_, part)| part.clone()).collect();
+            let columns =
+                if factors_anew { system.schur_columns(&functionals)? } else { self.system.columns(&functionals)? };
+            let mut partial = system.partial_solve(&right)?;
+            let missing: Vec<f64> = free
+                .iter()
+                .zip(&columns)
+                .map(|(&(index, _), column)| {
+                    let Constraint { functional, value } = &constraints[index];
+                    let known: f64 =
+                        functional.iter().map(|&(vertex, weight)| prescribed[vertex as usize] * weight).sum();
+                    value - known - partial.evaluate(column)
+                })
+                .collect();
+            let multipliers = SchurComplement::new(&columns, 0.0).solve(&missing);
+            for ((&(index, _), column), &multiplier) in free.iter().zip(&columns).zip(&multipliers) {
+                partial.add(multiplier, column);
+                supplies[index] = multiplier;
             }
+            partial.finish()
         };
-        if any_prescribed {
+        if !levels.is_empty() {
             for (value, level) in values.iter_mut().zip(&prescribed) {
                 *value += level;
             }
-            let supply = self.laplacian.apply(1.0 / heat.time, &values);
-            for (index, (source, _)) in levels.iter().enumerate() {
-                if let Some(vertex) = source.place().vertex(surface).filter(|&vertex| is_fixed[vertex.index()]) {
-                    supplies[index] = supply[vertex.index()];
+            let put_in = laplacian.apply(1.0 / self.time, &values);
+            for (constraint, given) in constraints.iter().zip(&mut supplies) {
+                if let Some(vertex) = constraint.vertex().filter(|&vertex| is_fixed[vertex as usize]) {
+                    *given = put_in[vertex as usize] - supply[vertex as usize];
                 }
             }
         }
         Ok((values, supplies))
     }
 
-    /// The same amount of heat put in at each source. On points held at 0 it raises them by what their diagonal
-    /// entry makes of it.
-    fn summed(&self, heat: &Heat, sources: &[Source]) -> Result<Vec<f64>> {
-        let mut supply = vec![0.0; self.surface.vertex_count()];
-        for (vertex, weight) in sources.iter().flat_map(|source| source.place().support(&self.surface)) {
-            supply[vertex.index()] += weight * SOURCE_HEAT;
-        }
-        let mut prescribed = vec![0.0; supply.len()];
-        for point in (0..supply.len()).filter(|&point| self.is_held(heat, point) && supply[point] > 0.0) {
-            let diagonal = self.laplacian.stiffness[self.laplacian.column(point).start];
-            prescribed[point] = supply[point] / (diagonal + self.laplacian.mass[point] / heat.time);
-        }
-        let outflow = self.laplacian.apply(1.0 / heat.time, &prescribed);
-        for (point, supply) in supply.iter_mut().enumerate() {
-            *supply = if self.is_held(heat, point) { 0.0 } else { *supply - outflow[point] };
-        }
-        let mut values = heat.system.solve(&supply)?;
-        for (value, level) in values.iter_mut().zip(&prescribed) {
-            *value += level;
-        }
-        Ok(values)
-    }
-
-    /// Whether a point is held at 0.
-    fn is_held(&self, heat: &Heat, point: usize) -> bool {
-        heat.condition == Condition::Held && self.held[point]
-    }
-
-    /// Whether so many constraints cost more than factoring the matrix with their points held.
-    pub(super) fn is_cheaper_to_factor(&self, system: &System, constraints: usize) -> bool {
-        match (&self.solve, system) {
-            (Solve::Factored(symbolic), System::Cholesky(_)) => {
-                symbolic.constraint_work(constraints) > symbolic.factor_work()
+    /// The right side of the free vertices when the fixed ones have their prescribed values.
+    fn lifted(&self, supply: &[f64], prescribed: &[f64], is_fixed: impl Fn(u32) -> bool) -> Vec<f64> {
+        let mut right = supply.to_vec();
+        if prescribed.iter().any(|&level| level != 0.0) {
+            let outflow = self.systems.operators().laplacian().apply(1.0 / self.time, prescribed);
+            for (value, outflow) in right.iter_mut().zip(outflow) {
+                *value -= outflow;
             }
-            // Each constraint is a solve of its own; holding points takes new grids, which is a fraction of one. A single
-            // value is reached by adding a constant or by scaling.
-            _ => constraints > 1,
         }
-    }
-
-    /// Numbers that kept responses may take: as many as the factor itself.
-    pub(super) fn most_kept(&self, system: &System) -> usize {
-        system.factor_nonzeros().max(self.surface.vertex_count())
+        for (vertex, value) in right.iter_mut().enumerate() {
+            if is_fixed(vertex as u32) {
+                *value = 0.0;
+            }
+        }
+        right
     }
 }

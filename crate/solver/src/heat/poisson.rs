@@ -1,228 +1,249 @@
-//! Distance from its gradient: the Poisson equation, with the distance known at some places of each piece.
+//! A function from its gradient: the Poisson equation under any constraints.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::error::Result;
-use crate::heat::HeatSolver;
-use crate::heat::near::Near;
-use crate::options::MultiSource;
-use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, System, evaluate};
-use heatwalk_surface::Source;
-use heatwalk_surface::union_find::UnionFind;
+use crate::heat::constraint::Constraint;
+use crate::heat::systems::{CachedSystem, Systems};
+use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, SymmetricMatrix, System, evaluate};
 
-/// Added to every entry of the Gram matrix of constraints whose amounts sum to 0, which it does not change: a
-/// constraint at the pinned point alone has a response of 0 and would not be seen.
-const GRAM_SHIFT: f64 = 1.0;
+/// Name of the matrix in errors.
+pub(super) const POISSON_MATRIX: &str = "Poisson";
 
-/// A place where the solution is known: a weighted mean of points with its value.
-pub(super) struct Known {
-    functional: Functional,
-    value: f64,
-    component: u32,
+/// Added to every entry of the Schur complement of constraints whose multipliers sum to 0, which it does not change: the
+/// column of a constraint at the grounded vertex alone is 0 and would not be seen.
+const SCHUR_SHIFT: f64 = 1.0;
+
+/// `L φ = divergence`: the function whose gradient is nearest to a field. On each connected component a constant is free.
+#[derive(Debug)]
+pub struct Poisson {
+    systems: Arc<Systems>,
+    system: CachedSystem,
+    /// The first vertex of each component, where the solution is 0 before its constant is known.
+    grounded: Vec<u32>,
 }
 
-impl HeatSolver {
-    /// What is known of the distance: on the rim of each patch of the near field the mean of the exact distances, and
-    /// the starting values of sources that no patch contains. `mixed` are the triangles of which some corners are
-    /// near, with whether all are.
-    pub(super) fn known(&self, near: &Near<'_>, mixed: &[([u32; 3], bool)], sources: &[Source]) -> Vec<Known> {
-        let mut patches = UnionFind::new(self.surface.vertex_count());
-        let mut rim: Vec<(u32, f64)> = Vec::new();
-        for &(face, whole) in mixed {
-            if whole {
-                patches.join(face[0], face[1]);
-                patches.join(face[1], face[2]);
-            } else {
-                rim.extend(face.into_iter().filter_map(|point| Some((point, near.at(point)?))));
-            }
-        }
-        // A patch that covers its whole piece has no rim, and nothing there is left to be known.
-        rim.sort_unstable_by_key(|&(point, _)| point);
-        rim.dedup_by_key(|&mut (point, _)| point);
-        let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
-        for (point, value) in rim {
-            rims.entry(patches.least(point)).or_default().push((point, value));
-        }
-        let component = |point: u32| self.surface.components().as_slice()[point as usize];
-        let mut known: Vec<Known> = rims
-            .into_values()
-            .map(|rim| {
-                let weight = 1.0 / rim.len() as f64;
-                Known {
-                    component: component(rim[0].0),
-                    functional: rim.iter().map(|&(point, _)| (point, weight)).collect(),
-                    value: rim.iter().map(|&(_, value)| weight * value).sum(),
-                }
-            })
-            .collect();
-        for source in sources {
-            let support = source.place().support(&self.surface);
-            let functional: Functional = support.map(|(vertex, weight)| (vertex.0, weight)).collect();
-            if !functional.iter().all(|&(point, _)| near.at(point).is_some()) {
-                known.push(Known {
-                    component: component(functional[0].0),
-                    functional,
-                    value: source.initial_distance(),
-                });
-            }
-        }
-        known
+impl Poisson {
+    /// Factors the matrix.
+    ///
+    /// # Errors
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
+    /// [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn new(systems: &Arc<Systems>) -> Result<Self> {
+        let system = systems.system(Self::matrix(systems), POISSON_MATRIX)?;
+        Ok(Self::with_system(systems, system))
     }
 
-    /// The solution of `L φ = right` (`#P`, sums to 0 on each piece) with what is known of it.
-    pub(super) fn poisson(&self, right: Vec<f64>, near: &Near<'_>, known: &[Known]) -> Result<Vec<f64>> {
-        let is_exact = self.parameters.sources == MultiSource::Exact;
-        if is_exact && self.is_cheaper_to_factor(&self.poisson, known.len()) {
-            let fixed = self.fixed_by(near, known);
-            let mut is_fixed = vec![false; self.surface.vertex_count()];
-            for &point in fixed.values.keys() {
-                is_fixed[point as usize] = true;
-            }
-            let matrix = self.laplacian.combine(0.0, |point| is_fixed[point]);
-            let system = self.solve.system(matrix, "Poisson")?;
-            let wanted = self.wanted(known, &fixed);
-            let responses = system.schur_columns(&functionals(&wanted))?;
-            return self.joined(&system, right, &fixed, &wanted, &responses);
+    pub(super) fn matrix(systems: &Systems) -> SymmetricMatrix {
+        constrained_matrix(systems, grounded(systems).into_iter())
+    }
+
+    /// With the matrix made ready elsewhere.
+    pub(super) fn with_system(systems: &Arc<Systems>, system: System) -> Self {
+        Self { system: CachedSystem::new(system), grounded: grounded(systems), systems: Arc::clone(systems) }
+    }
+
+    /// Stored entries of the factor, zeros inside supernodes counted; 0 for conjugate gradients.
+    pub fn factor_nonzeros(&self) -> usize {
+        self.system.system.factor_nonzeros()
+    }
+
+    /// The solution (`#V`) for an integrated divergence (`#V`, sums to 0 on each component) that has the value of each
+    /// constraint. Components without one have 0 at their first vertex.
+    ///
+    /// # Errors
+    /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients;
+    /// [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn solve(&self, divergence: &[f64], constraints: &[Constraint]) -> Result<Vec<f64>> {
+        self.solve_beyond(divergence, constraints, std::iter::empty())
+    }
+
+    /// The same where more is known: `inside` gives vertices whose values follow from the divergence and the
+    /// constraints. They are constrained, too, where that is free.
+    pub(super) fn solve_beyond(
+        &self,
+        divergence: &[f64],
+        constraints: &[Constraint],
+        inside: impl Iterator<Item = (u32, f64)>,
+    ) -> Result<Vec<f64>> {
+        if self.systems.is_cheaper_to_factor(constraints.len()) {
+            let prescribed = self.prescribed(inside, constraints);
+            let matrix = constrained_matrix(&self.systems, prescribed.values.keys().copied());
+            let system = self.systems.system(matrix, POISSON_MATRIX)?;
+            let free = self.free(constraints, &prescribed);
+            let columns = system.schur_columns(&functionals(&free))?;
+            return self.joined(&system, divergence, &prescribed, &free, &columns);
         }
-        let fixed = self.pins();
-        let wanted = self.wanted(known, &fixed);
-        if is_exact && wanted.values().any(|wanted| wanted.len() > 1) {
-            let functionals = functionals(&wanted);
-            let responses = {
-                let mut kept = self.poisson_responses.lock().expect("no holder of the lock panics");
-                kept.columns(&self.poisson, &functionals, self.most_kept(&self.poisson))?
-            };
-            return self.joined(&self.poisson, right, &fixed, &wanted, &responses);
+        let prescribed = self.ground();
+        let free = self.free(constraints, &prescribed);
+        if free.values().all(|free| free.len() == 1) {
+            return self.shifted(divergence, &prescribed, &free);
         }
-        let mut values = self.poisson.solve(&self.freed(right, &fixed))?;
-        let mut constants = vec![0.0; self.pinned.len()];
-        for (&component, wanted) in &wanted {
-            let missing = wanted.iter().map(|wanted| wanted.value - evaluate(&wanted.functional, &values));
-            constants[component as usize] = missing.sum::<f64>() / wanted.len() as f64;
+        let columns = self.system.columns(&functionals(&free))?;
+        self.joined(&self.system.system, divergence, &prescribed, &free, &columns)
+    }
+
+    /// The solution that meets the constraints of each component in their mean only.
+    ///
+    /// # Errors
+    /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients.
+    pub fn solve_in_mean(&self, divergence: &[f64], constraints: &[Constraint]) -> Result<Vec<f64>> {
+        let prescribed = self.ground();
+        let free = self.free(constraints, &prescribed);
+        self.shifted(divergence, &prescribed, &free)
+    }
+
+    /// The solution of the factored system plus the constant that meets the constraints in their mean.
+    fn shifted(&self, divergence: &[f64], prescribed: &Prescribed, free: &FreeConstraints) -> Result<Vec<f64>> {
+        let mut values = self.system.system.solve(&self.lifted(divergence, prescribed))?;
+        let mut constants = vec![0.0; self.grounded.len()];
+        for (&component, free) in free {
+            let missing = free.iter().map(|Constraint { functional, value }| value - evaluate(functional, &values));
+            constants[component as usize] = missing.sum::<f64>() / free.len() as f64;
         }
-        self.complete(&mut values, &fixed, &constants);
+        self.complete(&mut values, prescribed, &constants);
         Ok(values)
     }
 
-    /// The solution that has every wanted value, by one solve and the amounts that the constraints need.
+    /// The solution that has every wanted value, by one solve and the multipliers of the constraints.
     fn joined(
         &self,
         system: &System,
-        right: Vec<f64>,
-        fixed: &Fixed,
-        wanted: &BTreeMap<u32, Vec<Wanted>>,
-        responses: &[Arc<SchurColumn>],
+        divergence: &[f64],
+        prescribed: &Prescribed,
+        free: &FreeConstraints,
+        mut columns: &[Arc<SchurColumn>],
     ) -> Result<Vec<f64>> {
-        let mut begun = system.partial_solve(&self.freed(right, fixed))?;
-        let mut constants = vec![0.0; self.pinned.len()];
-        let mut responses = responses;
-        for (&component, wanted) in wanted {
-            let (own, others) = responses.split_at(wanted.len());
-            responses = others;
-            let floats = fixed.floats[component as usize];
+        let mut partial = system.partial_solve(&self.lifted(divergence, prescribed))?;
+        let mut constants = vec![0.0; self.grounded.len()];
+        for (&component, free) in free {
+            let (own, others) = columns.split_at(free.len());
+            columns = others;
+            let floats = prescribed.floats[component as usize];
             let missing: Vec<f64> =
-                wanted.iter().zip(own).map(|(wanted, response)| wanted.value - begun.evaluate(response)).collect();
-            let gram = SchurComplement::new(own, if floats { GRAM_SHIFT } else { 0.0 });
-            let mut amounts = gram.solve(&missing);
+                free.iter().zip(own).map(|(constraint, column)| constraint.value - partial.evaluate(column)).collect();
+            let schur = SchurComplement::new(own, if floats { SCHUR_SHIFT } else { 0.0 });
+            let mut multipliers = schur.solve(&missing);
             if floats {
-                // The constant is free, so the amounts sum to 0.
-                let ones = gram.solve(&vec![1.0; own.len()]);
-                let constant = amounts.iter().sum::<f64>() / ones.iter().sum::<f64>();
-                for (amount, one) in amounts.iter_mut().zip(&ones) {
-                    *amount -= constant * one;
+                // The constant is free, so the multipliers sum to 0.
+                let ones = schur.solve(&vec![1.0; own.len()]);
+                let constant = multipliers.iter().sum::<f64>() / ones.iter().sum::<f64>();
+                for (multiplier, one) in multipliers.iter_mut().zip(&ones) {
+                    *multiplier -= constant * one;
                 }
                 constants[component as usize] = constant;
             }
-            for (&amount, response) in amounts.iter().zip(own) {
-                begun.add(amount, response);
+            for (&multiplier, column) in multipliers.iter().zip(own) {
+                partial.add(multiplier, column);
             }
         }
-        let mut values = begun.finish();
-        self.complete(&mut values, fixed, &constants);
+        let mut values = partial.finish();
+        self.complete(&mut values, prescribed, &constants);
         Ok(values)
     }
 
-    /// One point held at 0 on each piece.
-    fn pins(&self) -> Fixed {
-        let values = self.pinned.iter().map(|&point| (point, 0.0)).collect();
-        Fixed { values, floats: vec![true; self.pinned.len()] }
+    /// One vertex of each component at 0.
+    fn ground(&self) -> Prescribed {
+        let values = self.grounded.iter().map(|&vertex| (vertex, 0.0)).collect();
+        Prescribed { values, floats: vec![true; self.grounded.len()] }
     }
 
-    /// The near field and sources at vertices held, and the pin of each piece that has none of these.
-    fn fixed_by(&self, near: &Near<'_>, known: &[Known]) -> Fixed {
-        let mut values: BTreeMap<u32, f64> = near.points().collect();
-        for known in known {
-            if let [(point, _)] = known.functional[..] {
-                let value = values.entry(point).or_insert(known.value);
-                *value = value.min(known.value);
+    /// Known vertices and those of constraints, and the grounded vertex of each component that has none of these.
+    fn prescribed(&self, inside: impl Iterator<Item = (u32, f64)>, constraints: &[Constraint]) -> Prescribed {
+        let mut values: BTreeMap<u32, f64> = inside.collect();
+        for constraint in constraints {
+            if let Some(vertex) = constraint.vertex() {
+                let value = values.entry(vertex).or_insert(constraint.value);
+                *value = value.min(constraint.value);
             }
         }
-        let mut floats = vec![true; self.pinned.len()];
-        for &point in values.keys() {
-            floats[self.surface.components().as_slice()[point as usize] as usize] = false;
+        let mut floats = vec![true; self.grounded.len()];
+        for &vertex in values.keys() {
+            floats[self.systems.operators().components()[vertex as usize] as usize] = false;
         }
-        let floating = self.pinned.iter().zip(&floats).filter(|&(_, &floats)| floats);
-        values.extend(floating.map(|(&point, _)| (point, 0.0)));
-        Fixed { values, floats }
+        let floating = self.grounded.iter().zip(&floats).filter(|&(_, &floats)| floats);
+        values.extend(floating.map(|(&vertex, _)| (vertex, 0.0)));
+        Prescribed { values, floats }
     }
 
-    /// What is wanted of the free points, by component. A piece that floats needs even what is known of its pin alone.
-    fn wanted(&self, known: &[Known], fixed: &Fixed) -> BTreeMap<u32, Vec<Wanted>> {
-        let mut wanted: BTreeMap<u32, Vec<Wanted>> = BTreeMap::new();
-        for Known { functional, value, component } in known {
-            let given = |point: u32| fixed.values.get(&point).copied();
-            let free: Functional = functional.iter().copied().filter(|&(point, _)| given(point).is_none()).collect();
-            if fixed.floats[*component as usize] || !free.is_empty() {
-                let given: f64 = functional.iter().filter_map(|&(point, weight)| Some(weight * given(point)?)).sum();
-                wanted.entry(*component).or_default().push(Wanted { functional: free, value: value - given });
+    /// The constraints on the free vertices, by component. A component that floats needs even that on its grounded vertex
+    /// alone.
+    fn free(&self, constraints: &[Constraint], prescribed: &Prescribed) -> FreeConstraints {
+        let mut free = FreeConstraints::new();
+        for Constraint { functional, value } in constraints {
+            let component = self.systems.operators().components()[functional[0].0 as usize];
+            let given = |vertex: u32| prescribed.values.get(&vertex).copied();
+            let part: Functional = functional.iter().copied().filter(|&(vertex, _)| given(vertex).is_none()).collect();
+            if prescribed.floats[component as usize] || !part.is_empty() {
+                let known: f64 = functional.iter().filter_map(|&(vertex, weight)| Some(weight * given(vertex)?)).sum();
+                free.entry(component).or_default().push(Constraint { functional: part, value: value - known });
             }
         }
-        wanted
+        free
     }
 
-    /// The right side of the free points when the fixed ones have their values.
-    fn freed(&self, mut right: Vec<f64>, fixed: &Fixed) -> Vec<f64> {
-        if fixed.values.values().any(|&value| value != 0.0) {
-            let mut prescribed = vec![0.0; right.len()];
-            for (&point, &value) in &fixed.values {
-                prescribed[point as usize] = value;
+    /// The right side of the free vertices when the others have their prescribed values.
+    fn lifted(&self, divergence: &[f64], prescribed: &Prescribed) -> Vec<f64> {
+        let mut right = divergence.to_vec();
+        if prescribed.values.values().any(|&value| value != 0.0) {
+            let mut levels = vec![0.0; right.len()];
+            for (&vertex, &value) in &prescribed.values {
+                levels[vertex as usize] = value;
             }
-            for (right, outflow) in right.iter_mut().zip(self.laplacian.apply(0.0, &prescribed)) {
+            for (right, outflow) in right.iter_mut().zip(self.systems.operators().laplacian().apply(0.0, &levels)) {
                 *right -= outflow;
             }
         }
-        for &point in fixed.values.keys() {
-            right[point as usize] = 0.0;
+        for &vertex in prescribed.values.keys() {
+            right[vertex as usize] = 0.0;
         }
         right
     }
 
-    /// Adds the fixed values and the constants of pieces that float.
-    fn complete(&self, values: &mut [f64], fixed: &Fixed, constants: &[f64]) {
-        for (value, &component) in values.iter_mut().zip(self.surface.components()) {
+    /// Adds the prescribed values and the constants of components that float.
+    fn complete(&self, values: &mut [f64], prescribed: &Prescribed, constants: &[f64]) {
+        for (value, &component) in values.iter_mut().zip(self.systems.operators().components()) {
             *value += constants[component as usize];
         }
-        for (&point, &value) in &fixed.values {
-            values[point as usize] += value;
+        for (&vertex, &value) in &prescribed.values {
+            values[vertex as usize] += value;
         }
     }
 }
 
-/// Values at which points are held while the others are solved for.
-struct Fixed {
-    /// By point.
+/// Values that vertices have while the others are solved for.
+struct Prescribed {
+    /// By vertex.
     values: BTreeMap<u32, f64>,
-    /// Per component whether it is held at its pin only, so that a constant is still free.
+    /// Per component whether only its grounded vertex has one, so that a constant is still free.
     floats: Vec<bool>,
 }
 
-/// What the solution of a system shall have: a weighted sum of free points with its value.
-struct Wanted {
-    functional: Functional,
-    value: f64,
+/// Constraints on free vertices, by component.
+type FreeConstraints = BTreeMap<u32, Vec<Constraint>>;
+
+fn functionals(free: &FreeConstraints) -> Vec<Functional> {
+    free.values().flatten().map(|constraint| constraint.functional.clone()).collect()
 }
 
-fn functionals(wanted: &BTreeMap<u32, Vec<Wanted>>) -> Vec<Functional> {
-    wanted.values().flatten().map(|wanted| wanted.functional.clone()).collect()
+/// The stiffness with these vertices constrained.
+fn constrained_matrix(systems: &Systems, vertices: impl Iterator<Item = u32>) -> SymmetricMatrix {
+    let laplacian = systems.operators().laplacian();
+    let mut is_constrained = vec![false; laplacian.size()];
+    for vertex in vertices {
+        is_constrained[vertex as usize] = true;
+    }
+    laplacian.combine(0.0, |vertex| is_constrained[vertex])
+}
+
+/// The first vertex of each component.
+fn grounded(systems: &Systems) -> Vec<u32> {
+    let mut first = Vec::new();
+    for (vertex, &component) in systems.operators().components().iter().enumerate() {
+        if component as usize == first.len() {
+            first.push(vertex as u32);
+        }
+    }
+    first
 }

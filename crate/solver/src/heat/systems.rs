@@ -1,36 +1,69 @@
-//! How the heat and Poisson systems of one surface are made ready, and whether there is room for it.
+//! How systems of the operators' pattern are made ready, and whether there is room for it.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{Error, Result};
-use crate::options::MemoryLimit;
-use heatwalk_sparse::{ConjugateGradients, Symbolic, SymmetricMatrix, System};
+use crate::operator::Operators;
+use crate::options::{LinearSolver, MemoryLimit};
+use crate::progress::{Progress, Stage, report};
+use heatwalk_sparse::{
+    ConjugateGradients, Functional, Permutation, SchurCache, SchurColumn, Symbolic, SymmetricMatrix, System,
+};
 use heatwalk_surface::memory;
 
 /// Matrices that are factored at the same time, at most.
 const SIDE_BY_SIDE: usize = 2;
 
-/// Numbers a point that a solve has in use at once, beside the factors: heat, the field of the faces (three numbers each,
-/// and twice as many faces as points), distance, their right sides and what is answered.
+/// Numbers a vertex that a solve has in use at once, beside the factors: heat, the field of the faces (three numbers each,
+/// and twice as many faces as vertices), distance, their right sides and what is answered.
 const SOLVE_NUMBERS: usize = 32;
 
 const BYTES_PER_NUMBER: u64 = size_of::<f64>() as u64;
 
-/// How systems of the surface's pattern are made ready.
-#[derive(Debug, Clone)]
-pub(super) enum Solve {
-    Factored(Arc<Symbolic>),
-    Iterated,
+/// Share of the progress before ordering, and before analysing.
+const SHARES: [f64; 2] = [0.1, 0.2];
+
+/// Operators and how systems of their pattern are solved. Every matrix has the same pattern, so that one elimination order
+/// and one symbolic analysis serve all of them.
+#[derive(Debug)]
+pub struct Systems {
+    operators: Operators,
+    /// None for conjugate gradients.
+    symbolic: Option<Arc<Symbolic>>,
 }
 
-impl Solve {
+impl Systems {
+    /// Chooses an elimination order and finds the pattern of the factors; with conjugate gradients there is nothing to do.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`]; [`Error::OutOfMemory`].
+    pub fn new(operators: Operators, solver: LinearSolver, progress: Progress<'_>) -> Result<Arc<Self>> {
+        let symbolic = match solver {
+            LinearSolver::Cholesky => {
+                let pattern = operators.laplacian().pattern();
+                let [ordering, analysing] = SHARES;
+                report(progress, Stage::Ordering, ordering)?;
+                let permutation = Permutation::fill_reducing(pattern)?;
+                report(progress, Stage::Analysing, analysing)?;
+                Some(Arc::new(Symbolic::analyse(pattern, permutation)?))
+            }
+            LinearSolver::ConjugateGradients => None,
+        };
+        Ok(Arc::new(Self { operators, symbolic }))
+    }
+
+    /// The operators.
+    pub fn operators(&self) -> &Operators {
+        &self.operators
+    }
+
     /// Refuses to make so many matrices ready where their factors do not fit beside those kept, which have `kept` numbers.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
     pub(super) fn check_memory(&self, kept: usize, matrices: usize, limit: MemoryLimit) -> Result<()> {
-        let Self::Factored(symbolic) = self else { return Ok(()) };
+        let Some(symbolic) = &self.symbolic else { return Ok(()) };
         if matrices == 0 {
             return Ok(());
         }
@@ -55,18 +88,49 @@ impl Solve {
         if progress(0.0).is_break() {
             return Err(Error::Cancelled);
         }
-        Ok(match self {
-            Self::Factored(symbolic) => {
+        Ok(match &self.symbolic {
+            Some(symbolic) => {
                 let names = matrices.each_ref().map(|&(_, name)| name);
                 let factors = symbolic.factor(matrices.each_ref().map(|(matrix, _)| matrix), progress);
                 factors.map_err(|error| Error::of_matrices(&error, &names))?.map(System::Cholesky)
             }
-            Self::Iterated => matrices.map(|(matrix, _)| System::ConjugateGradients(ConjugateGradients::new(matrix))),
+            None => matrices.map(|(matrix, _)| System::ConjugateGradients(ConjugateGradients::new(matrix))),
         })
     }
 
     pub(super) fn system(&self, matrix: SymmetricMatrix, name: &'static str) -> Result<System> {
         let [system] = self.systems([(matrix, name)], &mut |_| ControlFlow::Continue(()))?;
         Ok(system)
+    }
+
+    /// Whether so many constraints cost more than factoring the matrix with their vertices constrained.
+    pub(super) fn is_cheaper_to_factor(&self, constraints: usize) -> bool {
+        match &self.symbolic {
+            Some(symbolic) => symbolic.constraint_work(constraints) > symbolic.factor_work(),
+            // Each constraint is a solve of its own; constraining vertices takes new grids, which is a fraction of one. A
+            // single value is reached by adding a constant or by scaling.
+            None => constraints > 1,
+        }
+    }
+}
+
+/// A system with the Schur columns of its constraints of late.
+#[derive(Debug)]
+pub(super) struct CachedSystem {
+    pub(super) system: System,
+    columns: Mutex<SchurCache>,
+}
+
+impl CachedSystem {
+    pub(super) fn new(system: System) -> Self {
+        Self { system, columns: Mutex::default() }
+    }
+
+    /// The Schur columns of constraints. As many numbers are kept as the factor has.
+    pub(super) fn columns(&self, functionals: &[Functional]) -> Result<Vec<Arc<SchurColumn>>> {
+        let capacity = self.system.factor_nonzeros().max(self.system.size());
+        // Columns are kept once they are whole, so those kept before a panic are right.
+        let mut kept = self.columns.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(kept.columns(&self.system, functionals, capacity)?)
     }
 }

@@ -1,8 +1,6 @@
-//! Linear elements: each triangle laid out in a plane of its own. All operators need no more of a surface.
+//! Linear elements: each triangle, given by the lengths of its sides, laid out in a plane of its own.
 
-use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, HalfedgeId};
 
 /// A triangle in the plane with corners (0, 0), (`x1`, 0) and (`x2`, `y2`), counter-clockwise.
 #[derive(Debug, Clone, Copy)]
@@ -17,13 +15,6 @@ impl Element {
     pub(crate) fn of_lengths([a, b, c]: [f64; 3]) -> Self {
         let x2 = 0.5 * ((c - b) * (c + b) / a + a);
         Self { x1: a, x2, y2: 2.0 * triangle::area_of_lengths([a, b, c]) / a }
-    }
-
-    fn of_face(surface: &Surface, face: FaceId) -> Self {
-        let [p, q, r] = surface.corners(face);
-        let x1 = triangle::length(q - p);
-        let along = triangle::unit(q - p);
-        Self { x1, x2: along.dot(r - p), y2: triangle::length(along.cross(r - p)) }
     }
 
     /// Lengths of the sides that leave corners 0, 1 and 2.
@@ -43,6 +34,18 @@ impl Element {
         triangle::limit_cotans([x2 / y2, (x1 - x2) / y2, (y2 - x2 * ((x1 - x2) / y2)) / x1])
     }
 
+    /// Gradient of the linear function with these values at the corners.
+    pub(crate) fn gradient(&self, values: [f64; 3]) -> [f64; 2] {
+        let [x, y] = self.circulation(values);
+        let twice_area = self.x1 * self.y2;
+        [-y / twice_area, x / twice_area]
+    }
+
+    /// Integrated divergence at corners 1 and 2 of a constant field; that at corner 0 is minus their sum.
+    pub(crate) fn divergence(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        self.edge_products([y, -x]).map(|product| 0.5 * product)
+    }
+
     /// The sum of each corner's value times the edge opposite it: the gradient of the linear function with these
     /// values, turned by a right angle, times twice the area.
     pub(crate) fn circulation(&self, values: [f64; 3]) -> [f64; 2] {
@@ -59,7 +62,7 @@ impl Element {
 /// The triangles that the operators are built on.
 #[derive(Debug, Clone)]
 pub(crate) struct Elements {
-    /// `#F × 3` points. A face may have a point twice.
+    /// `#F × 3` vertices. A face may have one twice.
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, in the same order of corners.
     pub(crate) shapes: Vec<Element>,
@@ -77,7 +80,16 @@ impl Elements {
         if index < self.whole { 1.0 } else { 0.5 }
     }
 
-    /// The sides of all triangles: points, the lower first, and length. Sides of the same points whose lengths differ by a
+    /// Adds the divergence at corners 1 and 2 of a triangle, and minus their sum at corner 0, to that of the vertices.
+    #[inline]
+    pub(crate) fn add_divergence(&self, triangle: usize, [at_b, at_c]: [f64; 2], divergence: &mut [f64]) {
+        let ([a, b, c], share) = (self.faces[triangle], self.share(triangle));
+        divergence[a as usize] -= share * (at_b + at_c);
+        divergence[b as usize] += share * at_b;
+        divergence[c as usize] += share * at_c;
+    }
+
+    /// The sides of all triangles: vertices, the lower first, and length. Sides of the same vertices whose lengths differ by a
     /// share of `tolerance` at most count once.
     pub(crate) fn edges(&self, tolerance: f64) -> Vec<([u32; 2], f64)> {
         let sides = self.faces.iter().zip(&self.shapes).flat_map(|(&[a, b, c], shape)| {
@@ -90,13 +102,11 @@ impl Elements {
         edges
     }
 
-    /// The faces of a surface as they are.
-    pub(crate) fn of_surface(surface: &Surface) -> Self {
-        let shapes = surface.mesh().faces().map(|face| Element::of_face(surface, face)).collect();
-        let sides = 3 * surface.face_count();
-        let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
-        let (mean_edge, deviation) = edge_statistics(&surface.side_lengths(), is_boundary);
-        let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+    /// Triangles that count for 1. `lengths`, `3 #F`, are those of the sides that leave each corner; `is_boundary` tells
+    /// of each side whether its edge has no other.
+    pub(crate) fn from_lengths(faces: Vec<[u32; 3]>, lengths: &[f64], is_boundary: impl Fn(usize) -> bool) -> Self {
+        let shapes = lengths.as_chunks().0.iter().map(|&sides| Element::of_lengths(sides)).collect();
+        let (mean_edge, deviation) = edge_statistics(lengths, is_boundary);
         Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
     }
 }

@@ -19,7 +19,7 @@ const FLIP_TOLERANCE: f64 = 1e-9;
 /// Triangles of given edge lengths, glued. Slot `3 f + k` is the side of face `f` from corner `k` to the next.
 #[derive(Debug, Clone)]
 pub struct IntrinsicTriangulation {
-    /// `#F × 3` points, counter-clockwise. A face may have a point twice.
+    /// `#F × 3` vertices, counter-clockwise. A face may have one twice.
     faces: Vec<[u32; 3]>,
     /// `3 #F`, length of each side, in the file's unit.
     lengths: Vec<f64>,

@@ -5,9 +5,7 @@
 use std::sync::Arc;
 
 use crate::operator::elements::Elements;
-use crate::options::Operator;
 use heatwalk_sparse::{Pattern, SymmetricMatrix};
-use heatwalk_surface::surface::Surface;
 
 /// The operators of one surface. Matrices are lower triangles in compressed columns: of each column the diagonal
 /// comes first, then the rows below in ascending order.
@@ -15,36 +13,31 @@ use heatwalk_surface::surface::Surface;
 pub struct Laplacian {
     /// Cotan stiffness of each stored entry: positive semidefinite (−Δ), rows of the whole matrix sum to 0. No unit.
     pub stiffness: SymmetricMatrix,
-    /// `#P`, a third of the area of the triangles around each point; file's unit squared, non-negative.
+    /// `#V`, a third of the area of the triangles around each vertex; file's unit squared, non-negative.
     pub mass: Vec<f64>,
 }
 
 impl Laplacian {
-    /// Assembles the operators on the triangles that `operator` chooses.
-    pub fn new(surface: &Surface, operator: Operator) -> Self {
-        Self::of_elements(surface.vertex_count(), &operator.elements(surface))
-    }
-
-    pub(crate) fn of_elements(points: usize, elements: &Elements) -> Self {
-        // Each side of a triangle is an entry first, in the column of its lower point; those of an edge are added up
-        // in the end. An edge from a point to itself stores nothing: its ends have one value.
+    pub(crate) fn of_elements(vertices: usize, elements: &Elements) -> Self {
+        // Each side of a triangle is an entry first, in the column of its lower vertex; those of an edge are added up
+        // in the end. An edge from a vertex to itself stores nothing: its ends have one value.
         let ends = |[a, b, c]: [u32; 3]| [[b, c], [c, a], [a, b]];
-        let mut start = vec![0; points + 1];
+        let mut start = vec![0; vertices + 1];
         for [i, j] in elements.faces.iter().flat_map(|&face| ends(face)).filter(|[i, j]| i != j) {
             start[i.min(j) as usize + 1] += 1;
         }
-        for point in 0..points {
-            start[point + 1] += start[point];
+        for vertex in 0..vertices {
+            start[vertex + 1] += start[vertex];
         }
         let mut free: Vec<u32> = start.clone();
-        let mut sides = vec![(0, 0.0); start[points] as usize];
-        let mut diagonal = vec![0.0; points];
-        let mut mass = vec![0.0; points];
+        let mut sides = vec![(0, 0.0); start[vertices] as usize];
+        let mut diagonal = vec![0.0; vertices];
+        let mut mass = vec![0.0; vertices];
         for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
             let share = elements.share(index);
             let area = share * shape.area() / 3.0;
-            for ((point, [i, j]), cotan) in face.into_iter().zip(ends(face)).zip(shape.cotans()) {
-                mass[point as usize] += area;
+            for ((vertex, [i, j]), cotan) in face.into_iter().zip(ends(face)).zip(shape.cotans()) {
+                mass[vertex as usize] += area;
                 if i != j {
                     let weight = 0.5 * share * cotan;
                     diagonal[i as usize] += weight;
@@ -58,7 +51,7 @@ impl Laplacian {
         Self { stiffness: SymmetricMatrix::from_entries(&diagonal, &start, &mut sides), mass }
     }
 
-    /// Number of points, the size of the matrices.
+    /// Number of vertices, the size of the matrices.
     pub fn size(&self) -> usize {
         self.mass.len()
     }
@@ -69,8 +62,8 @@ impl Laplacian {
     }
 
     /// Stored entries of one column, as a range into `rows` and `stiffness`.
-    pub fn column(&self, point: usize) -> std::ops::Range<usize> {
-        self.pattern().column(point)
+    pub fn column(&self, vertex: usize) -> std::ops::Range<usize> {
+        self.pattern().column(vertex)
     }
 
     /// Row of each stored entry.
@@ -78,19 +71,20 @@ impl Laplacian {
         self.pattern().rows()
     }
 
-    /// `L + mass_scale · M` with the held rows and columns replaced by those of the identity, whose 1 is of the order
+    /// `L + mass_scale · M` with the constrained rows and columns replaced by those of the identity, whose 1 is of the order
     /// of the other diagonal entries. Zeros are stored, so that every such matrix has the same pattern.
-    pub(crate) fn combine(&self, mass_scale: f64, held: impl Fn(usize) -> bool) -> SymmetricMatrix {
+    pub(crate) fn combine(&self, mass_scale: f64, is_constrained: impl Fn(usize) -> bool) -> SymmetricMatrix {
         let mut values = self.stiffness.values().to_vec();
-        let is_held: Vec<bool> = (0..self.size()).map(held).collect();
-        for point in 0..self.size() {
-            let diagonal = self.column(point).start;
-            values[diagonal] = if is_held[point] { 1.0 } else { values[diagonal] + mass_scale * self.mass[point] };
+        let is_constrained: Vec<bool> = (0..self.size()).map(is_constrained).collect();
+        for vertex in 0..self.size() {
+            let diagonal = self.column(vertex).start;
+            values[diagonal] =
+                if is_constrained[vertex] { 1.0 } else { values[diagonal] + mass_scale * self.mass[vertex] };
         }
-        if is_held.contains(&true) {
-            for point in 0..self.size() {
-                for entry in self.column(point).skip(1) {
-                    if is_held[point] || is_held[self.rows()[entry] as usize] {
+        if is_constrained.contains(&true) {
+            for vertex in 0..self.size() {
+                for entry in self.column(vertex).skip(1) {
+                    if is_constrained[vertex] || is_constrained[self.rows()[entry] as usize] {
                         values[entry] = 0.0;
                     }
                 }
@@ -99,7 +93,7 @@ impl Laplacian {
         SymmetricMatrix::new(Arc::clone(self.pattern()), values).expect("the values are those of the pattern")
     }
 
-    /// `(L + mass_scale · M) x` with every point free.
+    /// `(L + mass_scale · M) x` with every vertex free.
     pub(crate) fn apply(&self, mass_scale: f64, vector: &[f64]) -> Vec<f64> {
         let mut result: Vec<f64> =
             vector.iter().zip(&self.mass).map(|(value, mass)| mass_scale * mass * value).collect();

@@ -1,22 +1,10 @@
-//! The discrete operators of a surface and the triangles that they are built on.
+//! The discrete operators of a surface: what a metric gives. They are made of triangles with the lengths of their sides, so
+//! that any metric that has lengths will do.
 
 pub(crate) mod elements;
 pub mod intrinsic;
 pub mod laplacian;
+mod metric;
 mod relocate;
 
-use crate::options::Operator;
-use elements::Elements;
-use heatwalk_surface::surface::Surface;
-use intrinsic::IntrinsicTriangulation;
-
-impl Operator {
-    /// The triangles, over the surface's points.
-    pub(crate) fn elements(self, surface: &Surface) -> Elements {
-        match self {
-            Self::Delaunay => IntrinsicTriangulation::delaunay(surface).elements(),
-            Self::Plain => Elements::of_surface(surface),
-            Self::Relocate => Elements::of_surface(&surface.with_positions(relocate::relocated(surface).0)),
-        }
-    }
-}
+pub use metric::Operators;

@@ -16,7 +16,7 @@ const FLATNESS: f64 = 0.1;
 /// A moved apex may spoil its neighbours, so the faces are gone through again, but not for ever.
 const SWEEPS: usize = 10;
 
-/// Positions (`#P`) after the repair, and how many points were moved.
+/// Positions (`#V`) after the repair, and how many vertices were moved.
 pub(crate) fn relocated(surface: &Surface) -> (VertexData<DVec3>, usize) {
     let mut positions = surface.positions().clone();
     let mut is_moved: VertexData<bool> = vec![false; positions.len()].into();

@@ -2,7 +2,7 @@
 //! of exact distance where that is known.
 
 use crate::extremum::larger;
-use crate::heat::near::Near;
+use crate::heat::exact_region::{ExactRegion, Touched};
 use crate::operator::elements::{Element, Elements};
 
 /// Stored bits of a float's mantissa, below those of its exponent.
@@ -11,51 +11,38 @@ const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 /// The sum of the stored exponents of a power of two and its inverse.
 const TWICE_BIAS: u64 = 2 * (f64::MAX_EXP as u64 - 1);
 
-/// Integrated divergence, `#P`, of the field X that should be the gradient of distance: the gradient of `near` in
-/// triangles whose three corners are known there, elsewhere −∇u / |∇u| of `heat`, zero where heat is constant. Signed
-/// so that `L φ` equals it for ∇φ = X. `mixed` is told each triangle of which some corners are near, with whether all
-/// are.
-pub(super) fn divergence(
-    elements: &Elements,
-    heat: &[f64],
-    near: &Near<'_>,
-    mut mixed: impl FnMut([u32; 3], bool),
-) -> Vec<f64> {
+/// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
+/// triangles whose three corners are in the exact region, elsewhere −∇u / |∇u| of `heat`, zero where heat is constant.
+/// Signed so that `L φ` equals it for ∇φ = X. With it the triangles that the region touches.
+pub(super) fn divergence(elements: &Elements, heat: &[f64], region: &ExactRegion<'_>) -> (Vec<f64>, Vec<Touched>) {
     let mut divergence = vec![0.0; heat.len()];
-    let mut add = |index: usize, [at_b, at_c]: [f64; 2]| {
-        let ([a, b, c], share) = (elements.faces[index], elements.share(index));
-        divergence[a as usize] -= share * (at_b + at_c);
-        divergence[b as usize] += share * at_b;
-        divergence[c as usize] += share * at_c;
-    };
-    // A triangle where all heat is less than at every near point has none of them: no need to look.
-    let least_near = near.points().map(|(point, _)| heat[point as usize].abs()).fold(f64::INFINITY, f64::min);
+    let mut touched = Vec::new();
+    // A triangle where all heat is less than at every vertex of the region has none of them: no need to look.
+    let least_inside = region.values().map(|(vertex, _)| heat[vertex as usize].abs()).fold(f64::INFINITY, f64::min);
     let mut around = Vec::new();
     for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
         let [a, b, c] = face;
         let values = [heat[a as usize], heat[b as usize], heat[c as usize]];
         let largest = larger(larger(values[0].abs(), values[1].abs()), values[2].abs());
-        if largest < least_near {
-            add(index, against_gradient(shape, values, largest));
+        if largest < least_inside {
+            elements.add_divergence(index, against_gradient(shape, values, largest), &mut divergence);
         } else {
             around.push((index, largest));
         }
     }
     for (index, largest) in around {
-        let (face, shape) = (elements.faces[index], &elements.shapes[index]);
-        let known = face.map(|point| near.at(point));
-        if known.iter().any(Option::is_some) {
-            mixed(face, known.iter().all(Option::is_some));
+        let (corners, shape) = (elements.faces[index], &elements.shapes[index]);
+        let exact = corners.map(|vertex| region.value(vertex));
+        if exact.iter().any(Option::is_some) {
+            touched.push(Touched { corners, is_inside: exact.iter().all(Option::is_some) });
         }
-        add(
-            index,
-            match known {
-                [Some(a), Some(b), Some(c)] => along_distance(shape, [a, b, c]),
-                _ => against_gradient(shape, face.map(|point| heat[point as usize]), largest),
-            },
-        );
+        let part = match exact {
+            [Some(a), Some(b), Some(c)] => along_distance(shape, [a, b, c]),
+            _ => against_gradient(shape, corners.map(|vertex| heat[vertex as usize]), largest),
+        };
+        elements.add_divergence(index, part, &mut divergence);
     }
-    divergence
+    (divergence, touched)
 }
 
 /// Divergence at corners 1 and 2 of the unit field against the gradient of heat, whose absolute values are at most

@@ -1,0 +1,159 @@
+//! Queries answered by a factorization.
+
+use std::sync::{Arc, PoisonError};
+
+use crate::error::Result;
+use crate::exact::Wavefront;
+use crate::extremum::larger;
+use crate::heat::distance::Distance;
+use crate::heat::exact_region::ExactRegion;
+use crate::heat::factorization::Factorization;
+use crate::heat::query::Query;
+use crate::heat::source_heat::SourceHeat;
+use crate::heat::unit_field::divergence;
+use crate::options::MultiSource;
+use heatwalk_surface::{Source, ToSource, VertexData};
+
+/// Share of its initial distance by which the distance at a source may miss it for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A query with all that does not change while its exact region grows.
+#[derive(Debug)]
+struct Question {
+    sources: Vec<Source>,
+    multi_source: MultiSource,
+    heat: Vec<f64>,
+    /// Per source whether heat comes from it.
+    is_active: Vec<bool>,
+}
+
+impl Factorization {
+    /// Distance of every vertex from the nearest source, or the least sum of initial distance and distance.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`](crate::Error::NoSource); [`Error::Surface`](crate::Error::Surface) for a source that is not on
+    /// the surface or has a bad initial distance; [`Error::BadParameter`](crate::Error::BadParameter) for the exact
+    /// radius; [`Error::NotConverged`](crate::Error::NotConverged) of conjugate gradients;
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn distance(&self, query: &Query) -> Result<Distance> {
+        let question = self.question(query)?;
+        let sources = &question.sources;
+        // A panic while the front is out leaves none, so what a lock holds is right even after one.
+        let kept = self.front.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let mut front = match kept {
+            Some(mut front) => {
+                front.restart_checked(sources.clone());
+                front
+            }
+            None => self.start_wavefront(sources.clone()),
+        };
+        let mean_edge = self.operators().mean_edge();
+        let answer = {
+            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge);
+            self.answer(&question, &region)
+        };
+        *self.front.lock().unwrap_or_else(PoisonError::into_inner) = Some(front);
+        answer
+    }
+
+    /// Begins to make a distance exact, from the sources outward. The query's exact radius does not matter.
+    ///
+    /// # Errors
+    /// As [`Factorization::distance`].
+    pub fn refine(&self, query: &Query) -> Result<Refinement> {
+        let question = self.question(query)?;
+        Ok(Refinement { front: self.start_wavefront(question.sources.clone()), question })
+    }
+
+    /// The wavefront of exact distances from some sources.
+    ///
+    /// # Errors
+    /// As [`Surface::source`](heatwalk_surface::Surface::source).
+    pub fn wavefront<S: ToSource>(&self, sources: &[S]) -> Result<Wavefront> {
+        Wavefront::new(Arc::clone(self.exact_geometry()), sources)
+    }
+
+    fn start_wavefront(&self, sources: Vec<Source>) -> Wavefront {
+        Wavefront::of_checked(Arc::clone(self.exact_geometry()), sources, &[])
+    }
+
+    fn question(&self, query: &Query) -> Result<Question> {
+        let sources = query.checked(self.surface())?;
+        let SourceHeat { values, is_active } =
+            SourceHeat::new(self.surface(), self.operators(), self.needed_flows(), &sources, query.multi_source)?;
+        Ok(Question { sources, multi_source: query.multi_source, heat: values, is_active })
+    }
+
+    /// Distance where that of a region is exact.
+    fn answer(&self, question: &Question, region: &ExactRegion<'_>) -> Result<Distance> {
+        let surface = &**self.surface();
+        let Question { sources, multi_source, heat, is_active } = question;
+        let mut has_source = vec![false; surface.report().components];
+        for source in sources {
+            has_source[source.place().component(surface) as usize] = true;
+        }
+        let components = surface.components().as_slice();
+        let is_exact =
+            |vertex: usize| region.value(vertex as u32).is_some() || !has_source[components[vertex] as usize];
+        let mut values = if (0..surface.vertex_count()).all(is_exact) {
+            vec![0.0; surface.vertex_count()]
+        } else {
+            let active: Vec<Source> =
+                sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
+            let (divergence, touched) = divergence(&self.operators().elements, heat, region);
+            let constraints = region.constraints(surface, &touched, &active);
+            match multi_source {
+                MultiSource::Exact => self.poisson().solve_beyond(&divergence, &constraints, region.values())?,
+                MultiSource::Summed => self.poisson().solve_in_mean(&divergence, &constraints)?,
+            }
+        };
+        for (value, &component) in values.iter_mut().zip(surface.components()) {
+            *value = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
+        }
+        for (vertex, exact) in region.values() {
+            values[vertex as usize] = exact;
+        }
+        let mut values = VertexData::from(values);
+        let is_source = |source: &Source, value: f64| value >= source.initial_distance() * (1.0 - ROUNDING);
+        if *multi_source == MultiSource::Exact {
+            for source in sources {
+                if let Some(vertex) = source.place().vertex(surface) {
+                    let value = &mut values[vertex];
+                    if is_source(source, *value) {
+                        *value = source.initial_distance();
+                    }
+                }
+            }
+        }
+        // A source that another one reaches before its initial distance is none.
+        let remains = |source: &&Source| is_source(source, source.place().interpolate(surface, &values));
+        let sources = sources.iter().filter(remains).map(|source| source.place()).collect();
+        Ok(Distance { surface: surface.id(), values, heat: heat.clone().into(), sources, exact_below: region.radius })
+    }
+}
+
+/// A distance that becomes exact step by step, from the sources outward.
+#[derive(Debug)]
+pub struct Refinement {
+    front: Wavefront,
+    question: Question,
+}
+
+impl Refinement {
+    /// Propagates about `work` windows further and gives the distance with the exact region so reached: exact inside,
+    /// heat beyond.
+    ///
+    /// # Errors
+    /// As [`Factorization::distance`]; [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a factorization
+    /// of another surface.
+    pub fn step(&mut self, factorization: &Factorization, work: usize) -> Result<Distance> {
+        factorization.surface().require_own(self.front.surface().id(), "refinement")?;
+        self.front.advance(f64::INFINITY, work);
+        factorization.answer(&self.question, &ExactRegion::of(&self.front, self.front.radius()))
+    }
+
+    /// Whether every distance is exact.
+    pub fn is_done(&self) -> bool {
+        self.front.is_done()
+    }
+}

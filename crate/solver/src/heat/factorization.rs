@@ -1,0 +1,258 @@
+//! All that is factored of a surface.
+
+use std::sync::{Arc, Mutex};
+
+use crate::dijkstra;
+use crate::error::Result;
+use crate::exact::{ExactGeometry, Wavefront};
+use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow};
+use crate::heat::poisson::{POISSON_MATRIX, Poisson};
+use crate::heat::systems::Systems;
+use crate::heat::time::{suited_factor, time_factor};
+use crate::operator::Operators;
+use crate::options::{Boundary, FactorOptions, MemoryLimit};
+use crate::progress::{Progress, Stage, report};
+use heatwalk_surface::{Surface, VertexData, memory};
+
+/// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
+/// boundary condition is free: 256 MiB.
+const SPARE_NUMBERS: usize = 1 << 25;
+
+/// Share of the progress before factoring, and of that, with the first heat matrix, in all.
+const FACTORING_SHARES: [f64; 2] = [0.3, 0.75];
+
+/// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.
+const BYTES_PER_FACE: u64 = 256;
+
+/// A surface with its factored heat and Poisson matrices: expensive to make, cheap to ask.
+#[derive(Debug)]
+pub struct Factorization {
+    surface: Arc<Surface>,
+    options: FactorOptions,
+    systems: Arc<Systems>,
+    poisson: Poisson,
+    /// Those that the options need, after others that were needed before.
+    flows: Vec<HeatFlow>,
+    /// Neumann, and Dirichlet if any vertex is cold then.
+    neumann: Condition,
+    dirichlet: Option<Condition>,
+    /// The m that suits the triangles that carry the operators.
+    suited_factor: f64,
+    /// Largest distance along edges, in the file's unit.
+    extent: f64,
+    exact: Arc<ExactGeometry>,
+    /// The wavefront of the last exact region, kept for its memory.
+    pub(super) front: Mutex<Option<Wavefront>>,
+}
+
+impl Factorization {
+    /// Factors a surface.
+    ///
+    /// # Errors
+    /// [`BadParameter`](crate::Error::BadParameter); [`Cancelled`](crate::Error::Cancelled);
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite); [`TooLarge`](crate::Error::TooLarge) where the factors
+    /// do not fit, before any is made; [`OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn new(surface: impl Into<Arc<Surface>>, options: FactorOptions, progress: Progress<'_>) -> Result<Self> {
+        let surface = surface.into();
+        options.check()?;
+        report(progress, Stage::Assembling, 0.0)?;
+        memory::require(BYTES_PER_FACE * surface.face_count() as u64, "assembling the matrices")?;
+        let extent = dijkstra::extent(&surface);
+        let exact = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
+        Self::assemble(surface, options, extent, exact, progress)
+    }
+
+    fn assemble(
+        surface: Arc<Surface>,
+        options: FactorOptions,
+        extent: f64,
+        exact: Arc<ExactGeometry>,
+        progress: Progress<'_>,
+    ) -> Result<Self> {
+        let operators = Operators::new(&surface, options.operator);
+        let mean_edge = operators.mean_edge();
+        let suited_factor = suited_factor(operators.deviation(), extent / mean_edge);
+        let systems = Systems::new(operators, options.solver, progress)?;
+        let neumann = Condition::Neumann;
+        let dirichlet = dirichlet(&surface);
+        let factor = time_factor(options.time_step, options.solver, suited_factor, mean_edge, extent);
+        let time = factor * mean_edge * mean_edge;
+        let needed = conditions(options.boundary, &neumann, dirichlet.as_ref());
+        systems.check_memory(0, 1 + needed.len(), options.memory)?;
+        let condition = needed[0].clone();
+        let matrices =
+            [(Poisson::matrix(&systems), POISSON_MATRIX), (HeatFlow::matrix(&systems, time, &condition), HEAT_MATRIX)];
+        let [from, to] = FACTORING_SHARES;
+        let [poisson, heat] =
+            systems.systems(matrices, &mut |share| progress(Stage::Factoring, from + (to - from) * share))?;
+        let mut factorization = Self {
+            poisson: Poisson::with_system(&systems, poisson),
+            flows: vec![HeatFlow::with_system(&systems, time, condition, heat)],
+            surface,
+            options,
+            systems,
+            neumann,
+            dirichlet,
+            suited_factor,
+            extent,
+            exact,
+            front: Mutex::default(),
+        };
+        factorization.factor_heat(options, to, progress)?;
+        Ok(factorization)
+    }
+
+    /// Changes the options; factors the matrices that this touches, with the order found before where the operator
+    /// stays. Going back to a boundary condition and time of late factors nothing.
+    ///
+    /// # Errors
+    /// As [`Factorization::new`]. After an error it still answers, with the old options: the old factors go only when the
+    /// new ones are there.
+    pub fn set_options(&mut self, options: FactorOptions, progress: Progress<'_>) -> Result<()> {
+        options.check()?;
+        if (options.operator, options.solver) == (self.options.operator, self.options.solver) {
+            return self.factor_heat(options, 0.0, progress);
+        }
+        report(progress, Stage::Assembling, 0.0)?;
+        let (surface, exact) = (Arc::clone(&self.surface), Arc::clone(&self.exact));
+        *self = Self::assemble(surface, options, self.extent, exact, progress)?;
+        Ok(())
+    }
+
+    /// Factors the heat matrices that are needed and absent, and drops those longest unneeded where there are many.
+    fn factor_heat(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
+        let is_absent =
+            |&(time, condition): &(f64, &Condition)| !self.flows.iter().any(|flow| is(flow, time, condition));
+        let absent: Vec<(f64, Condition)> =
+            self.needed(options).filter(is_absent).map(|(time, condition)| (time, condition.clone())).collect();
+        self.make_room(absent.len(), options.memory)?;
+        let count = absent.len() as f64;
+        let mut made = Vec::with_capacity(absent.len());
+        for (index, (time, condition)) in absent.into_iter().enumerate() {
+            let matrix = HeatFlow::matrix(&self.systems, time, &condition);
+            let [system] = self.systems.systems([(matrix, HEAT_MATRIX)], &mut |share| {
+                progress(Stage::Factoring, done + (1.0 - done) * (index as f64 + share) / count)
+            })?;
+            made.push(HeatFlow::with_system(&self.systems, time, condition, system));
+        }
+        self.options = options;
+        let flows = std::mem::take(&mut self.flows);
+        let (kept, mut spare): (Vec<HeatFlow>, Vec<HeatFlow>) =
+            flows.into_iter().partition(|flow| self.is_needed(flow));
+        let mut numbers = 0;
+        let first = spare.iter().rposition(|flow| {
+            numbers += flow.factor_nonzeros();
+            numbers > SPARE_NUMBERS
+        });
+        spare.drain(..first.map_or(0, |index| index + 1));
+        self.flows = spare.into_iter().chain(kept).chain(made).collect();
+        Ok(())
+    }
+
+    /// Sees to room for the factors of so many more matrices. Spare ones go where it is short.
+    fn make_room(&mut self, matrices: usize, limit: MemoryLimit) -> Result<()> {
+        if self.check_memory(matrices, limit).is_ok() {
+            return Ok(());
+        }
+        let flows = std::mem::take(&mut self.flows);
+        self.flows = flows.into_iter().filter(|flow| self.is_needed(flow)).collect();
+        self.check_memory(matrices, limit)
+    }
+
+    fn check_memory(&self, matrices: usize, limit: MemoryLimit) -> Result<()> {
+        let flows = self.flows.iter().map(HeatFlow::factor_nonzeros);
+        self.systems.check_memory(self.poisson.factor_nonzeros() + flows.sum::<usize>(), matrices, limit)
+    }
+
+    /// Time and condition of the heat systems that options need.
+    fn needed(&self, options: FactorOptions) -> impl Iterator<Item = (f64, &Condition)> {
+        let time = self.time_with(options);
+        let conditions = conditions(options.boundary, &self.neumann, self.dirichlet.as_ref());
+        conditions.into_iter().map(move |condition| (time, condition))
+    }
+
+    fn is_needed(&self, flow: &HeatFlow) -> bool {
+        self.needed(self.options).any(|(time, condition)| is(flow, time, condition))
+    }
+
+    /// The heat systems that the options need.
+    pub(super) fn needed_flows(&self) -> impl Iterator<Item = &HeatFlow> {
+        self.flows.iter().filter(|flow| self.is_needed(flow))
+    }
+
+    /// The Poisson system.
+    pub(super) fn poisson(&self) -> &Poisson {
+        &self.poisson
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &Arc<Surface> {
+        &self.surface
+    }
+
+    /// The operators that are factored.
+    pub fn operators(&self) -> &Operators {
+        self.systems.operators()
+    }
+
+    /// What exact distances and paths need of the surface.
+    pub fn exact_geometry(&self) -> &Arc<ExactGeometry> {
+        &self.exact
+    }
+
+    /// The options in force.
+    pub fn options(&self) -> FactorOptions {
+        self.options
+    }
+
+    /// The diffusion time t, in the file's unit squared: m h², or more on long surfaces, where heat would underflow.
+    pub fn time(&self) -> f64 {
+        self.time_with(self.options)
+    }
+
+    /// m in t = m h², with the t that holds.
+    pub fn time_factor(&self) -> f64 {
+        self.time_factor_with(self.options)
+    }
+
+    fn time_factor_with(&self, options: FactorOptions) -> f64 {
+        let mean_edge = self.operators().mean_edge();
+        time_factor(options.time_step, options.solver, self.suited_factor, mean_edge, self.extent)
+    }
+
+    fn time_with(&self, options: FactorOptions) -> f64 {
+        let mean_edge = self.operators().mean_edge();
+        self.time_factor_with(options) * mean_edge * mean_edge
+    }
+
+    /// Stored entries of all factors that the options need, zeros inside supernodes counted; 0 for conjugate gradients.
+    pub fn factor_nonzeros(&self) -> usize {
+        self.poisson.factor_nonzeros() + self.needed_flows().map(HeatFlow::factor_nonzeros).sum::<usize>()
+    }
+}
+
+/// Whether a flow is of this time and condition.
+fn is(flow: &HeatFlow, time: f64, condition: &Condition) -> bool {
+    flow.time() == time && flow.condition().is_same(condition)
+}
+
+/// What becomes of heat at the boundary in the systems that a boundary condition needs; at least one.
+fn conditions<'a>(boundary: Boundary, neumann: &'a Condition, dirichlet: Option<&'a Condition>) -> Vec<&'a Condition> {
+    match (boundary, dirichlet) {
+        (Boundary::Dirichlet, Some(dirichlet)) => vec![dirichlet],
+        (Boundary::Average, Some(dirichlet)) => vec![neumann, dirichlet],
+        _ => vec![neumann],
+    }
+}
+
+/// Cold on the boundary of components that also have an inside, if there is one.
+fn dirichlet(surface: &Surface) -> Option<Condition> {
+    let mut has_inside = vec![false; surface.report().components];
+    for (&component, is_boundary) in surface.components().iter().zip(surface.boundary_vertices()) {
+        has_inside[component as usize] |= !is_boundary;
+    }
+    let boundary = surface.components().iter().zip(surface.boundary_vertices());
+    let is_cold: VertexData<bool> = boundary.map(|(&c, &boundary)| boundary && has_inside[c as usize]).collect();
+    let is_any_cold = is_cold.iter().any(|&cold| cold);
+    is_any_cold.then(|| Condition::Dirichlet(Arc::new(is_cold)))
+}

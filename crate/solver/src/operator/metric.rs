@@ -1,0 +1,168 @@
+//! All operators of one metric.
+
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::union_find::UnionFind;
+use heatwalk_surface::{HalfedgeId, VertexId};
+
+use crate::error::{Error, Result};
+use crate::operator::elements::Elements;
+use crate::operator::intrinsic::IntrinsicTriangulation;
+use crate::operator::laplacian::Laplacian;
+use crate::operator::relocate;
+use crate::options::Operator;
+
+/// Linear elements, stiffness, mass, gradient and divergence of a triangulation with edge lengths. Functions have one value
+/// per vertex (`#V`). Fields have one vector per triangle, in coordinates of its own: x along the side from corner 0 to
+/// corner 1, y to its left.
+#[derive(Debug, Clone)]
+pub struct Operators {
+    pub(crate) elements: Elements,
+    laplacian: Laplacian,
+    /// Per vertex, counted from 0 in the order of their first vertices.
+    components: Vec<u32>,
+}
+
+impl Operators {
+    /// Of a surface, on the triangles that `operator` chooses. Those of [`Operator::Plain`] are the surface's faces, in
+    /// order; others differ in number.
+    pub fn new(surface: &Surface, operator: Operator) -> Self {
+        let elements = match operator {
+            Operator::Delaunay => IntrinsicTriangulation::delaunay(surface).elements(),
+            Operator::Plain => plain(surface),
+            Operator::Relocate => plain(&surface.with_positions(relocate::relocated(surface).0)),
+        };
+        Self::assemble(elements, surface.components().as_slice().to_vec())
+    }
+
+    /// Of a metric given by lengths: `lengths` are those of the sides from corner 0 to 1, 1 to 2 and 2 to 0 of each of
+    /// `faces`. An edge has the same length in all its faces. Vertices are counted from 0, and each is in some face.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] for lengths that make no triangle.
+    ///
+    /// # Panics
+    /// Where there is not one triple of lengths for each face, or where some vertex is in no face.
+    pub fn from_lengths(faces: &[[VertexId; 3]], lengths: &[[f64; 3]]) -> Result<Self> {
+        assert_eq!(faces.len(), lengths.len(), "one triple of lengths for each face");
+        let is_bad =
+            |&(_, &[a, b, c]): &(usize, &[f64; 3])| !(a + b > c && b + c > a && c + a > b && a + b + c < f64::INFINITY);
+        if let Some((face, lengths)) = lengths.iter().enumerate().find(is_bad) {
+            return Err(Error::BadParameter {
+                name: "a triple of edge lengths",
+                value: format!("{lengths:?} at face {face}"),
+                range: "finite, each less than the sum of the other two",
+            });
+        }
+        let faces: Vec<[u32; 3]> = faces.iter().map(|face| face.map(|vertex| vertex.0)).collect();
+        let ends = |side: usize| {
+            let (face, k) = (faces[side / 3], side % 3);
+            let (a, b) = (face[k], face[(k + 1) % 3]);
+            (a.min(b), a.max(b))
+        };
+        let mut sides: Vec<usize> = (0..3 * faces.len()).collect();
+        sides.sort_unstable_by_key(|&side| ends(side));
+        let mut is_boundary = vec![false; sides.len()];
+        for edge in sides.chunk_by(|&a, &b| ends(a) == ends(b)) {
+            if let [side] = *edge {
+                is_boundary[side] = true;
+            }
+        }
+        let components = components(&faces);
+        let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| is_boundary[side]);
+        Ok(Self::assemble(elements, components))
+    }
+
+    fn assemble(elements: Elements, components: Vec<u32>) -> Self {
+        Self { laplacian: Laplacian::of_elements(components.len(), &elements), elements, components }
+    }
+
+    /// Number of vertices.
+    pub fn vertex_count(&self) -> usize {
+        self.components.len()
+    }
+
+    /// Number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.elements.faces.len()
+    }
+
+    /// The corners of a triangle. Two of them may be the same vertex.
+    pub fn corners(&self, triangle: usize) -> [VertexId; 3] {
+        self.elements.faces[triangle].map(VertexId)
+    }
+
+    /// Stiffness and mass.
+    pub fn laplacian(&self) -> &Laplacian {
+        &self.laplacian
+    }
+
+    /// The connected component of each vertex (`#V`), counted from 0 in the order of their first vertices.
+    pub fn components(&self) -> &[u32] {
+        &self.components
+    }
+
+    /// Mean length of the edges, in the unit of the lengths.
+    pub fn mean_edge(&self) -> f64 {
+        self.elements.mean_edge
+    }
+
+    /// Root-mean-square deviation of the edges' lengths, as a share of their mean.
+    pub fn deviation(&self) -> f64 {
+        self.elements.deviation
+    }
+
+    /// Edges of the triangles: vertices, the lower first, and length. Edges of the same vertices whose lengths differ by a
+    /// share of `tolerance` at most are there once.
+    pub fn edges(&self, tolerance: f64) -> Vec<([VertexId; 2], f64)> {
+        let edges = self.elements.edges(tolerance).into_iter();
+        edges.map(|(ends, length)| (ends.map(VertexId), length)).collect()
+    }
+
+    /// `#triangles × 2`, gradient of a function (`#V`).
+    pub fn gradient(&self, values: &[f64]) -> Vec<[f64; 2]> {
+        let triangles = self.elements.faces.iter().zip(&self.elements.shapes);
+        triangles.map(|(face, shape)| shape.gradient(face.map(|vertex| values[vertex as usize]))).collect()
+    }
+
+    /// `#V`, divergence of a field (`#triangles × 2`), integrated over each vertex's part of the surface. Its sign is that
+    /// of the stiffness, which is −Δ: `L φ` equals it where the field is ∇φ.
+    pub fn divergence(&self, field: &[[f64; 2]]) -> Vec<f64> {
+        let mut divergence = vec![0.0; self.vertex_count()];
+        for (triangle, (shape, &vector)) in self.elements.shapes.iter().zip(field).enumerate() {
+            self.elements.add_divergence(triangle, shape.divergence(vector), &mut divergence);
+        }
+        divergence
+    }
+}
+
+/// The faces of a surface as they are.
+fn plain(surface: &Surface) -> Elements {
+    let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+    let sides = 3 * faces.len();
+    let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
+    Elements::from_lengths(faces, &surface.side_lengths(), is_boundary)
+}
+
+/// Per vertex, the connected component of the faces around.
+fn components(faces: &[[u32; 3]]) -> Vec<u32> {
+    let count = faces.as_flattened().iter().max().map_or(0, |&last| last as usize + 1);
+    let mut is_used = vec![false; count];
+    let mut connected = UnionFind::new(count);
+    for &[a, b, c] in faces {
+        connected.join(a, b);
+        connected.join(b, c);
+        for vertex in [a, b, c] {
+            is_used[vertex as usize] = true;
+        }
+    }
+    assert!(is_used.iter().all(|&used| used), "every vertex is in some face");
+    let mut components: Vec<u32> = Vec::with_capacity(count);
+    let mut next = 0;
+    for vertex in 0..count as u32 {
+        let first = connected.least(vertex);
+        let component = if first == vertex { next } else { components[first as usize] };
+        next += u32::from(first == vertex);
+        components.push(component);
+    }
+    components
+}
