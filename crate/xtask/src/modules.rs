@@ -29,7 +29,7 @@ pub const SOLVER: Module = Module {
     package: "heatwalk-worker",
     file: "heatwalk_worker",
     flags: "-Ctarget-feature=+simd128",
-    profile: "release",
+    profile: "worker",
     is_restartable: false,
 };
 

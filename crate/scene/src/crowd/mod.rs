@@ -1,5 +1,5 @@
 //! A crowd of walkers that go home down one distance: each along the steepest descent of the linear interpolation in its
-//! face, as [`descend`](crate::descend) does, but by one step at a time, so that the distance may change under way.
+//! face, as [`descend`](heatwalk::descend) does, but by one step at a time, so that the distance may change under way.
 //!
 //! Where it arrives a walker starts again elsewhere. So it does where nothing falls and no source is near (a minimum
 //! that heat made), and where its component of the surface has lost its last source.

@@ -35,7 +35,7 @@ pub struct Straightest {
 /// Over an edge of three faces or more, the walk goes on into the one that is straightest in space.
 ///
 /// # Errors
-/// [`Error::BadVertex`] and [`Error::BadPoint`] as [`Surface::point`], and for a face that the point does not
+/// [`Error::BadVertex`](heatwalk_surface::Error::BadVertex) and [`Error::BadPoint`](heatwalk_surface::Error::BadPoint) as [`Surface::point`], and for a face that the point does not
 /// lie on; [`Error::BadParameter`] for a direction that is zero, not finite or square to the surface, and for a length
 /// that is negative, not finite, or more than a million faces long.
 pub fn straightest(

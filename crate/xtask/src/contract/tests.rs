@@ -17,7 +17,7 @@ fn said<C: Choice + Default>(constant: &str) -> String {
     };
     let former: Vec<String> = C::ALL.iter().flat_map(former).collect();
     let mut text = format!("export const {constant}: Choice<");
-    let _ = write!(text, "{}> = {{\n", std::any::type_name::<C>().rsplit("::").next().unwrap());
+    let _ = writeln!(text, "{}> = {{", std::any::type_name::<C>().rsplit("::").next().unwrap());
     let _ = write!(text, "  names: [{}],\n  default: '{}',\n  former: ", names.join(", "), C::default());
     text + &if former.is_empty() { "{},\n".to_owned() } else { format!("{{ {} }},\n", former.join(", ")) }
 }
