@@ -4,9 +4,7 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{
-    Element, Error, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline,
-};
+use heatwalk::{Element, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
 #[derive(Debug, Clone, Copy)]
@@ -79,10 +77,7 @@ impl Place {
     pub fn check(&self, soup: &Soup) -> Result<()> {
         let (vertices, triangles) = (soup.positions.len(), soup.triangles.len());
         match *self {
-            Self::Vertex(vertex) if vertex >= vertices => {
-                let problem = format!("does not exist; there are {vertices}, counted from 0");
-                Err(Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
-            }
+            Self::Vertex(vertex) if vertex >= vertices => Err(SurfaceError::NoSuchVertex { vertex, vertices }.into()),
             Self::Triangle { triangle, .. } if triangle >= triangles => {
                 bail!("triangle {triangle} does not exist; there are {triangles}, counted from 0")
             }
@@ -112,9 +107,7 @@ impl Place {
                 let place = heatwalk::Place::Face { face, weights: surface.inputs_of_face(face).map(weight_of) };
                 surface.point(place).map_err(|error| match error {
                     // In the file's words.
-                    SurfaceError::BadPoint { problem, .. } => {
-                        SurfaceError::BadPoint { face: triangle, weights: format!("{weights:?}"), problem }.into()
-                    }
+                    SurfaceError::BadWeights { .. } => SurfaceError::BadWeights { face: triangle, weights }.into(),
                     error => error.into(),
                 })
             }
@@ -144,7 +137,6 @@ impl Line {
 
 /// What became of a vertex of the file.
 fn welded_vertex(surface: &Surface, vertex: usize) -> Result<VertexId> {
-    let problem = "is used by no triangle; choose another".to_owned();
     let welded = surface.vertex_of_input(InputVertex::from_index(vertex));
-    welded.ok_or_else(|| Error::Surface(SurfaceError::BadVertex { vertex, problem }).into())
+    welded.ok_or_else(|| SurfaceError::UnreferencedVertex { vertex }.into())
 }

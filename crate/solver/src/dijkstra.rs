@@ -13,7 +13,7 @@ use heatwalk_surface::{Element, VertexId};
 /// The shortest path along edges from one vertex to another, both included; one vertex where they are the same.
 ///
 /// # Errors
-/// [`Error::BadVertex`](heatwalk_surface::Error::BadVertex) for a vertex that does not exist; [`Error::Unreachable`] where no edges join them.
+/// [`Error::Surface`] for a vertex that does not exist; [`Error::Unreachable`] where no edges join them.
 pub fn edge_path(surface: &Surface, from: VertexId, to: VertexId) -> Result<Vec<VertexId>> {
     for vertex in [from, to] {
         surface.point(vertex)?;

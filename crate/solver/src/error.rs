@@ -8,7 +8,7 @@ use crate::choice::UnknownChoice;
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. The message is one sentence for a person: what is wrong, where, what to do.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read, triangles that make no surface, or a place that is not on it.

@@ -270,7 +270,7 @@ fn bad_requests_are_refused() {
     let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
     assert!(matches!(offset, Err(Error::Surface(SurfaceError::BadParameter { .. }))));
     let vertex = exact_distance(&surface, &[(Place::Vertex(VertexId(1000)), 0.0)], &mut go_on);
-    assert!(matches!(vertex, Err(Error::Surface(SurfaceError::BadVertex { .. }))));
+    assert!(matches!(vertex, Err(Error::Surface(SurfaceError::NoSuchVertex { .. }))));
     let values = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), 1.0)], &mut go_on).expect("values");
     assert_eq!(values[VertexId(0)], 1.0);
 }

@@ -81,7 +81,7 @@ fn wavefronts() {
     front.advance(f64::INFINITY, usize::MAX);
     assert_eq!(front.values()[here], 0.0, "after the refusal it goes on as before");
     let absent = front.path_from_vertex(VertexId(9999));
-    assert!(matches!(absent, Err(Error::Surface(SurfaceError::BadVertex { vertex: 9999, .. }))));
+    assert!(matches!(absent, Err(Error::Surface(SurfaceError::NoSuchVertex { vertex: 9999, .. }))));
 }
 
 #[test]
@@ -116,5 +116,5 @@ fn refinements_and_paths() {
 fn places_are_checked_where_they_are_used() {
     let solver = solver(&sphere());
     let absent = Place::Vertex(VertexId(9999));
-    assert!(matches!(solver.distance(&[absent]), Err(Error::Surface(SurfaceError::BadVertex { vertex: 9999, .. }))));
+    assert!(matches!(solver.distance(&[absent]), Err(Error::Surface(SurfaceError::NoSuchVertex { vertex: 9999, .. }))));
 }

@@ -158,11 +158,11 @@ fn face_source_lies_between_vertices() {
     }
     for bad in [[0.5, 0.5, 0.5], [-0.2, 0.6, 0.6], [f64::NAN, 0.5, 0.5]] {
         let source = Place::Face { face: FaceId(0), weights: bad };
-        assert!(matches!(solver.distance(&[source]), Err(Error::Surface(SurfaceError::BadPoint { face: 0, .. }))));
+        assert!(matches!(solver.distance(&[source]), Err(Error::Surface(SurfaceError::BadWeights { face: 0, .. }))));
     }
     assert!(matches!(
         solver.distance(&[Place::Vertex(VertexId(u32::MAX))]),
-        Err(Error::Surface(SurfaceError::BadVertex { .. }))
+        Err(Error::Surface(SurfaceError::NoSuchVertex { .. }))
     ));
     assert_eq!(solver.distance::<Place>(&[]), Err(Error::NoSource));
 }

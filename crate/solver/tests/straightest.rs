@@ -247,13 +247,13 @@ fn a_walk_of_no_length_is_a_point() {
 }
 
 #[test]
-fn what_is_wrong_with_a_walk_is_said() {
+fn rejects_invalid_arguments_of_a_walk() {
     let surface = surface(&square(4));
     let from = Place::Vertex(VertexId(6));
     let name_of = |from, face, direction, length| match straightest(&surface, from, face, direction, length) {
         Err(Error::BadParameter { name, .. }) => name,
-        Err(Error::Surface(SurfaceError::BadPoint { .. })) => "point",
-        Err(Error::Surface(SurfaceError::BadVertex { .. })) => "vertex",
+        Err(Error::Surface(SurfaceError::NotOnFace { .. })) => "point",
+        Err(Error::Surface(SurfaceError::NoSuchVertex { .. })) => "vertex",
         other => panic!("{other:?}"),
     };
     assert_eq!(name_of(from, None, DVec3::ZERO, 1.0), "direction");
@@ -319,7 +319,7 @@ fn edge_polyline_joins_once() {
     assert!(matches!(edge_polyline(&surface, &[], false), Err(Error::BadParameter { .. })));
     assert!(matches!(
         edge_path(&surface, VertexId(0), VertexId(999)),
-        Err(Error::Surface(SurfaceError::BadVertex { vertex: 999, .. }))
+        Err(Error::Surface(SurfaceError::NoSuchVertex { vertex: 999, .. }))
     ));
 }
 

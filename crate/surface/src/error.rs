@@ -7,7 +7,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. The message is one sentence that names what is at fault; [`Error::code`] is for programs, and
 /// for those who word what to do in their own terms.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The file's extension and first bytes match no reader.
@@ -72,23 +72,65 @@ pub enum Error {
         /// Number of parts.
         parts: usize,
     },
-    /// There is no such input vertex, or no triangle uses it.
-    #[error("vertex {vertex} {problem}")]
-    BadVertex {
+    /// There is no such vertex: of the input, or of the surface where a surface was asked.
+    #[error("vertex {vertex} does not exist; there are {vertices}, counted from 0")]
+    NoSuchVertex {
+        /// The vertex asked for.
+        vertex: usize,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// No triangle uses a vertex of the input, so it is not on the surface.
+    #[error("vertex {vertex} is used by no triangle; choose another")]
+    UnreferencedVertex {
         /// Vertex of the input, counted from 0.
         vertex: usize,
-        /// What is wrong with it.
-        problem: String,
     },
-    /// A surface point names a face that does not exist or weights that do not sum to 1.
-    #[error("face {face} with weights {weights} is not a point of the surface: {problem}")]
-    BadPoint {
-        /// Face of the mesh, counted from 0.
+    /// A path along edges was to go where there is no edge.
+    #[error("vertex {vertex} has no edge to the vertex before it on the path")]
+    NotAdjacent {
+        /// Vertex of the surface, counted from 0.
+        vertex: usize,
+    },
+    /// There is no such face.
+    #[error("face {face} does not exist; there are {faces}, counted from 0")]
+    NoSuchFace {
+        /// The face asked for.
         face: usize,
-        /// Barycentric weights as given.
-        weights: String,
-        /// What is wrong.
-        problem: String,
+        /// Number of faces.
+        faces: usize,
+    },
+    /// There is no such half-edge.
+    #[error("half-edge {halfedge} does not exist; there are {halfedges}, counted from 0")]
+    NoSuchHalfedge {
+        /// The half-edge asked for.
+        halfedge: usize,
+        /// Number of half-edges, those of boundary loops included.
+        halfedges: usize,
+    },
+    /// A place on an edge is beyond its ends.
+    #[error("{fraction} of the way along half-edge {halfedge} is not on it; the fraction must lie between 0 and 1")]
+    BadFraction {
+        /// Half-edge, counted from 0.
+        halfedge: usize,
+        /// Share of the way along it, as given.
+        fraction: f64,
+    },
+    /// Barycentric weights of a place are negative or do not sum to 1.
+    #[error(
+        "face {face} with weights {weights:?} is not a point of the surface: weights must not be negative and must sum to 1"
+    )]
+    BadWeights {
+        /// Face, counted from 0.
+        face: usize,
+        /// Weights of its corners, as given.
+        weights: [f64; 3],
+    },
+    /// A face was named for a point that does not lie on it.
+    #[error("the point does not lie on face {face}")]
+    NotOnFace {
+        /// Face, counted from 0.
+        face: usize,
     },
     /// A thing that was made on one surface was used with another.
     #[error("the {thing} belongs to another surface; make it on this one")]
@@ -126,8 +168,14 @@ impl Error {
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
             Self::NoSuchPart { .. } => "no-such-part",
-            Self::BadVertex { .. } => "bad-vertex",
-            Self::BadPoint { .. } => "bad-point",
+            Self::NoSuchVertex { .. } => "no-such-vertex",
+            Self::UnreferencedVertex { .. } => "unreferenced-vertex",
+            Self::NotAdjacent { .. } => "not-adjacent",
+            Self::NoSuchFace { .. } => "no-such-face",
+            Self::NoSuchHalfedge { .. } => "no-such-halfedge",
+            Self::BadFraction { .. } => "bad-fraction",
+            Self::BadWeights { .. } => "bad-weights",
+            Self::NotOnFace { .. } => "not-on-face",
             Self::ForeignSurface { .. } => "foreign-surface",
             Self::BadParameter { .. } => "bad-parameter",
             Self::OutOfMemory { .. } => "out-of-memory",

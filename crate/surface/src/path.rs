@@ -47,7 +47,7 @@ impl Path {
     /// The path along edges through these vertices, as shortest paths along edges give them.
     ///
     /// # Errors
-    /// [`Error::BadVertex`] for a vertex that does not exist, or that has no edge to the one before it;
+    /// [`Error::NoSuchVertex`]; [`Error::NotAdjacent`] for a vertex that has no edge to the one before it;
     /// [`Error::BadParameter`] where there is no vertex.
     pub fn along_edges(surface: &Surface, through: &[VertexId]) -> Result<Self> {
         let mut points: Vec<PathPoint> = Vec::with_capacity(through.len());
@@ -58,8 +58,7 @@ impl Path {
                 Some(before) => {
                     let around = before.location.faces(surface);
                     let face = around.into_iter().find(|&face| surface.faces()[face].contains(&vertex));
-                    let problem = || "has no edge to the point before it on the path".to_owned();
-                    let bad = || Error::BadVertex { vertex: vertex.index(), problem: problem() };
+                    let bad = || Error::NotAdjacent { vertex: vertex.index() };
                     before.face = face.filter(|_| before.location != location).ok_or_else(bad)?;
                     before.face
                 }

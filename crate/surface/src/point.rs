@@ -47,37 +47,28 @@ impl Place {
         let outside = |weight: f64| !(-WEIGHT_TOLERANCE..=1.0 + WEIGHT_TOLERANCE).contains(&weight);
         match self {
             Self::Vertex(vertex) if vertex.index() < surface.vertex_count() => Ok(self),
-            Self::Vertex(vertex) => Err(Error::BadVertex {
-                vertex: vertex.index(),
-                problem: format!("does not exist; the welded surface has {}", surface.vertex_count()),
-            }),
+            Self::Vertex(vertex) => {
+                Err(Error::NoSuchVertex { vertex: vertex.index(), vertices: surface.vertex_count() })
+            }
             Self::Edge { halfedge, fraction } => {
-                let bad = |problem: &str| {
-                    let face = halfedge.triangle().index();
-                    Err(Error::BadPoint { face, weights: format!("{fraction}"), problem: problem.to_owned() })
-                };
-                if halfedge.index() >= surface.mesh().halfedge_count() {
-                    return bad("there is no such half-edge");
+                let (index, halfedges) = (halfedge.index(), surface.mesh().halfedge_count());
+                if index >= halfedges {
+                    return Err(Error::NoSuchHalfedge { halfedge: index, halfedges });
                 }
                 if outside(fraction) {
-                    return bad("the fraction along the edge must lie between 0 and 1");
+                    return Err(Error::BadFraction { halfedge: index, fraction });
                 }
                 Ok(Self::Edge { halfedge, fraction: fraction.clamp(0.0, 1.0) })
             }
             Self::Face { face, weights } => {
-                let bad = |problem: String| {
-                    Err(Error::BadPoint { face: face.index(), weights: format!("{weights:?}"), problem })
-                };
                 if face.index() >= surface.face_count() {
-                    return bad(format!("there are only {} faces", surface.face_count()));
-                }
-                if weights.iter().any(|&weight| outside(weight)) || outside(weights.iter().sum()) {
-                    return bad("weights must not be negative and must sum to 1".to_owned());
+                    return Err(Error::NoSuchFace { face: face.index(), faces: surface.face_count() });
                 }
                 let cut = weights.map(|weight| weight.max(0.0));
                 let sum: f64 = cut.iter().sum();
-                if (sum - 1.0).abs() > WEIGHT_TOLERANCE {
-                    return bad("weights must sum to 1".to_owned());
+                let is_outside = weights.iter().any(|&weight| outside(weight)) || outside(weights.iter().sum());
+                if is_outside || (sum - 1.0).abs() > WEIGHT_TOLERANCE {
+                    return Err(Error::BadWeights { face: face.index(), weights });
                 }
                 // A place that was checked before stays the same, bit by bit.
                 let scale = if (sum - 1.0).abs() <= ROUNDING { 1.0 } else { sum };
@@ -264,9 +255,9 @@ pub trait ToPoint: Copy {
     /// The point of this surface.
     ///
     /// # Errors
-    /// [`Error::BadVertex`] for a vertex that does not exist; [`Error::BadPoint`] for a face or half-edge that does not
-    /// exist, and for weights that are further than rounding from their range; [`Error::ForeignSurface`] for a point of
-    /// another surface.
+    /// [`Error::NoSuchVertex`], [`Error::NoSuchFace`], [`Error::NoSuchHalfedge`]; [`Error::BadWeights`] and
+    /// [`Error::BadFraction`] for weights that are further than rounding from their range; [`Error::ForeignSurface`] for a
+    /// point of another surface.
     fn to_point(self, surface: &Surface) -> Result<SurfacePoint>;
 }
 

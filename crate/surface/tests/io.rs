@@ -249,7 +249,13 @@ fn written_meshes_read_back() {
     assert_eq!(back.positions[5], soup.positions[5].as_vec3().as_dvec3());
     let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
     let root: Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
-    assert_eq!(root["accessors"][1]["min"], json!([write::UNREACHABLE_IN_GLB]));
+    let attributes = &root["meshes"][0]["primitives"][0]["attributes"];
+    assert_eq!((&attributes["_DISTANCE"], &attributes["_REACHABLE"]), (&json!(1), &json!(2)));
+    assert_eq!(root["accessors"][1]["min"], json!([0.0]));
+    let start = 28 + length + root["bufferViews"][2]["byteOffset"].as_u64().unwrap() as usize;
+    let reachable = glb[start..start + 4 * distance.len()].chunks_exact(4);
+    let reachable: Vec<f32> = reachable.map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect();
+    assert!(reachable.iter().enumerate().all(|(vertex, &flag)| flag == if vertex == 3 { 0.0 } else { 1.0 }));
     let greatest = distance.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max) as f32;
     assert_eq!(root["accessors"][1]["max"], json!([greatest]));
     assert_eq!(glb.len() % 4, 0);

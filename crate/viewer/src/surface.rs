@@ -12,8 +12,9 @@ use crate::vertex::{Snorm8x4, attribute, single};
 
 /// Bytes of the ramp of the surface and that of the stripes: RGBA.
 pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
-/// Stands for "unreachable" in a vertex buffer: interpolating an infinity gives NaN on some devices.
-const UNREACHABLE: f32 = -1.0;
+/// Stands for "unreachable" in a vertex buffer, whose values are shares of the largest one: interpolating an infinity gives
+/// NaN on some devices.
+const UNREACHABLE: f32 = 2.0;
 
 const POSITION: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(0)]);
 const NORMAL: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(1)]);

@@ -60,7 +60,7 @@ fn vs_plain(@location(0) position: vec3f, @location(1) normal: vec3f) -> Fragmen
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0));
 }
 
-// A negative distance marks an unreachable vertex.
+// Distances are shares of the largest one; what is beyond 1, rounding apart, marks an unreachable vertex.
 @vertex
 fn vs_field(
     @location(0) position: vec3f,
@@ -69,7 +69,7 @@ fn vs_field(
     @location(3) tangent: vec4f,
 ) -> Fragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
-    return Fragment(clip, position, normal, max(distance, 0.0), select(0.0, 1.0, distance >= 0.0), tangent.xyz);
+    return Fragment(clip, position, normal, select(0.0, distance, distance < 1.5), select(0.0, 1.0, distance < 1.5), tangent.xyz);
 }
 
 @vertex

@@ -62,8 +62,7 @@ impl Drawn {
     pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint> {
         if let Some(vertex) = number(place, "vertex") {
             let input = InputVertex(vertex as u32);
-            let problem = || "is on no triangle of the surface".to_owned();
-            let absent = || Error::BadVertex { vertex: vertex as usize, problem: problem() };
+            let absent = || Error::UnreferencedVertex { vertex: vertex as usize };
             return Ok(surface.point(surface.vertex_of_input(input).ok_or_else(absent)?)?);
         }
         let face =

@@ -47,7 +47,7 @@ impl Wavefront {
     /// The shortest path from a vertex to its source; its value must be final.
     ///
     /// # Errors
-    /// [`Error::Unreachable`] where the value is infinite; `BadVertex` where there is no such vertex.
+    /// [`Error::Unreachable`] where the value is infinite; `NoSuchVertex` where there is no such vertex.
     pub fn path_from_vertex(&self, vertex: VertexId) -> Result<Path> {
         self.surface.point(vertex)?;
         self.path_from(self.at_vertex(vertex.0))

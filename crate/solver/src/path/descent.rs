@@ -18,7 +18,7 @@ use heatwalk_surface::{Path, PathPoint};
 /// Follows the distance from `from` down to a source.
 ///
 /// # Errors
-/// [`Error::Unreachable`] where the distance is infinite; [`Error::BadVertex`](heatwalk_surface::Error::BadVertex) and [`Error::BadPoint`](heatwalk_surface::Error::BadPoint) as
+/// [`Error::Unreachable`] where the distance is infinite; [`Error::Surface`] as
 /// [`Surface::point`]; [`Error::Surface`] with `ForeignSurface` for a distance of another surface.
 pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Result<Path> {
     surface.require_own(distance.surface(), "distance")?;

@@ -35,7 +35,7 @@ pub struct Straightest {
 /// Over an edge of three faces or more, the walk goes on into the one that is straightest in space.
 ///
 /// # Errors
-/// [`Error::BadVertex`](heatwalk_surface::Error::BadVertex) and [`Error::BadPoint`](heatwalk_surface::Error::BadPoint) as [`Surface::point`], and for a face that the point does not
+/// [`Error::Surface`] as [`Surface::point`], and for a face that the point does not
 /// lie on; [`Error::BadParameter`] for a direction that is zero, not finite or square to the surface, and for a length
 /// that is negative, not finite, or more than a million faces long.
 pub fn straightest(
@@ -62,9 +62,7 @@ pub fn straightest(
     let (face, direction) = match face {
         Some(face) if faces.contains(&face) => (face, in_plane(surface, face, direction)),
         Some(face) => {
-            let problem = "the point to start from does not lie on it".to_owned();
-            let weights = format!("{location:?}");
-            return Err(heatwalk_surface::Error::BadPoint { face: face.index(), weights, problem }.into());
+            return Err(heatwalk_surface::Error::NotOnFace { face: face.index() }.into());
         }
         None => best_face(surface, location, &faces, direction),
     };

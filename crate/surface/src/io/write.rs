@@ -8,10 +8,6 @@ use serde_json::json;
 
 use crate::soup::Soup;
 
-/// Stands for "no source can be reached" in a GLB file, which must not hold infinities (glTF 2.0, 3.6.2.2).
-#[cfg(feature = "gltf")]
-pub const UNREACHABLE_IN_GLB: f32 = -1.0;
-
 /// Binary little-endian PLY with `x y z distance` as doubles. `distance`: one value an input vertex, may be infinite.
 ///
 /// # Panics
@@ -38,8 +34,8 @@ pub fn distance_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     bytes
 }
 
-/// GLB with `POSITION`, indices and a float attribute `_DISTANCE`, which is [`UNREACHABLE_IN_GLB`] where the distance
-/// is infinite.
+/// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
+/// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
 ///
 /// # Panics
 /// If there is not one distance for each vertex.
@@ -47,10 +43,9 @@ pub fn distance_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
 pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     assert_eq!(soup.positions.len(), distance.len(), "one distance for each vertex");
     let positions: Vec<[f32; 3]> = soup.positions.iter().map(|position| position.as_vec3().to_array()).collect();
-    let distance: Vec<f32> = distance
-        .iter()
-        .map(|&distance| if distance.is_finite() { distance as f32 } else { UNREACHABLE_IN_GLB })
-        .collect();
+    let reachable: Vec<f32> = distance.iter().map(|distance| f32::from(u8::from(distance.is_finite()))).collect();
+    let finite = |&distance: &f64| if distance.is_finite() { distance as f32 } else { 0.0 };
+    let distance: Vec<f32> = distance.iter().map(finite).collect();
     let mut binary: Vec<u8> = Vec::new();
     let mut views = Vec::new();
     let mut view = |data: &mut dyn Iterator<Item = [u8; 4]>, target: u32| {
@@ -64,6 +59,7 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     const ELEMENT_ARRAY_BUFFER: u32 = 34963;
     view(&mut positions.iter().flatten().map(|value| value.to_le_bytes()), ARRAY_BUFFER);
     view(&mut distance.iter().map(|value| value.to_le_bytes()), ARRAY_BUFFER);
+    view(&mut reachable.iter().map(|value| value.to_le_bytes()), ARRAY_BUFFER);
     view(&mut soup.triangles.iter().flatten().map(|corner| corner.to_le_bytes()), ELEMENT_ARRAY_BUFFER);
 
     let (lower, upper) = bounds(&positions);
@@ -76,12 +72,13 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
         "nodes": [{ "mesh": 0 }],
-        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "_DISTANCE": 1 }, "indices": 2 }] }],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "_DISTANCE": 1, "_REACHABLE": 2 }, "indices": 3 }] }],
         "accessors": [
             { "bufferView": 0, "componentType": FLOAT, "count": count, "type": "VEC3", "min": lower.to_vec(), "max": upper.to_vec() },
             { "bufferView": 1, "componentType": FLOAT, "count": count, "type": "SCALAR",
               "min": [least], "max": [greatest] },
-            { "bufferView": 2, "componentType": UNSIGNED_INT, "count": 3 * soup.triangles.len(), "type": "SCALAR" }
+            { "bufferView": 2, "componentType": FLOAT, "count": count, "type": "SCALAR" },
+            { "bufferView": 3, "componentType": UNSIGNED_INT, "count": 3 * soup.triangles.len(), "type": "SCALAR" }
         ],
         "bufferViews": views,
         "buffers": [{ "byteLength": binary.len() }]
