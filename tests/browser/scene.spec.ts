@@ -130,12 +130,12 @@ test('a component that no source reaches is named in the panel', async ({ heatwa
   await heatwalk.dropAndOpen([['planets.obj', file]]);
   expect(await heatwalk.mesh()).toMatchObject({ components: 2, parts: ['earth', 'moon'] });
   const sources = page.locator('#section-sources');
-  await expect(sources).toContainText(/(earth|moon) \([\d,]+ vertices of 1,\d+\) cannot be reached/);
+  await expect(sources).toContainText(/(earth|moon) \([\d,]+ vertices of 1,\d+\) is not connected to any source/);
 
   // Solved on one part alone, nothing is out of reach.
   await page.getByRole('checkbox', { name: 'moon' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).active).toEqual([0]);
-  await expect(sources.getByText('cannot be reached')).toBeHidden();
+  await expect(sources.getByText('is not connected to any source')).toBeHidden();
   expect(await page.evaluate(() => window.heatwalk.field?.unreachableVertices)).toBe(0);
 });
 
