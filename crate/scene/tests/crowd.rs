@@ -231,11 +231,11 @@ fn a_source_moves_under_way() {
     let mut crowd = crowd_on(&solver, &distances[0], 100);
     let length = 0.5 * surface.mean_edge();
     for distance in &distances[..2] {
-        // On the same piece they go on from where they are; few have arrived.
+        // On the same component they go on from where they are; few have arrived.
         let steps = step(surface, distance, &mut crowd, length);
         assert!(steps.iter().filter(|step| matches!(step, Step::On { .. })).count() > 90);
     }
-    // All are on the piece that has lost its source.
+    // All are on the component that has lost its source.
     let steps = step(surface, &distances[2], &mut crowd, length);
     assert!(steps.iter().all(|step| matches!(step, Step::Again { .. })));
     assert!(crowd.walkers().iter().all(|walker| walker.position.z == 1.0));
@@ -376,7 +376,7 @@ fn exact_distances_are_walked_to_the_end() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn rejects_invalid_arguments() {
     let (solver, mut distance) = distance_from(&square(4), 0);
     let surface = solver.surface();
     for height in [0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -102,7 +102,7 @@ pub enum MultiSource {
     Summed,
 }
 
-choice!(MultiSource, "way of joining sources": Exact = "exact", Summed = "summed" | "superposed");
+choice!(MultiSource, "multi-source mode": Exact = "exact", Summed = "summed" | "superposed");
 
 /// Radius around the sources within which distances are exact polyhedral ones.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -56,6 +56,7 @@ fn laplacian_rows_sum_to_zero() {
         // Weights are of order 1, a dozen a row: rounding.
         assert!(sums.iter().all(|sum| sum.abs() < 1e-12));
         assert!(energy > 0.0, "positive semidefinite");
+        // Rounding of sums over some thousand faces.
         let area: f64 = surface.mesh().faces().map(|face| surface.face_area(face)).sum();
         assert!((laplacian.mass.iter().sum::<f64>() / area - 1.0).abs() < 1e-12, "the masses share out the area");
     }
@@ -179,8 +180,8 @@ fn boundary_source_enters_under_dirichlet() {
             for (value, position) in distance.values.iter().zip(positions) {
                 let to = |&source: &u32| position.distance(positions[VertexId(source)]);
                 let exact = sources.iter().map(to).fold(f64::INFINITY, f64::min);
-                // Three edges: the offset of superposed sources, and heat that falls to 0 along the boundary, where
-                // its gradient points across the way from the source.
+                // Three edges: the offset of several sources, and heat that falls to 0 along the boundary, where
+                // its gradient points across the path from the source.
                 assert!((value - exact).abs() < 3.0 / 16.0, "{boundary:?} {sources:?}: {value} for {exact}");
             }
         }

@@ -150,7 +150,7 @@ fn start_at_the_source_is_a_point() {
 }
 
 #[test]
-fn unreachable_is_said() {
+fn rejects_a_start_that_no_source_reaches() {
     let mut two = square(2);
     let first = two.positions.len() as u32;
     let other = square(2);

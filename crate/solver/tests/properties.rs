@@ -199,7 +199,7 @@ fn delaunay_weights_are_never_negative() {
 }
 
 #[test]
-fn exact_distances_change_by_no_more_than_the_way() {
+fn exact_distances_change_by_no_more_than_the_path_between() {
     check(200, &(any_soup(), any_places()), |(soup, places)| {
         let surface = surface_of(&soup)?;
         let sources: Vec<(Place, f64)> =

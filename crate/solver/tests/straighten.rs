@@ -295,7 +295,7 @@ fn a_way_there_and_back_is_a_point() {
 }
 
 #[test]
-fn what_is_straight_stays() {
+fn straight_paths_stay_as_they_are() {
     let surface = surface(&shapes::torus(2.0, 0.7, 24, 12));
     let mut seed = 2;
     for _ in 0..40 {

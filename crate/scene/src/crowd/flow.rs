@@ -1,4 +1,4 @@
-//! The way down a distance from any point of the surface, leg by leg.
+//! The descent of a distance from any point of the surface, leg by leg.
 
 use glam::DVec3;
 
@@ -29,7 +29,7 @@ pub(super) fn combined([p, q, r]: [DVec3; 3], [a, b, c]: [f64; 3]) -> DVec3 {
     p * a + q * b + r * c
 }
 
-/// A straight way in a face.
+/// A straight segment of a descent, in one face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Leg {
     from: Place,
@@ -43,11 +43,11 @@ pub(super) struct Leg {
 impl Leg {
     fn to_point(surface: &Surface, from: Place, to: [f64; 3], is_last: bool) -> Self {
         let leg = Self { from, to, length: 0.0, is_last };
-        Self { length: triangle::length(leg.way(surface)), ..leg }
+        Self { length: triangle::length(leg.vector(surface)), ..leg }
     }
 
     /// From the start to the end, in the file's unit; not of unit length.
-    pub fn way(&self, surface: &Surface) -> DVec3 {
+    pub fn vector(&self, surface: &Surface) -> DVec3 {
         let change = [0, 1, 2].map(|k| self.to[k] - self.from.weights[k]);
         combined(surface.corners(self.from.face), change)
     }

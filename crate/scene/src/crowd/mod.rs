@@ -1,5 +1,5 @@
 //! A crowd of walkers that go home down one distance: each along the steepest descent of the linear interpolation in its
-//! face, as [`descend`](heatwalk::descend) does, but by one step at a time, so that the distance may change under way.
+//! face, as [`descend`](heatwalk::descend) does, but by one step at a time, so that the distance may change in between.
 //!
 //! Where it arrives a walker starts again elsewhere. So it does where nothing falls and no source is near (a minimum
 //! that heat made), and where its component of the surface has lost its last source.
@@ -25,7 +25,7 @@ use crate::transform::DrawTransform;
 /// crowd among slivers does not hold up a frame for long. The rest of such a step is lost.
 const MOST_LEGS: usize = 256;
 
-/// Steps after which walkers are put in order again. On the way they go a few faces further, which costs little order,
+/// Steps after which walkers are put in order again. Between, they go a few faces further, which costs little order,
 /// and ordering takes about as long as a step.
 const ORDERED_FOR: usize = 16;
 
@@ -43,7 +43,7 @@ pub struct Walker {
     pub position: DVec3,
     /// Unit normal there, interpolated between the vertices' normals; the face's where those point below it.
     pub upright: DVec3,
-    /// Unit vector at right angles to `upright`. It turns with the way over about a figure's height.
+    /// Unit vector at right angles to `upright`. It turns along the path over about a figure's height.
     pub heading: DVec3,
     /// Length walked since it started, in the file's unit.
     pub arc: f64,
@@ -175,7 +175,7 @@ struct Ground<'a> {
 }
 
 impl Ground<'_> {
-    /// A walker after a step; `None` where its way ends before.
+    /// A walker after a step; `None` where its path ends before.
     fn walked(&self, walker: &Walker, step: f64) -> Option<Walker> {
         let mut place = Place { face: walker.face, weights: walker.weights };
         let mut left = step;
@@ -198,12 +198,12 @@ impl Ground<'_> {
         Some(Walker { face, weights, position, upright, heading, arc: walker.arc + (step - left) })
     }
 
-    /// A walker at a random place, facing the way that it will go.
+    /// A walker at a random place, facing where it will go.
     fn start(&self, state: &mut u64) -> Walker {
         let (face, weights) = self.flow.homes.random_place(state);
         let place = Place { face, weights };
         let (position, upright) = self.stand(place);
-        let ahead = self.flow.leg(self.surface, place).map_or(DVec3::ZERO, |leg| leg.way(self.surface));
+        let ahead = self.flow.leg(self.surface, place).map_or(DVec3::ZERO, |leg| leg.vector(self.surface));
         let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
         Walker { face, weights, position, upright, heading, arc: 0.0 }
     }

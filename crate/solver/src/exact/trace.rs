@@ -159,7 +159,7 @@ struct Trace<'a> {
 }
 
 impl Trace<'_> {
-    /// Appends a straight piece through `face`.
+    /// Appends a straight segment through `face`.
     fn go(&mut self, location: Place, face: u32) {
         let position = location.position(&self.front.surface);
         let face = FaceId(face);

@@ -171,7 +171,7 @@ impl<'a> Descent<'a> {
                 || self.surface.corners_of_vertex(vertex).any(|(face, _)| self.sources_of_face.contains_key(&face))
         };
         let path = dijkstra::nearest_goal(self.surface, start, goal)
-            .expect("a finite distance means a source on the same connected piece");
+            .expect("a finite distance means a source on the same connected component");
         for vertex in path {
             let shared = self
                 .location

@@ -22,9 +22,9 @@ pub(super) struct Heading {
     pub sides: [(VertexId, f64); 2],
 }
 
-/// A straight piece of a path, from one vertex or end to the next.
+/// A straight segment of a path, from one vertex or end to the next.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
+pub(super) struct Segment {
     /// The faces that it goes through.
     pub strip: Strip,
     /// Where it ends.
@@ -38,24 +38,24 @@ pub(super) struct Piece {
 }
 
 /// The shortest path in a strip: none where its ends are one.
-pub(super) fn tighten(surface: &Surface, from: Place, mut strip: Strip, to: Place) -> Vec<Piece> {
+pub(super) fn tighten(surface: &Surface, from: Place, mut strip: Strip, to: Place) -> Vec<Segment> {
     strip.trim(surface, from, to);
     if strip.steps.is_empty() {
-        return Piece::in_face(surface, strip.first, from, to).into_iter().collect();
+        return Segment::in_face(surface, strip.first, from, to).into_iter().collect();
     }
     let (portals, end) = unfold(surface, &strip, from, to);
-    let mut pieces = Vec::new();
+    let mut segments = Vec::new();
     let mut start = Stop { location: from, at: DVec2::ZERO, portals: [0, 0] };
     for stop in stops(&portals, Stop { location: to, at: end, portals: [portals.len(); 2] }) {
         let [first, last] = [start.portals[1].min(stop.portals[0]), stop.portals[0]];
         if first == last {
-            pieces.extend(Piece::in_face(surface, strip.face_before(first), start.location, stop.location));
+            segments.extend(Segment::in_face(surface, strip.face_before(first), start.location, stop.location));
         } else {
-            pieces.push(Piece::over(strip.part(first, last), &portals[first..last], &start, &stop));
+            segments.push(Segment::over(strip.part(first, last), &portals[first..last], &start, &stop));
         }
         start = stop;
     }
-    pieces
+    segments
 }
 
 /// A vertex that the path bends around or touches, or its end.
@@ -67,7 +67,7 @@ struct Stop {
     portals: [usize; 2],
 }
 
-impl Piece {
+impl Segment {
     fn in_face(surface: &Surface, face: FaceId, from: Place, to: Place) -> Option<Self> {
         let [start, end] = [from, to].map(|location| location.position(surface));
         let heading = |location: Place, toward: DVec3| {

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::funnel::{Piece, share_of, tighten};
+use super::funnel::{Segment, share_of, tighten};
 use super::link::{Turn, shortest_turn};
 use super::strip::{Step, Strip, unfold};
 use crate::error::Result;
@@ -31,7 +31,7 @@ const LONGEST_WORK: usize = 1000;
 
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
 ///
-/// Every piece of the result is straight once the faces that it goes through are unfolded, and at every vertex between
+/// Every segment of the result is straight once the faces that it goes through are unfolded, and at every vertex between
 /// its ends all turns around it within the surface are π at least.
 ///
 /// # Errors
@@ -51,10 +51,10 @@ struct Node {
     before: u32,
     after: u32,
     /// To the node after.
-    piece: Option<Piece>,
+    segment: Option<Segment>,
     /// The way around the vertex that is shorter than through it.
     turn: Option<Turn>,
-    /// Changes with the pieces at the node; tells which entry of the queue is the latest.
+    /// Changes with the segments at the node; tells which entry of the queue is the latest.
     version: u32,
 }
 
@@ -83,8 +83,8 @@ impl<'a> Chain<'a> {
                 Place::Face { .. } if k + 1 < rest.len() => {}
                 _ => {
                     let start = chain.nodes[last as usize].location;
-                    for piece in tighten(surface, start, strip, location) {
-                        last = chain.append(last, piece);
+                    for segment in tighten(surface, start, strip, location) {
+                        last = chain.append(last, segment);
                     }
                     strip = Strip::new(point.face);
                 }
@@ -99,30 +99,30 @@ impl<'a> Chain<'a> {
     }
 
     fn add(&mut self, location: Place, before: u32) -> u32 {
-        self.nodes.push(Node { location, before, after: NONE, piece: None, turn: None, version: 0 });
+        self.nodes.push(Node { location, before, after: NONE, segment: None, turn: None, version: 0 });
         self.nodes.len() as u32 - 1
     }
 
-    /// Adds a piece and a new node at its end.
-    fn append(&mut self, node: u32, piece: Piece) -> u32 {
-        let next = self.add(piece.to, node);
-        self.join(node, piece, next);
+    /// Adds a segment and a new node at its end.
+    fn append(&mut self, node: u32, segment: Segment) -> u32 {
+        let next = self.add(segment.to, node);
+        self.join(node, segment, next);
         next
     }
 
-    fn join(&mut self, node: u32, piece: Piece, next: u32) {
+    fn join(&mut self, node: u32, segment: Segment, next: u32) {
         self.nodes[node as usize].after = next;
-        self.nodes[node as usize].piece = Some(piece);
+        self.nodes[node as usize].segment = Some(segment);
         self.nodes[next as usize].before = node;
     }
 
     /// Queues a node where there is a way around that turns by less than π.
     fn look_around(&mut self, index: u32) {
         let node = &self.nodes[index as usize];
-        let turn = match (node.location, self.piece_before(index), &node.piece) {
+        let turn = match (node.location, self.segment_before(index), &node.segment) {
             (Place::Vertex(vertex), Some(before), Some(after)) => {
                 let [from, to] = [&before.arriving, &after.leaving].map(Option::as_ref);
-                let [from, to] = [from, to].map(|heading| heading.expect("a piece has headings at its vertices"));
+                let [from, to] = [from, to].map(|heading| heading.expect("a segment has headings at its vertices"));
                 shortest_turn(self.surface, vertex, from, to, PI - STRAIGHT)
             }
             _ => None,
@@ -135,8 +135,8 @@ impl<'a> Chain<'a> {
         node.turn = turn;
     }
 
-    fn piece_before(&self, index: u32) -> Option<&Piece> {
-        self.nodes.get(self.nodes[index as usize].before as usize)?.piece.as_ref()
+    fn segment_before(&self, index: u32) -> Option<&Segment> {
+        self.nodes.get(self.nodes[index as usize].before as usize)?.segment.as_ref()
     }
 
     /// Leads the path around one vertex after the other, the sharpest turn first.
@@ -152,7 +152,8 @@ impl<'a> Chain<'a> {
     fn lead_around(&mut self, index: u32) {
         let Some(turn) = self.nodes[index as usize].turn.take() else { return };
         let Node { before, after, .. } = self.nodes[index as usize];
-        let [Some(first), Some(second)] = [self.piece_before(index), self.nodes[index as usize].piece.as_ref()] else {
+        let [Some(first), Some(second)] = [self.segment_before(index), self.nodes[index as usize].segment.as_ref()]
+        else {
             return;
         };
         let mut strip = first.strip.clone();
@@ -160,21 +161,21 @@ impl<'a> Chain<'a> {
         strip.extend(second.strip.steps.iter().copied());
         let length = first.length + second.length;
         let [start, end] = [before, after].map(|node| self.nodes[node as usize].location);
-        let pieces = tighten(self.surface, start, strip, end);
+        let segments = tighten(self.surface, start, strip, end);
         // Not so where the turn is among rounding errors.
-        if pieces.iter().map(|piece| piece.length).sum::<f64>() >= length {
+        if segments.iter().map(|segment| segment.length).sum::<f64>() >= length {
             return;
         }
         self.nodes[index as usize].version += 1;
-        self.replace(before, pieces, after);
+        self.replace(before, segments, after);
     }
 
-    /// Puts new pieces between two nodes.
-    fn replace(&mut self, before: u32, mut pieces: Vec<Piece>, after: u32) {
-        let Some(last) = pieces.pop() else { return self.merge(before, after) };
+    /// Puts new segments between two nodes.
+    fn replace(&mut self, before: u32, mut segments: Vec<Segment>, after: u32) {
+        let Some(last) = segments.pop() else { return self.merge(before, after) };
         let mut node = before;
-        for piece in pieces {
-            node = self.append(node, piece);
+        for segment in segments {
+            node = self.append(node, segment);
         }
         self.join(node, last, after);
         while node != before {
@@ -191,16 +192,16 @@ impl<'a> Chain<'a> {
         self.nodes[dropped as usize].version += 1;
         let Node { before: previous, .. } = self.nodes[before as usize];
         if kept == before {
-            let piece = self.nodes[after as usize].piece.take().expect("a node that is not the last has a piece");
+            let segment = self.nodes[after as usize].segment.take().expect("a node that is not the last has a segment");
             let next = self.nodes[after as usize].after;
-            self.join(before, piece, next);
+            self.join(before, segment, next);
         } else if previous != NONE {
             self.nodes[previous as usize].after = after;
             self.nodes[after as usize].before = previous;
         } else {
             // Start and end are one.
             self.nodes[before as usize].after = NONE;
-            self.nodes[before as usize].piece = None;
+            self.nodes[before as usize].segment = None;
             return;
         }
         self.look_around(kept);
@@ -217,17 +218,17 @@ impl<'a> Chain<'a> {
         };
         let mut last_face = self.last_face;
         let mut node = &self.nodes[0];
-        while let Some(piece) = &node.piece {
-            add(node.location, piece.strip.first);
-            if !piece.strip.steps.is_empty() {
-                let (portals, end) = unfold(surface, &piece.strip, node.location, piece.to);
-                for (portal, step) in portals.iter().zip(&piece.strip.steps) {
+        while let Some(segment) = &node.segment {
+            add(node.location, segment.strip.first);
+            if !segment.strip.steps.is_empty() {
+                let (portals, end) = unfold(surface, &segment.strip, node.location, segment.to);
+                for (portal, step) in portals.iter().zip(&segment.strip.steps) {
                     let share = share_of(portal, DVec2::ZERO, end);
                     let location = Place::on_edge(surface, step.face, portal.ends, share);
                     add(location.reduced(surface), step.face);
                 }
             }
-            last_face = piece.strip.last();
+            last_face = segment.strip.last();
             node = &self.nodes[node.after as usize];
         }
         add(node.location, last_face);
