@@ -308,7 +308,13 @@ export class Session {
 }
 
 /** What the solver is asked about, as text. */
-function asText({ camera: _camera, style: _style, hidden: _hidden, selected: _selected, ...asked }: SceneState): string {
+function asText({
+  camera: _camera,
+  style: _style,
+  hidden: _hidden,
+  selected: _selected,
+  ...asked
+}: SceneState): string {
   return JSON.stringify(asked);
 }
 
