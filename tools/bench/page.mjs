@@ -4,7 +4,8 @@ import { createReadStream, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { brotliCompressSync, constants } from 'node:zlib';
-import { chromium } from '@playwright/test';
+// Of two checkouts, each brings its own; the test runner would refuse to be loaded twice.
+import { chromium } from 'playwright-core';
 import { preview } from 'vite';
 import { requireChromium, root } from '../steps.mjs';
 
