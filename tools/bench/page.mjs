@@ -62,7 +62,7 @@ export class Page {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
       try {
         const measured = tab.evaluate(measureWorker, {
-          worker: asset(/^solver\.worker-.*\.js$/),
+          worker: asset(/^entry-.*\.js$/),
           module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
           mesh: MESH,
           parameters: PARAMETERS,
