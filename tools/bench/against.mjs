@@ -2,7 +2,7 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { prepare, root } from '../steps.mjs';
+import { fail, prepare, root } from '../steps.mjs';
 import { Checkout, checkout } from './checkout.mjs';
 import { meshes as chosenMeshes } from './meshes.mjs';
 import { judge, LIMIT, median } from './ratios.mjs';
@@ -31,7 +31,12 @@ export async function against(commit, { only, files, budget, quick }) {
   if (files.length > 0) {
     meshes.push(...(await chosenMeshes({ files: paths, subdivisions: 0, quick, only: '', program })));
   }
-  const [inTime, once] = [timed(meshes, paths), fixed(meshes)].map((groups) => groups.filter(isWanted));
+  const all = [timed(meshes, paths), fixed(meshes)];
+  const [inTime, once] = all.map((groups) => groups.filter(isWanted));
+  if (inTime.length + once.length === 0) {
+    const names = all.flat().map(({ name }) => name);
+    fail(`No group has "${only}" in its name. There are: ${names.join('; ')}.`);
+  }
   if ([...inTime, ...once].some(({ onPage }) => onPage)) for (const side of Object.values(sides)) await side.openPage();
 
   const times = [];
