@@ -29,7 +29,7 @@ pub const SOLVER: Module = Module {
     package: "heatwalk-worker",
     file: "heatwalk_worker",
     flags: "-Ctarget-feature=+simd128",
-    profile: "worker",
+    profile: "release",
     is_restartable: false,
 };
 
@@ -46,18 +46,15 @@ pub const VIEWER: Module = Module {
 /// The packages whose tests run on wasm32 too.
 const TESTED: [&str; 4] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk", "heatwalk-scene"];
 
-/// What these tests are compiled with: fast as the module, but each is linked in seconds.
-const TEST_PROFILE: &str = "release";
-
 impl Module {
     fn target_folder(&self) -> PathBuf {
         workspace().join("target").join(format!("wasm-{}", self.name))
     }
 
-    fn cargo(&self, toolchain: &Toolchain, command: &str, profile: &str) -> Command {
+    fn cargo(&self, toolchain: &Toolchain, command: &str) -> Command {
         let mut cargo = toolchain.cargo(command);
         cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", self.target_folder());
-        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags).args(["--profile", profile]);
+        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags).args(["--profile", self.profile]);
         cargo
     }
 }
@@ -65,7 +62,7 @@ impl Module {
 /// Compiles a module and writes its bindings to `web/wasm/NAME`.
 pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
     eprintln!("Compiling the {} for wasm32.", module.name);
-    run(module.cargo(toolchain, "build", module.profile).args(["--package", module.package]))?;
+    run(module.cargo(toolchain, "build").args(["--package", module.package]))?;
     let compiled = module.target_folder().join(TARGET).join(module.profile).join(format!("{}.wasm", module.file));
     let folder = workspace().join("web/wasm").join(module.name);
     let bound = folder.join(format!("{}_bg.wasm", module.file));
@@ -89,7 +86,7 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
     let runner = std::env::current_exe()?;
     let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
     run(SOLVER
-        .cargo(toolchain, "test", TEST_PROFILE)
+        .cargo(toolchain, "test")
         .args(TESTED.iter().flat_map(|package| ["--package", package]))
         .arg("--tests")
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
@@ -100,7 +97,7 @@ pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     for module in [&SOLVER, &VIEWER] {
         eprintln!("Linting the {} for wasm32.", module.name);
         run(module
-            .cargo(toolchain, "clippy", module.profile)
+            .cargo(toolchain, "clippy")
             .args(["--package", module.package])
             .env("CARGO_ENCODED_RUSTFLAGS", [module.flags, "-Dwarnings"].join("\u{1f}").trim_start_matches('\u{1f}')))?;
     }
