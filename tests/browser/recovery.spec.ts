@@ -72,6 +72,27 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
   await expect(alert).toBeEmpty();
 });
 
+test('a renderer that traps while it is made says so, and another one can be asked for', async ({ heatwalk, page }) => {
+  await page.addInitScript((bytes) => {
+    const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
+    const { prototype } = WebGL2RenderingContext;
+    const { getSupportedExtensions } = prototype;
+    prototype.getSupportedExtensions = () => {
+      prototype.getSupportedExtensions = getSupportedExtensions;
+      return (trap as () => null)();
+    };
+  }, TRAP);
+  await page.goto('./#v=1&m=teapot');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('The scene cannot be drawn');
+  expect(await page.evaluate(() => window.heatwalk.backend)).toBeNull();
+  await alert.getByRole('button', { name: 'Try again' }).click();
+  await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).not.toBeNull();
+  await expect(alert).toBeEmpty();
+  await heatwalk.settled();
+  expect((await heatwalk.picture()).width).toBeGreaterThan(0);
+});
+
 test('coordinates near the limits of floating point are drawn or refused, and the next mesh opens', async ({
   heatwalk,
   page,

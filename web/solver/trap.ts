@@ -1,4 +1,4 @@
-/** The ways in which a solver can end. */
+/** The ways in which a wasm module can end. */
 import { OUT_OF_MEMORY, TOO_LARGE, TRAP } from '../wasm/contract';
 
 /** Whether a wasm module trapped, out of memory or by a defect: it must not be called again. */
@@ -11,4 +11,23 @@ export function isOutOfMemory(error: Error): boolean {
   if (error.name === OUT_OF_MEMORY || error.name === TOO_LARGE) return true;
   // The solver's panics say what broke. Memory that is refused ends it without a word of its own.
   return isTrap(error) && /memory|allocation|unreachable|invalid (typed )?array length/i.test(error.message);
+}
+
+/** What an asynchronous call answers. A trap between its steps settles no promise: only the window is told. */
+export async function orTrap<T>(answer: Promise<T>): Promise<T> {
+  const told = new AbortController();
+  const trap = new Promise<never>((_, reject) => {
+    const onError = (event: ErrorEvent) => {
+      if (!(event.error instanceof Error && isTrap(event.error))) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      reject(event.error);
+    };
+    addEventListener('error', onError, { capture: true, signal: told.signal });
+  });
+  try {
+    return await Promise.race([answer, trap]);
+  } finally {
+    told.abort();
+  }
 }

@@ -2,7 +2,7 @@
 import type { DistanceField, DrawMesh, DrawTransform, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
-import { isTrap } from '../solver/trap';
+import { isTrap, orTrap } from '../solver/trap';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
 import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
@@ -114,7 +114,7 @@ export class View {
       const fresh = this.#freshCanvas();
       this.#canvas.replaceWith(fresh);
       this.#canvas = fresh;
-      const viewer = await Viewer.create(fresh, this.#forceWebgl);
+      const viewer = await orTrap(Viewer.create(fresh, this.#forceWebgl));
       this.#fit(viewer);
       if (!this.#replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
