@@ -188,9 +188,7 @@ fn tile_products<T: Scalar, const N: usize, const FUSED: bool>(
 #[inline(always)]
 fn subtract<T: Scalar>(column: &mut [T], block: &[T; BLOCK], row: usize, start: usize, lanes: usize) {
     if let Some(target) = row.checked_sub(start).and_then(|skip| column[skip * lanes..].first_chunk_mut::<BLOCK>()) {
-        for lane in 0..BLOCK {
-            target[lane] -= block[lane];
-        }
+        *target = array(|lane| target[lane] - block[lane]);
         return;
     }
     let (skip, above) = (row.saturating_sub(start) * lanes, start.saturating_sub(row) * lanes);

@@ -120,9 +120,7 @@ fn add<T: Scalar, const N: usize>(front: &mut Front<'_, T, N>, child: &[T], rela
         let target = front.column(column as usize).as_chunks_mut::<N>().0;
         for (&row, entry) in relative[j..].iter().zip(entries.as_chunks::<N>().0) {
             let target = &mut target[(row - column) as usize];
-            for lane in 0..N {
-                target[lane] += entry[lane];
-            }
+            *target = array(|lane| target[lane] + entry[lane]);
         }
     }
 }
