@@ -78,6 +78,7 @@ impl Place {
     }
 
     /// The vertices that span it, with their barycentric weights; vertices of weight 0 are left out.
+    #[inline]
     pub fn support(self, surface: &Surface) -> impl Iterator<Item = (VertexId, f64)> + use<> {
         let (vertices, weights) = match self {
             Self::Vertex(vertex) => ([vertex; 3], [1.0, 0.0, 0.0]),
@@ -91,17 +92,20 @@ impl Place {
     }
 
     /// The vertex that it is, if it is one.
+    #[inline]
     pub fn vertex(self, surface: &Surface) -> Option<VertexId> {
         let mut support = self.support(surface);
         support.next().filter(|_| support.next().is_none()).map(|(vertex, _)| vertex)
     }
 
     /// Its position, in the file's unit.
+    #[inline]
     pub fn position(self, surface: &Surface) -> DVec3 {
         self.support(surface).map(|(vertex, weight)| surface.position(vertex) * weight).sum()
     }
 
     /// The linear interpolation of values given per vertex.
+    #[inline]
     pub fn interpolate(self, surface: &Surface, values: &VertexData<f64>) -> f64 {
         self.support(surface).map(|(vertex, weight)| values[vertex] * weight).sum()
     }
@@ -113,6 +117,7 @@ impl Place {
 
     /// The same point as a vertex or on an edge where it is within [`SNAP`] of one.
     #[must_use]
+    #[inline]
     pub fn snapped(self, surface: &Surface) -> Self {
         self.snapped_within(surface, SNAP)
     }
@@ -159,6 +164,7 @@ impl Place {
     }
 
     /// Its barycentric weights in one of the faces that it lies on.
+    #[inline]
     pub fn weights_in(self, surface: &Surface, face: FaceId) -> [f64; 3] {
         let mut weights = [0.0; 3];
         for (vertex, weight) in self.support(surface) {
@@ -173,6 +179,7 @@ impl Place {
     ///
     /// # Panics
     /// Where the face has no such edge.
+    #[inline]
     pub fn on_edge(surface: &Surface, face: FaceId, [a, b]: [VertexId; 2], share: f64) -> Self {
         let corners = surface.faces()[face];
         let k = (0..3).find(|&k| corners[k] == a).expect("an edge of the face");

@@ -206,16 +206,19 @@ impl Surface {
     }
 
     /// `#V × 3`, in order of the first input vertex there, in the file's unit.
+    #[inline]
     pub fn positions(&self) -> &VertexData<DVec3> {
         &self.positions
     }
 
     /// `#F × 3` corners of the kept triangles, in the input's order.
+    #[inline]
     pub fn faces(&self) -> &FaceData<[VertexId; 3]> {
         &self.faces
     }
 
     /// Half-edges; triangle `f` of the mesh is face `f`, in the same orientation and order of corners.
+    #[inline]
     pub fn mesh(&self) -> &HalfedgeMesh {
         &self.mesh
     }
@@ -267,6 +270,7 @@ impl Surface {
     }
 
     /// The connected component of a vertex, counted from 0.
+    #[inline]
     pub fn component(&self, vertex: VertexId) -> u32 {
         self.components[vertex]
     }
@@ -292,11 +296,13 @@ impl Surface {
     }
 
     /// The faces around a vertex, over all copies of it, each with the corner (0 to 2) that lies there.
+    #[inline]
     pub fn corners_of_vertex(&self, vertex: VertexId) -> impl Iterator<Item = (FaceId, usize)> + '_ {
         self.corners.row(vertex).iter().map(|corner| (corner.triangle(), corner.corner()))
     }
 
     /// The vertices joined to a vertex by an edge; each as often as a face has that edge.
+    #[inline]
     pub fn neighbours(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + '_ {
         self.corners_of_vertex(vertex).flat_map(|(face, k)| {
             let corners = self.faces[face];
@@ -305,6 +311,7 @@ impl Surface {
     }
 
     /// The faces that have both vertices, over all copies: one on a boundary, more than two where not manifold.
+    #[inline]
     pub fn faces_of_edge(&self, a: VertexId, b: VertexId) -> impl Iterator<Item = FaceId> + '_ {
         self.corners_of_vertex(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
     }
@@ -325,11 +332,13 @@ impl Surface {
     }
 
     /// Position of a vertex.
+    #[inline]
     pub fn position(&self, vertex: VertexId) -> DVec3 {
         self.positions[vertex]
     }
 
     /// Positions of a face's corners.
+    #[inline]
     pub fn corners(&self, face: FaceId) -> [DVec3; 3] {
         self.faces[face].map(|vertex| self.positions[vertex])
     }
@@ -345,6 +354,7 @@ impl Surface {
     }
 
     /// The vertices that a half-edge leaves and enters.
+    #[inline]
     pub fn ends(&self, halfedge: HalfedgeId) -> [VertexId; 2] {
         [self.mesh.vertex(halfedge), self.mesh.tip(halfedge)].map(|vertex| self.vertex_of_cut[vertex])
     }
@@ -360,6 +370,7 @@ impl Surface {
     }
 
     /// Unit normal at a vertex: the mean of the face normals around it, weighted by angle; zero where they cancel.
+    #[inline]
     pub fn vertex_normal(&self, vertex: VertexId) -> DVec3 {
         let weighted = self.corners_of_vertex(vertex).map(|(face, k)| {
             let mut corners = self.corners(face);

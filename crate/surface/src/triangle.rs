@@ -7,12 +7,14 @@ use glam::DVec3;
 const COTAN_LIMIT: f64 = 1e5;
 
 /// Unit vector along `vector`, zero for zero; safe where the squared length would under- or overflow.
+#[inline]
 pub fn unit(vector: DVec3) -> DVec3 {
     let scale = vector.abs().max_element();
     if scale > 0.0 { (vector / scale).normalize() } else { DVec3::ZERO }
 }
 
 /// Length, safe where its square would under- or overflow.
+#[inline]
 pub fn length(vector: DVec3) -> f64 {
     let squared = vector.length_squared();
     if (1e-280..1e280).contains(&squared) {
@@ -23,6 +25,7 @@ pub fn length(vector: DVec3) -> f64 {
 }
 
 /// Length of a plane vector, safe where its square would under- or overflow.
+#[inline]
 pub fn hypotenuse(x: f64, y: f64) -> f64 {
     let squared = x * x + y * y;
     if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { x.hypot(y) }
@@ -30,6 +33,7 @@ pub fn hypotenuse(x: f64, y: f64) -> f64 {
 
 /// Area of the triangle with these side lengths, 0 where they violate the triangle inequality. W. Kahan,
 /// "Miscalculating area and angles of a needle-like triangle" (2014): accurate for any shape.
+#[inline]
 pub fn area_of_lengths([a, b, c]: [f64; 3]) -> f64 {
     let (long, short) = if a > b { (a, b) } else { (b, a) };
     let (a, middle) = if c > long { (c, long) } else { (long, c) };
@@ -46,11 +50,13 @@ pub fn area_of_lengths([a, b, c]: [f64; 3]) -> f64 {
 }
 
 /// The edges opposite each corner.
+#[inline]
 pub fn edges([p, q, r]: [DVec3; 3]) -> [DVec3; 3] {
     [r - q, p - r, q - p]
 }
 
 /// Twice the area, along the unit normal.
+#[inline]
 pub fn area_vector([p, q, r]: [DVec3; 3]) -> DVec3 {
     (q - p).cross(r - p)
 }
@@ -78,6 +84,7 @@ pub fn limit_cotans(mut cotans: [f64; 3]) -> [f64; 3] {
 }
 
 /// Gradient of the linear function with these corner values; zero where it has no finite one.
+#[inline]
 pub fn gradient(corners: [DVec3; 3], values: [f64; 3]) -> DVec3 {
     let area = area_vector(corners);
     let [_, b, c] = edges(corners);
