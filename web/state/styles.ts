@@ -7,6 +7,7 @@ import {
   interpolateViridis,
   interpolateYlGnBu,
 } from 'd3-scale-chromatic';
+import type { Surroundings } from '../wasm/viewer/heatwalk_viewer';
 
 /** 0 to 1 to a CSS colour, `#rrggbb` or `rgb(r, g, b)`. */
 type Interpolator = (t: number) => string;
@@ -55,8 +56,7 @@ export const PATTERNS = ['bands', 'lines'] as const;
 /** Stripes that cover a share of the period, or thin lines with thinner ones between them. */
 export type Pattern = (typeof PATTERNS)[number];
 
-export const SURROUNDINGS = ['studio', 'sky', 'night'] as const;
-export type Surroundings = (typeof SURROUNDINGS)[number];
+export const SURROUNDINGS = ['studio', 'sky', 'night'] as const satisfies readonly Surroundings[];
 
 /** Which channels the stripes change; `specular` gives them a metalness and a roughness of their own. */
 export const MAPS = ['colour', 'normal', 'emission', 'specular'] as const;

@@ -7,10 +7,19 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
 use super::numbers::{color, finish, mesh_arrays, points};
-use crate::environment::Surroundings;
+use crate::environment;
 use crate::error::Error;
 use crate::pose::CrowdPose;
 use crate::style::{Pattern, Style};
+
+/// The names of the [surroundings](environment::Surroundings).
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum Surroundings {
+    Studio = "studio",
+    Sky = "sky",
+    Night = "night",
+}
 
 #[wasm_bindgen]
 impl Viewer {
@@ -83,16 +92,16 @@ impl Viewer {
         Ok(self.renderer.set_ramps(ramps)?)
     }
 
-    /// What lights the scene: "studio", "sky" or "night", facing a camera of this yaw in radians.
+    /// What lights the scene, facing a camera of this yaw in radians.
     ///
     /// # Errors
     /// Throws for another name.
-    pub fn set_environment(&mut self, name: &str, yaw: f32) -> Result<(), JsError> {
-        let surroundings = match name {
-            "studio" => Surroundings::Studio,
-            "sky" => Surroundings::Sky,
-            "night" => Surroundings::Night,
-            other => return Err(JsError::new(&format!("There are no surroundings '{other}'."))),
+    pub fn set_environment(&mut self, surroundings: Surroundings, yaw: f32) -> Result<(), JsError> {
+        let surroundings = match surroundings {
+            Surroundings::Studio => environment::Surroundings::Studio,
+            Surroundings::Sky => environment::Surroundings::Sky,
+            Surroundings::Night => environment::Surroundings::Night,
+            Surroundings::__Invalid => return Err(JsError::new("There are no such surroundings.")),
         };
         self.renderer.set_environment(surroundings, yaw);
         Ok(())
