@@ -11,7 +11,7 @@ use common::{nearest, square, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, Systems};
 use heatwalk::operator::Operators;
-use heatwalk::{Error, FaceId, LinearSolver, Operator, Surface, VertexId};
+use heatwalk::{Element, Error, FaceId, LinearSolver, Operator, Surface, VertexData, VertexId};
 
 fn systems(operators: Operators) -> Arc<Systems> {
     Systems::new(operators, LinearSolver::Cholesky, &mut |_, _| ControlFlow::Continue(())).expect("an order")
@@ -142,4 +142,28 @@ fn rejects_lengths_that_make_no_triangle() {
         let refused = Operators::from_lengths(&[face], &[lengths]);
         assert!(matches!(refused, Err(Error::BadParameter { .. })), "{lengths:?}");
     }
+}
+
+#[test]
+fn constraints_on_cold_vertices_and_beside_them_are_met_together() {
+    let surface = surface(&square(8));
+    let systems = systems(Operators::new(&surface, Operator::default()));
+    let time = systems.operators().mean_edge().powi(2);
+    let is_cold: VertexData<bool> = surface.positions().iter().map(|position| position.x == 0.0).collect();
+    let cold = nearest(&surface, DVec3::new(0.0, 0.5, 0.0));
+    let beside = surface.neighbours(cold).find(|&vertex| !is_cold[vertex]).expect("an inner neighbour");
+    let flow = HeatFlow::new(&systems, time, Condition::Dirichlet(Arc::new(is_cold.clone()))).expect("factors");
+    let prescribed = Constraint::at_vertex(cold, 2.0);
+    let mean = Constraint::new([(cold, 0.25), (beside, 0.75)], 0.5);
+    let mut supply = vec![0.0; surface.vertex_count()];
+    let (values, given) = flow.solve_constrained(&supply, &[prescribed.clone(), mean]).expect("heat");
+    let values = VertexData::from(values);
+    assert_eq!(values[cold], 2.0);
+    assert!(values.enumerate().all(|(vertex, &value)| vertex == cold || !is_cold[vertex] || value == 0.0));
+    // Rounding of a small system.
+    assert!((0.25 * 2.0 + 0.75 * values[beside] - 0.5).abs() < 1e-12, "{}", values[beside]);
+    // What the mean puts in, by its weight on a vertex that is not cold, gives the same heat as a supply.
+    supply[beside.index()] = 0.75 * given[1];
+    let (supplied, _) = flow.solve_constrained(&supply, &[prescribed]).expect("heat");
+    assert!(supplied.iter().zip(values.iter()).all(|(a, b)| (a - b).abs() < 1e-12));
 }

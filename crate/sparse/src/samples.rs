@@ -1,10 +1,15 @@
 //! Matrices of small meshes, for tests.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::conjugate_gradients::ConjugateGradients;
 use crate::matrix::SymmetricMatrix;
+use crate::ordering::Permutation;
 use crate::pattern::Pattern;
+use crate::symbolic::Symbolic;
+use crate::system::System;
 
 type Vector = [f64; 3];
 
@@ -140,6 +145,16 @@ pub(crate) fn assemble<T: Copy>(size: usize, entries: &BTreeMap<[u32; 2], T>) ->
     let rows = entries.keys().map(|&[_, row]| row).collect();
     let pattern = Arc::new(Pattern::new(column_start, rows).expect("a pattern"));
     SymmetricMatrix::new(pattern, entries.values().copied().collect()).expect("values of the pattern")
+}
+
+/// The matrix by both solvers, with what their solutions of size 1 may differ by: rounding, and the residual at which
+/// conjugate gradients stop, by condition numbers of some 10 to 100.
+pub(crate) fn both_systems(matrix: &SymmetricMatrix) -> [(System, f64); 2] {
+    let permutation = Permutation::fill_reducing(matrix.pattern()).expect("memory");
+    let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
+    let [factor] = symbolic.factor([matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
+    let iterative = ConjugateGradients::new(matrix.clone());
+    [(System::Cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)]
 }
 
 /// Values between −1 and 1 that repeat late.

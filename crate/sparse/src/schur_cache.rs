@@ -7,6 +7,9 @@ use crate::error::Result;
 use crate::schur::{Functional, SchurColumn};
 use crate::system::System;
 
+#[cfg(test)]
+mod tests;
+
 /// The Schur columns of one system for the constraints of late, by constraint.
 #[derive(Debug, Default)]
 pub struct SchurCache {

@@ -18,6 +18,9 @@ use crate::ordering::{Permutation, view};
 use crate::pattern::{NONE, Pattern};
 use crate::scalar::Scalar;
 
+#[cfg(test)]
+mod tests;
+
 /// Two supernodes become one where they have at most so many columns together and at most this share of zeros.
 const RELAXATION: &[(usize, f64)] = &[(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0.05)];
 

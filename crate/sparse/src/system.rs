@@ -7,6 +7,9 @@ use crate::error::Result;
 use crate::factor::Factor;
 use crate::schur::{Functional, Kind, SchurColumn, evaluate};
 
+#[cfg(test)]
+mod tests;
+
 /// A symmetric positive definite matrix that can be solved.
 #[derive(Debug)]
 pub enum System {

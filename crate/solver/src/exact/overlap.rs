@@ -3,6 +3,9 @@
 use super::window::Window;
 use crate::extremum::{larger, smaller};
 
+#[cfg(test)]
+mod tests;
+
 /// Two overlapping windows of one half-edge, and the first's distance less the second's where their overlap begins and
 /// ends. A tie is the second's.
 pub(super) struct Overlap<'a> {

@@ -81,6 +81,17 @@ fn the_elimination_tree_of_a_path_and_of_its_reverse_is_the_path() {
 }
 
 #[test]
+fn both_ways_of_an_order_are_inverse() {
+    let permutation = Permutation::fill_reducing(&grid(7, 2)).expect("memory");
+    assert_eq!(permutation.size(), 98);
+    for (place, &row) in permutation.old_of_new().iter().enumerate() {
+        assert_eq!(permutation.new_of_old()[row as usize] as usize, place);
+    }
+    assert_ne!(permutation.old_of_new(), permutation.new_of_old());
+    assert_eq!([permutation.old_of_new().len(), permutation.new_of_old().len()], [98; 2]);
+}
+
+#[test]
 fn postordering_keeps_the_fill() {
     let graph = Graph::of_lower_triangle(&grid(60, 1));
     let dissected = dissected(&graph);
