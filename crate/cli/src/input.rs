@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use heatwalk::{Soup, io};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 use crate::report::milliseconds;
 

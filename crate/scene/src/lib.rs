@@ -1,11 +1,9 @@
-//! What pictures of surfaces need, and the solver does not: [shapes] made in code, [vertices to draw](drawing),
-//! [lines of the mesh](overlay), a [crowd] of walkers, and the [transform](DrawTransform) to what is drawn.
+//! What pictures of surfaces need, and the solver does not: [vertices to draw](drawing), [lines of the mesh](overlay), a
+//! [crowd] of walkers, and the [transform](DrawTransform) to what is drawn.
 
 pub mod crowd;
 pub mod drawing;
 pub mod overlay;
-mod random;
-pub mod shapes;
 mod transform;
 
 pub use crowd::{Crowd, Walker};

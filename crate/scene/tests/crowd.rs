@@ -13,7 +13,8 @@ use common::{any_triangles, band, book, distance_from, random, soup, square, sur
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
-use heatwalk_scene::{Crowd, DrawTransform, Walker, shapes};
+use heatwalk_scene::{Crowd, DrawTransform, Walker};
+use heatwalk_shapes as shapes;
 
 const SEED: u64 = 7;
 

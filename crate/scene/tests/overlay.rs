@@ -9,7 +9,7 @@ use common::surface;
 use glam::DVec3;
 use heatwalk::{HeatSolver, Operator, Parameters, VertexId};
 use heatwalk_scene::overlay::{self, Segment};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 fn total(segments: &[Segment]) -> f64 {
     segments.iter().map(|[a, b]| a.distance(*b)).sum()

@@ -15,7 +15,8 @@ use heatwalk::{
     Boundary, ExactRadius, HeatSolver, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
     straighten,
 };
-use heatwalk_scene::{Crowd, DrawTransform, shapes};
+use heatwalk_scene::{Crowd, DrawTransform};
+use heatwalk_shapes as shapes;
 
 const LEVEL: u32 = 5;
 const STAGES: [Stage; 4] = [Stage::Assembling, Stage::Ordering, Stage::Analysing, Stage::Factoring];

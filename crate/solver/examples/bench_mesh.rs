@@ -11,7 +11,7 @@ use std::fs;
 use std::path::Path;
 
 use heatwalk::{Soup, Surface, io};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 use serde_json::json;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 use heatwalk::{HeatSolver, Parameters, Place, RelativeError, Soup, Surface, VertexId};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Vertices that measure the spheres: one of the twelve with five neighbours, and another.
 const SPHERE_SOURCES: [VertexId; 2] = [VertexId(0), VertexId(777)];

@@ -8,10 +8,10 @@
 //! ```
 //! use std::ops::ControlFlow;
 //! use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend};
-//! use heatwalk_scene::shapes;
+//! use heatwalk_shapes::icosphere;
 //!
 //! # fn main() -> heatwalk::Result<()> {
-//! let surface = Surface::build(&shapes::icosphere(3))?;
+//! let surface = Surface::build(&icosphere(3))?;
 //! let solver = HeatSolver::new(surface, Parameters::default(), &mut |stage, done| {
 //!     println!("{stage}, {:.0} %", 100.0 * done);
 //!     ControlFlow::Continue(())
@@ -24,6 +24,8 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! The oldest Rust that it compiles with is 1.95; a newer one is asked for in a new minor version only.
 //!
 //! # Where more would plug in
 //!

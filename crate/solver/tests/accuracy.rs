@@ -11,7 +11,7 @@ use glam::DVec3;
 use heatwalk::{
     Boundary, Element, InputVertex, LinearSolver, Operator, Parameters, Place, RelativeError, TimeStep, VertexId,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 fn sphere_error(subdivisions: u32) -> f64 {
     let (solver, distance) = distance_from(&shapes::icosphere(subdivisions), 0);

@@ -12,7 +12,7 @@ use heatwalk::{
     Boundary, Distance, Element, ExactRadius, HeatSolver, InputVertex, LinearSolver, MemoryLimit, MultiSource,
     Operator, Parameters, Place, Soup, Surface, TimeStep,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Far from the defect and from the poles of numbering.
 const SOURCE: u32 = 700;

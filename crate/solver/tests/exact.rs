@@ -14,7 +14,7 @@ use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
 const EXACT: f64 = 1e-9;
@@ -121,8 +121,11 @@ fn plane_is_straight() {
     let mut seed = 5;
     for _ in 0..10 {
         let source = random_location(&surface, &mut seed);
-        let wavefront = finished(&surface, &[(source, 0.0)], &[]);
-        for (value, position) in wavefront.values().iter().zip(surface.positions()) {
+        let targets: Vec<_> = (0..40).map(|_| random_location(&surface, &mut seed)).collect();
+        let wavefront = finished(&surface, &[(source, 0.0)], &targets);
+        let at_vertices = wavefront.values().iter().copied().zip(surface.positions().iter().copied());
+        let places = targets.iter().map(|target| target.position(&surface));
+        for (value, position) in at_vertices.chain(wavefront.target_values().iter().copied().zip(places)) {
             let straight = position.distance(source.position(&surface));
             assert!((value - straight).abs() <= EXACT * straight, "{value} for {straight}");
         }

@@ -11,7 +11,8 @@ use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Error, HeatSolver, Parameters, Path, Place, Surface, SurfacePoint, VertexId, descend, straighten, straightest,
 };
-use heatwalk_scene::{Crowd, shapes};
+use heatwalk_scene::Crowd;
+use heatwalk_shapes as shapes;
 
 fn sphere() -> Arc<Surface> {
     Arc::new(common::surface(&shapes::icosphere(2)))

@@ -15,7 +15,8 @@ use heatwalk::{
     Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage, VertexData,
     VertexId,
 };
-use heatwalk_scene::{DrawTransform, draw_mesh, shapes};
+use heatwalk_scene::{DrawTransform, draw_mesh};
+use heatwalk_shapes as shapes;
 
 /// Largest difference of two distances, as a share of the largest distance.
 fn difference(a: &[f64], b: &[f64]) -> f64 {

@@ -12,7 +12,7 @@ use common::solver_with;
 use heatwalk::{
     Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Place, Result, Surface, TimeStep, VertexId,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 const NUMBER: u64 = size_of::<f64>() as u64;
 

@@ -8,7 +8,7 @@ mod common;
 use common::{band, book, distance_from, nearest, random, solver, square};
 use glam::DVec3;
 use heatwalk::{Boundary, Element, Error, FaceId, HeatSolver, Path, Place, Soup, VertexId, descend};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Points of a path follow each other through the faces that they name, and end at a source.
 fn check(solver: &HeatSolver, path: &Path, from: Place, sources: &[Place]) {

@@ -17,7 +17,8 @@ use heatwalk::{
     Boundary, Error, ExactRadius, FaceId, HeatSolver, MultiSource, Operator, Parameters, Place, Soup, Source, Surface,
     TimeStep, VertexId, descend, straighten,
 };
-use heatwalk_scene::{Crowd, DrawTransform, shapes};
+use heatwalk_scene::{Crowd, DrawTransform};
+use heatwalk_shapes as shapes;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 

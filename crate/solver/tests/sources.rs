@@ -19,7 +19,7 @@ use heatwalk::{
     Boundary, Element, Error, ExactRadius, FaceId, LinearSolver, MultiSource, Operator, Parameters, Place, Soup,
     Source, Surface, VertexId,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// The heat method alone on the triangles as they are.
 fn plain() -> Parameters {

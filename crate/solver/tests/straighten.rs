@@ -15,7 +15,7 @@ use heatwalk::{
     Boundary, Element, FaceId, HeatSolver, InputVertex, Path, Place, Soup, Surface, VertexId, descend, edge_path,
     straighten, straightest,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Straightens and checks all that must hold on any surface.
 fn straightened(surface: &Surface, path: &Path) -> Path {

@@ -14,7 +14,7 @@ use heatwalk::{
     Element, Error, FaceId, HalfedgeId, Place, Soup, Straightest, Surface, VertexData, VertexId, edge_path,
     edge_polyline, straighten, straightest,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Walks, and checks what holds for any walk.
 fn walk(surface: &Surface, from: Place, face: Option<FaceId>, direction: DVec3, length: f64) -> Straightest {

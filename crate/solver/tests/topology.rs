@@ -12,7 +12,7 @@ use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId,
 };
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// The documented invariants of a half-edge mesh.
 fn check(surface: &Surface) {

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod reading;
 
 use glam::DVec3;
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 use heatwalk_surface::Error;
 use heatwalk_surface::io::write;
 use serde_json::{Value, json};

@@ -17,7 +17,8 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::Soup;
 use heatwalk::{Surface, io};
-use heatwalk_scene::{DrawTransform, shapes};
+use heatwalk_scene::DrawTransform;
+use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 

@@ -16,7 +16,7 @@ pub struct Module {
     package: &'static str,
     file: &'static str,
     /// Compiler flags. They differ, so each module has a target folder of its own.
-    flags: &'static str,
+    flags: &'static [&'static str],
     /// The profile of Cargo.toml that it is compiled with.
     profile: &'static str,
     /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
@@ -28,8 +28,8 @@ pub const SOLVER: Module = Module {
     name: "solver",
     package: "heatwalk-worker",
     file: "heatwalk_worker",
-    flags: "-Ctarget-feature=+simd128",
-    profile: "release",
+    flags: &["-Ctarget-feature=+simd128"],
+    profile: "worker",
     is_restartable: false,
 };
 
@@ -38,23 +38,25 @@ pub const VIEWER: Module = Module {
     name: "viewer",
     package: "heatwalk-viewer",
     file: "heatwalk_viewer",
-    flags: "",
+    flags: &[],
     profile: "viewer",
     is_restartable: true,
 };
 
 /// The packages whose tests run on wasm32 too.
-const TESTED: [&str; 4] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk", "heatwalk-scene"];
+const TESTED: [&str; 5] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-scene"];
 
 impl Module {
     fn target_folder(&self) -> PathBuf {
         workspace().join("target").join(format!("wasm-{}", self.name))
     }
 
-    fn cargo(&self, toolchain: &Toolchain, command: &str) -> Command {
+    /// `cargo COMMAND` with the module's flags and `more` of them.
+    fn cargo(&self, toolchain: &Toolchain, command: &str, more: &[&str]) -> Command {
+        let flags: Vec<String> = self.flags.iter().chain(more).map(ToString::to_string).chain(shortened()).collect();
         let mut cargo = toolchain.cargo(command);
         cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", self.target_folder());
-        cargo.env("CARGO_ENCODED_RUSTFLAGS", self.flags).args(["--profile", self.profile]);
+        cargo.env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
         cargo
     }
 }
@@ -62,7 +64,7 @@ impl Module {
 /// Compiles a module and writes its bindings to `web/wasm/NAME`.
 pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
     eprintln!("Compiling the {} for wasm32.", module.name);
-    run(module.cargo(toolchain, "build").args(["--package", module.package]))?;
+    run(module.cargo(toolchain, "build", &[]).args(["--profile", module.profile, "--package", module.package]))?;
     let compiled = module.target_folder().join(TARGET).join(module.profile).join(format!("{}.wasm", module.file));
     let folder = workspace().join("web/wasm").join(module.name);
     let bound = folder.join(format!("{}_bg.wasm", module.file));
@@ -85,8 +87,10 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
     eprintln!("Running the solver's tests on wasm32.");
     let runner = std::env::current_exe()?;
     let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
+    // Linking every test as a whole would take longer than all of them run.
     run(SOLVER
-        .cargo(toolchain, "test")
+        .cargo(toolchain, "test", &[])
+        .args(["--profile", "release", "--config", "profile.release.lto='off'"])
         .args(TESTED.iter().flat_map(|package| ["--package", package]))
         .arg("--tests")
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
@@ -96,12 +100,30 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     for module in [&SOLVER, &VIEWER] {
         eprintln!("Linting the {} for wasm32.", module.name);
-        run(module
-            .cargo(toolchain, "clippy")
-            .args(["--package", module.package])
-            .env("CARGO_ENCODED_RUSTFLAGS", [module.flags, "-Dwarnings"].join("\u{1f}").trim_start_matches('\u{1f}')))?;
+        run(module.cargo(toolchain, "clippy", &["-Dwarnings"]).args([
+            "--profile",
+            module.profile,
+            "--package",
+            module.package,
+        ]))?;
     }
     Ok(())
+}
+
+/// Flags that take the folders of the registries off the file names in panic messages: two hundred of them, which name no
+/// folder of the machine then.
+fn shortened() -> Vec<String> {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo")));
+    let registries = home.and_then(|home| home.join("registry/src").read_dir().ok());
+    let mut flags: Vec<String> = registries
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|registry| format!("--remap-path-prefix={}=", registry.path().display()))
+        .collect();
+    flags.sort();
+    flags
 }
 
 fn modified(path: &Path) -> Option<SystemTime> {

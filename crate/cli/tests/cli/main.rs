@@ -14,7 +14,7 @@ use std::process::{Command, Output};
 
 use heatwalk::Soup;
 use heatwalk::io::write;
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 use serde_json::Value;
 
 /// A flat unit square whose coordinates are exact. Vertex `(i, j)` is number `9 i + j`, at x = i / 8, z = −j / 8.

@@ -18,6 +18,8 @@ use heatwalk::Surface;
 use heatwalk::VertexData;
 use heatwalk::surface::triangle;
 use heatwalk::{Error, Result};
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::SeedableRng;
 
 use crate::transform::DrawTransform;
 
@@ -65,8 +67,7 @@ pub struct Crowd {
     /// Steps since.
     steps: usize,
     flow: Flow,
-    /// Of the random numbers.
-    state: u64,
+    random: SplitMix64,
 }
 
 impl Crowd {
@@ -92,7 +93,7 @@ impl Crowd {
             order: Vec::new(),
             steps: 0,
             flow,
-            state: seed,
+            random: SplitMix64::seed_from_u64(seed),
         })
     }
 
@@ -144,10 +145,10 @@ impl Crowd {
         let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, turn };
         for &walker in &self.order {
             let walker = &mut self.walkers[walker as usize];
-            *walker = ground.walked(walker, step).unwrap_or_else(|| ground.start(&mut self.state));
+            *walker = ground.walked(walker, step).unwrap_or_else(|| ground.start(&mut self.random));
         }
         let missing = self.count - self.walkers.len();
-        self.walkers.extend((0..missing).map(|_| ground.start(&mut self.state)));
+        self.walkers.extend((0..missing).map(|_| ground.start(&mut self.random)));
         Ok(())
     }
 
@@ -199,8 +200,8 @@ impl Ground<'_> {
     }
 
     /// A walker at a random place, facing where it will go.
-    fn start(&self, state: &mut u64) -> Walker {
-        let (face, weights) = self.flow.homes.random_place(state);
+    fn start(&self, random: &mut SplitMix64) -> Walker {
+        let (face, weights) = self.flow.homes.random_place(random);
         let place = Place { face, weights };
         let (position, upright) = self.stand(place);
         let ahead = self.flow.leg(self.surface, place).map_or(DVec3::ZERO, |leg| leg.vector(self.surface));

@@ -31,7 +31,7 @@ impl Targets {
             faces.into_iter().map(move |(face, weights)| TargetInFace { face, weights, target })
         };
         let mut places: Vec<TargetInFace> = locations.iter().enumerate().flat_map(of_target).collect();
-        places.sort_by_key(|place| place.face);
+        places.sort_unstable_by_key(|place| (place.face, place.target));
         Self {
             values: vec![f64::INFINITY; locations.len()],
             origins: vec![Origin::None; locations.len()],

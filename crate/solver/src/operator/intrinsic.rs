@@ -261,7 +261,11 @@ fn sort_around(surface: &Surface, sides: &mut [u32]) {
     let out = |slot: u32| triangle::unit((apex(slot) - start).reject_from_normalized(axis));
     let (x, y) = (out(sides[0]), axis.cross(out(sides[0])));
     let angle = |slot: u32| out(slot).dot(y).atan2(out(slot).dot(x));
-    sides.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)));
+    let mut around: Vec<(f64, u32)> = sides.iter().map(|&side| (angle(side), side)).collect();
+    around.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    for (side, (_, sorted)) in sides.iter_mut().zip(around) {
+        *side = sorted;
+    }
 }
 
 fn next(slot: u32) -> u32 {

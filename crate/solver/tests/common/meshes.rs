@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use heatwalk::{Soup, io};
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
 
 /// Closed and scanned; with a boundary; of many handles; modelled; and of slivers.
 pub const NAMES: [&str; 5] = ["bunny", "hemisphere", "high_genus", "triceratops", "slivers"];

@@ -3,8 +3,9 @@
 use glam::DVec3;
 use std::collections::HashMap;
 
-use crate::random::random;
-use heatwalk::Soup;
+use heatwalk_surface::Soup;
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
 const ROAD_WIDTH: f64 = 1.0;
 const WALL_WIDTH: f64 = 0.2;
@@ -40,7 +41,7 @@ impl Plan {
     fn carve(cells: usize) -> Self {
         let size = 2 * cells + 1;
         let mut plan = Self { size, open: vec![false; size * size] };
-        let mut state = SEED;
+        let mut random = SplitMix64::seed_from_u64(SEED);
         let mut stack = vec![(1_usize, 1_usize)];
         plan.open[size + 1] = true;
         while let Some(&(column, row)) = stack.last() {
@@ -53,7 +54,7 @@ impl Plan {
                 stack.pop();
                 continue;
             }
-            let next = closed[random(&mut state) as usize % closed.len()];
+            let next = closed[random.next_u64() as usize % closed.len()];
             plan.open[(row + next.1) / 2 * size + (column + next.0) / 2] = true;
             plan.open[next.1 * size + next.0] = true;
             stack.push(next);
@@ -61,7 +62,7 @@ impl Plan {
         for row in 1..size - 1 {
             for column in 1..size - 1 {
                 // Posts, where both are even, stay: an opened one would touch the road at a corner only.
-                if (row + column) % 2 == 1 && random(&mut state).is_multiple_of(LOOPS) {
+                if (row + column) % 2 == 1 && random.next_u64().is_multiple_of(LOOPS) {
                     plan.open[row * size + column] = true;
                 }
             }

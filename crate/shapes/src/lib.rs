@@ -21,8 +21,7 @@ pub use skull::skull;
 pub use terrain::terrain;
 pub use triceratops::triceratops;
 
-use heatwalk::Soup;
-use heatwalk::{Error, Result};
+use heatwalk_surface::{Error, Result, Soup};
 
 const NAMES: [&str; 13] = [
     "animal",

@@ -6,9 +6,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::collections::HashMap;
 
 use glam::DVec3;
-use heatwalk::Error;
-use heatwalk::Soup;
-use heatwalk_scene::shapes;
+use heatwalk_shapes as shapes;
+use heatwalk_surface::{Error, Soup};
 
 /// The triangles of a part over vertices welded by position, degenerate ones dropped.
 struct Welded {

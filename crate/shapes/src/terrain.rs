@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::parametric::grid;
-use heatwalk::Soup;
+use heatwalk_surface::Soup;
 
 const SEED: u32 = 0x9e37_79b9;
 const OCTAVES: u32 = 5;

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::figure::smooth_min;
 use super::implicit;
-use heatwalk::Soup;
+use heatwalk_surface::Soup;
 
 /// Frame of a tetrahedron, one corner up: a rounded tetrahedron with a hole from its middle through each face, so genus 3.
 /// `spacing` is the length of an edge; the body is 3.9 wide.

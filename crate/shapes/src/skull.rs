@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 
 use super::figure::{Figure, Part, ball, ellipsoid, limb, turned_ellipsoid};
 use super::parametric::revolve;
-use heatwalk::Soup;
+use heatwalk_surface::Soup;
 
 /// Looking along +x, 2.1 high. Part 0, "skull": cranium, face and upper teeth in one piece, whose two handles are the
 /// zygomatic arches. Part 1, "lower jaw", with its teeth. Part 2, "hollows": open bowls that line the orbits and the

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::figure::{Figure, ball, ellipsoid, ground, limb, turned_ellipsoid};
-use heatwalk::Soup;
+use heatwalk_surface::Soup;
 
 /// A cow with horns, ears, an udder, cloven hoofs and a tail with its tuft. It stands on y = 0 and looks along +x, 2.9
 /// long. Below a `spacing` of 0.026 no horn is lost.
