@@ -12,22 +12,3 @@ export function isOutOfMemory(error: Error): boolean {
   // The solver's panics say what broke. Memory that is refused ends it without a word of its own.
   return isTrap(error) && /memory|allocation|unreachable|invalid (typed )?array length/i.test(error.message);
 }
-
-/** What an asynchronous call answers. A trap between its steps settles no promise: only the window is told. */
-export async function orTrap<T>(answer: Promise<T>): Promise<T> {
-  const told = new AbortController();
-  const trap = new Promise<never>((_, reject) => {
-    const onError = (event: ErrorEvent) => {
-      if (!(event.error instanceof Error && isTrap(event.error))) return;
-      event.preventDefault();
-      event.stopImmediatePropagation();
-      reject(event.error);
-    };
-    addEventListener('error', onError, { capture: true, signal: told.signal });
-  });
-  try {
-    return await Promise.race([answer, trap]);
-  } finally {
-    told.abort();
-  }
-}

@@ -2,9 +2,10 @@
 import type { DistanceField, DrawMesh, DrawTransform, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
-import { isTrap, orTrap } from '../solver/trap';
+import { isTrap } from '../solver/trap';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
+import { Traps } from './traps';
 import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
 
@@ -63,6 +64,7 @@ const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 export class View {
   readonly stage: HTMLElement;
   readonly #forceWebgl: boolean;
+  readonly #traps = new Traps();
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
   #layers = new Map<Layer, (viewer: Viewer) => void>();
@@ -114,7 +116,7 @@ export class View {
       const fresh = this.#freshCanvas();
       this.#canvas.replaceWith(fresh);
       this.#canvas = fresh;
-      const viewer = await orTrap(Viewer.create(fresh, this.#forceWebgl));
+      const viewer = await this.#traps.during(Viewer.create(fresh, this.#forceWebgl));
       this.#fit(viewer);
       if (!this.#replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
