@@ -121,26 +121,24 @@ fn minimum_degree(pattern: &Pattern) -> Result<(Permutation, f64)> {
 /// same rows come together.
 fn postordered(graph: &Graph, permutation: &Permutation) -> Permutation {
     let parent = elimination_tree(graph, permutation);
-    let (mut last_child, mut previous_child) = (vec![NONE; parent.len()], vec![NONE; parent.len()]);
-    for (vertex, &parent) in (0..).zip(&parent).filter(|&(_, &parent)| parent != NONE) {
-        previous_child[vertex as usize] = std::mem::replace(&mut last_child[parent as usize], vertex);
+    let size = parent.len();
+    let mut subtree = vec![1; size];
+    for (vertex, &parent) in parent.iter().enumerate().filter(|&(_, &parent)| parent != NONE) {
+        subtree[parent as usize] += subtree[vertex];
     }
-    let roots = (0..parent.len() as u32).filter(|&vertex| parent[vertex as usize] == NONE);
-    // Each parent before its children, the last child first: the reverse is the postorder.
-    let mut reversed = Vec::with_capacity(parent.len());
-    let mut stack: Vec<u32> = roots.collect();
-    while let Some(vertex) = stack.pop() {
-        reversed.push(permutation.old_of_new[vertex as usize]);
-        let before = stack.len();
-        let some = |child: u32| Some(child).filter(|&child| child != NONE);
-        let children =
-            std::iter::successors(some(last_child[vertex as usize]), |&child| some(previous_child[child as usize]));
-        stack.extend(children);
-        // The last child is taken first.
-        stack[before..].reverse();
+    // Parents come after their children, so from the end each finds its place before its children ask for theirs: the last
+    // child ends just before it, the others before that one's subtree.
+    let mut end_of_roots = size as u32;
+    let mut end_of_children = vec![0; size];
+    let mut old_of_new = vec![0; size];
+    for (vertex, &parent) in parent.iter().enumerate().rev() {
+        let end = if parent == NONE { &mut end_of_roots } else { &mut end_of_children[parent as usize] };
+        let place = *end - 1;
+        *end -= subtree[vertex];
+        end_of_children[vertex] = place;
+        old_of_new[place as usize] = permutation.old_of_new[vertex];
     }
-    reversed.reverse();
-    Permutation::of_order(reversed)
+    Permutation::of_order(old_of_new)
 }
 
 /// The parent of each unknown, all in the elimination order: the row of the first entry below the diagonal in its
