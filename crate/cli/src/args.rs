@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{LinearSolver, MultiSource};
+use heatwalk::{LinearSolver, Method, MultiSource, Windows};
 
 use crate::options::{Options, choice};
 use crate::place::{Line, Place, SourcePlace};
@@ -69,9 +69,18 @@ pub struct Distance {
     /// How several sources are joined
     #[arg(long, default_value_t, value_parser = choice::<MultiSource>())]
     pub multi: MultiSource,
-    /// Exact polyhedral distances everywhere; the options of the heat method then do nothing
-    #[arg(long)]
+    /// How distances are found; the options of the heat method do nothing for others
+    #[arg(long, default_value_t, value_parser = choice::<Method>())]
+    pub method: Method,
+    /// The same as --method exact
+    #[arg(long, conflicts_with = "method")]
     pub exact: bool,
+    /// Windows that propagation keeps of each half-edge, or all
+    #[arg(long, value_name = "K", default_value_t)]
+    pub windows: Windows,
+    /// Leave what is farther than D at infinity; not for heat
+    #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true)]
+    pub max_distance: Option<f64>,
     /// Tell the error against exact distances
     #[arg(long, conflicts_with = "exact")]
     pub compare: bool,
@@ -125,6 +134,12 @@ pub struct Table {
     /// Print one JSON array
     #[arg(long)]
     pub json: bool,
+}
+
+/// A positive number.
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|&number: &f64| number > 0.0);
+    number.ok_or_else(|| "a positive number is needed".to_owned())
 }
 
 /// The first paragraph of clap's message, on one line; the rest is its help.

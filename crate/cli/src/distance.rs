@@ -3,8 +3,9 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::Result;
-use heatwalk::{RelativeError, Source, Surface, VertexData, VertexId};
+use anyhow::{Result, bail};
+use heatwalk::propagation::Propagation;
+use heatwalk::{Choice, ExactSearch, Method, PropagationOptions, RelativeError, Source, Surface, VertexData, VertexId};
 use serde_json::json;
 
 use crate::args::Distance;
@@ -14,6 +15,9 @@ use crate::output::Output;
 use crate::report::{Report, milliseconds};
 use crate::timing::{Factored, build, factor, median_solve_ms, sample};
 
+/// Windows that an exact search may propagate by default: about a second.
+const AFFORDABLE_WINDOWS: usize = 8_000_000;
+
 /// Distances, `#V`, and what they took.
 struct Solved {
     values: VertexData<f64>,
@@ -22,6 +26,10 @@ struct Solved {
 }
 
 pub fn distance(arguments: &Distance) -> Result<String> {
+    let method = if arguments.exact { Method::Exact } else { arguments.method };
+    if method == Method::Heat && arguments.max_distance.is_some() {
+        bail!("--max-distance needs another --method than heat, which finds all distances at once");
+    }
     let output = arguments.output.as_deref().map(Output::distance).transpose()?;
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
@@ -35,8 +43,10 @@ pub fn distance(arguments: &Distance) -> Result<String> {
 
     let mut report = Report::default();
     report.push_surface(surface.report());
-    let solve = if arguments.exact { exactly } else { by_heat };
-    let Solved { values, precompute_ms, solve_ms } = solve(&surface, &sources, arguments, &mut report)?;
+    let Solved { values, precompute_ms, solve_ms } = match exact_search(method) {
+        Some(search) => by_windows(&surface, &sources, arguments, search, &mut report)?,
+        None => by_heat(&surface, &sources, arguments, &mut report)?,
+    };
 
     // Vertices that no triangle uses are as far as another component.
     let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
@@ -54,6 +64,16 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     Ok(report.render(arguments.mesh.json))
 }
 
+/// How far a method searches exactly; `None` for heat.
+fn exact_search(method: Method) -> Option<ExactSearch> {
+    match method {
+        Method::Heat => None,
+        Method::Auto => Some(ExactSearch::AtMost(AFFORDABLE_WINDOWS)),
+        Method::Propagation => Some(ExactSearch::Automatic),
+        Method::Exact => Some(ExactSearch::AtMost(usize::MAX)),
+    }
+}
+
 fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
     let parameters = arguments.options.parameters(arguments.solver, arguments.multi);
     let Factored { solver, precompute_ms, stages_ms } = factor(surface, parameters)?;
@@ -64,33 +84,62 @@ fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, rep
         1 => asked_ms,
         count => median_solve_ms(&timed(surface, count, report), |source| Ok(solver.distance(&[source])?))?,
     };
+    report.push("method", Method::Heat.name());
     report.push_stages(&stages_ms);
     report.push("factor_nonzeros", solver.factor_nonzeros());
     report.push("time_factor", solver.time_factor());
     report.push("exact_below", distance.exact_below);
     if arguments.compare {
-        let exact = exact::distances(solver.exact_geometry(), sources)?;
-        let error = RelativeError::between(&distance.values, &exact);
-        report.push("mean_error_percent", 100.0 * error.mean);
-        report.push("max_error_percent", 100.0 * error.max);
+        push_errors(&distance.values, &exact::distances(solver.exact_geometry(), sources)?, report);
     }
     Ok(Solved { values: distance.values, precompute_ms, solve_ms })
 }
 
-fn exactly(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
+/// By windows: exactly as far as `exact` goes, by a few of each half-edge beyond.
+fn by_windows(
+    surface: &Arc<Surface>,
+    sources: &[Source],
+    arguments: &Distance,
+    exact: ExactSearch,
+    report: &mut Report,
+) -> Result<Solved> {
+    let farthest = arguments.max_distance.unwrap_or(f64::INFINITY);
     let (geometry, precompute_ms) = exact::geometry(surface);
     let start = Instant::now();
-    let values = exact::distances(&geometry, sources)?;
+    let options = PropagationOptions { windows: arguments.windows, exact };
+    let mut propagation = Propagation::new(Arc::clone(&geometry), sources, options)?;
+    propagation.advance(farthest, usize::MAX);
     let asked_ms = milliseconds(start);
+    let within = |&value: &f64| if value <= farthest { value } else { f64::INFINITY };
+    let values: VertexData<f64> = propagation.values().iter().map(within).collect();
+    let (is_exact, exact_below) = (propagation.is_exact(), propagation.exact_below());
     let solve_ms = match arguments.repeat {
         1 => asked_ms,
-        count => {
-            let vertices = timed(surface, count, report);
-            median_solve_ms(&vertices, |source| exact::distances(&geometry, &[source]))?
-        }
+        count => median_solve_ms(&timed(surface, count, report), |source| {
+            propagation.restart(&[source])?;
+            propagation.advance(farthest, usize::MAX);
+            Ok(propagation.values().clone())
+        })?,
     };
     report.push("factor_nonzeros", 0);
+    report.push("method", if is_exact { Method::Exact } else { Method::Propagation }.name());
+    if !is_exact {
+        report.push("windows", arguments.windows.to_string());
+        report.push("exact_below", exact_below);
+    }
+    if arguments.compare {
+        push_errors(&values, &exact::distances(&geometry, sources)?, report);
+    }
     Ok(Solved { values, precompute_ms, solve_ms })
+}
+
+fn push_errors(values: &VertexData<f64>, exact: &VertexData<f64>, report: &mut Report) {
+    // What was left at infinity is not compared.
+    let pairs = values.iter().zip(exact).filter(|(value, _)| value.is_finite());
+    let (values, exact): (Vec<f64>, Vec<f64>) = pairs.unzip();
+    let error = RelativeError::between(&values, &exact);
+    report.push("mean_error_percent", 100.0 * error.mean);
+    report.push("max_error_percent", 100.0 * error.max);
 }
 
 /// The vertices that the median solve is taken over. The report tells them, for others to be timed on the same.

@@ -61,6 +61,9 @@ pub enum Error {
         /// What was being done.
         stage: &'static str,
     },
+    /// Heat was asked of a distance that was found by other means.
+    #[error("this distance was not found by heat; ask for the heat method")]
+    NoHeat,
     /// Start and source lie on parts that are not connected.
     #[error("no source can be reached from there: the parts are not connected")]
     Unreachable,
@@ -87,6 +90,7 @@ impl Error {
             Self::NotConverged { .. } => "not-converged",
             Self::TooLarge { .. } => "too-large",
             Self::OutOfMemory { .. } => "out-of-memory",
+            Self::NoHeat => "no-heat",
             Self::Unreachable => "unreachable",
             Self::Cancelled => "cancelled",
         }

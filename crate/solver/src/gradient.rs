@@ -4,8 +4,8 @@
 
 use glam::DVec3;
 
+use crate::distance::Distance;
 use crate::error::Result;
-use crate::heat::Distance;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
 use heatwalk_surface::{FaceData, VertexData};
@@ -77,10 +77,11 @@ impl Distance {
         Ok(face_gradients(surface, &self.values))
     }
 
-    /// `#F × 3`, unit vectors along the gradient of heat on each face, towards the sources.
+    /// `#F × 3`, unit vectors along the gradient of heat on each face, towards the sources. Also refuses a distance that heat
+    /// has no part in: [`NoHeat`](crate::Error::NoHeat).
     pub fn heat_directions(&self, surface: &Surface) -> Result<FaceData<DVec3>> {
         surface.require_own(self.surface(), "distance")?;
-        Ok(face_directions(surface, &self.heat))
+        Ok(face_directions(surface, self.heat()?))
     }
 
     /// `#V × 3`, unit vectors away from the sources, not quite in the surface where it is curved.

@@ -41,6 +41,7 @@
 pub mod accuracy;
 mod choice;
 mod dijkstra;
+mod distance;
 mod error;
 pub mod exact;
 mod extremum;
@@ -50,6 +51,7 @@ pub mod operator;
 mod options;
 pub mod path;
 mod progress;
+pub mod propagation;
 
 /// Linear algebra, which knows no surface.
 pub use heatwalk_sparse as sparse;
@@ -59,19 +61,21 @@ pub use heatwalk_surface as surface;
 pub use accuracy::RelativeError;
 pub use choice::{Choice, UnknownChoice};
 pub use dijkstra::{edge_path, edge_polyline};
+pub use distance::Distance;
 pub use error::{Error, Result};
-pub use heat::{Distance, Factorization, HeatSolver, Query, Refinement};
+pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
     PathPoint, Place, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, VertexData, VertexId,
     io,
 };
 pub use options::{
-    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit, MultiSource,
-    Operator, Parameters, PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit, Method,
+    MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField,
 };
 pub use path::{Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage};
+pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

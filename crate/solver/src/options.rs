@@ -9,6 +9,22 @@ use crate::error::{Error, Result};
 /// The word for an automatic choice of a number.
 pub const AUTOMATIC: &str = "auto";
 
+/// How distances are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Exactly where that costs no more than a second or so, beyond by a few windows.
+    Auto,
+    /// By a few windows of each half-edge: nothing is factored, and no value is below the exact one.
+    Propagation,
+    /// By the flow of heat: smooth, with options.
+    #[default]
+    Heat,
+    /// By all windows.
+    Exact,
+}
+
+choice!(Method, "method": Auto = "auto", Propagation = "propagation", Heat = "heat", Exact = "exact");
+
 /// Which triangles carry the cotan weights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Operator {
@@ -299,6 +315,7 @@ mod tests {
         read_back::<EdgeKind>();
         read_back::<FaceField>();
         read_back::<LinearSolver>();
+        read_back::<Method>();
         read_back::<MultiSource>();
         read_back::<Operator>();
         read_back::<PathKind>();

@@ -192,7 +192,7 @@ fn delaunay_weights_are_never_negative() {
         // So heat is positive wherever a source can be reached.
         let sources = sources(&surface, &places);
         let distance = solver(&surface, Parameters::default()).distance(&sources).expect("valid sources");
-        for (heat, value) in distance.heat.iter().zip(&distance.values) {
+        for (heat, value) in distance.heat().expect("heat").iter().zip(&distance.values) {
             prop_assert!(*heat > 0.0 || value.is_infinite(), "{heat} at {value}");
         }
         Ok(())

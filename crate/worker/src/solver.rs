@@ -193,7 +193,7 @@ impl Solver {
 
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
     pub fn heat(&self) -> Result<Vec<f32>> {
-        let heat = &self.solved()?.distance.heat;
+        let heat = self.solved()?.distance.heat()?;
         let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let logarithms: VertexData<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
         Ok(self.drawn.spread(&logarithms))

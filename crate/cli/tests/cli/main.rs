@@ -2,6 +2,7 @@
 
 mod exact;
 mod files;
+mod method;
 mod options;
 mod paths;
 mod sources;

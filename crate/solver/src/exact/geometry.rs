@@ -23,7 +23,7 @@ pub(super) enum Bend {
 
 /// A triangle in the plane. Its half-edge `k` runs from corner `k` to the next.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// Length of each half-edge.
     pub length: [f64; 3],
     /// Cosine of the angle at each corner.
@@ -38,7 +38,7 @@ pub(super) struct Frame {
 }
 
 /// The corner after corner `k`.
-pub(super) fn after(k: usize) -> usize {
+pub(crate) fn after(k: usize) -> usize {
     if k == 2 { 0 } else { k + 1 }
 }
 
@@ -88,6 +88,12 @@ impl Frame {
         let [x, y] = self.opposite(k);
         let (along, up) = (weights[after(k)], weights[after(after(k))]);
         [along * self.length[k] + up * x, up * y]
+    }
+
+    /// The half-edge that runs against half-edge `k`, where it alone shares the edge.
+    pub fn twin(&self, k: usize) -> Option<u32> {
+        let next = self.next_on_edge[k];
+        (next & 2 != 0 && (next & 1 == 1) != self.ascends(k)).then_some(next >> 2)
     }
 
     /// Whether half-edge `k` runs from the lower vertex to the higher.
@@ -242,13 +248,23 @@ impl ExactGeometry {
         Some(Turn { face, corner: if leaves { k } else { after(k) }, is_reversed: !leaves })
     }
 
+    /// A face's frame.
+    pub(crate) fn frame(&self, face: u32) -> &Frame {
+        &self.frames[face as usize]
+    }
+
+    /// Number of half-edges that lie on a face.
+    pub(crate) fn halfedge_count(&self) -> u32 {
+        3 * self.frames.len() as u32
+    }
+
     /// Half-edge number `half-edge`'s frame and its place there.
-    pub(super) fn frame_of(&self, halfedge: u32) -> (&Frame, usize) {
+    pub(crate) fn frame_of(&self, halfedge: u32) -> (&Frame, usize) {
         (&self.frames[halfedge as usize / 3], halfedge as usize % 3)
     }
 
     /// The half-edges on the other faces of a half-edge's edge, each with whether it runs in the same direction.
-    pub(super) fn across(&self, halfedge: u32) -> impl Iterator<Item = (u32, bool)> + '_ {
+    pub(crate) fn across(&self, halfedge: u32) -> impl Iterator<Item = (u32, bool)> + '_ {
         let (frame, k) = self.frame_of(halfedge);
         let ascends = frame.ascends(k);
         let other = move |packed: u32| Some(packed).filter(|&packed| packed >> 2 != halfedge);

@@ -12,6 +12,7 @@
 //! Every value is at all times the length of a path; cutting needs a strictly shorter path. So the order of work
 //! does not matter for the result, only for the time, and a queue of buckets will do.
 
+mod crossing;
 mod geometry;
 mod lists;
 mod origin;
@@ -26,8 +27,12 @@ mod window;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+pub(crate) use crossing::Crossing;
 pub use geometry::ExactGeometry;
+pub(crate) use geometry::after;
+pub(crate) use queue::Buckets;
 pub use wavefront::Wavefront;
+pub(crate) use window::{Beam, Window, length};
 
 use crate::error::{Error, Result};
 use heatwalk_surface::Path;
@@ -35,7 +40,7 @@ use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{ToPoint, ToSource, VertexData};
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
-const WORK_BETWEEN_CALLS: usize = 20_000;
+pub(crate) const WORK_BETWEEN_CALLS: usize = 20_000;
 
 /// The exact distance of every vertex (`#V`, in the file's unit) to the sources: the least of initial distance plus length
 /// of a path. Infinite where no source can be reached.

@@ -10,7 +10,7 @@ const LAST: u32 = u32::MAX - 2 * RING;
 
 /// Items `0..n`, each in the queue once at most.
 #[derive(Debug)]
-pub(super) struct Buckets {
+pub(crate) struct Buckets {
     /// Distance at which bucket 0 begins.
     base: f64,
     width: f64,
@@ -52,6 +52,16 @@ impl Buckets {
     /// Every waiting item is at least this far.
     pub fn floor(&self) -> f64 {
         if self.waiting == 0 { f64::INFINITY } else { self.base + f64::from(self.current) * self.width }
+    }
+
+    /// The items that wait.
+    pub fn waiting(&self) -> impl Iterator<Item = u32> + '_ {
+        let first = self.current - self.current % RING;
+        let in_ring =
+            (first..).zip(&self.ring).flat_map(|(number, items)| items.iter().map(move |&item| (number, item)));
+        // Items that moved to a lower bucket stay behind in the higher one.
+        let is_there = |&(number, item): &(u32, u32)| self.bucket[item as usize] == number + 1;
+        in_ring.chain(self.later.iter().copied()).filter(is_there).map(|(_, item)| item)
     }
 
     /// Bytes held.
@@ -97,6 +107,20 @@ impl Buckets {
             }
         }
         None
+    }
+
+    /// Takes some items out of the first bucket that has any, unless that begins at `limit` or beyond: `most` at most.
+    pub fn pop_some(&mut self, limit: f64, most: usize, items: &mut Vec<u32>) {
+        items.clear();
+        items.extend(self.pop(limit));
+        while !items.is_empty() && items.len() < most {
+            let Some(item) = self.ring[(self.current % RING) as usize].pop() else { return };
+            if self.bucket[item as usize] == self.current + 1 {
+                self.bucket[item as usize] = 0;
+                self.waiting -= 1;
+                items.push(item);
+            }
+        }
     }
 
     fn step(&mut self) {

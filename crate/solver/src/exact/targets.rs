@@ -2,7 +2,7 @@
 
 use super::geometry::{ExactGeometry, Frame};
 use super::origin::Origin;
-use super::window::{GRAZE, Window, length};
+use super::window::{Beam, GRAZE, length};
 use heatwalk_surface::Place;
 use heatwalk_surface::surface::Surface;
 
@@ -51,7 +51,7 @@ impl Targets {
     }
 
     /// Offers the targets in a half-edge's face a window that crosses it.
-    pub fn see(&mut self, frame: &Frame, halfedge: u32, window: &Window) {
+    pub fn see(&mut self, frame: &Frame, halfedge: u32, window: &Beam) {
         for place in Self::in_face(&self.places, halfedge / 3) {
             let [x, y] = frame.place(halfedge as usize % 3, place.weights);
             let crosses = window.x + (x - window.x) * window.depth / (window.depth + y);

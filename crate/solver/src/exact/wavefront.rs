@@ -3,11 +3,12 @@
 use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
-use super::geometry::{ExactGeometry, Frame, after};
+use super::crossing::Crossing;
+use super::geometry::{ExactGeometry, after};
 use super::origin::Origin;
 use super::queue::Buckets;
 use super::targets::Targets;
-use super::window::{GRAZE, Window, length};
+use super::window::{Beam, GRAZE, Window, length};
 use crate::error::Result;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId};
@@ -162,6 +163,44 @@ impl Wavefront {
         &self.reached
     }
 
+    /// Where it started.
+    pub(crate) fn sources(&self) -> &[Source] {
+        &self.sources
+    }
+
+    /// The least distance that any value can have.
+    pub(crate) fn base(&self) -> f64 {
+        base(&self.sources)
+    }
+
+    /// The number of the source that a root's distance comes from.
+    pub(crate) fn source_of(&self, mut root: u32) -> u32 {
+        loop {
+            if let Some(number) = (root as usize).checked_sub(self.values.len()) {
+                return number as u32;
+            }
+            root = match self.origins[root as usize] {
+                Origin::None => return u32::MAX,
+                Origin::Straight { root, .. } | Origin::Window { root, .. } => root,
+            };
+        }
+    }
+
+    /// The windows that wait, each with its half-edge; their roots are the numbers of the sources that they come from.
+    pub(crate) fn waiting(&self) -> impl Iterator<Item = (u32, Beam)> + '_ {
+        let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.heads.len());
+        halfedges.flat_map(move |halfedge| {
+            let listed = |number: u32| Some(number).filter(|&number| number != 0);
+            let list = std::iter::successors(listed(self.heads[halfedge as usize]), move |&number| {
+                listed(self.windows[number as usize].next)
+            });
+            list.map(move |number| {
+                let beam = self.windows[number as usize].beam();
+                (halfedge, Beam { root: self.source_of(beam.root), ..beam })
+            })
+        })
+    }
+
     /// The values, without what else is held.
     pub fn into_values(self) -> VertexData<f64> {
         self.values
@@ -219,10 +258,9 @@ impl Wavefront {
             if !(is_current && window.clip(frame.length[k], ends)) {
                 continue;
             }
-            let (x, height) = (opposite[0] - window.x, opposite[1] + window.depth);
-            let splits = window.x + x * window.depth / height;
-            let distance = length(x, height);
-            crossing.push(Crossing { window, splits });
+            let entering = Crossing::new(window.beam(), opposite);
+            let (splits, distance) = (entering.splits, entering.distance);
+            crossing.push(entering);
             let at = smaller(larger(splits, window.begin), window.end);
             if (splits - at).abs() > GRAZE * distance {
                 continue;
@@ -238,7 +276,7 @@ impl Wavefront {
         self.propagated += crossing.len();
         if self.targets.are_in(halfedge / 3) {
             for crossing in &crossing {
-                self.targets.see(frame, halfedge, &crossing.window);
+                self.targets.see(frame, halfedge, &crossing.beam);
             }
         }
 
@@ -251,7 +289,7 @@ impl Wavefront {
             leaving.clear();
             for crossing in &crossing {
                 let part = if out == l { crossing.to_left(frame, k) } else { crossing.to_right(frame, k) };
-                let Some(mut part) = part else { continue };
+                let Some(mut part) = part.map(Window::from) else { continue };
                 if part.clip(frame.length[out], ends) {
                     leaving.push(part);
                 }
@@ -266,52 +304,6 @@ impl Wavefront {
 /// Where the queue begins.
 fn base(sources: &[Source]) -> f64 {
     sources.iter().map(Source::initial_distance).fold(f64::MAX, f64::min)
-}
-
-/// A window that crosses a face.
-#[derive(Debug)]
-struct Crossing {
-    window: Window,
-    /// Where the ray to the opposite corner crosses the half-edge's line.
-    splits: f64,
-}
-
-impl Crossing {
-    /// What leaves by the edge at half-edge `k`'s begin, as the half-edge across that edge sees it.
-    fn to_left(&self, frame: &Frame, k: usize) -> Option<Window> {
-        let Self { window, splits } = self;
-        if window.begin >= *splits {
-            return None;
-        }
-        let (along, cos, sin) = (frame.length[after(after(k))], frame.cos[k], frame.sin[k]);
-        let hit = |at: f64| hit(at, at - window.x, window.depth, [cos, -sin], along);
-        let source = [window.x * cos - window.depth * sin, window.x * sin + window.depth * cos];
-        let end = if window.end >= *splits { along } else { hit(window.end) };
-        Some(Window::new(hit(window.begin), end, source, window.offset, window.root))
-    }
-
-    /// What leaves by the edge at half-edge `k`'s end, as the half-edge across that edge sees it.
-    fn to_right(&self, frame: &Frame, k: usize) -> Option<Window> {
-        let Self { window, splits } = self;
-        if window.end <= *splits {
-            return None;
-        }
-        let r = after(k);
-        let (along, cos, sin) = (frame.length[r], frame.cos[r], frame.sin[r]);
-        let hit = |at: f64| along - hit(frame.length[k] - at, at - window.x, window.depth, [cos, sin], along);
-        let x = frame.length[k] - window.x;
-        let source = [along - (x * cos - window.depth * sin), x * sin + window.depth * cos];
-        let begin = if window.begin <= *splits { 0.0 } else { hit(window.begin) };
-        Some(Window::new(begin, hit(window.end), source, window.offset, window.root))
-    }
-}
-
-/// How far from the common end of two edges a ray meets the second, of length `along`. It leaves the first at `at`
-/// from that end, with `forward` along the first edge's half-edge and `up` into the face; `sin` is negative where the end
-/// is the half-edge's first.
-fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
-    let towards = cos * up + sin * forward;
-    if towards > 0.0 { smaller(at * up / towards, along) } else { along }
 }
 
 /// Sources of one surface.

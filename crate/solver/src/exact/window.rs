@@ -18,11 +18,46 @@ const MARGIN: f64 = 1e-12;
 /// positions unfolded past a vertex. A vertex with so little curvature that its shadow is not seen.
 const SAME: f64 = 1e-13;
 
+/// A window without the distances of its ends: see [`Window`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Beam {
+    pub begin: f64,
+    pub end: f64,
+    pub x: f64,
+    pub depth: f64,
+    pub offset: f64,
+    pub root: u32,
+}
+
+impl Beam {
+    /// Distance of the position `x` of the half-edge by this window.
+    pub fn at(&self, x: f64) -> f64 {
+        self.offset + length(x - self.x, self.depth)
+    }
+
+    /// Distance of the position `x` of the half-edge by this window, bent at its end where that is before.
+    pub fn bent_at(&self, x: f64) -> f64 {
+        let at = smaller(larger(x, self.begin), self.end);
+        self.at(at) + (x - at).abs()
+    }
+
+    /// The same window on a half-edge in the opposite direction.
+    pub fn mirrored(self, length: f64) -> Self {
+        Self { begin: length - self.end, end: length - self.begin, x: length - self.x, ..self }
+    }
+}
+
+impl From<Beam> for Window {
+    fn from(Beam { begin, end, x, depth, offset, root }: Beam) -> Self {
+        Self::new(begin, end, [x, depth], offset, root)
+    }
+}
+
 /// An interval of a half-edge, and the (pseudo-)source that lights it from behind.
 ///
 /// The half-edge lies on the x axis from the origin, its face above, the source at `(x, −depth)`. Windows form lists.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Window {
+pub(crate) struct Window {
     /// Where the interval begins and ends, along the half-edge.
     pub begin: f64,
     pub end: f64,
@@ -45,6 +80,12 @@ impl Window {
     pub fn new(begin: f64, end: f64, [x, depth]: [f64; 2], offset: f64, root: u32) -> Self {
         let at = |at: f64| offset + length(at - x, depth);
         Self { begin, end, x, depth, offset, at_begin: at(begin), at_end: at(end), root, next: 0 }
+    }
+
+    /// Without the distances of its ends.
+    pub fn beam(&self) -> Beam {
+        let Self { begin, end, x, depth, offset, root, .. } = *self;
+        Beam { begin, end, x, depth, offset, root }
     }
 
     /// Distance of the position `x` of the half-edge by this window.
@@ -122,7 +163,7 @@ fn is_wide(window: &Window, begin: f64, end: f64) -> bool {
 }
 
 /// Euclidean length. The numbers are of the mesh's size, so that squares are safe.
-pub(super) fn length(x: f64, y: f64) -> f64 {
+pub(crate) fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }
 

@@ -2,10 +2,10 @@
 
 use std::sync::{Arc, PoisonError};
 
+use crate::distance::{Distance, is_nearest_to_itself, places_that_remain};
 use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::extremum::larger;
-use crate::heat::distance::Distance;
 use crate::heat::exact_region::ExactRegion;
 use crate::heat::factorization::Factorization;
 use crate::heat::query::Query;
@@ -13,9 +13,6 @@ use crate::heat::source_heat::SourceHeat;
 use crate::heat::unit_field::divergence;
 use crate::options::MultiSource;
 use heatwalk_surface::{Source, ToSource, VertexData};
-
-/// Share of its initial distance by which the distance at a source may miss it for rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// A query with all that does not change while its exact region grows.
 #[derive(Debug)]
@@ -114,21 +111,24 @@ impl Factorization {
             values[vertex as usize] = exact;
         }
         let mut values = VertexData::from(values);
-        let is_source = |source: &Source, value: f64| value >= source.initial_distance() * (1.0 - ROUNDING);
         if *multi_source == MultiSource::Exact {
             for source in sources {
                 if let Some(vertex) = source.place().vertex(surface) {
                     let value = &mut values[vertex];
-                    if is_source(source, *value) {
+                    if is_nearest_to_itself(source, *value) {
                         *value = source.initial_distance();
                     }
                 }
             }
         }
-        // A source that another one reaches before its initial distance is none.
-        let remains = |source: &&Source| is_source(source, source.place().interpolate(surface, &values));
-        let sources = sources.iter().filter(remains).map(|source| source.place()).collect();
-        Ok(Distance { surface: surface.id(), values, heat: heat.clone().into(), sources, exact_below: region.radius })
+        let sources = places_that_remain(surface, sources, &values);
+        Ok(Distance {
+            surface: surface.id(),
+            values,
+            heat: Some(heat.clone().into()),
+            sources,
+            exact_below: region.radius,
+        })
     }
 }
 

@@ -3,14 +3,13 @@
 //! The heat matrix is divided by t, so that no number here depends on the file's unit.
 //!
 //! [`Systems`] (how matrices of one pattern are solved) → [`HeatFlow`] and [`Poisson`] (any right side, any constraints) →
-//! [`Factorization`] of a surface (all that is factored) → [`Query`] (all that is not) → [`Distance`]. [`HeatSolver`] keeps a
+//! [`Factorization`] of a surface (all that is factored) → [`Query`] (all that is not) → [`Distance`](crate::Distance). [`HeatSolver`] keeps a
 //! factorization and the options of its queries together.
 //!
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
 
 mod answer;
 mod constraint;
-mod distance;
 mod exact_region;
 mod factorization;
 mod flow;
@@ -24,7 +23,6 @@ mod unit_field;
 
 pub use answer::Refinement;
 pub use constraint::Constraint;
-pub use distance::Distance;
 pub use factorization::Factorization;
 pub use flow::{Condition, HeatFlow};
 pub use poisson::Poisson;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::distance::Distance;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::heat::answer::Refinement;
-use crate::heat::distance::Distance;
 use crate::heat::factorization::Factorization;
 use crate::heat::query::Query;
 use crate::options::Parameters;

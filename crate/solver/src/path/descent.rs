@@ -8,8 +8,8 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use crate::dijkstra;
+use crate::distance::Distance;
 use crate::error::{Error, Result};
-use crate::heat::Distance;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
 use heatwalk_surface::{FaceId, Place, ToPoint, VertexData, VertexId};

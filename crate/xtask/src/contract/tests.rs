@@ -1,8 +1,8 @@
 use std::fmt::Write as _;
 
 use heatwalk::{
-    AUTOMATIC, Boundary, Choice, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, MultiSource, Operator,
-    PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, Choice, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, Method, MultiSource,
+    Operator, PathKind, TimeStep, VertexField,
 };
 
 use super::*;
@@ -30,6 +30,7 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
         said::<EdgeKind>("EDGE_KIND"),
         said::<FaceField>("FACE_FIELD"),
         said::<LinearSolver>("LINEAR_SOLVER"),
+        said::<Method>("METHOD"),
         said::<MultiSource>("MULTI_SOURCE"),
         said::<Operator>("OPERATOR"),
         said::<PathKind>("PATH_KIND"),

@@ -1,0 +1,75 @@
+//! The answer of every method.
+
+use crate::error::{Error, Result};
+use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
+
+/// Distance from a set of sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Distance {
+    pub(crate) surface: SurfaceId,
+    /// `#V`, in the file's unit, non-negative, never NaN; infinity on components without a source. At a source that is a
+    /// vertex it is exactly its initial distance; with summed sources, the mean over the sources of a component is 0
+    /// before values below 0 become 0.
+    pub values: VertexData<f64>,
+    /// `#V`, heat after time t, to an arbitrary scale near 10²⁹⁰; `None` where the distance was found by other means.
+    pub(crate) heat: Option<VertexData<f64>>,
+    /// The sources, validated. Those whose initial distance is above the distance from another are left out.
+    pub sources: Vec<Place>,
+    /// Values below this are exact polyhedral distances; infinity when all are.
+    pub exact_below: f64,
+}
+
+/// Share of its initial distance by which the distance at a source may miss it for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether a source is nearest to its own place, where the distance is `value`.
+pub(crate) fn is_nearest_to_itself(source: &Source, value: f64) -> bool {
+    value >= source.initial_distance() * (1.0 - ROUNDING)
+}
+
+/// The places of the sources that no other one reaches before their initial distance.
+pub(crate) fn places_that_remain(surface: &Surface, sources: &[Source], values: &VertexData<f64>) -> Vec<Place> {
+    let remains = |source: &&Source| is_nearest_to_itself(source, source.place().interpolate(surface, values));
+    sources.iter().filter(remains).map(|source| source.place()).collect()
+}
+
+impl Distance {
+    /// By lengths of paths, without heat.
+    pub(crate) fn of_paths(surface: &Surface, values: VertexData<f64>, sources: &[Source], exact_below: f64) -> Self {
+        let sources = places_that_remain(surface, sources, &values);
+        Self { surface: surface.id(), values, heat: None, sources, exact_below }
+    }
+
+    /// The surface that it was solved on.
+    pub fn surface(&self) -> SurfaceId {
+        self.surface
+    }
+
+    /// The distance at a point, in the file's unit, interpolated linearly in its face.
+    ///
+    /// # Errors
+    /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for another surface than [`Self::surface`], and as
+    /// [`Surface::point`].
+    pub fn at(&self, surface: &Surface, point: impl ToPoint) -> Result<f64> {
+        surface.require_own(self.surface, "distance")?;
+        Ok(surface.point(point)?.place().interpolate(surface, &self.values))
+    }
+
+    /// `#V`, heat after time t, to an arbitrary scale near 10²⁹⁰.
+    ///
+    /// # Errors
+    /// [`Error::NoHeat`] where the distance was found by other means.
+    pub fn heat(&self) -> Result<&VertexData<f64>> {
+        self.heat.as_ref().ok_or(Error::NoHeat)
+    }
+
+    /// The largest finite distance.
+    pub fn max(&self) -> f64 {
+        self.values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Number of vertices on components without a source.
+    pub fn unreachable(&self) -> usize {
+        self.values.iter().filter(|value| value.is_infinite()).count()
+    }
+}

@@ -1,0 +1,59 @@
+//! The way of a window across a face.
+
+use super::geometry::{Frame, after};
+use super::window::{Beam, length};
+use crate::extremum::smaller;
+
+/// A window that crosses a face.
+#[derive(Debug)]
+pub(crate) struct Crossing {
+    pub beam: Beam,
+    /// Where the ray to the opposite corner crosses the half-edge's line.
+    pub splits: f64,
+    /// Length of that ray.
+    pub distance: f64,
+}
+
+impl Crossing {
+    /// Into a face whose opposite corner is there.
+    pub fn new(beam: Beam, opposite: [f64; 2]) -> Self {
+        let (x, height) = (opposite[0] - beam.x, opposite[1] + beam.depth);
+        Self { beam, splits: beam.x + x * beam.depth / height, distance: length(x, height) }
+    }
+
+    /// What leaves by the edge at half-edge `k`'s begin, as the half-edge across that edge sees it.
+    pub fn to_left(&self, frame: &Frame, k: usize) -> Option<Beam> {
+        let Self { beam, splits, .. } = self;
+        if beam.begin >= *splits {
+            return None;
+        }
+        let (along, cos, sin) = (frame.length[after(after(k))], frame.cos[k], frame.sin[k]);
+        let hit = |at: f64| hit(at, at - beam.x, beam.depth, [cos, -sin], along);
+        let (x, depth) = (beam.x * cos - beam.depth * sin, beam.x * sin + beam.depth * cos);
+        let end = if beam.end >= *splits { along } else { hit(beam.end) };
+        Some(Beam { begin: hit(beam.begin), end, x, depth, ..*beam })
+    }
+
+    /// What leaves by the edge at half-edge `k`'s end, as the half-edge across that edge sees it.
+    pub fn to_right(&self, frame: &Frame, k: usize) -> Option<Beam> {
+        let Self { beam, splits, .. } = self;
+        if beam.end <= *splits {
+            return None;
+        }
+        let r = after(k);
+        let (along, cos, sin) = (frame.length[r], frame.cos[r], frame.sin[r]);
+        let hit = |at: f64| along - hit(frame.length[k] - at, at - beam.x, beam.depth, [cos, sin], along);
+        let from_end = frame.length[k] - beam.x;
+        let (x, depth) = (along - (from_end * cos - beam.depth * sin), from_end * sin + beam.depth * cos);
+        let begin = if beam.begin <= *splits { 0.0 } else { hit(beam.begin) };
+        Some(Beam { begin, end: hit(beam.end), x, depth, ..*beam })
+    }
+}
+
+/// How far from the common end of two edges a ray meets the second, of length `along`. It leaves the first at `at`
+/// from that end, with `forward` along the first edge's half-edge and `up` into the face; `sin` is negative where the end
+/// is the half-edge's first.
+fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
+    let towards = cos * up + sin * forward;
+    if towards > 0.0 { smaller(at * up / towards, along) } else { along }
+}

@@ -1,0 +1,176 @@
+//! Distance by a few windows of each half-edge: nothing is factored, memory grows with the mesh alone, and every value is the
+//! length of a path, so never below the exact one.
+//!
+//! Around the sources the [exact search](crate::exact) goes first, where windows are few and errors would show most. Beyond,
+//! each half-edge keeps for each of its stretches the one window that reaches the stretch's middle soonest, bent at its end
+//! where it does not see so far. Windows cross faces as in the exact search, in buckets of their distance; what the test of
+//! Xin & Wang ("Improving Chen and Han's algorithm on the discrete geodesic problem", 2009) cuts is cut here too. Where
+//! windows that were not kept leave holes, vertices fill them: each sends windows anew, as if paths could bend there. One
+//! window an edge with all vertices as pseudo-sources is near to the virtual source propagation of Trettner, Bommes, Kobbelt
+//! ("Geodesic distance computation via virtual source propagation", 2021), which keeps one source a face and may fall below
+//! the exact distance.
+
+mod front;
+mod labels;
+mod options;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+pub use options::{ALL, ExactSearch, PropagationOptions, Windows};
+
+use crate::distance::Distance;
+use crate::error::{Error, Result};
+use crate::exact::{ExactGeometry, Wavefront};
+use front::{Front, NOWHERE};
+use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
+
+/// Windows that the exact search may propagate, unless told otherwise, and one more for so many faces.
+const EXACT_WINDOWS: usize = 2_000;
+const FACES_PER_EXACT_WINDOW: usize = 20;
+
+/// Distances that grow outward from their sources; stopped and continued at will, with the same result.
+#[derive(Debug)]
+pub struct Propagation {
+    /// Goes first.
+    exact: Wavefront,
+    /// Windows that it may propagate.
+    exact_windows: usize,
+    /// Goes on from there. `None` where the search stays exact.
+    front: Option<Front>,
+    is_beyond: bool,
+}
+
+impl Propagation {
+    /// Starts at sources on the geometry's surface.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::OutOfMemory`].
+    pub fn new<S: ToSource>(geometry: Arc<ExactGeometry>, sources: &[S], options: PropagationOptions) -> Result<Self> {
+        if sources.is_empty() {
+            return Err(Error::NoSource);
+        }
+        let exact = Wavefront::new(Arc::clone(&geometry), sources)?;
+        let faces = geometry.surface().face_count();
+        let front = match options.windows {
+            Windows::All => None,
+            Windows::AtMost(count) => Some(Front::new(geometry, usize::from(count.get()))?),
+        };
+        let exact_windows = match options.exact {
+            ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
+            ExactSearch::AtMost(windows) => windows,
+        };
+        Ok(Self { exact, exact_windows, front, is_beyond: false })
+    }
+
+    /// Starts anew at other sources, in the memory held.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`]; those of [`ToSource::to_source`]. Then nothing has changed.
+    pub fn restart<S: ToSource>(&mut self, sources: &[S]) -> Result<()> {
+        if sources.is_empty() {
+            return Err(Error::NoSource);
+        }
+        self.exact.restart(sources)?;
+        self.is_beyond = false;
+        Ok(())
+    }
+
+    /// Grows until every value below `radius` is final, or about `work` windows have crossed a face. Returns whether the
+    /// radius was reached.
+    pub fn advance(&mut self, radius: f64, work: usize) -> bool {
+        let Some(front) = &mut self.front else { return self.exact.advance(radius, work) };
+        let mut left = work;
+        if !self.is_beyond {
+            let before = self.exact.windows();
+            let allowed = self.exact_windows.saturating_sub(before);
+            self.exact.advance(radius, left.min(allowed));
+            left -= left.min(self.exact.windows() - before);
+            if self.exact.windows() < self.exact_windows || self.exact.is_done() {
+                return self.exact.radius() >= radius;
+            }
+            front.start(&self.exact);
+            self.is_beyond = true;
+        }
+        front.advance(radius, left);
+        front.radius() >= radius
+    }
+
+    /// The front that has come farthest, unless that is the exact search.
+    fn beyond(&self) -> Option<&Front> {
+        self.front.as_ref().filter(|_| self.is_beyond)
+    }
+
+    /// The surface that it grows on.
+    pub fn surface(&self) -> &Arc<Surface> {
+        self.exact.surface()
+    }
+
+    /// Every value below this is final; infinity when all is done.
+    pub fn radius(&self) -> f64 {
+        self.beyond().map_or_else(|| self.exact.radius(), Front::radius)
+    }
+
+    /// Whether every value is final.
+    pub fn is_done(&self) -> bool {
+        self.radius() == f64::INFINITY
+    }
+
+    /// Whether the exact search has done it all.
+    pub fn is_exact(&self) -> bool {
+        self.beyond().is_none()
+    }
+
+    /// Every value below this is exact, once it is final; infinity when all are.
+    pub fn exact_below(&self) -> f64 {
+        self.exact.radius()
+    }
+
+    /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
+    pub fn values(&self) -> &VertexData<f64> {
+        self.beyond().map_or_else(|| self.exact.values(), |front| &front.values)
+    }
+
+    /// `#V`, the number of the source that each value comes from, in the order in which they were given; `None` where none
+    /// has been found.
+    pub fn nearest_sources(&self) -> VertexData<Option<usize>> {
+        let number = |vertex: VertexId| match self.beyond() {
+            Some(front) => front.nearest[vertex],
+            None if self.exact.values()[vertex] < f64::INFINITY => self.exact.source_of(vertex.0),
+            None => NOWHERE,
+        };
+        let known = |vertex| Some(number(vertex)).filter(|&number| number != NOWHERE).map(|number| number as usize);
+        self.surface().vertices().map(known).collect()
+    }
+
+    /// Windows that have crossed a face.
+    pub fn windows(&self) -> usize {
+        self.exact.windows() + self.beyond().map_or(0, |front| front.crossed)
+    }
+
+    /// The distance, as it is now.
+    pub fn distance(&self) -> Distance {
+        Distance::of_paths(self.surface(), self.values().clone(), self.exact.sources(), self.exact_below())
+    }
+}
+
+/// Distance from sources by propagation. `progress` is told the distance below which all values are final, and can stop the
+/// work.
+///
+/// # Errors
+/// Those of [`Propagation::new`]; [`Error::Cancelled`].
+pub fn propagated_distance<S: ToSource>(
+    surface: &Arc<Surface>,
+    sources: &[S],
+    options: PropagationOptions,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Distance> {
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
+    let mut propagation = Propagation::new(geometry, sources, options)?;
+    while !propagation.advance(f64::INFINITY, crate::exact::WORK_BETWEEN_CALLS) {
+        if progress(propagation.radius()).is_break() {
+            return Err(Error::Cancelled);
+        }
+    }
+    Ok(propagation.distance())
+}

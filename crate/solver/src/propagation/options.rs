@@ -1,0 +1,67 @@
+//! The options of propagation.
+
+use std::fmt;
+use std::num::NonZeroU16;
+use std::str::FromStr;
+
+use crate::error::{Error, Result};
+
+/// The word for all of a number of things.
+pub const ALL: &str = "all";
+
+/// Windows that propagation keeps of each half-edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Windows {
+    /// So many.
+    AtMost(NonZeroU16),
+    /// As many as there are, which makes it exact.
+    All,
+}
+
+impl Default for Windows {
+    fn default() -> Self {
+        Self::AtMost(const { NonZeroU16::new(2).unwrap() })
+    }
+}
+
+/// A number, or [`ALL`].
+impl FromStr for Windows {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        if text == ALL {
+            return Ok(Self::All);
+        }
+        let count = text.parse().map(Self::AtMost);
+        let (name, range) = ("the number of windows", "a whole number from 1 to 65535, or all");
+        count.map_err(|_| Error::BadParameter { name, value: text.to_owned(), range })
+    }
+}
+
+impl fmt::Display for Windows {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AtMost(count) => count.fmt(formatter),
+            Self::All => formatter.write_str(ALL),
+        }
+    }
+}
+
+/// How far around the sources propagation searches exactly, at first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ExactSearch {
+    /// As far as costs a fraction of the whole.
+    #[default]
+    Automatic,
+    /// As far as so many windows reach.
+    AtMost(usize),
+}
+
+/// The options of propagation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PropagationOptions {
+    /// Windows kept of each half-edge: the more, the nearer to the exact distance, and the slower.
+    pub windows: Windows,
+    /// How far the exact search goes.
+    pub exact: ExactSearch,
+}

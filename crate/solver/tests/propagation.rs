@@ -1,0 +1,280 @@
+//! Distance by a few windows an edge: never below the exact one, near to it, the same however it is asked for.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::num::NonZeroU16;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::exact_distances::{self, Field};
+use common::{any_triangles, band, book, random, soup, square, surface};
+use glam::DVec3;
+use heatwalk::exact::{ExactGeometry, Wavefront};
+use heatwalk::propagation::{Propagation, propagated_distance};
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk::{
+    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, Surface,
+    VertexId, Windows, descend, straighten,
+};
+use heatwalk_shapes as shapes;
+
+/// What rounding may take from the length of a path.
+const ROUNDING: f64 = 1e-9;
+
+const COUNTS: [u16; 4] = [1, 2, 4, 8];
+
+fn geometry(surface: &Arc<Surface>) -> Arc<ExactGeometry> {
+    Arc::new(ExactGeometry::new(Arc::clone(surface)))
+}
+
+fn exact(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)]) -> Wavefront {
+    let mut front = Wavefront::new(Arc::clone(geometry), sources).expect("valid sources");
+    front.advance(f64::INFINITY, usize::MAX);
+    front
+}
+
+fn options(windows: u16) -> PropagationOptions {
+    let windows = Windows::AtMost(NonZeroU16::new(windows).expect("a window"));
+    PropagationOptions { windows, ..PropagationOptions::default() }
+}
+
+fn start(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) -> Propagation {
+    Propagation::new(Arc::clone(geometry), sources, options(windows)).expect("valid sources")
+}
+
+fn propagated(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) -> Propagation {
+    let mut propagation = start(geometry, sources, windows);
+    assert!(propagation.advance(f64::INFINITY, usize::MAX));
+    propagation
+}
+
+fn at(vertex: u32) -> [(Place, f64); 1] {
+    [(Place::Vertex(VertexId(vertex)), 0.0)]
+}
+
+/// Sources at a vertex, inside a face and, later than these, at another vertex.
+fn mixed_sources(surface: &Surface, seed: &mut u64) -> [(Place, f64); 3] {
+    let vertex = |seed: &mut u64| Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
+    let face = FaceId::from_index(random(seed, surface.face_count()));
+    let inside = Place::Face { face, weights: [0.2, 0.5, 0.3] };
+    [(vertex(seed), 0.0), (inside, 0.0), (vertex(seed), 0.7 * surface.mean_edge())]
+}
+
+fn shapes_of_all_kinds() -> Vec<Soup> {
+    let mut seed = 17;
+    let mut crumpled = square(14);
+    for position in &mut crumpled.positions {
+        position.x *= 1e-3;
+        position.z = 1e-3 * random(&mut seed, 1000) as f64 / 1000.0;
+    }
+    vec![
+        shapes::icosphere(4),
+        shapes::torus(2.0, 0.7, 60, 30),
+        shapes::high_genus(0.12),
+        shapes::maze(6, 2),
+        band(60, 1),
+        book(3, 14),
+        any_triangles(80, &mut seed),
+        crumpled,
+    ]
+}
+
+#[test]
+fn no_value_is_below_the_exact_one_and_all_that_is_reached_has_one() {
+    let mut seed = 3;
+    for soup in shapes_of_all_kinds() {
+        let surface = Arc::new(surface(&soup));
+        let geometry = geometry(&surface);
+        let sources = mixed_sources(&surface, &mut seed);
+        let exact = exact(&geometry, &sources);
+        for windows in COUNTS {
+            let propagation = propagated(&geometry, &sources, windows);
+            for (&value, &least) in propagation.values().iter().zip(exact.values()) {
+                assert!(value >= least * (1.0 - ROUNDING), "{value} for {least}");
+                assert_eq!(value.is_finite(), least.is_finite());
+            }
+        }
+    }
+}
+
+#[test]
+fn more_windows_are_nearer_to_the_exact_distance() {
+    for (soup, coarsest) in [(shapes::torus(2.0, 0.7, 120, 60), 0.3), (shapes::horse(0.05), 0.6)] {
+        let surface = Arc::new(surface(&soup));
+        let geometry = geometry(&surface);
+        let exact = exact(&geometry, &at(5));
+        let errors = COUNTS.map(|windows| {
+            let propagation = propagated(&geometry, &at(5), windows);
+            100.0 * RelativeError::between(propagation.values(), exact.values()).mean
+        });
+        assert!(errors[0] < coarsest, "{errors:?}");
+        assert!(errors.windows(2).all(|pair| pair[1] < pair[0]), "{errors:?}");
+    }
+}
+
+#[test]
+fn the_error_is_a_fraction_of_that_of_the_robust_heat_method() {
+    let mut ratios = Vec::new();
+    for known in exact_distances::kept() {
+        let surface = Arc::new(surface(&known.soup));
+        let geometry = geometry(&surface);
+        for Field { source, exact, robust } in &known.fields {
+            let source = surface.vertex_of_input(InputVertex::from_index(*source)).expect("a used vertex");
+            let propagation = propagated(&geometry, &at(source.0), 2);
+            let pairs = surface.vertices_of_inputs().iter().zip(exact);
+            let (values, exact): (Vec<f64>, Vec<f64>) =
+                pairs.filter_map(|(vertex, &exact)| Some((propagation.values()[(*vertex)?], exact))).unzip();
+            let error = RelativeError::between(&values, &exact);
+            ratios.push([100.0 * error.mean / robust[0], 100.0 * error.max / robust[1]]);
+        }
+    }
+    for ratio in [0, 1].map(|kind| ratios.iter().map(move |ratios| ratios[kind])) {
+        let (sum, most) =
+            ratio.fold((0.0, 0.0_f64), |(sum, most), ratio| (sum + ratio.max(1e-9).ln(), most.max(ratio)));
+        let mean = (sum / ratios.len() as f64).exp();
+        assert!(mean < 0.12 && most < 0.5, "{mean} {most} {ratios:?}");
+    }
+}
+
+#[test]
+fn on_a_plane_it_is_straight() {
+    let surface = Arc::new(surface(&square(60)));
+    let geometry = geometry(&surface);
+    let face = FaceId::from_index(surface.face_count() / 2);
+    let source = Place::Face { face, weights: [0.2, 0.3, 0.5] };
+    let from = source.position(&surface);
+    let propagation = propagated(&geometry, &[(source, 0.0)], 2);
+    let straight: Vec<f64> = surface.positions().iter().map(|position| position.distance(from)).collect();
+    let error = RelativeError::between(propagation.values(), &straight);
+    // Two windows of an edge do not see all that is straight ahead: a path may bend at a window's end.
+    assert!(error.mean < 1e-3 && error.max < 1e-2, "{error:?}");
+}
+
+#[test]
+fn slices_and_a_used_solver_change_nothing() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
+    let geometry = geometry(&surface);
+    let mut sliced = start(&geometry, &at(3), 2);
+    while !sliced.advance(f64::INFINITY, 100) {}
+    let whole = propagated(&geometry, &at(3), 2);
+    assert_eq!(sliced.values(), whole.values());
+    assert_eq!(sliced.windows(), whole.windows());
+
+    let mut used = propagated(&geometry, &mixed_sources(&surface, &mut 8), 2);
+    used.restart(&at(3)).expect("a valid source");
+    used.advance(f64::INFINITY, usize::MAX);
+    assert_eq!(used.values(), whole.values());
+    assert_eq!(used.nearest_sources(), whole.nearest_sources());
+}
+
+#[test]
+fn values_below_a_radius_are_final_when_it_is_reached() {
+    let surface = Arc::new(surface(&shapes::icosphere(5)));
+    let geometry = geometry(&surface);
+    let whole = propagated(&geometry, &at(0), 1);
+    let mut part = start(&geometry, &at(0), 1);
+    assert!(part.advance(1.5, usize::MAX) && part.radius() >= 1.5);
+    for (&value, &last) in part.values().iter().zip(whole.values()) {
+        assert!(value >= last && (last >= 1.5 || value == last), "{value} {last}");
+    }
+    assert!(part.values().iter().any(|value| value.is_infinite()), "it went all the way");
+}
+
+#[test]
+fn the_nearest_source_is_told() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
+    let geometry = geometry(&surface);
+    let sources = mixed_sources(&surface, &mut 5);
+    let together = propagated(&geometry, &sources, 4);
+    let alone: Vec<Wavefront> = sources.iter().map(|&source| exact(&geometry, &[source])).collect();
+    let nearest = together.nearest_sources();
+    for vertex in surface.vertices() {
+        let number = nearest[vertex].expect("a closed surface");
+        let (value, least) = (together.values()[vertex], alone[number].values()[vertex]);
+        assert!(
+            value >= least * (1.0 - ROUNDING) && value <= 1.01 * least + ROUNDING,
+            "{value} from source {number}, {least}"
+        );
+    }
+    assert!((0..3).all(|number| nearest.iter().any(|&nearest| nearest == Some(number))));
+    let two = soup(
+        vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::Z + DVec3::X, DVec3::Z + DVec3::Y],
+        vec![[0, 1, 2], [3, 4, 5]],
+    );
+    let surface = Arc::new(common::surface(&two));
+    let one_side = propagated(&self::geometry(&surface), &at(0), 1);
+    assert_eq!(one_side.nearest_sources().as_slice(), [Some(0), Some(0), Some(0), None, None, None]);
+}
+
+#[test]
+fn the_size_of_a_mesh_does_not_matter() {
+    let soup = shapes::torus(2.0, 0.7, 40, 20);
+    let values = |scale: f64| {
+        let mut scaled = soup.clone();
+        scaled.positions.iter_mut().for_each(|position| *position *= scale);
+        let surface = Arc::new(surface(&scaled));
+        propagated(&geometry(&surface), &at(0), 2).values().iter().map(|value| value / scale).collect::<Vec<_>>()
+    };
+    // Powers of two, so that rounding is the same.
+    for exponent in [-60, 60] {
+        assert_eq!(values(2.0_f64.powi(exponent)), values(1.0));
+    }
+}
+
+#[test]
+fn all_windows_are_exact_and_factors_are_for_nothing() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 60, 30)));
+    let geometry = geometry(&surface);
+    let sources = mixed_sources(&surface, &mut 11);
+    let exact = exact(&geometry, &sources);
+    for options in [
+        PropagationOptions { windows: Windows::All, ..PropagationOptions::default() },
+        PropagationOptions { exact: ExactSearch::AtMost(usize::MAX), ..options(1) },
+    ] {
+        let mut all = Propagation::new(Arc::clone(&geometry), &sources, options).expect("valid sources");
+        assert!(all.advance(f64::INFINITY, usize::MAX) && all.is_done());
+        assert_eq!(all.values(), exact.values());
+        assert_eq!(all.exact_below(), f64::INFINITY);
+        let distance = all.distance();
+        assert_eq!(distance.heat(), Err(Error::NoHeat));
+        assert_eq!(distance.exact_below, f64::INFINITY);
+    }
+    // What the exact search knows is exact.
+    let few = propagated(&geometry, &sources, 1);
+    let inside = few.values().iter().zip(exact.values()).filter(|&(_, &least)| least < few.exact_below());
+    assert!(inside.clone().count() > 100 && inside.clone().all(|(value, least)| value == least));
+}
+
+#[test]
+fn paths_descend_it() {
+    let surface = Arc::new(surface(&shapes::icosphere(4)));
+    let mut go_on = |_| ControlFlow::Continue(());
+    let sources = [Place::Vertex(VertexId(0)), Place::Vertex(VertexId(9))];
+    let distance = propagated_distance(&surface, &sources, options(1), &mut go_on).expect("distances");
+    assert_eq!(distance.sources, sources);
+    for vertex in surface.vertices().step_by(97) {
+        let path = straighten(&surface, &descend(&surface, &distance, vertex).expect("a path")).expect("a path");
+        let value = distance.values[vertex];
+        assert!((path.length() - value).abs() <= 5e-3 * value, "{} for {value}", path.length());
+    }
+    let mut stop = |_| ControlFlow::Break(());
+    let large = Arc::new(common::surface(&shapes::icosphere(6)));
+    assert_eq!(propagated_distance(&large, &sources, options(1), &mut stop), Err(Error::Cancelled));
+}
+
+#[test]
+fn refuses_what_is_not_on_the_surface() {
+    let surface = Arc::new(surface(&square(2)));
+    let geometry = geometry(&surface);
+    let none = Propagation::new::<Place>(Arc::clone(&geometry), &[], options(1));
+    assert!(matches!(none.map(|_| ()), Err(Error::NoSource)));
+    let missing = Propagation::new(Arc::clone(&geometry), &at(1000), options(1));
+    assert!(matches!(missing.map(|_| ()), Err(Error::Surface(SurfaceError::NoSuchVertex { .. }))));
+    let mut propagation = propagated(&geometry, &at(0), 1);
+    let before = propagation.values().clone();
+    assert!(propagation.restart(&at(1000)).is_err() && propagation.restart::<Place>(&[]).is_err());
+    assert_eq!(propagation.values(), &before);
+}
