@@ -4,6 +4,9 @@ use crate::error::{Error, Result};
 use crate::exact::{Beam, Window};
 use crate::extremum::smaller;
 
+#[cfg(test)]
+mod tests;
+
 /// A window of a half-edge, kept for one of its stretches.
 #[derive(Debug, Clone, Copy)]
 struct Label {
