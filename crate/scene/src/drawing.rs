@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use heatwalk::Surface;
 use heatwalk::surface::triangle;
-use heatwalk::{FaceData, HalfedgeId, InputVertex, VertexId};
+use heatwalk::{FaceData, FaceId, HalfedgeId, InputVertex, VertexId};
 
 use crate::transform::DrawTransform;
 
@@ -15,7 +15,7 @@ pub struct DrawMesh {
     pub positions: Vec<f32>,
     /// `#D × 3`, unit length: face normals around the vertex, weighted by angle, up to the creases.
     pub normals: Vec<f32>,
-    /// `#F × 3` drawn vertices, in the order and orientation of the surface's faces.
+    /// `#F × 3` drawn vertices, in the orientation of the surface's faces and in the order of the input's.
     pub triangles: Vec<u32>,
     /// `#D`, the welded vertex of each drawn vertex.
     pub vertex_of_drawn: Vec<VertexId>,
@@ -49,7 +49,8 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
         let sector = sectors.root(corner.0);
         sector_normals[sector as usize] += face_normals[corner.triangle()] * triangle::angle(positions);
     }
-    let mut drawing = DrawMesh { triangles: vec![0; corners], ..DrawMesh::default() };
+    let mut drawn_corners = vec![0; corners];
+    let mut drawing = DrawMesh::default();
     let mut around: Vec<(u32, InputVertex, HalfedgeId)> = Vec::new();
     for vertex in surface.vertices() {
         around.clear();
@@ -70,10 +71,12 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
             for &(_, _, corner) in group {
-                drawing.triangles[corner.0 as usize] = drawn;
+                drawn_corners[corner.0 as usize] = drawn;
             }
         }
     }
+    let corners_of = |face: FaceId| [0, 1, 2].map(|k| drawn_corners[face.halfedge(k).0 as usize]);
+    drawing.triangles = surface.faces_in_input_order().flat_map(corners_of).collect();
     drawing
 }
 

@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
-use common::{band, book, distance_from, flat, soup, square, surface};
+use common::{band, book, distance_from, flat, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::surface::Error as SurfaceError;
@@ -65,6 +65,47 @@ fn known_shapes() {
         assert_eq!(surface.mesh().boundary_loops().len(), loops);
         assert_eq!((surface.report().components, surface.mesh().components()), (components, components));
         assert_eq!((surface.report().flipped_faces, surface.report().non_manifold_edges), (0, 0));
+    }
+}
+
+/// The same surface with its vertices and triangles in an order that has nothing to do with where they are.
+fn shuffled(soup: &Soup, seed: &mut u64) -> Soup {
+    let mut order = |count: usize| {
+        let mut order: Vec<usize> = (0..count).collect();
+        (1..count).rev().for_each(|i| order.swap(i, random(seed, i + 1)));
+        order
+    };
+    let (vertices, triangles) = (order(soup.positions.len()), order(soup.triangles.len()));
+    let mut new_number = vec![0; vertices.len()];
+    vertices.iter().enumerate().for_each(|(new, &old)| new_number[old] = new as u32);
+    let corners = |&old: &usize| soup.triangles[old].map(|vertex| new_number[vertex as usize]);
+    Soup::single(
+        "shuffled",
+        vertices.iter().map(|&old| soup.positions[old]).collect(),
+        triangles.iter().map(corners).collect(),
+    )
+}
+
+#[test]
+fn neighbours_on_a_large_surface_are_neighbours_in_memory() {
+    let soup = shuffled(&shapes::torus(2.0, 0.7, 240, 120), &mut 5);
+    let surface = checked(&soup);
+    let jump = |vertex: VertexId| {
+        let other = surface.neighbours(vertex).next().expect("a neighbour");
+        vertex.0.abs_diff(other.0) as usize
+    };
+    let mean = surface.vertices().map(jump).sum::<usize>() / surface.vertex_count();
+    assert!(mean < surface.vertex_count() / 20, "{mean} numbers apart, of {} vertices", surface.vertex_count());
+    for (input, &position) in soup.positions.iter().enumerate() {
+        let vertex = surface.vertex_of_input(InputVertex::from_index(input)).expect("used");
+        assert_eq!(surface.position(vertex), position);
+    }
+    let triangles = surface.faces_in_input_order().map(|face| surface.triangle_of_face(face));
+    assert!(triangles.eq((0..soup.triangles.len()).map(InputTriangle::from_index)));
+    for (face, corners) in surface.faces().enumerate() {
+        let input = soup.triangles[surface.triangle_of_face(face).index()].map(InputVertex);
+        assert_eq!(surface.inputs_of_face(face), input);
+        assert_eq!(corners.map(Some), input.map(|vertex| surface.vertex_of_input(vertex)));
     }
 }
 

@@ -51,6 +51,11 @@ impl<R: Element, I: Element> Csr<R, I> {
     }
 
     /// All items, list after list.
+    pub fn into_items(self) -> Vec<I> {
+        self.items
+    }
+
+    /// All items, list after list.
     pub fn items_mut(&mut self) -> &mut [I] {
         &mut self.items
     }

@@ -9,6 +9,7 @@ mod error;
 pub mod halfedge;
 pub mod io;
 pub mod memory;
+mod order;
 pub mod path;
 pub mod point;
 pub mod soup;

@@ -205,13 +205,15 @@ impl Surface {
         self.positions.ids()
     }
 
-    /// `#V × 3`, in order of the first input vertex there, in the file's unit.
+    /// `#V × 3`, in order of the first input vertex there, in the file's unit. Large surfaces whose order is scattered are
+    /// renumbered, so that neighbours on the surface are neighbours in memory.
     #[inline]
     pub fn positions(&self) -> &VertexData<DVec3> {
         &self.positions
     }
 
-    /// `#F × 3` corners of the kept triangles, in the input's order.
+    /// `#F × 3` corners of the kept triangles, in the input's order unless renumbered as the
+    /// [vertices](Self::positions) are.
     #[inline]
     pub fn faces(&self) -> &FaceData<[VertexId; 3]> {
         &self.faces
@@ -252,6 +254,11 @@ impl Surface {
     /// The face that an input triangle became; `None` where it was dropped, or there is none such.
     pub fn face_of_triangle(&self, triangle: InputTriangle) -> Option<FaceId> {
         self.face_of_triangle.get(triangle).copied().flatten()
+    }
+
+    /// All faces, in the order of the input's triangles.
+    pub fn faces_in_input_order(&self) -> impl Iterator<Item = FaceId> {
+        self.face_of_triangle.iter().copied().flatten()
     }
 
     /// The input triangle that became a face.

@@ -9,6 +9,7 @@ use crate::element::{
     Element, FaceData, HalfedgeId, InputTriangle, InputVertex, InputVertexData, VertexData, VertexId,
 };
 use crate::error::{Error, Result};
+use crate::order::gather;
 use crate::soup::Soup;
 use crate::touching::Fans;
 
@@ -47,16 +48,22 @@ pub fn weld(soup: &Soup) -> Result<Welded> {
         return Err(Error::NotFinite { vertex });
     }
     let (mut vertex_of_input, mut positions) = merge(&soup.positions, &used);
+    let order = gather(&soup.triangles, &mut positions, &mut vertex_of_input);
 
     let mut faces = Vec::with_capacity(soup.triangles.len());
     let mut triangle_of_face = Vec::with_capacity(soup.triangles.len());
-    for (triangle, corners) in soup.triangles.iter().enumerate() {
+    let mut take = |triangle: InputTriangle| {
+        let corners = soup.triangles[triangle.index()];
         let face @ [a, b, c] = corners.map(|vertex| VertexId(vertex_of_input[vertex as usize]));
         let [p, q, r] = face.map(|vertex| positions[vertex.index()]);
         if a != b && b != c && c != a && (q - p).cross(r - p) != DVec3::ZERO {
             faces.push(face);
-            triangle_of_face.push(InputTriangle::from_index(triangle));
+            triangle_of_face.push(triangle);
         }
+    };
+    match order {
+        Some(order) => order.into_iter().for_each(&mut take),
+        None => (0..soup.triangles.len()).map(InputTriangle::from_index).for_each(&mut take),
     }
     let degenerate_faces = soup.triangles.len() - faces.len();
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData};
+use heatwalk::{FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData};
 use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
@@ -29,12 +29,15 @@ export type Source = SurfacePoint & {
 /// A surface as it is drawn.
 pub struct Drawn {
     mesh: Mesh,
+    /// `#F`, the face of each drawn triangle.
+    faces: Vec<FaceId>,
     pub transform: DrawTransform,
 }
 
 impl Drawn {
     pub fn new(surface: &Surface, transform: DrawTransform) -> Self {
-        Self { mesh: draw_mesh(surface, CREASE_ANGLE, &transform), transform }
+        let faces = surface.faces_in_input_order().collect();
+        Self { mesh: draw_mesh(surface, CREASE_ANGLE, &transform), faces, transform }
     }
 
     pub fn mesh(&self) -> DrawMesh {
@@ -57,6 +60,11 @@ impl Drawn {
         self.mesh.vertex_of_drawn.iter().flat_map(|&vertex| bytes(directions[vertex])).collect()
     }
 
+    /// Vectors of faces as vectors of drawn triangles, three numbers each.
+    pub fn spread_vectors(&self, vectors: &FaceData<DVec3>) -> Vec<f32> {
+        self.faces.iter().flat_map(|&face| vectors[face].as_vec3().to_array()).collect()
+    }
+
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
     /// which are those of the surface's face.
     pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint> {
@@ -69,7 +77,9 @@ impl Drawn {
             number(place, "face").ok_or_else(|| Failure::misuse("a place is a vertex or a face with three weights"))?;
         let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
         let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
-        Ok(surface.point(Place::Face { face: FaceId(face as u32), weights })?)
+        // A face that there is none of is for the surface to name.
+        let face = self.faces.get(face as usize).copied().unwrap_or(FaceId(face as u32));
+        Ok(surface.point(Place::Face { face, weights })?)
     }
 
     /// Reads a place and its `offset`, the value that distances start from there; 0 when absent.

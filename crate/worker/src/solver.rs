@@ -163,7 +163,7 @@ impl Solver {
             FaceField::Heat => solved.distance.heat_directions(surface)?,
             FaceField::Distance => solved.distance.gradients(surface)?,
         };
-        Ok(vectors.iter().flat_map(|vector| vector.as_vec3().to_array()).collect())
+        Ok(self.drawn.spread_vectors(&vectors))
     }
 
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the

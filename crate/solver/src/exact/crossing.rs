@@ -1,6 +1,6 @@
 //! The way of a window across a face.
 
-use super::geometry::{Frame, after};
+use super::geometry::Side;
 use super::window::{Beam, length};
 use crate::extremum::smaller;
 
@@ -21,29 +21,32 @@ impl Crossing {
         Self { beam, splits: beam.x + x * beam.depth / height, distance: length(x, height) }
     }
 
-    /// What leaves by the edge at half-edge `k`'s begin, as the half-edge across that edge sees it.
-    pub fn to_left(&self, frame: &Frame, k: usize) -> Option<Beam> {
+    /// What leaves by the edge at the half-edge's begin, as the half-edge across that edge sees it. `sides` are those that
+    /// it [sees](super::geometry::Frame::seen_from).
+    #[inline]
+    pub fn to_left(&self, [base, _, left]: [&Side; 3]) -> Option<Beam> {
         let Self { beam, splits, .. } = self;
         if beam.begin >= *splits {
             return None;
         }
-        let (along, cos, sin) = (frame.length[after(after(k))], frame.cos[k], frame.sin[k]);
-        let hit = |at: f64| hit(at, at - beam.x, beam.depth, [cos, -sin], along);
+        let (cos, sin) = (base.cos, base.sin);
+        let hit = |at: f64| hit(at, at - beam.x, beam.depth, [cos, -sin], left.length);
         let (x, depth) = (beam.x * cos - beam.depth * sin, beam.x * sin + beam.depth * cos);
-        let end = if beam.end >= *splits { along } else { hit(beam.end) };
+        let end = if beam.end >= *splits { left.length } else { hit(beam.end) };
         Some(Beam { begin: hit(beam.begin), end, x, depth, ..*beam })
     }
 
-    /// What leaves by the edge at half-edge `k`'s end, as the half-edge across that edge sees it.
-    pub fn to_right(&self, frame: &Frame, k: usize) -> Option<Beam> {
+    /// What leaves by the edge at the half-edge's end, as the half-edge across that edge sees it. `sides` are those that
+    /// it [sees](super::geometry::Frame::seen_from).
+    #[inline]
+    pub fn to_right(&self, [base, right, _]: [&Side; 3]) -> Option<Beam> {
         let Self { beam, splits, .. } = self;
         if beam.end <= *splits {
             return None;
         }
-        let r = after(k);
-        let (along, cos, sin) = (frame.length[r], frame.cos[r], frame.sin[r]);
-        let hit = |at: f64| along - hit(frame.length[k] - at, at - beam.x, beam.depth, [cos, sin], along);
-        let from_end = frame.length[k] - beam.x;
+        let (along, cos, sin) = (right.length, right.cos, right.sin);
+        let hit = |at: f64| along - hit(base.length - at, at - beam.x, beam.depth, [cos, sin], along);
+        let from_end = base.length - beam.x;
         let (x, depth) = (along - (from_end * cos - beam.depth * sin), from_end * sin + beam.depth * cos);
         let begin = if beam.begin <= *splits { 0.0 } else { hit(beam.begin) };
         Some(Beam { begin, end: hit(beam.end), x, depth, ..*beam })

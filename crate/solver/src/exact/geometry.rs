@@ -1,6 +1,7 @@
 //! What the wavefront needs of a surface: triangles laid in the plane, what lies across each edge, pseudo-sources.
 
 use std::f64::consts::PI;
+use std::ops::Index;
 use std::sync::Arc;
 
 use super::window::GRAZE;
@@ -21,25 +22,49 @@ pub(super) enum Bend {
     Anywhere,
 }
 
+/// One corner of a triangle in the plane and the half-edge that runs from there to the next.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Side {
+    /// Length of the half-edge.
+    pub length: f64,
+    /// Cosine and sine of the angle at the corner.
+    pub cos: f64,
+    pub sin: f64,
+    /// Point at the corner.
+    pub vertex: u32,
+    /// The next half-edge `h` on the edge, as `4 h`, + 1 where it runs against this one, + 2 where at most two half-edges
+    /// share the edge. Those of an edge form a cycle; a boundary half-edge is its own successor.
+    pub next_on_edge: u32,
+}
+
+impl Side {
+    /// The half-edge that runs against this one, where it alone shares the edge.
+    pub fn twin(&self) -> Option<u32> {
+        (self.next_on_edge & 3 == 3).then_some(self.next_on_edge >> 2)
+    }
+}
+
 /// A triangle in the plane. Its half-edge `k` runs from corner `k` to the next.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame {
-    /// Length of each half-edge.
-    pub length: [f64; 3],
-    /// Cosine of the angle at each corner.
-    pub cos: [f64; 3],
-    /// Sine of the angle at each corner.
-    pub sin: [f64; 3],
-    /// Points at the corners.
-    pub vertices: [u32; 3],
-    /// The next half-edge `h` on each edge, as `4 h`, + 1 where it runs from the lower vertex to the higher, + 2 where at
-    /// most two half-edges share the edge. Those of an edge form a cycle; a boundary half-edge is its own successor.
-    pub next_on_edge: [u32; 3],
+pub(crate) struct Frame([Side; 3]);
+
+impl Index<usize> for Frame {
+    type Output = Side;
+
+    fn index(&self, k: usize) -> &Side {
+        &self.0[k]
+    }
 }
 
 /// The corner after corner `k`.
 pub(crate) fn after(k: usize) -> usize {
-    if k == 2 { 0 } else { k + 1 }
+    // Without a branch: which corner comes is as good as random.
+    (0b00_10_01 >> (2 * k)) & 0b11
+}
+
+/// The corner before corner `k`.
+pub(crate) fn before(k: usize) -> usize {
+    after(after(k))
 }
 
 impl Frame {
@@ -47,7 +72,6 @@ impl Frame {
         let corners = surface.corners(face);
         let edges: [_; 3] = std::array::from_fn(|k| corners[after(k)] - corners[k]);
         let length = edges.map(triangle::length);
-        let before = |k: usize| after(after(k));
         let [cos, sin]: [[f64; 3]; 2] = if length.iter().all(|length| PLAIN_LENGTHS.contains(length)) {
             // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.
             let longest =
@@ -67,43 +91,48 @@ impl Frame {
             ]
         };
         let vertices = surface.faces()[face].map(|vertex| vertex.0);
-        let next_on_edge = std::array::from_fn(|k| {
+        let next_on_edge = |k| {
             let halfedge = face.halfedge(k);
             let next = surface.edges().next_on_edge(halfedge);
             let ends = surface.faces()[next.triangle()];
-            let ascends = ends[next.corner()] < ends[after(next.corner())];
-            4 * next.0 + 2 * u32::from(!surface.edges().is_branching(halfedge)) + u32::from(ascends)
-        });
-        Self { length, cos, sin, vertices, next_on_edge }
+            let is_against = (ends[next.corner()] < ends[after(next.corner())]) != (vertices[k] < vertices[after(k)]);
+            4 * next.0 + 2 * u32::from(!surface.edges().is_branching(halfedge)) + u32::from(is_against)
+        };
+        Self(std::array::from_fn(|k| Side {
+            length: length[k],
+            cos: cos[k],
+            sin: sin[k],
+            vertex: vertices[k],
+            next_on_edge: next_on_edge(k),
+        }))
+    }
+
+    /// Points at the corners.
+    pub fn vertices(&self) -> [u32; 3] {
+        self.0.map(|side| side.vertex)
+    }
+
+    /// The sides as half-edge `k` sees them: itself, the next and the one before.
+    pub fn seen_from(&self, k: usize) -> [&Side; 3] {
+        [&self.0[k], &self.0[after(k)], &self.0[before(k)]]
     }
 
     /// Corner opposite half-edge `k`, where that half-edge lies on the x axis from the origin and the triangle above it.
     pub fn opposite(&self, k: usize) -> [f64; 2] {
-        let length = self.length[after(after(k))];
-        [length * self.cos[k], length * self.sin[k]]
+        let [base, _, left] = self.seen_from(k);
+        [left.length * base.cos, left.length * base.sin]
     }
 
     /// A vertex by its barycentric weights, laid out as in [`Frame::opposite`].
     pub fn place(&self, k: usize, weights: [f64; 3]) -> [f64; 2] {
         let [x, y] = self.opposite(k);
-        let (along, up) = (weights[after(k)], weights[after(after(k))]);
-        [along * self.length[k] + up * x, up * y]
-    }
-
-    /// The half-edge that runs against half-edge `k`, where it alone shares the edge.
-    pub fn twin(&self, k: usize) -> Option<u32> {
-        let next = self.next_on_edge[k];
-        (next & 2 != 0 && (next & 1 == 1) != self.ascends(k)).then_some(next >> 2)
-    }
-
-    /// Whether half-edge `k` runs from the lower vertex to the higher.
-    pub fn ascends(&self, k: usize) -> bool {
-        self.vertices[k] < self.vertices[after(k)]
+        let (along, up) = (weights[after(k)], weights[before(k)]);
+        [along * self[k].length + up * x, up * y]
     }
 
     /// Angle at corner `k`, radians.
     pub fn angle(&self, k: usize) -> f64 {
-        self.sin[k].atan2(self.cos[k])
+        self[k].sin.atan2(self[k].cos)
     }
 }
 
@@ -173,8 +202,8 @@ impl ExactGeometry {
         let mut angles = vec![AngleSum::default(); surface.vertex_count()];
         for face in surface.mesh().faces() {
             let frame = Frame::new(surface, face);
-            for (k, vertex) in frame.vertices.into_iter().enumerate() {
-                angles[vertex as usize].add(frame.cos[k], frame.sin[k]);
+            for (k, vertex) in frame.vertices().into_iter().enumerate() {
+                angles[vertex as usize].add(frame[k].cos, frame[k].sin);
             }
             frames.push(frame);
         }
@@ -200,7 +229,7 @@ impl ExactGeometry {
 
     /// How paths bend at a vertex where edges may have one face, or several.
     fn bend(&self, surface: &Surface, vertex: VertexId, angle: &AngleSum) -> Bend {
-        let halfedges = |(face, k): (FaceId, usize)| [k, after(after(k))].map(|k| face.halfedge(k));
+        let halfedges = |(face, k): (FaceId, usize)| [k, before(k)].map(|k| face.halfedge(k));
         if surface.corners_of_vertex(vertex).flat_map(halfedges).any(|halfedge| surface.edges().is_branching(halfedge))
         {
             return Bend::Anywhere;
@@ -236,26 +265,21 @@ impl ExactGeometry {
     /// The next face around a vertex; `None` past the boundary. Only where edges have at most two faces.
     pub(super) fn turn(&self, turn: Turn) -> Option<Turn> {
         let frame = &self.frames[turn.face as usize];
-        let k = if turn.is_reversed { turn.corner } else { after(after(turn.corner)) };
-        let next = frame.next_on_edge[k] >> 2;
+        let k = if turn.is_reversed { turn.corner } else { before(turn.corner) };
+        let next = frame[k].next_on_edge >> 2;
         if next == turn.face * 3 + k as u32 {
             return None;
         }
         let (face, k) = (next / 3, next as usize % 3);
-        let vertex = frame.vertices[turn.corner];
+        let vertex = frame[turn.corner].vertex;
         // Counter-clockwise, one enters a face by the half-edge that leaves the vertex.
-        let leaves = self.frames[face as usize].vertices[k] == vertex;
+        let leaves = self.frames[face as usize][k].vertex == vertex;
         Some(Turn { face, corner: if leaves { k } else { after(k) }, is_reversed: !leaves })
     }
 
     /// A face's frame.
     pub(crate) fn frame(&self, face: u32) -> &Frame {
         &self.frames[face as usize]
-    }
-
-    /// Number of half-edges that lie on a face.
-    pub(crate) fn halfedge_count(&self) -> u32 {
-        3 * self.frames.len() as u32
     }
 
     /// Half-edge number `half-edge`'s frame and its place there.
@@ -265,18 +289,14 @@ impl ExactGeometry {
 
     /// The half-edges on the other faces of a half-edge's edge, each with whether it runs in the same direction.
     pub(crate) fn across(&self, halfedge: u32) -> impl Iterator<Item = (u32, bool)> + '_ {
-        let (frame, k) = self.frame_of(halfedge);
-        let ascends = frame.ascends(k);
         let other = move |packed: u32| Some(packed).filter(|&packed| packed >> 2 != halfedge);
-        std::iter::successors(other(frame.next_on_edge[k]), move |&packed| {
-            // Most edges are done now, without a look at the face across.
-            if packed & 2 != 0 {
-                return None;
-            }
-            let (frame, k) = self.frame_of(packed >> 2);
-            other(frame.next_on_edge[k])
-        })
-        .map(move |packed| (packed >> 2, (packed & 1 == 1) == ascends))
+        let next = |halfedge: u32| {
+            let (frame, k) = self.frame_of(halfedge);
+            frame[k].next_on_edge
+        };
+        // Most edges are done after one, without a look at the face across. The last bit tells the direction so far.
+        let after = move |&packed: &u32| (packed & 2 == 0).then(|| next(packed >> 2) ^ (packed & 1)).and_then(other);
+        std::iter::successors(other(next(halfedge)), after).map(|packed| (packed >> 2, packed & 1 == 0))
     }
 
     /// The faces that a surface point lies on, with its weights in each.
@@ -286,11 +306,11 @@ impl ExactGeometry {
         surface
             .corners_of_vertex(first)
             .map(|(face, _)| face.0)
-            .filter(|&face| rest.iter().all(|(vertex, _)| self.frames[face as usize].vertices.contains(&vertex.0)))
+            .filter(|&face| rest.iter().all(|(vertex, _)| self.frames[face as usize].vertices().contains(&vertex.0)))
             .filter(|&face| support.len() < 3 || !matches!(location, Place::Face { face: own, .. } if own.0 != face))
             .map(|face| {
                 let weight = |corner: u32| support.iter().find(|(vertex, _)| vertex.0 == corner).map_or(0.0, |s| s.1);
-                (face, self.frames[face as usize].vertices.map(weight))
+                (face, self.frames[face as usize].vertices().map(weight))
             })
             .collect()
     }

@@ -23,7 +23,7 @@ impl Wavefront {
             let mut cursor = Cursor { halfedge: target, before: 0, begin: f64::NEG_INFINITY };
             if is_mirrored {
                 for window in leaving.iter().rev() {
-                    self.insert(window.mirrored(frame.length[k]), &mut cursor);
+                    self.insert(window.mirrored(frame[k].length), &mut cursor);
                 }
             } else {
                 for &window in leaving {

@@ -29,8 +29,8 @@ use std::sync::Arc;
 
 pub(crate) use crossing::Crossing;
 pub use geometry::ExactGeometry;
-pub(crate) use geometry::after;
-pub(crate) use queue::Buckets;
+pub(crate) use geometry::{Side, after, before};
+pub(crate) use queue::Ring;
 pub use wavefront::Wavefront;
 pub(crate) use window::{Beam, Window, length};
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::geometry::{Bend, ExactGeometry, Frame, Turn, after};
+use super::geometry::{Bend, ExactGeometry, Frame, Turn, after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::{Window, length};
@@ -40,9 +40,9 @@ impl Wavefront {
         let frame = &geometry.frames[face as usize];
         for k in 0..3 {
             let [x, depth] = frame.place(k, weights);
-            self.offer(frame.vertices[k], value + length(x, depth), Origin::Straight { face, root });
+            self.offer(frame[k].vertex, value + length(x, depth), Origin::Straight { face, root });
             if depth > 0.0 {
-                let all = Window::new(0.0, frame.length[k], [frame.length[k] - x, depth], value, root);
+                let all = Window::new(0.0, frame[k].length, [frame[k].length - x, depth], value, root);
                 self.leave(face * 3 + k as u32, all);
             }
         }
@@ -53,8 +53,8 @@ impl Wavefront {
     fn leave(&mut self, halfedge: u32, mut window: Window) {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
-        let ends = [frame.vertices[after(k)], frame.vertices[k]].map(|vertex| self.values[VertexId(vertex)]);
-        if window.clip(frame.length[k], ends) {
+        let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
+        if window.clip(frame[k].length, ends) {
             self.deliver(&geometry, halfedge, &[window]);
         }
     }
@@ -101,7 +101,7 @@ impl Wavefront {
     fn arrival(&self, vertex: u32) -> Option<(u32, usize, f64)> {
         let corner = |face: u32| {
             let frame = &self.geometry.frames[face as usize];
-            frame.vertices.iter().position(|&corner| corner == vertex).map(|k| (frame, k))
+            frame.vertices().iter().position(|&corner| corner == vertex).map(|k| (frame, k))
         };
         match self.origins[vertex as usize] {
             Origin::None => None,
@@ -158,24 +158,24 @@ impl Wavefront {
     fn light_from_corner(&mut self, face: u32, k: usize, [from, to]: [f64; 2]) {
         let geometry = Arc::clone(&self.geometry);
         let frame: &Frame = &geometry.frames[face as usize];
-        let root = frame.vertices[k];
+        let root = frame[k].vertex;
         let value = self.values[VertexId(root)];
-        let (out, last) = (after(k), after(after(k)));
-        self.offer(frame.vertices[out], value + frame.length[k], Origin::Straight { face, root });
-        self.offer(frame.vertices[last], value + frame.length[last], Origin::Straight { face, root });
+        let (out, last) = (after(k), before(k));
+        self.offer(frame[out].vertex, value + frame[k].length, Origin::Straight { face, root });
+        self.offer(frame[last].vertex, value + frame[last].length, Origin::Straight { face, root });
         let mut weights = [0.0; 3];
         weights[k] = 1.0;
         self.targets.see_straight(frame, face, weights, value, root);
 
-        let along = frame.length[out];
+        let along = frame[out].length;
         // By the law of sines, measured from the edge's end, as the half-edge across runs.
         let meets = |angle: f64| {
-            along - frame.length[k] * angle.sin() / (frame.cos[out] * angle.sin() + frame.sin[out] * angle.cos())
+            along - frame[k].length * angle.sin() / (frame[out].cos * angle.sin() + frame[out].sin * angle.cos())
         };
         let width = frame.angle(k);
         let begin = if to >= width { 0.0 } else { meets(to).max(0.0) };
         let end = if from <= 0.0 { along } else { meets(from).min(along) };
-        let place = [frame.length[last] * frame.cos[last], frame.length[k] * frame.sin[out]];
+        let place = [frame[last].length * frame[last].cos, frame[k].length * frame[out].sin];
         let window = Window::new(begin, end, place, value, root);
         self.leave(face * 3 + out as u32, window);
     }

@@ -1,6 +1,6 @@
 //! Shortest paths, traced back through the faces that their windows crossed.
 
-use super::geometry::after;
+use super::geometry::{after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::length;
@@ -114,15 +114,15 @@ impl Wavefront {
     /// ray's half-edge's direction.
     fn step(&self, ray: Ray, halfedge: u32, is_mirrored: bool, root: u32) -> Step {
         let (frame, k) = self.geometry.frame_of(halfedge);
-        let (l, r) = (after(after(k)), after(k));
-        let across = frame.length[k];
+        let (l, r) = (before(k), after(k));
+        let across = frame[k].length;
         // The source is above the half-edge now.
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
         if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
-            let scale = frame.length[0] + frame.length[1] + frame.length[2];
+            let scale = frame[0].length + frame[1].length + frame[2].length;
             if length(root_x - x, root_y - y) <= MEETS * scale {
                 return Step::Arrived;
             }
@@ -130,8 +130,8 @@ impl Wavefront {
         let [forward, up] = [x - at, y];
         let is_left = (opposite[0] - at) * up - opposite[1] * forward >= 0.0;
         let (out, from_end, cos, sin) =
-            if is_left { (l, at, frame.cos[k], frame.sin[k]) } else { (r, across - at, frame.cos[r], frame.sin[r]) };
-        let out_length = frame.length[out];
+            if is_left { (l, at, frame[k].cos, frame[k].sin) } else { (r, across - at, frame[r].cos, frame[r].sin) };
+        let out_length = frame[out].length;
         // From the end that both edges share.
         let [aside, towards] = if is_left { [x, -forward] } else { [across - x, forward] };
         let closing = cos * up + sin * towards;
@@ -189,7 +189,7 @@ impl Trace<'_> {
                 return Some(End::Vertex(vertex, inside));
             }
             let (frame, k) = front.geometry.frame_of(ray.halfedge);
-            let fraction = (ray.at / frame.length[k]).clamp(0.0, 1.0);
+            let fraction = (ray.at / frame[k].length).clamp(0.0, 1.0);
             self.go(Place::Edge { halfedge: HalfedgeId(ray.halfedge), fraction }, inside);
             let length = self.points.len();
             open.extend(
@@ -219,8 +219,8 @@ impl Trace<'_> {
         let front = self.front;
         let (frame, k) = front.geometry.frame_of(ray.halfedge);
         let left = length(ray.x - ray.at, ray.depth);
-        let near = SNAP * (left + frame.length[k]);
-        let ends = [(frame.vertices[k], ray.at), (frame.vertices[after(k)], frame.length[k] - ray.at)];
+        let near = SNAP * (left + frame[k].length);
+        let ends = [(frame[k].vertex, ray.at), (frame[after(k)].vertex, frame[k].length - ray.at)];
         let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
         let value = front.values[VertexId(vertex)];
         let Origin::Window { root, .. } = start.origin else { return None };

@@ -4,7 +4,7 @@ use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
 use super::crossing::Crossing;
-use super::geometry::{ExactGeometry, after};
+use super::geometry::{ExactGeometry, after, before};
 use super::origin::Origin;
 use super::queue::Buckets;
 use super::targets::Targets;
@@ -128,10 +128,11 @@ impl Wavefront {
     pub fn advance(&mut self, radius: f64, work: usize) -> bool {
         let enough = self.propagated.saturating_add(work);
         let halfedges = self.heads.len() as u32;
+        let geometry = Arc::clone(&self.geometry);
         while self.propagated < enough {
             match self.queue.pop(radius) {
                 None => return true,
-                Some(item) if item < halfedges => self.cross(item),
+                Some(item) if item < halfedges => self.cross(&geometry, item),
                 Some(item) => self.bend_at(item - halfedges),
             }
         }
@@ -238,11 +239,11 @@ impl Wavefront {
 
     /// Lets the windows that wait at a half-edge enter its face: values for the opposite corner and for targets in the
     /// face, windows for the half-edges across its two other edges.
-    fn cross(&mut self, halfedge: u32) {
-        let geometry = Arc::clone(&self.geometry);
+    fn cross(&mut self, geometry: &ExactGeometry, halfedge: u32) {
         let (frame, k) = geometry.frame_of(halfedge);
-        let [l, r] = [after(after(k)), after(k)];
-        let [a, b, c] = [k, r, l].map(|corner| frame.vertices[corner]);
+        let [l, r] = [before(k), after(k)];
+        let sides = frame.seen_from(k);
+        let [a, b, c] = sides.map(|side| side.vertex);
         let opposite = frame.opposite(k);
 
         let mut crossing = std::mem::take(&mut self.crossing);
@@ -255,7 +256,7 @@ impl Wavefront {
             next = window.next;
             self.release(number);
             let is_current = self.values.get(VertexId(window.root)).is_none_or(|&value| value >= window.offset);
-            if !(is_current && window.clip(frame.length[k], ends)) {
+            if !(is_current && window.clip(frame[k].length, ends)) {
                 continue;
             }
             let entering = Crossing::new(window.beam(), opposite);
@@ -282,19 +283,19 @@ impl Wavefront {
 
         let mut leaving = std::mem::take(&mut self.leaving);
         for (out, corners) in [(l, [a, c]), (r, [c, b])] {
-            if frame.next_on_edge[out] >> 2 == halfedge - k as u32 + out as u32 {
+            if frame[out].next_on_edge >> 2 == halfedge - k as u32 + out as u32 {
                 continue;
             }
             let ends = corners.map(|vertex| self.values[VertexId(vertex)]);
             leaving.clear();
             for crossing in &crossing {
-                let part = if out == l { crossing.to_left(frame, k) } else { crossing.to_right(frame, k) };
+                let part = if out == l { crossing.to_left(sides) } else { crossing.to_right(sides) };
                 let Some(mut part) = part.map(Window::from) else { continue };
-                if part.clip(frame.length[out], ends) {
+                if part.clip(frame[out].length, ends) {
                     leaving.push(part);
                 }
             }
-            self.deliver(&geometry, halfedge - k as u32 + out as u32, &leaving);
+            self.deliver(geometry, halfedge - k as u32 + out as u32, &leaving);
         }
         self.leaving = leaving;
         self.crossing = crossing;

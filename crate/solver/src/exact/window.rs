@@ -19,7 +19,7 @@ const MARGIN: f64 = 1e-12;
 const SAME: f64 = 1e-13;
 
 /// A window without the distances of its ends: see [`Window`].
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Beam {
     pub begin: f64,
     pub end: f64,

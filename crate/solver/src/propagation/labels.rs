@@ -1,71 +1,47 @@
 //! The windows kept: of each half-edge one for each of its stretches.
 
+use std::fmt::Debug;
+
 use crate::error::{Error, Result};
 use crate::exact::{Beam, Window};
 use crate::extremum::smaller;
 
-#[cfg(test)]
-mod tests;
-
-/// A window of a half-edge, kept for one of its stretches.
+/// A window of a half-edge, kept for one of its stretches: half a cache line.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
 struct Label {
-    /// Distance of the stretch's middle by the window, bent at its end where it does not reach so far.
-    value: f64,
     /// Distance of the source itself.
     offset: f64,
     /// Position of the source along the half-edge and behind it.
     x: f64,
     depth: f64,
-    /// Where the interval begins and ends, as shares of the half-edge, rounded inward.
-    begin: f32,
-    end: f32,
-    /// Number of the source that it comes from.
-    source: u32,
-    /// Of which round it is. One of another round is none.
-    round: u16,
-    /// Whether it has still to cross the face.
-    waits: bool,
+    /// Distance of the stretch's middle by the window, in mean edges, bent at its end where it does not reach so far.
+    /// Negative while the window has still to cross the face. Infinite where there is no window.
+    value: f32,
+    /// Where the interval begins and ends, in [`SHARES`] of the half-edge, rounded inward.
+    begin: u16,
+    end: u16,
 }
 
-/// No label, in any round.
-const NONE: Label =
-    Label { value: 0.0, offset: 0.0, x: 0.0, depth: 0.0, begin: 0.0, end: 0.0, source: 0, round: 0, waits: false };
+const SHARES: f64 = u16::MAX as f64;
+
+const NONE: Label = Label { offset: 0.0, x: 0.0, depth: 0.0, value: f32::INFINITY, begin: 0, end: 0 };
 
 impl Label {
-    fn new(window: &Window, length: f64, value: f64, round: u16) -> Self {
-        let per_length = 1.0 / length;
-        Self {
-            value,
-            offset: window.offset,
-            x: window.x,
-            depth: window.depth,
-            begin: rounded_up(window.begin * per_length),
-            end: rounded_down(window.end * per_length),
-            source: window.root,
-            round,
-            waits: true,
-        }
+    /// `None` for a window that is narrower than a share.
+    fn new(window: &Window, length: f64, value: f32) -> Option<Self> {
+        let per_share = SHARES / length;
+        let [begin, end] = [window.begin, window.end].map(|at| at * per_share);
+        let whole = begin as u16;
+        let (begin, end) = (whole + u16::from(f64::from(whole) < begin), end as u16);
+        (begin < end).then_some(Self { offset: window.offset, x: window.x, depth: window.depth, value, begin, end })
     }
 
-    fn beam(&self, length: f64) -> Beam {
-        let [begin, end] = [self.begin, self.end].map(|share| f64::from(share) * length);
-        Beam { begin, end, x: self.x, depth: self.depth, offset: self.offset, root: self.source }
+    fn beam(&self, length: f64, source: u32) -> Beam {
+        let share = length / SHARES;
+        let [begin, end] = [self.begin, self.end].map(|shares| f64::from(shares) * share);
+        Beam { begin, end, x: self.x, depth: self.depth, offset: self.offset, root: source }
     }
-
-    fn has_same_source(&self, other: &Self) -> bool {
-        self.x == other.x && self.depth == other.depth && self.offset == other.offset
-    }
-}
-
-fn rounded_up(share: f64) -> f32 {
-    let rounded = share as f32;
-    if f64::from(rounded) < share { rounded.next_up() } else { rounded }
-}
-
-fn rounded_down(share: f64) -> f32 {
-    let rounded = share as f32;
-    if f64::from(rounded) > share { rounded.next_down() } else { rounded }
 }
 
 /// What a window must beat on a half-edge.
@@ -85,68 +61,104 @@ impl Bar {
     }
 }
 
-/// The labels of all half-edges.
-#[derive(Debug)]
-pub(super) struct Labels {
-    /// Stretches of a half-edge.
-    stretches: usize,
-    /// Their inverse number.
-    per_stretch: f64,
-    /// How much sooner a window must come than the one that it replaces.
-    margin: f64,
-    round: u16,
-    /// `3 #F × stretches`.
-    labels: Vec<Label>,
+/// How much sooner a window must come than the one that it replaces, in mean edges.
+const MARGIN: f32 = 1e-6;
+
+/// A number of stretches; one that is part of the type costs no loop.
+pub(super) trait Count: Copy + Debug + Send + Sync + 'static {
+    fn get(self) -> usize;
 }
 
-impl Labels {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fixed<const N: usize>;
+
+impl<const N: usize> Count for Fixed<N> {
+    #[inline(always)]
+    fn get(self) -> usize {
+        N
+    }
+}
+
+impl Count for usize {
+    #[inline(always)]
+    fn get(self) -> usize {
+        self
+    }
+}
+
+/// The labels of all half-edges.
+#[derive(Debug)]
+pub(super) struct Labels<C> {
+    /// Stretches of a half-edge.
+    stretches: C,
+    /// Their inverse number.
+    per_stretch: f64,
+    /// Inverse of the mean edge.
+    per_edge: f64,
+    /// `3 #F × stretches`.
+    labels: Vec<Label>,
+    /// Number of the source that each window comes from. Empty where there is just one source.
+    sources: Vec<u32>,
+}
+
+impl<C: Count> Labels<C> {
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(halfedges: usize, stretches: usize, margin: f64) -> Result<Self> {
-        let (mut labels, count) = (Vec::new(), halfedges * stretches);
+    pub fn new(halfedges: usize, stretches: C, mean_edge: f64) -> Result<Self> {
+        let (mut labels, count) = (Vec::new(), halfedges * stretches.get());
         labels.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { stage: "keeping windows" })?;
         labels.resize(count, NONE);
-        Ok(Self { stretches, per_stretch: 1.0 / stretches as f64, margin, round: 1, labels })
+        Ok(Self {
+            stretches,
+            per_stretch: 1.0 / stretches.get() as f64,
+            per_edge: 1.0 / mean_edge,
+            labels,
+            sources: Vec::new(),
+        })
     }
 
-    /// Forgets all windows.
-    pub fn clear(&mut self) {
-        self.round = self.round.checked_add(1).unwrap_or_else(|| {
-            self.labels.fill(NONE);
-            1
-        });
+    /// Forgets all windows, to keep those of so many sources.
+    pub fn clear(&mut self, sources: usize) {
+        self.labels.fill(NONE);
+        self.sources.clear();
+        if sources > 1 {
+            self.sources.resize(self.labels.len(), 0);
+        }
     }
 
-    /// Distance of the middle of a half-edge's first stretch; infinite for no window.
-    pub fn value_of(&self, halfedge: u32) -> f64 {
-        self.value(halfedge as usize * self.stretches)
+    /// Distance of the middle of a half-edge's first stretch, in mean edges; infinite for no window.
+    pub fn value_of(&self, halfedge: u32) -> f32 {
+        self.value(halfedge as usize * self.stretches())
     }
 
-    fn value(&self, index: usize) -> f64 {
-        let label = &self.labels[index];
-        if label.round == self.round { label.value } else { f64::INFINITY }
+    #[inline(always)]
+    fn value(&self, index: usize) -> f32 {
+        self.labels[index].value.abs()
     }
 
     /// The middle of a stretch.
+    #[inline(always)]
     fn middle(&self, stretch: usize, length: f64) -> f64 {
         (stretch as f64 + 0.5) * length * self.per_stretch
     }
 
     /// Keeps a window for the stretches that it reaches sooner than all else. Returns its least distance, if there are any.
+    #[inline(always)]
     pub fn offer(&mut self, halfedge: u32, beam: &Beam, bar: &Bar) -> Option<f64> {
-        let first = halfedge as usize * self.stretches;
+        let first = halfedge as usize * self.stretches();
         let mut kept: Option<Window> = None;
-        for stretch in 0..self.stretches {
+        for stretch in 0..self.stretches() {
             let middle = self.middle(stretch, bar.length);
             let value = beam.bent_at(middle);
-            if !(value < bar.by_ends(middle) && value < self.value(first + stretch) - self.margin) {
+            let edges = (value * self.per_edge) as f32;
+            let against = bar
+                .opposite
+                .map_or(f32::INFINITY, |opposite| self.value((opposite as usize + 1) * self.stretches() - 1 - stretch));
+            // One branch: which of these fails is as good as random.
+            let is_sooner =
+                (value < bar.by_ends(middle)) & (edges < self.value(first + stretch) - MARGIN) & (edges < against);
+            if !is_sooner {
                 continue;
-            }
-            if let Some(opposite) = bar.opposite {
-                let against = (opposite as usize + 1) * self.stretches - 1 - stretch;
-                if value >= self.value(against) {
-                    continue;
-                }
             }
             let window = match kept {
                 Some(ref window) => window,
@@ -158,28 +170,31 @@ impl Labels {
                     kept.insert(window)
                 }
             };
-            self.labels[first + stretch] = Label::new(window, bar.length, value, self.round);
+            self.labels[first + stretch] = Label::new(window, bar.length, -edges)?;
+            if let Some(source) = self.sources.get_mut(first + stretch) {
+                *source = beam.root;
+            }
         }
         kept.map(|window| window.nearest())
     }
 
-    /// Gives the windows of a half-edge that wait to cross its face to `cross`. They no longer wait.
-    pub fn take(&mut self, halfedge: u32, bar: &Bar, mut cross: impl FnMut(Beam)) {
-        let first = halfedge as usize * self.stretches;
-        let mut last: Option<Label> = None;
-        for stretch in 0..self.stretches {
-            let middle = self.middle(stretch, bar.length);
-            let label = &mut self.labels[first + stretch];
-            let waits = std::mem::take(&mut label.waits) && label.round == self.round;
-            // The ends may have become nearer since.
-            if !waits || label.value >= bar.by_ends(middle) {
-                continue;
-            }
-            // One that is kept for several stretches crosses once.
-            if last.is_none_or(|last| !last.has_same_source(label)) {
-                cross(label.beam(bar.length));
-            }
-            last = Some(*label);
-        }
+    /// The window kept for a stretch of a half-edge, where it waits to cross the face and is still of use. It no longer
+    /// waits.
+    #[inline(always)]
+    pub fn take(&mut self, halfedge: u32, stretch: usize, bar: &Bar) -> Option<Beam> {
+        let limit = (bar.by_ends(self.middle(stretch, bar.length)) * self.per_edge) as f32;
+        let index = halfedge as usize * self.stretches() + stretch;
+        let label = &mut self.labels[index];
+        let waits = label.value.is_sign_negative();
+        label.value = label.value.abs();
+        // The ends may have become nearer since.
+        let is_of_use = waits & (label.value < limit);
+        is_of_use.then(|| label.beam(bar.length, self.sources.get(index).copied().unwrap_or(0)))
+    }
+
+    /// Stretches of a half-edge.
+    #[inline(always)]
+    pub fn stretches(&self) -> usize {
+        self.stretches.get()
     }
 }

@@ -22,7 +22,7 @@ pub use options::{ALL, ExactSearch, PropagationOptions, Windows};
 use crate::distance::Distance;
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront};
-use front::{Front, NOWHERE};
+use front::{Grow, NOWHERE, front};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
 
 /// Windows that the exact search may propagate, unless told otherwise, and one more for so many faces.
@@ -37,7 +37,7 @@ pub struct Propagation {
     /// Windows that it may propagate.
     exact_windows: usize,
     /// Goes on from there. `None` where the search stays exact.
-    front: Option<Front>,
+    front: Option<Box<dyn Grow>>,
     is_beyond: bool,
 }
 
@@ -54,7 +54,7 @@ impl Propagation {
         let faces = geometry.surface().face_count();
         let front = match options.windows {
             Windows::All => None,
-            Windows::AtMost(count) => Some(Front::new(geometry, usize::from(count.get()))?),
+            Windows::AtMost(count) => Some(front(geometry, usize::from(count.get()))?),
         };
         let exact_windows = match options.exact {
             ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
@@ -97,8 +97,8 @@ impl Propagation {
     }
 
     /// The front that has come farthest, unless that is the exact search.
-    fn beyond(&self) -> Option<&Front> {
-        self.front.as_ref().filter(|_| self.is_beyond)
+    fn beyond(&self) -> Option<&dyn Grow> {
+        self.front.as_deref().filter(|_| self.is_beyond)
     }
 
     /// The surface that it grows on.
@@ -108,7 +108,7 @@ impl Propagation {
 
     /// Every value below this is final; infinity when all is done.
     pub fn radius(&self) -> f64 {
-        self.beyond().map_or_else(|| self.exact.radius(), Front::radius)
+        self.beyond().map_or_else(|| self.exact.radius(), Grow::radius)
     }
 
     /// Whether every value is final.
@@ -128,14 +128,14 @@ impl Propagation {
 
     /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
     pub fn values(&self) -> &VertexData<f64> {
-        self.beyond().map_or_else(|| self.exact.values(), |front| &front.values)
+        self.beyond().map_or_else(|| self.exact.values(), Grow::values)
     }
 
     /// `#V`, the number of the source that each value comes from, in the order in which they were given; `None` where none
     /// has been found.
     pub fn nearest_sources(&self) -> VertexData<Option<usize>> {
         let number = |vertex: VertexId| match self.beyond() {
-            Some(front) => front.nearest[vertex],
+            Some(front) => front.nearest(vertex),
             None if self.exact.values()[vertex] < f64::INFINITY => self.exact.source_of(vertex.0),
             None => NOWHERE,
         };
@@ -145,7 +145,7 @@ impl Propagation {
 
     /// Windows that have crossed a face.
     pub fn windows(&self) -> usize {
-        self.exact.windows() + self.beyond().map_or(0, |front| front.crossed)
+        self.exact.windows() + self.beyond().map_or(0, Grow::crossed)
     }
 
     /// The distance, as it is now.
