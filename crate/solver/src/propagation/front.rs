@@ -56,6 +56,7 @@ pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize) -> Result<Bo
 struct Front<C> {
     surface: Arc<Surface>,
     geometry: Arc<ExactGeometry>,
+    /// `#V`, as its other lists empty before the first start.
     values: VertexData<f64>,
     /// `#V`, number of the source that each value comes from.
     nearest: VertexData<u32>,
@@ -74,14 +75,13 @@ struct Front<C> {
 impl<C: Count> Front<C> {
     fn new(geometry: Arc<ExactGeometry>, stretches: C) -> Result<Self> {
         let surface = Arc::clone(geometry.surface());
-        let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
         Ok(Self {
-            values: vec![f64::INFINITY; vertices].into(),
-            nearest: vec![NOWHERE; vertices].into(),
-            labels: Labels::new(halfedges, stretches, surface.mean_edge())?,
+            values: VertexData::default(),
+            nearest: VertexData::default(),
+            labels: Labels::new(3 * surface.face_count(), stretches, surface.mean_edge())?,
             crossing: Ring::new(0.0, BUCKET * surface.mean_edge()),
             sending: Ring::new(0.0, BUCKET * surface.mean_edge()),
-            waits: vec![false; vertices],
+            waits: Vec::new(),
             crossed: 0,
             batch: Vec::new(),
             surface,
@@ -219,10 +219,11 @@ impl<C: Count> Front<C> {
 
 impl<C: Count> Grow for Front<C> {
     fn start(&mut self, exact: &Wavefront) {
-        self.values.as_mut_slice().fill(f64::INFINITY);
-        self.nearest.as_mut_slice().fill(NOWHERE);
+        let vertices = self.surface.vertex_count();
+        self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY).into();
+        self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE).into();
+        self.waits = refilled(std::mem::take(&mut self.waits), vertices, false);
         self.labels.clear(exact.sources().len());
-        self.waits.fill(false);
         self.crossing.clear(exact.base(), |_| ());
         self.sending.clear(exact.base(), |_| ());
         self.crossed = 0;
@@ -279,4 +280,11 @@ impl<C: Count> Grow for Front<C> {
     fn crossed(&self) -> usize {
         self.crossed
     }
+}
+
+/// So many copies of a value, in memory that is there already.
+fn refilled<T: Copy>(mut memory: Vec<T>, count: usize, value: T) -> Vec<T> {
+    memory.clear();
+    memory.resize(count, value);
+    memory
 }

@@ -6,6 +6,9 @@ use crate::error::{Error, Result};
 use crate::exact::{Beam, Window};
 use crate::extremum::smaller;
 
+#[cfg(test)]
+mod tests;
+
 /// A window of a half-edge, kept for one of its stretches: half a cache line.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
@@ -95,23 +98,27 @@ pub(super) struct Labels<C> {
     per_stretch: f64,
     /// Inverse of the mean edge.
     per_edge: f64,
-    /// `3 #F × stretches`.
+    /// Half-edges.
+    halfedges: usize,
+    /// `3 #F × stretches`; empty before the first round.
     labels: Vec<Label>,
     /// Number of the source that each window comes from. Empty where there is just one source.
     sources: Vec<u32>,
 }
 
 impl<C: Count> Labels<C> {
+    /// Makes room for them.
+    ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(halfedges: usize, stretches: C, mean_edge: f64) -> Result<Self> {
         let (mut labels, count) = (Vec::new(), halfedges * stretches.get());
         labels.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { stage: "keeping windows" })?;
-        labels.resize(count, NONE);
         Ok(Self {
             stretches,
             per_stretch: 1.0 / stretches.get() as f64,
             per_edge: 1.0 / mean_edge,
+            halfedges,
             labels,
             sources: Vec::new(),
         })
@@ -119,7 +126,8 @@ impl<C: Count> Labels<C> {
 
     /// Forgets all windows, to keep those of so many sources.
     pub fn clear(&mut self, sources: usize) {
-        self.labels.fill(NONE);
+        self.labels.clear();
+        self.labels.resize(self.halfedges * self.stretches(), NONE);
         self.sources.clear();
         if sources > 1 {
             self.sources.resize(self.labels.len(), 0);
