@@ -22,8 +22,9 @@ pub(super) enum Bend {
     Anywhere,
 }
 
-/// One corner of a triangle in the plane and the half-edge that runs from there to the next.
+/// One corner of a triangle in the plane and the half-edge that runs from there to the next: half a cache line.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
 pub(crate) struct Side {
     /// Length of the half-edge.
     pub length: f64,

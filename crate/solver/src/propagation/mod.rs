@@ -26,8 +26,8 @@ use front::{Grow, NOWHERE, front};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
 
 /// Windows that the exact search may propagate, unless told otherwise, and one more for so many faces.
-const EXACT_WINDOWS: usize = 2_000;
-const FACES_PER_EXACT_WINDOW: usize = 20;
+const EXACT_WINDOWS: usize = 5_000;
+const FACES_PER_EXACT_WINDOW: usize = 8;
 
 /// Distances that grow outward from their sources; stopped and continued at will, with the same result.
 #[derive(Debug)]

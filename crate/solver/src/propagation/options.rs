@@ -20,7 +20,7 @@ pub enum Windows {
 
 impl Default for Windows {
     fn default() -> Self {
-        Self::AtMost(const { NonZeroU16::new(2).unwrap() })
+        Self::AtMost(NonZeroU16::MIN)
     }
 }
 
