@@ -3,6 +3,7 @@
 //! It owns the surface, makes what a method needs when it is first asked for (the factors of [heat](crate::heat), the
 //! unfolded triangles and the memory of a [search in windows](crate::propagation)) and keeps it for the next question.
 
+mod answer;
 mod options;
 mod parallel;
 mod search;
@@ -11,9 +12,9 @@ use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+pub use answer::Answer;
 pub use options::DistanceOptions;
 
-use crate::distance::Distance;
 use crate::error::{Error, Result};
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
@@ -21,17 +22,6 @@ use crate::options::{Method, Parameters};
 use crate::progress::{Step, Steps};
 use heatwalk_surface::{Source, Surface, ToSource};
 use search::Search;
-
-/// A distance and how it was found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// The distance. Its `exact_below` says how far it is exact.
-    pub distance: Distance,
-    /// What found it, never [`Method::Auto`]: [`Method::Exact`] where all windows were propagated, whatever was asked for.
-    pub method: Method,
-    /// Windows that crossed a face; 0 with [`Method::Heat`].
-    pub windows: usize,
-}
 
 /// Distances on a surface by any [`Method`].
 #[derive(Debug)]
@@ -77,7 +67,7 @@ impl DistanceSolver {
     ) -> Result<Answer> {
         options.check()?;
         let sources = self.checked(sources)?;
-        let Some(propagation) = options.propagation() else {
+        let Some(propagation) = options.propagation(self.surface.face_count()) else {
             return by_heat(self.factored(options.heat, progress)?, &sources);
         };
         let geometry = Arc::clone(self.exact_geometry());
@@ -102,7 +92,7 @@ impl DistanceSolver {
         options.check()?;
         let sources = self.checked(sources)?;
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
-        let Some(propagation) = options.propagation() else {
+        let Some(propagation) = options.propagation(self.surface.face_count()) else {
             let mut solvers = vec![self.factored(options.heat, progress)?; threads];
             let answer = |solver: &mut &HeatSolver, question: usize| by_heat(solver, &[sources[question]]);
             return parallel::answers(&mut solvers, count, answer, progress);

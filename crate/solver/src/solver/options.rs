@@ -7,6 +7,9 @@ use crate::propagation::{ExactSearch, PropagationOptions, Windows};
 /// Windows that [`Method::Auto`] propagates exactly: about a second.
 const AFFORDABLE_WINDOWS: usize = 8_000_000;
 
+/// The same of each face where that is more: about as long as the factors of heat would take.
+const AFFORDABLE_WINDOWS_PER_FACE: usize = 16;
+
 /// How distances are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DistanceOptions {
@@ -52,14 +55,30 @@ impl DistanceOptions {
         Ok(())
     }
 
-    /// How windows are propagated; `None` for heat.
-    pub(super) fn propagation(&self) -> Option<PropagationOptions> {
+    /// How windows are propagated on a surface of so many faces; `None` for heat.
+    pub(super) fn propagation(&self, faces: usize) -> Option<PropagationOptions> {
         let windows = self.windows;
+        let affordable = AFFORDABLE_WINDOWS.max(AFFORDABLE_WINDOWS_PER_FACE * faces);
         match self.method {
             Method::Heat => None,
             Method::Exact => Some(PropagationOptions { windows: Windows::All, exact: ExactSearch::Automatic }),
             Method::Propagation => Some(PropagationOptions { windows, exact: ExactSearch::Automatic }),
-            Method::Auto => Some(PropagationOptions { windows, exact: ExactSearch::AtMost(AFFORDABLE_WINDOWS) }),
+            Method::Auto => Some(PropagationOptions { windows, exact: ExactSearch::AtMost(affordable) }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn auto_is_exact_for_about_a_second_or_as_long_as_factors_take() {
+        let exact = |faces| DistanceOptions::default().propagation(faces).map(|options| options.exact);
+        assert_eq!(exact(1_000), Some(ExactSearch::AtMost(8_000_000)));
+        assert_eq!(exact(1_000_000), Some(ExactSearch::AtMost(16_000_000)));
+        let asked = DistanceOptions { windows: Windows::All, ..DistanceOptions::by(Method::Propagation) };
+        assert_eq!(asked.propagation(10).map(|options| options.windows), Some(Windows::All));
+        assert_eq!(DistanceOptions::by(Method::Heat).propagation(10), None);
     }
 }

@@ -1,5 +1,7 @@
 //! Independent questions on several threads.
 
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
@@ -38,17 +40,17 @@ pub(super) fn answers<W: Send, A: Send>(
         }
         answered
     };
-    let Some((first, others)) = workers.split_first_mut() else { return Ok(Vec::new()) };
+    let (first, others) = workers.split_first_mut().expect("a worker");
     let mut answered = thread::scope(|scope| {
         let work = &work;
         let others: Vec<_> = others
             .iter_mut()
-            .map(|worker| scope.spawn(move || work(worker, &mut |_| std::ops::ControlFlow::Continue(()))))
+            .map(|worker| scope.spawn(move || work(worker, &mut |_| ControlFlow::Continue(()))))
             .collect();
         let mut answered = work(first, progress);
         for other in others {
             // A panic there is one here.
-            answered.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+            answered.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
         }
         answered
     });

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Answer, DistanceOptions};
+use super::answer::Answer;
+use super::options::DistanceOptions;
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS};
 use crate::options::Method;
