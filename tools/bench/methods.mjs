@@ -125,7 +125,8 @@ function timesTable(meshes) {
 
 function errorsTable(meshes) {
   const names = Object.keys(meshes[0]?.errors ?? {});
-  const cell = ({ mean, max, failed }) => (failed ? 'failed' : `${mean.toPrecision(2)} / ${max.toPrecision(2)}`);
+  const percent = (error) => (error === 0 ? '0' : error.toPrecision(2));
+  const cell = ({ mean, max, failed }) => (failed ? 'failed' : `${percent(mean)} / ${percent(max)}`);
   const cells = ({ name, errors: measured }) => [name, ...names.map((method) => cell(measured[method]))];
   return table(['mesh', ...names], meshes.map(cells));
 }
