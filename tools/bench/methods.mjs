@@ -63,9 +63,9 @@ function alternate(programs, python, mesh, count) {
 
 /** Milliseconds from positions to the first whole field by each method, and of another source by propagation. */
 function times(programs, { file, isSlow }) {
-  const methods = METHODS.filter((method) => method !== 'exact' || !isSlow);
+  const wanted = METHODS.filter((method) => method !== 'exact' || !isSlow);
   return {
-    ...Object.fromEntries(methods.map((method) => [`first field, ${method}`, programs.first(file, method)])),
+    ...Object.fromEntries(wanted.map((method) => [`first field, ${method}`, programs.first(file, method)])),
     'another source, propagation': programs.another(file, 'propagation', SOURCES).solve,
   };
 }
@@ -113,20 +113,23 @@ function report(meshes) {
 }
 
 function timesTable(meshes) {
-  const cells = ({ name, triangles, rows }) => {
-    if (rows.failed) return [[name, String(triangles), rows.failed, '–', '–', '–', '–']];
-    return rows.map(({ name: what, own, peer, ratio, interval }) => {
-      const bounds = interval[1] < Infinity ? interval.map((bound) => bound.toFixed(3)).join('–') : '–';
-      return [name, String(triangles), what, digits(own), digits(peer), ratio.toFixed(3), bounds];
-    });
-  };
-  return table(['mesh', 'triangles', 'what', 'this', ROBUST, 'ratio', 'interval'], meshes.flatMap(cells));
+  return table(['mesh', 'triangles', 'what', 'this', ROBUST, 'ratio', 'interval'], meshes.flatMap(timesRows));
+}
+
+function timesRows({ name, triangles, rows }) {
+  if (rows.failed) return [[name, String(triangles), rows.failed, '–', '–', '–', '–']];
+  return rows.map(({ name: what, own, peer, ratio, interval }) => {
+    const bounds = interval[1] < Infinity ? interval.map((bound) => bound.toFixed(3)).join('–') : '–';
+    return [name, String(triangles), what, digits(own), digits(peer), ratio.toFixed(3), bounds];
+  });
 }
 
 function errorsTable(meshes) {
   const names = Object.keys(meshes[0]?.errors ?? {});
-  const percent = (error) => (error === 0 ? '0' : error.toPrecision(2));
-  const cell = ({ mean, max, failed }) => (failed ? 'failed' : `${percent(mean)} / ${percent(max)}`);
-  const cells = ({ name, errors: measured }) => [name, ...names.map((method) => cell(measured[method]))];
+  const cells = ({ name, errors: measured }) => [name, ...names.map((method) => errorCell(measured[method]))];
   return table(['mesh', ...names], meshes.map(cells));
+}
+
+function errorCell({ mean, max, failed }) {
+  return failed ? 'failed' : [mean, max].map((error) => (error === 0 ? '0' : error.toPrecision(2))).join(' / ');
 }
