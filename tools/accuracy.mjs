@@ -32,7 +32,7 @@ writeFileSync(join(folder, 'accuracy.json'), JSON.stringify(rows, undefined, 2))
 function measure(mesh, source) {
   const exactFile = join(folder, 'exact.csv');
   const from = ['distance', mesh, '--source', String(source), '--json'];
-  const own = json(program, [...from, '--compare']);
+  const own = json(program, [...from, '--method', 'heat', '--compare']);
   const exact = json(program, [...from, '--exact', '--output', exactFile]);
   const robust = json(python, [script, 'robust', mesh, String(source), exactFile]);
   // It ends with a fault on meshes that are not manifold.

@@ -1,6 +1,7 @@
 // npm run bench [-- --quick] [--only WORD] [--mesh FILE ... [--subdivide N]]: the native program, the page's worker and the
-// peers on the same meshes and from the same sources, in alternation, against the bars; with --against COMMIT
-// [--budget SECONDS] this checkout against another commit. docs/benchmarks.md tells what each number means.
+// peers on the same meshes and from the same sources, in alternation, against the bars; with --methods the methods that
+// factor nothing against potpourri3d alone; with --against COMMIT [--budget SECONDS] this checkout against another commit.
+// docs/benchmarks.md tells what each number means.
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
@@ -10,6 +11,7 @@ import { against } from './bench/against.mjs';
 import { bars, growthOf } from './bench/bars.mjs';
 import { description } from './bench/checkout.mjs';
 import { meshes as chosenMeshes } from './bench/meshes.mjs';
+import { methods } from './bench/methods.mjs';
 import { Peers } from './bench/peers.mjs';
 import { Programs } from './bench/programs.mjs';
 import { markdown } from './bench/report.mjs';
@@ -28,6 +30,7 @@ const { values } = parseArgs({
     subdivide: { type: 'string', default: '0' },
     only: { type: 'string', default: '' },
     quick: { type: 'boolean', default: false },
+    methods: { type: 'boolean', default: false },
     against: { type: 'string' },
     budget: { type: 'string', default: '60' },
   },
@@ -40,6 +43,12 @@ if (!/^[0-4]$/.test(values.subdivide)) fail('--subdivide takes a number from 0 t
 if (values.against !== undefined) {
   const { only, mesh: files, quick } = values;
   await against(values.against, { only, files, quick, budget: Number(values.budget) });
+  process.exit();
+}
+
+if (values.methods) {
+  const { only, mesh: files, quick } = values;
+  await methods({ files, subdivisions: Number(values.subdivide), quick, only });
   process.exit();
 }
 

@@ -1,11 +1,14 @@
 // The native programs of a checkout, each in a process of its own: one that fails takes no other with it.
 
+import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { json } from '../peers.mjs';
 import { cargo } from '../steps.mjs';
 
 const FACTORING = ['ordering', 'analysing', 'factoring'];
+/** Means the heat method, also to commits whose program knows no other. */
+export const BY_HEAT = ['--near', 'auto'];
 const EXAMPLES = ['bench_mesh', 'closed_forms', 'factors', 'paths', 'queries'];
 
 export class Programs {
@@ -35,10 +38,37 @@ export class Programs {
     return join(this.#tree, 'target', 'release', 'examples', name);
   }
 
-  /** Milliseconds of precompute, its stages and a solve; and the sources of which that is the median. */
+  /** Whether the program has methods that factor nothing; another commit may not. */
+  get hasMethods() {
+    return spawnSync(this.heatwalk, ['distance', '--help'], { encoding: 'utf8' }).stdout.includes('propagation');
+  }
+
+  /** What `heatwalk distance` answers from a source. */
+  distance(mesh, source, ...options) {
+    return json(this.heatwalk, ['distance', mesh, '--source', String(source), ...options, '--json']);
+  }
+
+  /** Mean and maximum error in per cent. */
+  error(mesh, source, ...options) {
+    const { mean_error_percent: mean, max_error_percent: max } = this.distance(mesh, source, ...options, '--compare');
+    return { mean, max };
+  }
+
+  /** Milliseconds from positions to the first whole field, by a method that factors nothing. */
+  first(mesh, method) {
+    const { build, precompute, solve } = this.distance(mesh, 0, '--method', method).timings_ms;
+    return build + precompute + solve;
+  }
+
+  /** Milliseconds of another source by a method that factors nothing, the median over so many; and these. */
+  another(mesh, method, count) {
+    const answer = this.distance(mesh, 0, '--method', method, '--repeat', String(count));
+    return { solve: answer.timings_ms.solve, sources: answer.timed_sources };
+  }
+
+  /** Milliseconds of precompute, its stages and a solve by heat; and the sources of which that is the median. */
   native(mesh, count) {
-    const args = ['distance', mesh, '--source', '0', '--repeat', String(count), '--json'];
-    const answer = json(this.heatwalk, args);
+    const answer = this.distance(mesh, 0, ...BY_HEAT, '--repeat', String(count));
     const { timings_ms: timings, stages_ms: stages } = answer;
     return {
       precompute: timings.build + timings.precompute,

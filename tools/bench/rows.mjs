@@ -4,8 +4,8 @@ import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
-import { json } from '../peers.mjs';
 import { fail } from '../steps.mjs';
+import { BY_HEAT } from './programs.mjs';
 
 /** Sources of a median solve. */
 const SOURCES = 10;
@@ -20,6 +20,7 @@ export function timed(meshes, files) {
     ...meshes.flatMap(({ name, file, who, queries, isLarge }) => [
       { name: `${name}, native`, measure: ({ programs }) => native(programs, file) },
       ...(isLarge ? [] : [{ name: `${name}, exact`, measure: ({ programs }) => exact(programs, file) }]),
+      { name: `${name}, propagation`, measure: ({ programs }) => propagation(programs, file) },
       ...(queries ? [{ name: `${name}, queries`, measure: ({ programs }) => asked(programs, file) }] : []),
       ...(who.includes('page') ? [{ name: `${name}, page`, onPage: true, measure: (side) => worker(side, file) }] : []),
     ]),
@@ -50,8 +51,14 @@ function native(programs, file) {
 }
 
 function exact(programs, file) {
-  const answer = json(programs.heatwalk, ['distance', file, '--source', '0', '--exact', '--json']);
-  return { solve: answer.timings_ms.solve };
+  return { solve: programs.distance(file, 0, '--exact').timings_ms.solve };
+}
+
+/** Nothing where a commit has no propagation. */
+function propagation(programs, file) {
+  if (!programs.hasMethods) return {};
+  const { solve } = programs.another(file, 'propagation', SOURCES);
+  return { first: programs.first(file, 'propagation'), solve };
 }
 
 /** Changes that cost nothing are left out: there is nothing to compare. */
@@ -97,10 +104,13 @@ function picking({ tree }) {
 
 function errors(programs, { file, vertices }) {
   const figures = {};
+  const methods = { heat: BY_HEAT, ...(programs.hasMethods ? { propagation: ['--method', 'propagation'] } : {}) };
   for (const source of [0, Math.floor(vertices / 2)]) {
-    const answer = json(programs.heatwalk, ['distance', file, '--source', String(source), '--compare', '--json']);
-    figures[`mean from ${source}`] = answer.mean_error_percent;
-    figures[`maximum from ${source}`] = answer.max_error_percent;
+    for (const [method, options] of Object.entries(methods)) {
+      const { mean, max } = programs.error(file, source, ...options);
+      figures[`${method}, mean from ${source}`] = mean;
+      figures[`${method}, maximum from ${source}`] = max;
+    }
   }
   return figures;
 }

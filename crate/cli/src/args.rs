@@ -1,15 +1,18 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{LinearSolver, Method, MultiSource, Windows};
+use heatwalk::{DistanceOptions, MultiSource};
 
-use crate::options::{Options, choice};
+use crate::method::{Given, Methods};
+use crate::options::{Linear, Options, choice, chosen};
 use crate::place::{Line, Place, SourcePlace};
 
-/// Geodesic distance and paths on meshes by the heat method.
+/// Geodesic distance and paths on meshes.
 #[derive(Parser)]
 #[command(name = "heatwalk", version)]
 pub struct Arguments {
@@ -25,7 +28,7 @@ pub enum Command {
     Distance(Distance),
     /// The path from one place to another
     Path(Path),
-    /// Time both linear solvers on each mesh
+    /// Time both linear solvers of the heat method on each mesh
     Table(Table),
 }
 
@@ -62,25 +65,25 @@ pub struct Distance {
     #[arg(long, requires = "lines")]
     pub closed: bool,
     #[command(flatten)]
-    pub options: Options,
-    /// How linear systems are solved
-    #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
-    pub solver: LinearSolver,
-    /// How several sources are joined
-    #[arg(long, default_value_t, value_parser = choice::<MultiSource>())]
-    pub multi: MultiSource,
-    /// How distances are found; the options of the heat method do nothing for others
-    #[arg(long, default_value_t, value_parser = choice::<Method>())]
-    pub method: Method,
+    pub methods: Methods,
     /// The same as --method exact
     #[arg(long, conflicts_with = "method")]
     pub exact: bool,
-    /// Windows that propagation keeps of each half-edge, or all
-    #[arg(long, value_name = "K", default_value_t)]
-    pub windows: Windows,
     /// Leave what is farther than D at infinity; not for heat
     #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true)]
     pub max_distance: Option<f64>,
+    #[command(flatten)]
+    pub options: Options,
+    #[command(flatten)]
+    pub linear: Linear,
+    #[arg(long, value_parser = choice::<MultiSource>(), help = chosen::<MultiSource>("How several sources are joined"))]
+    pub multi: Option<MultiSource>,
+    /// Distances from each source by itself, a column of the output each
+    #[arg(long, conflicts_with_all = ["lines", "repeat", "compare"])]
+    pub each: bool,
+    /// Threads that answer --each; all that the machine has if not given
+    #[arg(long, value_name = "N", requires = "each")]
+    pub threads: Option<NonZeroUsize>,
     /// Tell the error against exact distances
     #[arg(long, conflicts_with = "exact")]
     pub compare: bool,
@@ -103,15 +106,16 @@ pub struct Path {
     #[arg(long, value_name = "S")]
     pub to: Place,
     #[command(flatten)]
+    pub methods: Methods,
+    #[command(flatten)]
     pub options: Options,
-    /// How linear systems are solved
-    #[arg(long, default_value_t, value_parser = choice::<LinearSolver>())]
-    pub solver: LinearSolver,
+    #[command(flatten)]
+    pub linear: Linear,
     /// Straighten the path until it is locally shortest
     #[arg(long)]
     pub straighten: bool,
-    /// An exact shortest path; the options of the heat method then do nothing
-    #[arg(long, conflicts_with = "straighten")]
+    /// An exact shortest path instead of one that descends distances
+    #[arg(long, conflicts_with_all = ["straighten", "method"])]
     pub exact: bool,
     /// Write the points to an .obj or .csv file
     #[arg(long, value_name = "FILE")]
@@ -134,6 +138,42 @@ pub struct Table {
     /// Print one JSON array
     #[arg(long)]
     pub json: bool,
+}
+
+impl Distance {
+    /// What is asked of the solver.
+    ///
+    /// # Errors
+    /// Options that would have no effect.
+    pub fn distance_options(&self) -> Result<DistanceOptions> {
+        let given = Given {
+            heat: self.options.given().or(self.linear.given()).or(self.multi.map(|_| "--multi")),
+            exact: self.exact,
+            search: self.max_distance.map(|_| "--max-distance"),
+        };
+        Ok(DistanceOptions {
+            method: self.methods.chosen(&given)?,
+            windows: self.methods.windows.unwrap_or_default(),
+            max_distance: self.max_distance.unwrap_or(f64::INFINITY),
+            heat: self.options.parameters(self.linear.solver.unwrap_or_default(), self.multi.unwrap_or_default()),
+        })
+    }
+}
+
+impl Path {
+    /// What is asked of the solver.
+    ///
+    /// # Errors
+    /// Options that would have no effect.
+    pub fn distance_options(&self) -> Result<DistanceOptions> {
+        let given = Given { heat: self.options.given().or(self.linear.given()), exact: self.exact, search: None };
+        Ok(DistanceOptions {
+            method: self.methods.chosen(&given)?,
+            windows: self.methods.windows.unwrap_or_default(),
+            heat: self.options.parameters(self.linear.solver.unwrap_or_default(), MultiSource::default()),
+            ..DistanceOptions::default()
+        })
+    }
 }
 
 /// A positive number.

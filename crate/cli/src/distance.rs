@@ -1,40 +1,29 @@
 //! `heatwalk distance`.
 
-use std::sync::Arc;
+use std::num::NonZeroUsize;
+use std::thread::available_parallelism;
 use std::time::Instant;
 
-use anyhow::{Result, bail};
-use heatwalk::propagation::Propagation;
-use heatwalk::{Choice, ExactSearch, Method, PropagationOptions, RelativeError, Source, Surface, VertexData, VertexId};
-use serde_json::json;
+use anyhow::Result;
+use heatwalk::{
+    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
+    VertexId, Windows,
+};
+use serde_json::{Map, Value, json};
 
 use crate::args::Distance;
-use crate::exact;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
-use crate::timing::{Factored, build, factor, median_solve_ms, sample};
-
-/// Windows that an exact search may propagate by default: about a second.
-const AFFORDABLE_WINDOWS: usize = 8_000_000;
-
-/// Distances, `#V`, and what they took.
-struct Solved {
-    values: VertexData<f64>,
-    precompute_ms: f64,
-    solve_ms: f64,
-}
+use crate::timing::{build, go_on, median_solve_ms, prepare, sample};
 
 pub fn distance(arguments: &Distance) -> Result<String> {
-    let method = if arguments.exact { Method::Exact } else { arguments.method };
-    if method == Method::Heat && arguments.max_distance.is_some() {
-        bail!("--max-distance needs another --method than heat, which finds all distances at once");
-    }
-    let output = arguments.output.as_deref().map(Output::distance).transpose()?;
+    let options = arguments.distance_options()?;
+    let output = arguments.output.as_deref().map(|path| Output::distance(path, arguments.each)).transpose()?;
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let (surface, build_ms) = build(&input)?;
+    let (surface, built_ms) = build(&input)?;
     let mut sources =
         arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
     for line in &arguments.lines {
@@ -43,94 +32,107 @@ pub fn distance(arguments: &Distance) -> Result<String> {
 
     let mut report = Report::default();
     report.push_surface(surface.report());
-    let Solved { values, precompute_ms, solve_ms } = match exact_search(method) {
-        Some(search) => by_windows(&surface, &sources, arguments, search, &mut report)?,
-        None => by_heat(&surface, &sources, arguments, &mut report)?,
-    };
-
-    // Vertices that no triangle uses are as far as another component.
-    let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
-    let of_inputs: Vec<f64> = surface.vertices_of_inputs().iter().map(of_input).collect();
-    if let Some(output) = output {
-        output.write(&input.soup, &of_inputs)?;
+    let mut prepared = prepare((&surface, built_ms), &options)?;
+    if options.method == Method::Heat {
+        report.push_stages(&prepared.stages_ms);
     }
-    let finite = values.iter().copied().filter(|value| value.is_finite());
-    report.push("max_distance", finite.fold(0.0, f64::max));
-    report.push("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count());
+    let asked = (arguments, &options);
+    let (columns, solve_ms) = if arguments.each {
+        each(&mut prepared.solver, &sources, asked, &mut report)?
+    } else {
+        together(&mut prepared.solver, &sources, asked, &mut report)?
+    };
+    if let Some(output) = output {
+        output.write(&input.soup, &columns)?;
+    }
+    report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
+    if let Some(heat) = prepared.solver.heat() {
+        report.push("time_factor", heat.time_factor());
+    }
     report.push(
         "timings_ms",
-        json!({ "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms }),
+        json!({
+            "read": input.read_ms, "build": prepared.build_ms, "precompute": prepared.precompute_ms, "solve": solve_ms
+        }),
     );
     Ok(report.render(arguments.mesh.json))
 }
 
-/// How far a method searches exactly; `None` for heat.
-fn exact_search(method: Method) -> Option<ExactSearch> {
-    match method {
-        Method::Heat => None,
-        Method::Auto => Some(ExactSearch::AtMost(AFFORDABLE_WINDOWS)),
-        Method::Propagation => Some(ExactSearch::Automatic),
-        Method::Exact => Some(ExactSearch::AtMost(usize::MAX)),
-    }
-}
+/// Columns of distances by their names, each a value an input vertex.
+type Columns = Vec<(String, Vec<f64>)>;
 
-fn by_heat(surface: &Arc<Surface>, sources: &[Source], arguments: &Distance, report: &mut Report) -> Result<Solved> {
-    let parameters = arguments.options.parameters(arguments.solver, arguments.multi);
-    let Factored { solver, precompute_ms, stages_ms } = factor(surface, parameters)?;
-    let start = Instant::now();
-    let distance = solver.distance(sources)?;
-    let asked_ms = milliseconds(start);
-    let solve_ms = match arguments.repeat {
-        1 => asked_ms,
-        count => median_solve_ms(&timed(surface, count, report), |source| Ok(solver.distance(&[source])?))?,
-    };
-    report.push("method", Method::Heat.name());
-    report.push_stages(&stages_ms);
-    report.push("factor_nonzeros", solver.factor_nonzeros());
-    report.push("time_factor", solver.time_factor());
-    report.push("exact_below", distance.exact_below);
-    if arguments.compare {
-        push_errors(&distance.values, &exact::distances(solver.exact_geometry(), sources)?, report);
-    }
-    Ok(Solved { values: distance.values, precompute_ms, solve_ms })
-}
-
-/// By windows: exactly as far as `exact` goes, by a few of each half-edge beyond.
-fn by_windows(
-    surface: &Arc<Surface>,
+/// From all sources at once. Milliseconds of that, or the median over single sources.
+fn together(
+    solver: &mut DistanceSolver,
     sources: &[Source],
-    arguments: &Distance,
-    exact: ExactSearch,
+    (arguments, options): (&Distance, &DistanceOptions),
     report: &mut Report,
-) -> Result<Solved> {
-    let farthest = arguments.max_distance.unwrap_or(f64::INFINITY);
-    let (geometry, precompute_ms) = exact::geometry(surface);
+) -> Result<(Columns, f64)> {
     let start = Instant::now();
-    let options = PropagationOptions { windows: arguments.windows, exact };
-    let mut propagation = Propagation::new(Arc::clone(&geometry), sources, options)?;
-    propagation.advance(farthest, usize::MAX);
-    let asked_ms = milliseconds(start);
-    let within = |&value: &f64| if value <= farthest { value } else { f64::INFINITY };
-    let values: VertexData<f64> = propagation.values().iter().map(within).collect();
-    let (is_exact, exact_below) = (propagation.is_exact(), propagation.exact_below());
-    let solve_ms = match arguments.repeat {
-        1 => asked_ms,
-        count => median_solve_ms(&timed(surface, count, report), |source| {
-            propagation.restart(&[source])?;
-            propagation.advance(farthest, usize::MAX);
-            Ok(propagation.values().clone())
-        })?,
-    };
-    report.push("factor_nonzeros", 0);
-    report.push("method", if is_exact { Method::Exact } else { Method::Propagation }.name());
-    if !is_exact {
-        report.push("windows", arguments.windows.to_string());
-        report.push("exact_below", exact_below);
+    let answer = solver.distance(sources, options, &mut go_on)?;
+    let mut solve_ms = milliseconds(start);
+    if arguments.repeat > 1 {
+        let vertices = sample(solver.surface(), arguments.repeat);
+        report.push("timed_sources", numbers(solver.surface(), &vertices));
+        solve_ms = median_solve_ms(&vertices, |source| Ok(solver.distance(&[source], options, &mut go_on)?))?;
+    }
+    let values = of_inputs(solver.surface(), &answer.distance.values);
+    for (name, value) in facts(&answer, &values, options) {
+        report.push(name, value);
     }
     if arguments.compare {
-        push_errors(&values, &exact::distances(&geometry, sources)?, report);
+        let exact = solver.distance(sources, &DistanceOptions::by(Method::Exact), &mut go_on)?;
+        push_errors(&answer.distance.values, &exact.distance.values, report);
     }
-    Ok(Solved { values, precompute_ms, solve_ms })
+    Ok((vec![("distance".to_owned(), values)], solve_ms))
+}
+
+/// From each source by itself. Milliseconds of them all.
+fn each(
+    solver: &mut DistanceSolver,
+    sources: &[Source],
+    (arguments, options): (&Distance, &DistanceOptions),
+    report: &mut Report,
+) -> Result<(Columns, f64)> {
+    // Where the machine does not tell, one is sure to be there.
+    let threads = arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let start = Instant::now();
+    let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
+    let solve_ms = milliseconds(start);
+    let columns = |(number, answer): (usize, &Answer)| {
+        (format!("distance_{number}"), of_inputs(solver.surface(), &answer.distance.values))
+    };
+    let columns: Columns = answers.iter().enumerate().map(columns).collect();
+    let object = |(answer, (_, values)): (&Answer, &(String, Vec<f64>))| {
+        let facts = facts(answer, values, options).into_iter();
+        Value::Object(facts.map(|(name, value)| (name.to_owned(), value)).collect::<Map<_, _>>())
+    };
+    report.push("threads", threads.get());
+    report.push("each", answers.iter().zip(&columns).map(object).collect::<Vec<_>>());
+    Ok((columns, solve_ms))
+}
+
+/// What is to be told of an answer, whose values are `of_inputs`.
+fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> Vec<(&'static str, Value)> {
+    let mut facts = vec![("method", answer.method.name().into())];
+    if let (Method::Propagation, Windows::AtMost(count)) = (answer.method, options.windows) {
+        facts.push(("windows_kept", count.get().into()));
+    }
+    if answer.method != Method::Heat {
+        facts.push(("windows", answer.windows.into()));
+    }
+    if answer.method != Method::Exact {
+        facts.push(("exact_below", answer.distance.exact_below.into()));
+    }
+    facts.push(("max_distance", answer.distance.max().into()));
+    facts.push(("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count().into()));
+    facts
+}
+
+/// Vertices that no triangle uses are as far as another component.
+fn of_inputs(surface: &Surface, values: &VertexData<f64>) -> Vec<f64> {
+    let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
+    surface.vertices_of_inputs().iter().map(of_input).collect()
 }
 
 fn push_errors(values: &VertexData<f64>, exact: &VertexData<f64>, report: &mut Report) {
@@ -142,10 +144,7 @@ fn push_errors(values: &VertexData<f64>, exact: &VertexData<f64>, report: &mut R
     report.push("max_error_percent", 100.0 * error.max);
 }
 
-/// The vertices that the median solve is taken over. The report tells them, for others to be timed on the same.
-fn timed(surface: &Surface, count: u32, report: &mut Report) -> Vec<VertexId> {
-    let vertices = sample(surface, count);
-    let input = |&vertex: &VertexId| surface.inputs_of_vertex(vertex)[0].0;
-    report.push("timed_sources", vertices.iter().map(input).collect::<Vec<_>>());
-    vertices
+/// Vertices by their numbers in the input, for others to be timed on the same.
+fn numbers(surface: &Surface, vertices: &[VertexId]) -> Vec<u32> {
+    vertices.iter().map(|&vertex| surface.inputs_of_vertex(vertex)[0].0).collect()
 }

@@ -28,9 +28,11 @@ pub struct Output<F> {
 }
 
 impl Output<DistanceFormat> {
-    pub fn distance(path: &Path) -> Result<Self> {
+    /// `several`: columns of distances.
+    pub fn distance(path: &Path, several: bool) -> Result<Self> {
         let format = match extension(path).as_str() {
             "csv" => DistanceFormat::Csv,
+            _ if several => bail!("{}: the distances of --each are written as .csv", path.display()),
             "ply" => DistanceFormat::Ply,
             "glb" => DistanceFormat::Glb,
             _ => bail!("{}: distances are written as .csv, .ply or .glb", path.display()),
@@ -38,12 +40,13 @@ impl Output<DistanceFormat> {
         Self::new(path, format)
     }
 
-    /// `distance`: one value an input vertex.
-    pub fn write(&self, soup: &Soup, distance: &[f64]) -> Result<()> {
+    /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
+    pub fn write(&self, soup: &Soup, columns: &[(String, Vec<f64>)]) -> Result<()> {
+        let (_, first) = &columns[0];
         self.save(&match self.format {
-            DistanceFormat::Csv => distance_csv(distance),
-            DistanceFormat::Ply => write::distance_ply(soup, distance),
-            DistanceFormat::Glb => write::distance_glb(soup, distance),
+            DistanceFormat::Csv => distance_csv(columns),
+            DistanceFormat::Ply => write::distance_ply(soup, first),
+            DistanceFormat::Glb => write::distance_glb(soup, first),
         })
     }
 }
@@ -97,11 +100,17 @@ fn extension(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
-fn distance_csv(distance: &[f64]) -> Vec<u8> {
-    let mut text = String::from("vertex,distance\n");
-    for (vertex, distance) in distance.iter().enumerate() {
-        // 17 significant digits give every f64 back; Rust writes infinity as "inf".
-        let _ = writeln!(text, "{vertex},{distance:.16e}");
+fn distance_csv(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
+    let mut text = String::from("vertex");
+    columns.iter().for_each(|(name, _)| text.extend([",", name]));
+    for vertex in 0..columns[0].1.len() {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "\n{vertex}");
+        for (_, distance) in columns {
+            // 17 significant digits give every f64 back; Rust writes infinity as "inf".
+            let _ = write!(text, ",{:.16e}", distance[vertex]);
+        }
     }
+    text.push('\n');
     text.into_bytes()
 }

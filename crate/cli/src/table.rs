@@ -1,18 +1,18 @@
 //! `heatwalk table`: Table 1 of the study, for any meshes.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use anyhow::{Context, Result};
-use heatwalk::{LinearSolver, MultiSource, RelativeError, VertexId};
+use heatwalk::{DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, VertexId};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
 use crate::args::Table;
-use crate::exact;
 use crate::input::Input;
 use crate::markdown;
 use crate::sentence::sentence;
-use crate::timing::{Factored, build, factor, median_solve_ms, sample};
+use crate::timing::{Prepared, build, go_on, median_solve_ms, prepare, sample};
 
 /// Conjugate gradients take seconds a source on a large mesh, so their median is over so many sources at most.
 const MOST_ITERATED: u32 = 3;
@@ -63,13 +63,17 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input).with_context(|| mesh.to_owned())?;
     let source = VertexId(0);
-    let exact = arguments.exact.then(|| exact::distances(&exact::geometry(&surface).0, &[source])).transpose()?;
+    let exactly = DistanceOptions::by(Method::Exact);
+    let exact = || DistanceSolver::new(Arc::clone(&surface)).distance(&[source], &exactly, &mut go_on);
+    let exact = arguments.exact.then(exact).transpose()?;
     let figures = |linear_solver, sources| -> Result<Figures> {
-        let parameters = arguments.options.parameters(linear_solver, MultiSource::default());
-        let Factored { solver, precompute_ms, .. } = factor(&surface, parameters)?;
-        let solve_ms = median_solve_ms(&sample(&surface, sources), |source| Ok(solver.distance(&[source])?))?;
+        let heat = arguments.options.parameters(linear_solver, MultiSource::default());
+        let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
+        let Prepared { mut solver, precompute_ms, .. } = prepare((&surface, build_ms), &options)?;
+        let mut solve = |source| Ok(solver.distance(&[source], &options, &mut go_on)?.distance.values);
+        let solve_ms = median_solve_ms(&sample(&surface, sources), &mut solve)?;
         let error = match &exact {
-            Some(exact) => Some(RelativeError::between(&solver.distance(&[source])?.values, exact)),
+            Some(exact) => Some(RelativeError::between(&solve(source)?, &exact.distance.values)),
             None => None,
         };
         Ok(Figures { precompute_ms: build_ms + precompute_ms, solve_ms, error })

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Element, HeatSolver, Parameters, Stage, Surface, VertexId};
+use heatwalk::{DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId};
 
 use crate::input::Input;
 use crate::report::milliseconds;
@@ -17,27 +17,42 @@ pub fn build(input: &Input) -> Result<(Arc<Surface>, f64)> {
     Ok((Arc::new(surface), milliseconds(start)))
 }
 
-/// A surface's solver and what it took, in milliseconds.
-pub struct Factored {
-    pub solver: HeatSolver,
+/// A surface's solver, ready to be asked, and what that took in milliseconds.
+pub struct Prepared {
+    pub solver: DistanceSolver,
+    /// From positions to a surface that can be asked, with all that a search in windows needs of it.
+    pub build_ms: f64,
+    /// Factors; 0 where there are none.
     pub precompute_ms: f64,
-    /// In the order of the work; together they are all of it.
+    /// The stages of factoring in the order of the work; together they are all of it.
     pub stages_ms: Vec<(Stage, f64)>,
 }
 
-pub fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<Factored> {
+/// `surface`: with the milliseconds that building it took.
+pub fn prepare((surface, build_ms): (&Arc<Surface>, f64), options: &DistanceOptions) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut |stage, _| {
-        begun.push((stage, milliseconds(start)));
+    let mut solver = DistanceSolver::new(Arc::clone(surface));
+    solver.prepare(options, &mut |step| {
+        if let Step::Precompute(stage, _) = step {
+            begun.push((stage, milliseconds(start)));
+        }
         ControlFlow::Continue(())
     })?;
-    let precompute_ms = milliseconds(start);
-    let ends = begun.iter().skip(1).map(|&(_, begin)| begin).chain([precompute_ms]);
+    let prepared_ms = milliseconds(start);
+    if options.method != Method::Heat {
+        return Ok(Prepared { solver, build_ms: build_ms + prepared_ms, precompute_ms: 0.0, stages_ms: Vec::new() });
+    }
+    let ends = begun.iter().skip(1).map(|&(_, begin)| begin).chain([prepared_ms]);
     let mut before = 0.0;
     let lasted = |end: f64| end - mem::replace(&mut before, end);
     let stages_ms = begun.iter().map(|&(stage, _)| stage).zip(ends.map(lasted)).collect();
-    Ok(Factored { solver, precompute_ms, stages_ms })
+    Ok(Prepared { solver, build_ms, precompute_ms: prepared_ms, stages_ms })
+}
+
+/// Nobody stops the program but by its process.
+pub fn go_on(_: Step) -> ControlFlow<()> {
+    ControlFlow::Continue(())
 }
 
 /// So many vertices, the same ones at every run.

@@ -1,29 +1,38 @@
-//! Geodesic distance and shortest paths on triangle meshes by the heat method (Crane, Weischedel, Wardetzky 2013).
+//! Geodesic distance and shortest paths on triangle meshes: by the heat method (Crane, Weischedel, Wardetzky 2013), exactly,
+//! and by a few windows of each half-edge.
 //!
-//! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges) →
-//! [`Operators`](operator::Operators) (edge lengths only) → [`Factorization`] (what is factored, by [`FactorOptions`]) →
-//! [`Query`] (what is asked) → [`Distance`] → [`Path`]s down it. [`HeatSolver`] holds a factorization with the options of its
-//! queries, which is all that most callers need:
+//! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges) → [`DistanceSolver`]
+//! (all that a [`Method`] needs, made when it is first asked for) → [`Distance`] → [`Path`]s down it:
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend};
+//! use heatwalk::{DistanceOptions, DistanceSolver, Method, Surface, VertexId, descend};
 //! use heatwalk_shapes::icosphere;
 //!
 //! # fn main() -> heatwalk::Result<()> {
-//! let surface = Surface::build(&icosphere(3))?;
-//! let solver = HeatSolver::new(surface, Parameters::default(), &mut |stage, done| {
-//!     println!("{stage}, {:.0} %", 100.0 * done);
-//!     ControlFlow::Continue(())
-//! })?;
-//! let distance = solver.distance(&[Place::Vertex(VertexId(0))])?;
-//! assert!((distance.max() - std::f64::consts::PI).abs() < 0.1, "half a great circle of the unit sphere");
+//! let mut solver = DistanceSolver::new(Surface::build(&icosphere(3))?);
+//! let options = DistanceOptions::default();
+//! let answer = solver.distance(&[VertexId(0)], &options, &mut |_| ControlFlow::Continue(()))?;
+//! assert_eq!(answer.method, Method::Exact, "on so small a mesh");
+//! assert!((answer.distance.max() - std::f64::consts::PI).abs() < 0.01, "half a great circle of the unit sphere");
 //!
-//! let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(7)))?;
+//! let path = descend(solver.surface(), &answer.distance, VertexId(7))?;
 //! println!("{} units in {} segments", path.length(), path.points.len() - 1);
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! # Which method
+//!
+//! - [`Method::Auto`], the default: exact while that takes a second or so, beyond by a few windows of each half-edge, with
+//!   errors of some hundredths of a per cent. Nothing is factored.
+//! - [`Method::Heat`] for many sources on one mesh (factored once, then a solve is a fraction of a search), for smooth
+//!   distances, and where a [`Boundary`] condition is wanted.
+//! - [`Method::Exact`] and [`Method::Propagation`] where the one or the other is wanted whatever it takes.
+//!
+//! The methods by themselves are [`HeatSolver`], [`exact`] and [`propagation`]. The heat method is made of
+//! [`Operators`](operator::Operators) (edge lengths only) → [`Factorization`] (what is factored, by [`FactorOptions`]) →
+//! [`Query`] (what is asked); [`HeatSolver`] holds a factorization with the options of its queries.
 //!
 //! The oldest Rust that it compiles with is 1.95; a newer one is asked for in a new minor version only.
 //!
@@ -52,6 +61,7 @@ mod options;
 pub mod path;
 mod progress;
 pub mod propagation;
+pub mod solver;
 
 /// Linear algebra, which knows no surface.
 pub use heatwalk_sparse as sparse;
@@ -74,8 +84,9 @@ pub use options::{
     MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField,
 };
 pub use path::{Straightest, descend, straighten, straightest};
-pub use progress::{Progress, Stage};
+pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
+pub use solver::{Answer, DistanceOptions, DistanceSolver};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

@@ -13,11 +13,11 @@ pub const AUTOMATIC: &str = "auto";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Exactly where that costs no more than a second or so, beyond by a few windows.
+    #[default]
     Auto,
     /// By a few windows of each half-edge: nothing is factored, and no value is below the exact one.
     Propagation,
     /// By the flow of heat: smooth, with options.
-    #[default]
     Heat,
     /// By all windows.
     Exact,

@@ -20,11 +20,13 @@ fn info_counts() {
     assert!(succeed(&folder, &["info", "two.obj"]).contains("near"));
 }
 
+const HEAT: [&str; 6] = ["distance", "torus.ply", "--source", "0", "--method", "heat"];
+
 #[test]
 fn distance_to_csv_ply_and_glb() {
     let folder = folder("distance");
     for name in ["d.csv", "d.ply", "d.glb"] {
-        let answer = json(&folder, &["distance", "torus.ply", "--source", "0", "--output", name, "--repeat", "3"]);
+        let answer = json(&folder, &[&HEAT[..], &["--output", name, "--repeat", "3"]].concat());
         for key in ["read", "build", "precompute", "solve"] {
             assert!(answer["timings_ms"][key].as_f64().unwrap() >= 0.0, "{key}");
         }

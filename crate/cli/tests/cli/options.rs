@@ -23,7 +23,7 @@ fn options_change_the_answer() {
 fn the_time_factor_is_reported() {
     let folder = folder("time_factor");
     let factor = |options: &[&str]| {
-        let arguments = [&["distance", "flat.ply", "--source", "0"], options].concat();
+        let arguments = [&["distance", "flat.ply", "--source", "0", "--method", "heat"], options].concat();
         json(&folder, &arguments)["time_factor"].as_f64().unwrap()
     };
     assert_eq!(factor(&["--t", "2.5"]), 2.5);

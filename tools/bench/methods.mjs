@@ -1,0 +1,135 @@
+// npm run bench -- --methods: the methods that factor nothing, against potpourri3d's robust heat method: errors, and times
+// from positions, in alternation.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { attempt, POTPOURRI3D, pythonWith } from '../peers.mjs';
+import { prepare, root } from '../steps.mjs';
+import { description } from './checkout.mjs';
+import { folder, meshes as chosenMeshes } from './meshes.mjs';
+import { Programs } from './programs.mjs';
+import { judge, median } from './ratios.mjs';
+import { digits, table } from './report.mjs';
+
+/** The least that give an interval. */
+const PAIRS = 6;
+/** Sources of a median solve. */
+const SOURCES = 10;
+/** Windows kept of each half-edge. */
+const KEPT = [1, 2, 4, 8];
+const METHODS = ['propagation', 'auto', 'exact'];
+const ROBUST = 'pp3d robust';
+
+/** Meshes as in `chosenMeshes`. Those on which a peer takes minutes have one pair, and neither errors nor exact distances. */
+export async function methods({ files, subdivisions, quick, only }) {
+  prepare();
+  const programs = new Programs(root);
+  programs.build();
+  const python = pythonWith(POTPOURRI3D);
+  console.log('\n— Writing the meshes');
+  const program = programs.example('bench_mesh');
+  const all = await chosenMeshes({ files, subdivisions, quick, only, program });
+  const meshes = all.filter(({ who }) => who.includes('robust'));
+  for (const mesh of meshes) {
+    console.log(`\n— ${mesh.name}, ${mesh.triangles} triangles`);
+    mesh.rows = alternate(programs, python, mesh, quick || mesh.isSlow ? 1 : PAIRS);
+    if (!mesh.isSlow) mesh.errors = errors(programs, python, mesh);
+  }
+  report(meshes);
+}
+
+/** The ratios of each row to the peer, of pairs measured one right after the other; which is first alternates. */
+function alternate(programs, python, mesh, count) {
+  const { sources } = programs.another(mesh.file, 'propagation', SOURCES);
+  const pairs = [];
+  while (pairs.length < count) {
+    const pair = {};
+    const own = () => (pair.own = times(programs, mesh));
+    const peer = () =>
+      (pair.peer = attempt(python, [script('bench/peers.py'), 'robust', mesh.file, ...sources.map(String)]));
+    for (const measure of pairs.length % 2 === 0 ? [own, peer] : [peer, own]) measure();
+    if (pair.peer.failed) return { failed: pair.peer.failed };
+    pairs.push(pair);
+  }
+  return Object.keys(pairs[0].own).map((name) => {
+    const own = pairs.map((pair) => pair.own[name]);
+    const peer = pairs.map(({ peer: { precompute, solve } }) =>
+      name.startsWith('first') ? precompute + solve : solve,
+    );
+    const { ratio, interval } = judge(own.map((time, pair) => time / peer[pair]));
+    return { name, own: median(own), peer: median(peer), ratio, interval };
+  });
+}
+
+/** Milliseconds from positions to the first whole field by each method, and of another source by propagation. */
+function times(programs, { file, isSlow }) {
+  const wanted = METHODS.filter((method) => method !== 'exact' || !isSlow);
+  return {
+    ...Object.fromEntries(wanted.map((method) => [`first field, ${method}`, programs.first(file, method)])),
+    'another source, propagation': programs.another(file, 'propagation', SOURCES).solve,
+  };
+}
+
+/** Mean and maximum error in per cent against exact distances from vertex 0, by name. */
+function errors(programs, python, { file }) {
+  const exact = join(folder, 'exact.csv');
+  programs.distance(file, 0, '--exact', '--output', exact);
+  const propagation = (kept) => programs.error(file, 0, '--method', 'propagation', '--windows', String(kept));
+  return {
+    ...Object.fromEntries(KEPT.map((kept) => [`K = ${kept}`, propagation(kept)])),
+    auto: programs.error(file, 0, '--method', 'auto'),
+    heat: programs.error(file, 0, '--method', 'heat'),
+    [ROBUST]: attempt(python, [script('accuracy_peers.py'), 'robust', file, '0', exact]),
+  };
+}
+
+function script(path) {
+  return join(root, 'tools', ...path.split('/'));
+}
+
+function report(meshes) {
+  const results = {
+    date: new Date().toISOString().slice(0, 16),
+    commit: description(root),
+    meshes: meshes.map(({ file: _file, who: _who, ...mesh }) => mesh),
+  };
+  const text = [
+    `${results.date}; commit ${results.commit}; ${POTPOURRI3D}. One thread each. A ratio is the median of those of the pairs; in`,
+    '95 of 100 cases the interval holds the true one. Times in ms: the peer precomputes and solves for the first field, and',
+    'solves for another source.',
+    '',
+    ...timesTable(meshes),
+    '',
+    'Error relative to exact distances from vertex 0, mean % / maximum %.',
+    '',
+    ...errorsTable(meshes.filter(({ errors: measured }) => measured)),
+    '',
+  ].join('\n');
+  const target = join(root, 'target', 'bench');
+  mkdirSync(target, { recursive: true });
+  writeFileSync(join(target, 'methods.json'), JSON.stringify(results, undefined, 2));
+  writeFileSync(join(target, 'methods.md'), text);
+  console.log(`\n${text}\nWritten to target/bench/methods.json and target/bench/methods.md.`);
+}
+
+function timesTable(meshes) {
+  return table(['mesh', 'triangles', 'what', 'this', ROBUST, 'ratio', 'interval'], meshes.flatMap(timesRows));
+}
+
+function timesRows({ name, triangles, rows }) {
+  if (rows.failed) return [[name, String(triangles), rows.failed, '–', '–', '–', '–']];
+  return rows.map(({ name: what, own, peer, ratio, interval }) => {
+    const bounds = interval[1] < Infinity ? interval.map((bound) => bound.toFixed(3)).join('–') : '–';
+    return [name, String(triangles), what, digits(own), digits(peer), ratio.toFixed(3), bounds];
+  });
+}
+
+function errorsTable(meshes) {
+  const names = Object.keys(meshes[0]?.errors ?? {});
+  const cells = ({ name, errors: measured }) => [name, ...names.map((method) => errorCell(measured[method]))];
+  return table(['mesh', ...names], meshes.map(cells));
+}
+
+function errorCell({ mean, max, failed }) {
+  return failed ? 'failed' : [mean, max].map((error) => (error === 0 ? '0' : error.toPrecision(2))).join(' / ');
+}
