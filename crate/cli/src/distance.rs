@@ -7,7 +7,7 @@ use std::time::Instant;
 use anyhow::Result;
 use heatwalk::{
     Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
-    VertexId, Windows,
+    VertexId, Windows, propagation::ALL,
 };
 use serde_json::{Map, Value, json};
 
@@ -115,11 +115,12 @@ fn each(
 /// What is to be told of an answer, whose values are `of_inputs`.
 fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> Vec<(&'static str, Value)> {
     let mut facts = vec![("method", answer.method.name().into())];
-    if let (Method::Propagation, Windows::AtMost(count)) = (answer.method, options.windows) {
-        facts.push(("windows_kept", count.get().into()));
-    }
     if answer.method != Method::Heat {
-        facts.push(("windows", answer.windows.into()));
+        let kept = match (answer.method, options.windows) {
+            (Method::Propagation, Windows::AtMost(count)) => count.get().into(),
+            _ => ALL.into(),
+        };
+        facts.extend([("windows", kept), ("windows_crossed", answer.windows.into())]);
     }
     if answer.method != Method::Exact {
         facts.push(("exact_below", answer.distance.exact_below.into()));
