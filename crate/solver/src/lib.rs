@@ -52,6 +52,7 @@ mod options;
 pub mod path;
 mod progress;
 pub mod propagation;
+mod refinement;
 
 /// Linear algebra, which knows no surface.
 pub use heatwalk_sparse as sparse;
@@ -70,12 +71,13 @@ pub use heatwalk_surface::{
     io,
 };
 pub use options::{
-    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit, Method,
-    MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
+    Method, MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField, WINDOWS,
 };
 pub use path::{Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
+pub use refinement::PropagationRefinement;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

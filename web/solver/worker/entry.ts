@@ -20,13 +20,15 @@ import type {
   PathRequest,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
+import { DEFAULT_WINDOWS } from '../../wasm/contract';
 import { isTrap } from '../trap';
 
-/** Shares of reading, building and factoring in the time that opening takes, for the progress bar. */
+/** Where building and factoring begin in the time that opening takes, for the progress bar; and where the first field does. */
 const BUILD_FROM = 0.1;
 const FACTOR_FROM = 0.3;
+const UNFACTORED = { buildFrom: 0.2, propagateFrom: 0.6 };
 
-/** A slice of refining lasts about this long, or this many solves where that is more: each slice ends with one. */
+/** A slice of refining lasts about this long, or this many solves by heat where that is more: each slice ends with one. */
 const SLICE_MS = 150;
 const SLICE_SOLVES = 2;
 /** Windows of the first slice, and of any slice at least. */
@@ -44,6 +46,8 @@ interface Current {
   timings: Timings;
   /** Windows of the next slice of refining. */
   work: number;
+  /** Whether the field is by heat: each slice of refining then ends with a solve. */
+  isByHeat: boolean;
   solveMs: number;
   refineMs: number;
 }
@@ -61,7 +65,10 @@ const api: SolverApi = {
     const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
     const surface = file.surface(Uint32Array.of(0));
     const solver = surface.factor({}, () => undefined);
-    for (const quick of [false, true]) solver.solve([{ vertex: 0 }], quick).free();
+    const sources = [{ vertex: 0 }];
+    for (const quick of [false, true]) solver.solve(sources, quick).free();
+    for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows).free();
+    solver.refine(FIRST_WORK).free();
     for (const used of [solver, surface, file]) used.free();
   },
 
@@ -73,7 +80,7 @@ const api: SolverApi = {
     const file = read(input);
     try {
       const readMs = clock();
-      progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
+      progress({ stage: 'Welding', fraction: parameters ? BUILD_FROM : UNFACTORED.buildFrom, vertices: 0 });
       const names = file.part_names();
       const triangles = file.part_triangles();
       const active = parts.length > 0 ? parts : names.map((_, index) => index);
@@ -81,12 +88,16 @@ const api: SolverApi = {
       try {
         const report = plain(surface.report());
         const buildMs = clock();
-        const solver = surface.factor(parameters, (stage: string, fraction: number) => {
-          progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices: report.vertices });
-        });
-        const timings: Timings = { readMs, buildMs, precomputeMs: clock() };
+        const { vertices } = report;
+        if (!parameters) progress({ stage: 'Propagating', fraction: UNFACTORED.propagateFrom, vertices });
+        const solver = parameters
+          ? surface.factor(parameters, (stage: string, fraction: number) => {
+              progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices });
+            })
+          : surface.solver();
+        const timings: Timings = { readMs, buildMs, precomputeMs: parameters ? clock() : 0 };
         current?.solver.free();
-        current = { solver, timings, work: FIRST_WORK, solveMs: 0, refineMs: 0 };
+        current = { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0 };
         const opened: OpenedMesh = {
           name: nameOf(input),
           hash,
@@ -125,12 +136,11 @@ const api: SolverApi = {
   },
 
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
-    const mesh = openMesh();
-    const clock = stopwatch();
-    const field = mesh.solver.solve(sources, quick);
-    mesh.solveMs = clock();
-    mesh.refineMs = 0;
-    return solvedOf(field, mesh, request);
+    return firstField(true, (solver) => solver.solve(sources, quick), request);
+  },
+
+  propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved> {
+    return firstField(false, (solver) => solver.propagate(sources, windows), request);
   },
 
   refine(request: PathRequest | null): Promise<Solved> {
@@ -140,7 +150,7 @@ const api: SolverApi = {
     const passed = clock();
     mesh.refineMs += passed;
     if (field.exactBelow < Infinity) {
-      const wanted = Math.max(SLICE_MS, SLICE_SOLVES * mesh.solveMs);
+      const wanted = Math.max(SLICE_MS, mesh.isByHeat ? SLICE_SOLVES * mesh.solveMs : 0);
       // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
       const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
       mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
@@ -196,6 +206,19 @@ function openMesh(): Current {
 
 function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): Factoring {
   return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
+}
+
+/** What a field is before any refinement. */
+function firstField(
+  isByHeat: boolean,
+  answer: (solver: wasm.Solver) => wasm.Field,
+  request: PathRequest | null,
+): Promise<Solved> {
+  const mesh = openMesh();
+  const clock = stopwatch();
+  const field = answer(mesh.solver);
+  Object.assign(mesh, { isByHeat, solveMs: clock(), refineMs: 0 });
+  return solvedOf(field, mesh, request);
 }
 
 function solvedOf(field: wasm.Field, mesh: Current, request: PathRequest | null): Promise<Solved> {
