@@ -158,11 +158,14 @@ export interface SolverApi {
   propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved>;
   /**
    * One step of making the last field exact, from the sources outward: exact inside, as it was beyond. Takes 100 to
-   * 200 ms, or twice a solve by heat where that is more; the next call goes on. Once all is exact, the field stays as it is.
+   * 200 ms, more where a solve by heat or showing the field takes longer; the next call goes on. Once all is exact, the
+   * field stays as it is.
    */
   refine(request: PathRequest | null): Promise<Solved>;
   /** A path on the last field. */
   path(request: PathRequest): Promise<TracedPath>;
+  /** One step of searching the exact path, of 100 to 200 ms; null: it is not found yet, and the next call goes on. */
+  searchPath(from: SurfacePoint): Promise<TracedPath | null>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

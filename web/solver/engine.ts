@@ -116,12 +116,16 @@ export class Engine {
     });
   }
 
-  /** An answer with the exact path. Null when a query is waiting: that comes first. */
+  /**
+   * One step of the search for the exact path: an answer with it, or the same answer while it is not found. Null when a
+   * query is waiting: that comes first.
+   */
   traceExactly(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
-      const { path } = await this.#path(requestOf(answer.question, 'exact'));
+      const { from } = answer.question;
+      const found = from && (await this.#worker.call(this.#worker.api.searchPath(from)));
       // The time of a path is that of one traced during a drag.
-      return { ...answer, path, pathKind: 'exact' };
+      return found ? { ...answer, path: found.path, pathKind: 'exact' } : answer;
     });
   }
 

@@ -29,7 +29,7 @@ export class Refiner {
   /** What is under way; another object, and it ends. */
   #turn = {};
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** The field that the last step has given. */
+  /** The field that the last step has given, or the one before any. */
   #reached: DistanceField | null = null;
   /** One that memory did not suffice to refine further. */
   #full: DistanceField | null = null;
@@ -87,6 +87,7 @@ export class Refiner {
 
   async #begin(engine: Engine, answer: Answer, turn: object, traces: boolean, end: Phase | null): Promise<void> {
     this.phase.value = 'refining';
+    this.#reached = answer.field;
     try {
       const traced = traces ? await this.#trace(engine, answer, turn) : answer;
       const reached = end ?? (traced && (await this.#refine(engine, traced, turn)));
@@ -106,23 +107,24 @@ export class Refiner {
   }
 
   async #trace(engine: Engine, answer: Answer, turn: object): Promise<Answer | null> {
-    const traced = await engine.traceExactly(answer);
+    const isLate = deadline();
+    let traced: Answer | null = answer;
+    while (traced === answer && !isLate()) traced = await engine.traceExactly(answer);
     if (turn !== this.#turn || !traced) return null;
     // Where there is no exact path, the straightened one stays.
-    if (!traced.path) return answer;
+    if (traced === answer || !traced.path) return answer;
     this.#show(traced);
     return traced;
   }
 
   /** The end that was reached; null when a question came in between. */
   async #refine(engine: Engine, answer: Answer, turn: object): Promise<Phase | null> {
-    const began = performance.now();
+    const isLate = deadline();
     let shown = answer;
-    this.#reached = answer.field;
     let reached = Number.NEGATIVE_INFINITY;
     let idle = 0;
     while (!isExact(shown)) {
-      if (performance.now() - began > 1000 * MOST_SECONDS) return 'late';
+      if (isLate()) return 'late';
       const next = await engine.refine(shown);
       if (turn !== this.#turn || !next?.field) return null;
       this.#reached = next.field;
@@ -144,6 +146,12 @@ export class Refiner {
     if (!refines) return 'off';
     return this.#hasLostWorker || answer.field === this.#full ? 'memory' : null;
   }
+}
+
+/** Whether the most time that anything may take has passed since. */
+function deadline(): () => boolean {
+  const began = performance.now();
+  return () => performance.now() - began > 1000 * MOST_SECONDS;
 }
 
 function isExact({ field }: Answer): boolean {

@@ -74,7 +74,7 @@ pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
     Method, MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField, WINDOWS,
 };
-pub use path::{Straightest, descend, straighten, straightest};
+pub use path::{PathSearch, Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;

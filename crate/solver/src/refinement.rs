@@ -14,12 +14,20 @@ const STAGE: &str = "refining to exact distances";
 /// Bytes that a wavefront takes before it has any windows, a face.
 const BYTES_PER_FACE: u64 = 96;
 
+/// Refuses exact distances where there is no room to start them.
+///
+/// # Errors
+/// [`OutOfMemory`](crate::Error::OutOfMemory).
+pub(crate) fn require_room(geometry: &ExactGeometry) -> Result<()> {
+    Ok(memory::require(BYTES_PER_FACE * geometry.surface().face_count() as u64, STAGE)?)
+}
+
 /// Starts exact distances, where there is room for them.
 ///
 /// # Errors
 /// [`OutOfMemory`](crate::Error::OutOfMemory); those of [`ToSource::to_source`].
 pub(crate) fn start<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S]) -> Result<Wavefront> {
-    memory::require(BYTES_PER_FACE * geometry.surface().face_count() as u64, STAGE)?;
+    require_room(geometry)?;
     Wavefront::new(Arc::clone(geometry), sources)
 }
 

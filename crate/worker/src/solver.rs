@@ -7,8 +7,8 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, Propagation, PropagationOptions, Query, Source,
-    Stage, Surface, VertexData, Windows, descend, straighten,
+    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation, PropagationOptions,
+    Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function, Object};
@@ -41,6 +41,8 @@ pub struct Solver {
     /// That of the last field by windows with its number of windows, kept for its memory.
     propagation: Option<(u16, Propagation)>,
     solved: Option<Solved>,
+    /// The exact path that is searched on it, and whence.
+    search: Option<(SurfacePoint, PathSearch)>,
     crowd: Option<Crowd>,
 }
 
@@ -61,7 +63,7 @@ impl Solver {
     }
 
     fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, heat: Option<HeatSolver>) -> Self {
-        Self { drawn: Arc::clone(drawn), geometry, heat, propagation: None, solved: None, crowd: None }
+        Self { drawn: Arc::clone(drawn), geometry, heat, propagation: None, solved: None, search: None, crowd: None }
     }
 
     fn sources(&self, given: &Array) -> Result<Vec<Source>> {
@@ -100,6 +102,7 @@ impl Solver {
 
     fn answer(&mut self, solved: Solved) -> Result<Field> {
         self.solved = Some(solved);
+        self.search = None;
         self.field()
     }
 
@@ -130,6 +133,7 @@ impl Solver {
             heat.set_parameters(parameters, &mut reporter(progress))?;
         }
         self.solved = None;
+        self.search = None;
         Ok(())
     }
 
@@ -183,6 +187,26 @@ impl Solver {
             PathKind::Exact => exact::shortest_path(&self.geometry, from, &solved.sources)?,
         };
         Ok(SurfacePath::of(&path, &self.drawn.transform))
+    }
+
+    /// Searches the exact path from a place to its nearest source by about `work` windows further; none until it is found.
+    pub fn search_path(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
+        work: u32,
+    ) -> Result<Option<SurfacePath>> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let from = self.drawn.point(self.geometry.surface(), from)?;
+        let begun = self.search.take().filter(|&(place, _)| place == from);
+        let mut search = match begun {
+            Some((_, search)) => search,
+            None => PathSearch::new(&self.geometry, from, &solved.sources)?,
+        };
+        let path = search.step(work as usize)?;
+        if path.is_none() {
+            self.search = Some((from, search));
+        }
+        Ok(path.map(|path| SurfacePath::of(&path, &self.drawn.transform)))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.

@@ -18,17 +18,21 @@ import type {
   Timings,
   TracedPath,
   PathRequest,
+  SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { DEFAULT_WINDOWS } from '../../wasm/contract';
-import { isTrap } from '../trap';
+import { isOutOfMemory, isTrap } from '../trap';
 
 /** Where building and factoring begin in the time that opening takes, for the progress bar; and where the first field does. */
 const BUILD_FROM = 0.1;
 const FACTOR_FROM = 0.3;
-const UNFACTORED = { buildFrom: 0.2, propagateFrom: 0.6 };
+const UNFACTORED = { buildFrom: 0.25, propagateFrom: 0.5 };
 
-/** A slice of refining lasts about this long, or this many solves by heat where that is more: each slice ends with one. */
+/**
+ * A slice of refining lasts about this long. It lasts longer where what comes after it takes longer: this many solves by heat,
+ * since each slice ends with one, or else as long as showing the field takes, but no longer than finding it took.
+ */
 const SLICE_MS = 150;
 const SLICE_SOLVES = 2;
 /** Windows of the first slice, and of any slice at least. */
@@ -50,6 +54,8 @@ interface Current {
   isByHeat: boolean;
   solveMs: number;
   refineMs: number;
+  /** When the last slice of refining ended. */
+  refinedAt: number;
 }
 
 let current: Current | undefined;
@@ -97,7 +103,7 @@ const api: SolverApi = {
           : surface.solver();
         const timings: Timings = { readMs, buildMs, precomputeMs: parameters ? clock() : 0 };
         current?.solver.free();
-        current = { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0 };
+        current = { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
         const opened: OpenedMesh = {
           name: nameOf(input),
           hash,
@@ -146,20 +152,29 @@ const api: SolverApi = {
   refine(request: PathRequest | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
+    const shownMs = mesh.refineMs > 0 ? performance.now() - mesh.refinedAt : 0;
     const field = mesh.solver.refine(mesh.work);
     const passed = clock();
     mesh.refineMs += passed;
-    if (field.exactBelow < Infinity) {
-      const wanted = Math.max(SLICE_MS, mesh.isByHeat ? SLICE_SOLVES * mesh.solveMs : 0);
-      // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
-      const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
-      mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
-    }
+    mesh.refinedAt = performance.now();
+    const afterwards = mesh.isByHeat ? SLICE_SOLVES * mesh.solveMs : Math.min(shownMs, mesh.solveMs);
+    if (field.exactBelow < Infinity) mesh.work = nextWork(mesh.work, passed, Math.max(SLICE_MS, afterwards));
     return solvedOf(field, mesh, request);
   },
 
   path(request: PathRequest): Promise<TracedPath> {
     const traced = trace(openMesh(), request);
+    return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
+  },
+
+  searchPath(from: SurfacePoint): Promise<TracedPath | null> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const path = pathOf(() => mesh.solver.search_path(from, mesh.work));
+    const pathMs = clock();
+    mesh.work = nextWork(mesh.work, pathMs, SLICE_MS);
+    if (path === undefined) return Promise.resolve(null);
+    const traced = { path, pathMs };
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
@@ -236,16 +251,25 @@ function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): Dis
 
 function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
-  return { path: request && pathOf(solver, request), pathMs: clock() };
+  const path = request && pathOf(() => solver.path(request.from, request.kind));
+  return { path: path ?? null, pathMs: clock() };
 }
 
-function pathOf(solver: wasm.Solver, { from, kind }: PathRequest): SurfacePath | null {
+/** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
+function pathOf(find: () => wasm.SurfacePath | undefined): SurfacePath | null | undefined {
   try {
-    return plain(solver.path(from, kind));
+    const found = find();
+    return found && plain(found);
   } catch (error) {
-    if (error instanceof Error && isTrap(error)) throw error;
+    if (error instanceof Error && (isTrap(error) || isOutOfMemory(error))) throw error;
     return null;
   }
+}
+
+/** Windows of the next slice: one that was held up must not make the next ones tiny, nor a quick one the next endless. */
+function nextWork(work: number, passed: number, wanted: number): number {
+  const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
+  return Math.max(LEAST_WORK, Math.round(work * change));
 }
 
 function pathBuffersOf({ path }: TracedPath): Transferable[] {
