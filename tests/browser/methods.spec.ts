@@ -94,7 +94,7 @@ test('method and windows come from the link and return to it', async ({ heatwalk
     await expect(page.getByLabel(ofHeat, { exact: true })).toBeHidden();
   await page.getByText('More solver settings').click();
   await expect(page.getByLabel('Operator', { exact: true })).toBeHidden();
-  await page.getByRole('combobox', { name: 'Windows of each half-edge' }).selectOption('8');
+  await page.getByRole('combobox', { name: 'Windows' }).selectOption('8');
   await expect.poll(async () => (await heatwalk.field()).windows).toBe(8);
   await expect(page).toHaveURL(/&method=propagation&windows=8/);
   await choose(page, 'exact');

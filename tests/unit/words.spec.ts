@@ -22,8 +22,8 @@ const EXACT = { exactBelow: Infinity, exactShare: 1 };
 const ERROR = { mean: 0.0061, max: 0.0312 };
 
 test('the share of exact vertices is rounded down', () => {
-  expect(exactnessWords(FIELD)).toBe('heat method, 43 % of vertices exact');
-  expect(exactnessWords({ ...PROPAGATED, exactShare: 0.9999 })).toBe('propagation, 99 % of vertices exact');
+  expect(exactnessWords(FIELD)).toBe('heat method, 43 % exact');
+  expect(exactnessWords({ ...PROPAGATED, exactShare: 0.9999 })).toBe('propagation, 99 % exact');
   expect(exactnessWords({ ...FIELD, ...EXACT })).toBe('exact');
   expect(exactnessWords({ ...FIELD, exactShare: 0.009 })).toBe('heat method');
 });
@@ -40,7 +40,7 @@ test('a field says which method it was found by, and how far it is exact', () =>
   expect(fieldSentence(FIELD)).toBe('By the heat method: exact below 0.5 units (43 % of vertices).');
   expect(fieldSentence({ ...FIELD, exactShare: 0 })).toBe('By the heat method.');
   expect(fieldSentence(PROPAGATED)).toBe(
-    'By propagation with 2 windows: exact below 0.5 units (43 % of vertices), never too short beyond.',
+    'By propagation with 2 windows: exact below 0.5 units (43 % of vertices), an upper bound beyond.',
   );
   expect(fieldSentence({ ...PROPAGATED, windows: 1, exactShare: 0 })).toBe('By propagation with 1 window.');
   expect(fieldSentence({ ...FIELD, ...EXACT })).toBe('Exact.');

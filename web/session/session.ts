@@ -11,6 +11,7 @@ import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
+import { type Loading, whileLoading } from './loading';
 import { factorsOf, type OpenRequest, prepare, questionOf, type Shown } from './prepare';
 import { Presenter } from './presenter';
 
@@ -19,16 +20,11 @@ const LIVE_PATH_MS = 8;
 /** A field that takes longer, a frame at 60 a second, is solved with less accuracy while the pointer drags. */
 const LIVE_FIELD_MS = 16;
 
+/** Until the worker of the next opening is started. */
+const WARM_UP_MS = 1500;
+
 /** Radians a second: a turn in sixteen seconds. */
 const TURNTABLE_SPEED = Math.PI / 8;
-
-export interface Loading {
-  title: string;
-  stage: string;
-  /** 0 to 1 */
-  fraction: number;
-  vertices: number;
-}
 
 export class Session {
   readonly scene: Scene;
@@ -87,7 +83,7 @@ export class Session {
 
   /** Shows another mesh once it is solved; until then, and if this rejects, everything stays as it was. */
   open(request: OpenRequest): Promise<Shown> {
-    return this.#whileLoading(request.title, async (progress, check) => {
+    return whileLoading(this.loading, request.title, async (progress, check) => {
       const engine = await this.#start(request, request.state, progress);
       try {
         const { state, shown } = await prepare(engine, request);
@@ -152,28 +148,6 @@ export class Session {
     return this.#client.open(load, state.parts, factorsOf(state), progress);
   }
 
-  /** `check` throws once another opening, or `cancelOpening`, has taken the place of this one. */
-  async #whileLoading<T>(
-    title: string,
-    work: (progress: ProgressListener, check: () => void) => Promise<T>,
-  ): Promise<T> {
-    let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
-    const isMine = () => this.loading.value === mine;
-    const progress: ProgressListener = (reached) => {
-      if (!isMine()) return;
-      mine = { title, ...reached };
-      this.loading.value = mine;
-    };
-    this.loading.value = mine;
-    try {
-      return await work(progress, () => {
-        if (!isMine()) throw new Cancelled();
-      });
-    } finally {
-      if (isMine()) this.loading.value = null;
-    }
-  }
-
   /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */
   #adopt(engine: Engine, state: SceneState, shown: Shown, request: OpenRequest): void {
     const before = this.shown.value;
@@ -193,8 +167,6 @@ export class Session {
     this.shown.value = shown;
     this.scene.load(state);
     this.#rest();
-    // The next opening finds its worker compiled, and the first picture does not wait for it.
-    setTimeout(() => this.#client.warmUp(), 1500);
   }
 
   #use(engine: Engine): void {
@@ -206,6 +178,8 @@ export class Session {
       this.#lost = lost;
       return this.#revive(lost);
     });
+    // The next opening finds its worker compiled, and the first picture does not wait for it.
+    setTimeout(() => this.#client.warmUp(), WARM_UP_MS);
   }
 
   /** Gives the scene a fresh worker, once: what has ended two workers would end a third. */
@@ -233,7 +207,7 @@ export class Session {
 
   /** Another worker for the mesh on screen, which is to be asked next. */
   #startAgain(request: OpenRequest, state: SceneState): Promise<Engine> {
-    return this.#whileLoading(request.title, async (progress, check) => {
+    return whileLoading(this.loading, request.title, async (progress, check) => {
       const engine = await this.#start(request, state, progress);
       try {
         check();

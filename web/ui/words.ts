@@ -89,14 +89,14 @@ export function exactnessWords(field: DistanceField): string {
   const { exactBelow, exactShare, windows } = field;
   if (exactBelow === Infinity) return 'exact';
   const method = windows === undefined ? 'heat method' : 'propagation';
-  return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} of vertices exact` : method;
+  return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} exact` : method;
 }
 
 /** How a field was found, and how far it is exact, in a sentence. */
 export function fieldSentence(field: DistanceField): string {
   const { exactBelow, exactShare, windows, error } = field;
   if (exactBelow === Infinity) return error ? `Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : 'Exact.';
-  const beyond = windows === undefined ? '' : ', never too short beyond';
+  const beyond = windows === undefined ? '' : ', an upper bound beyond';
   const exact =
     exactShare >= LEAST_EXACT
       ? `: exact below ${length(exactBelow)} units (${percentDown(exactShare)} of vertices)${beyond}`

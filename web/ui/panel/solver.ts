@@ -92,7 +92,7 @@ export function solverSection(session: Session): HTMLElement {
   const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => change({ operator: value }));
   const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) => change({ solver: value }));
   const windows = select(
-    'Windows of each half-edge',
+    'Windows',
     WINDOWS.map((number) => [number, count(number)] as const),
     (value) => scene.set({ windows: value }),
   );
@@ -108,7 +108,10 @@ export function solverSection(session: Session): HTMLElement {
     operator.element,
     solver.element,
   ];
-  const moreOfWindows = [windows.element, quiet('More windows are nearer to the exact distance, and slower.')];
+  const moreOfWindows = [
+    windows.element,
+    quiet('Windows that each half-edge keeps. More are nearer to the exact distance, and slower.'),
+  ];
 
   const show = () => {
     const { parameters, ...state } = scene.state;
