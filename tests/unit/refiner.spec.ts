@@ -180,3 +180,23 @@ test('the exact path is traced at rest, even if the field is not refined', async
   expect(it.phase.value).toBe('off');
   expect(shown.map(({ pathKind }) => pathKind)).toEqual(['exact']);
 });
+
+test('a drag ends the search for the exact path', async () => {
+  const { refiner: it, shown } = refiner();
+  let steps = 0;
+  const search = {
+    traceExactly: (before: Answer) =>
+      new Promise<Answer>((resolve) => {
+        steps += 1;
+        setTimeout(() => resolve(before));
+      }),
+  };
+  it.rest(search as unknown as Engine, answer(0, 'exact'), { ...STATE, pathKind: 'exact' });
+  await until(() => it.phase.value === 'refining', it.phase);
+  await expect.poll(() => steps).toBeGreaterThan(2);
+  it.interrupt();
+  const before = steps;
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect(steps).toBe(before);
+  expect(shown).toHaveLength(0);
+});

@@ -109,7 +109,7 @@ export class Refiner {
   async #trace(engine: Engine, answer: Answer, turn: object): Promise<Answer | null> {
     const isLate = deadline();
     let traced: Answer | null = answer;
-    while (traced === answer && !isLate()) traced = await engine.traceExactly(answer);
+    while (traced === answer && turn === this.#turn && !isLate()) traced = await engine.traceExactly(answer);
     if (turn !== this.#turn || !traced) return null;
     // Where there is no exact path, the straightened one stays.
     if (traced === answer || !traced.path) return answer;

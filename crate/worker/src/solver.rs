@@ -168,6 +168,7 @@ impl Solver {
     /// Makes the last field exact by about `work` windows further from the sources; once all is exact, nothing changes.
     pub fn refine(&mut self, work: u32) -> Result<Field> {
         let solved = self.solved.as_mut().ok_or(heatwalk::Error::NoSource)?;
+        self.search = None;
         solved.refine(&self.geometry, self.heat.as_ref(), work as usize)?;
         self.field()
     }

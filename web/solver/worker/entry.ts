@@ -232,7 +232,9 @@ function firstField(
   const mesh = openMesh();
   const clock = stopwatch();
   const field = answer(mesh.solver);
-  Object.assign(mesh, { isByHeat, solveMs: clock(), refineMs: 0 });
+  mesh.solveMs = clock();
+  mesh.refineMs = 0;
+  mesh.isByHeat = isByHeat;
   return solvedOf(field, mesh, request);
 }
 
