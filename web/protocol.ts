@@ -91,7 +91,7 @@ export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'ma
   tangents: Int8Array;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
   error: FieldError | null;
-  /** Of `solve` alone. */
+  /** Of `solve` or `propagate` alone. */
   solveMs: number;
   /** Of all steps of refinement so far. */
   refineMs: number;
@@ -140,25 +140,38 @@ export interface SolverApi {
   start(module: WebAssembly.Module): Promise<void>;
   /** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
   warmUp(): Promise<void>;
-  /** Reads, welds, factors. `parts`: the indices to walk on, empty for all. The last mesh stays if this fails. */
-  open(input: MeshInput, parts: number[], parameters: Parameters, progress: ProgressListener): Promise<OpenedMesh>;
-  /** Factors again what the change needs. The last field is forgotten. */
-  configure(parameters: Parameters): Promise<Factoring>;
-  /** `quick`: with a small exact region whatever the parameters, during a drag. */
-  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
   /**
-   * One step of making the last field exact, from the sources outward: exact inside, heat beyond. Takes 100 to
-   * 200 ms, or twice a solve where that is more; the next call goes on. Once all is exact, the field stays as it is.
+   * Reads, welds, and factors for the heat method with these parameters; with null, nothing is factored. `parts`: the
+   * indices to walk on, empty for all. The last mesh stays if this fails.
+   */
+  open(
+    input: MeshInput,
+    parts: number[],
+    parameters: Parameters | null,
+    progress: ProgressListener,
+  ): Promise<OpenedMesh>;
+  /** Factors again what the change needs, where anything is factored. The last field is forgotten. */
+  configure(parameters: Parameters): Promise<Factoring>;
+  /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */
+  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
+  /** By so many windows of each half-edge, with or without factors. */
+  propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved>;
+  /**
+   * One step of making the last field exact, from the sources outward: exact inside, as it was beyond. Takes 100 to
+   * 200 ms, more where a solve by heat or showing the field takes longer; the next call goes on. Once all is exact, the
+   * field stays as it is.
    */
   refine(request: PathRequest | null): Promise<Solved>;
   /** A path on the last field. */
   path(request: PathRequest): Promise<TracedPath>;
+  /** One step of searching the exact path, of 100 to 200 ms; null: it is not found yet, and the next call goes on. */
+  searchPath(from: SurfacePoint): Promise<TracedPath | null>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.
    */
   gradients(kind: FaceField): Promise<Float32Array>;
-  /** One value a drawn vertex: log10 of the last field's heat over its maximum; −Infinity where there is none. */
+  /** One value a drawn vertex, of a field by heat: log10 of its heat over its maximum; −Infinity where there is none. */
   heat(): Promise<Float32Array>;
   /**
    * How many walkers take the path to the sources by the last field, wherever they start; 0: none. Those who are out stay

@@ -56,7 +56,7 @@ test('an inactive part is hidden and shown again, and the link stores it', async
 test('the error is shown once it is known', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&refine=0');
   await expand(heatwalk, 'Display');
-  await page.getByLabel('Color by').selectOption('error of the heat method');
+  await page.getByLabel('Color by').selectOption('error before refinement');
   await expect(page.getByText('The error is known once all distances are exact.')).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&paint=error');
   await expand(heatwalk, 'Display');

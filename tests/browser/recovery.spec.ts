@@ -1,4 +1,5 @@
 /** No mesh ends the page: what cannot be opened changes nothing, and what is lost is made anew. */
+import type { Page } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
 import { difference, expect, type HeatwalkPage, test } from '../page';
 
@@ -188,4 +189,80 @@ test('a query that traps every solver is sent only twice', async ({ heatwalk, pa
   await expect(alert).toContainText('The solver was restarted');
   expect(await distances(heatwalk)).toEqual(before);
   expect(sent).toBe(2);
+});
+
+/** Answers each step of refinement of a worker but the first with an error of this name and message, and counts them. */
+async function refuseToRefine(page: Page, name: string, message: string): Promise<() => number> {
+  let asked = 0;
+  page.on('console', (told) => {
+    if (told.text() === 'a second step') asked += 1;
+  });
+  await page.route(/entry.*\.js$/, async (route) => {
+    const response = await route.fetch();
+    const refuses = `let steps = 0;
+      addEventListener('message', (event) => {
+        const { id, path } = event.data;
+        if (path?.[0] !== 'refine' || ++steps === 1) return;
+        event.stopImmediatePropagation();
+        console.info('a second step');
+        const value = { isError: true, value: { name: '${name}', message: '${message}', stack: '' } };
+        postMessage({ id, type: 'HANDLER', name: 'throw', value });
+      });`;
+    await route.fulfill({ response, body: refuses + (await response.text()) });
+  });
+  return () => asked;
+}
+
+/** Takes many steps to be refined. */
+const FINE = off(sphere(80));
+
+test('where memory does not suffice to refine on, what is exact stays', async ({ heatwalk, page }) => {
+  const asked = await refuseToRefine(page, 'out-of-memory', 'no memory');
+  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=auto');
+  const [first] = page.workers();
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('memory');
+  const { exactBelow, refineMs } = await heatwalk.field();
+  expect(refineMs).toBeGreaterThan(0);
+  await page.locator('#section-solver > summary').click();
+  await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
+    /^By propagation with 2 windows: exact below .* Refinement stopped because memory ran out\.$/,
+  );
+  await expect(page.getByRole('alert')).toBeEmpty();
+  expect(page.workers()).toContain(first);
+
+  // The walker asks for no more.
+  const before = asked();
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...(await heatwalk.pixelOnModel(0.05, 0.05)));
+  await page.keyboard.up('Alt');
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('memory');
+  expect((await heatwalk.field()).exactBelow).toBe(exactBelow);
+  expect(asked()).toBe(before);
+});
+
+test('a solver that refinement ends for want of memory restarts, and the mesh is not refined again', async ({
+  heatwalk,
+  page,
+}) => {
+  const asked = await refuseToRefine(page, 'RuntimeError', 'unreachable');
+  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=exact');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText(
+    /^Refinement needed more memory than the browser gives; distances were exact below [\d.]+ units\. The solver was restarted/,
+  );
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('memory');
+  expect((await heatwalk.field()).windows).toBe(2);
+  const [solves, before] = [await heatwalk.solves(), asked()];
+  await page.locator('.stage').press('Enter');
+  await expect.poll(() => heatwalk.solves()).toBe(solves + 1);
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('memory');
+  expect(asked()).toBe(before);
+
+  // Another mesh is.
+  await heatwalk.dropAndOpen([['ball.off', BALL]]);
+  await expect.poll(() => heatwalk.refining()).not.toBe('memory');
 });

@@ -17,10 +17,13 @@ import {
   PATH_KIND,
   TIME_STEP_FACTORS,
   TOO_LARGE,
+  WINDOWS,
 } from '../../web/wasm/contract';
-import { initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
+import { type ActiveSurface, initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
 
 const MODULE = path.join(import.meta.dirname, '../../web/wasm/solver/heatwalk_worker_bg.wasm');
+/** Of 32-bit floats. */
+const ROUNDING = 1e-6;
 const SOURCES = [{ vertex: 0 }, { face: 3, weights: [0.2, 0.3, 0.5] as [number, number, number], offset: 0.1 }];
 
 /** All that an option may be, from the least to the greatest. */
@@ -34,6 +37,7 @@ const VALUES: { [Option in keyof Parameters]: readonly Parameters[Option][] } = 
   memory: [MEMORY_LIMIT_MEBIBYTES[1], AUTOMATIC],
 };
 
+let surface: ActiveSurface;
 let solver: Solver;
 test.beforeAll(() => {
   initSync({ module: fs.readFileSync(MODULE) });
@@ -42,7 +46,8 @@ test.beforeAll(() => {
   for (let i = 0; i < 81; i++) positions.set([(i % 9) ** 1.5, Math.floor(i / 9) + 3 * (i % 9), 0], 3 * i);
   for (let i = 0; i < 72; i++) if (i % 9 < 8) triangles.push(i, i + 1, i + 10, i, i + 10, i + 9);
   const file = MeshFile.arrays('grid', positions, Uint32Array.from(triangles));
-  solver = file.surface(Uint32Array.of(0)).factor(DEFAULT_PARAMETERS, () => undefined);
+  surface = file.surface(Uint32Array.of(0));
+  solver = surface.factor(DEFAULT_PARAMETERS, () => undefined);
 });
 
 function configure(options: object): void {
@@ -77,6 +82,35 @@ test('every kind of path, gradient and edges is answered', () => {
   for (const kind of PATH_KIND.names) expect(solver.path({ vertex: 80 }, kind).length, kind).toBeGreaterThan(1);
   for (const kind of FACE_FIELD.names) expect(solver.gradients(kind), kind).toHaveLength(3 * 128);
   for (const kind of EDGE_KIND.names) expect(solver.edges(kind).length, kind).toBeGreaterThan(0);
+});
+
+test('windows are answered with and without factors, by the same distances, and become exact', () => {
+  const unfactored = surface.solver();
+  expect(unfactored.factor_nonzeros()).toBe(0);
+  expect(solver.factor_nonzeros()).toBeGreaterThan(0);
+  for (const windows of WINDOWS) {
+    const field = unfactored.propagate(SOURCES, windows);
+    expect([field.windows, field.timeFactor]).toEqual([windows, undefined]);
+    expect(solver.propagate(SOURCES, windows).distance).toEqual(field.distance);
+    const refined = unfactored.refine(1_000_000);
+    expect(refined.exactBelow).toBe(Infinity);
+    const { distance } = refined;
+    // No path is shorter than the shortest.
+    field.distance.forEach((value, i) => expect(value).toBeGreaterThanOrEqual(distance[i] * (1 - ROUNDING)));
+  }
+  expect(() => unfactored.solve(SOURCES, false)).toThrow('nothing is factored');
+  expect(() => unfactored.heat()).toThrow('ask for the heat method');
+  expect(() => unfactored.propagate(SOURCES, 0)).toThrow('one window at least');
+});
+
+test('the exact path is found step by step, and is that of one go', () => {
+  solver.propagate(SOURCES, 1);
+  const length = solver.path({ vertex: 80 }, 'exact').length;
+  let steps = 0;
+  let found;
+  for (; !found; steps++) found = solver.search_path({ vertex: 80 }, 1);
+  expect(steps).toBeGreaterThan(1);
+  expect(found.length).toBe(length);
 });
 
 test('what is no option, no value or no name is refused in a sentence', () => {

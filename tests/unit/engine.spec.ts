@@ -7,6 +7,8 @@ import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
 const QUESTION: Question = {
   sources: [{ vertex: 0 }],
+  method: 'heat',
+  windows: 2,
   parameters: DEFAULT_PARAMETERS,
   from: { vertex: 1 },
   pathKind: 'descent',
@@ -23,9 +25,17 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
       calls.push(['solve', ...(quick ? ['quick'] : []), ...kinds(request)].join(' '));
       return solved(0);
     },
+    propagate: async (_: Source[], windows: number, request: PathRequest | null) => {
+      calls.push(['propagate', windows, ...kinds(request)].join(' '));
+      return solved(0);
+    },
     refine: (request: PathRequest | null) => {
       calls.push(['refine', ...kinds(request)].join(' '));
       return new Promise<Solved>((resolve) => slices.push(() => resolve(solved(1))));
+    },
+    searchPath: async () => {
+      calls.push('search');
+      return calls.filter((call) => call === 'search').length < 3 ? null : { path: null, pathMs: 0 };
     },
     path: async (request: PathRequest) => {
       calls.push(`path ${request.kind}`);
@@ -60,13 +70,48 @@ test('a quick field is solved again in full, a full one is kept', async () => {
   expect(calls).toEqual(['solve quick', 'solve descent']);
 });
 
+test('methods other than heat propagate windows, one while the pointer drags, and need no factors', async () => {
+  const { engine: it, calls } = engine();
+  const auto: Question = { ...QUESTION, method: 'auto', windows: 4 };
+  await it.ask({ ...auto, from: null, quick: true });
+  const full = await it.ask(auto);
+  // The others are refined differently, but begin with the same field.
+  expect((await it.ask({ ...auto, method: 'exact' }))?.field).toBe(full?.field);
+  await it.ask({ ...auto, parameters: { ...DEFAULT_PARAMETERS, timeStep: 2 } });
+  await it.ask({ ...auto, windows: 8 });
+  await it.ask({ ...auto, method: 'heat' });
+  expect(calls).toEqual([
+    'propagate 1',
+    'propagate 4 descent',
+    'path descent',
+    'path descent',
+    'propagate 8 descent',
+    'solve descent',
+  ]);
+});
+
+test('propagation shows windows where another method has refined them', async () => {
+  const { engine: it, calls, letGo } = engine();
+  const answer = await it.ask({ ...QUESTION, method: 'auto' });
+  if (!answer) throw new Error('no answer');
+  const refined = it.refine(answer);
+  await soon();
+  letGo();
+  expect((await refined)?.field?.refineMs).toBe(1);
+  expect((await it.ask({ ...QUESTION, method: 'exact' }))?.field?.refineMs).toBe(1);
+  expect((await it.ask({ ...QUESTION, method: 'propagation' }))?.field?.refineMs).toBe(0);
+  expect(calls.filter((call) => call.startsWith('propagate'))).toHaveLength(2);
+});
+
 test('a straightened path replaces the exact one until that is traced', async () => {
   const { engine: it, calls } = engine();
   const answer = await it.ask({ ...QUESTION, pathKind: 'exact' });
   expect(answer?.pathKind).toBe('straight');
-  const traced = answer && (await it.traceExactly(answer));
-  expect(traced?.pathKind).toBe('exact');
-  expect(calls).toEqual(['solve straight', 'path exact']);
+  if (!answer) throw new Error('no answer');
+  // Twice it is not found yet.
+  for (let step = 0; step < 2; step++) expect(await it.traceExactly(answer)).toBe(answer);
+  expect((await it.traceExactly(answer))?.pathKind).toBe('exact');
+  expect(calls).toEqual(['solve straight', 'search', 'search', 'search']);
 });
 
 test('a question during a refinement step discards its result and comes next', async () => {

@@ -8,12 +8,14 @@ import {
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
   MEMORY_LIMIT_MEBIBYTES,
+  METHOD,
   MULTI_SOURCE,
   OPERATOR,
   type Parameters,
   PATH_KIND,
   TIME_STEP_FACTORS,
   VERTEX_FIELD,
+  WINDOWS,
 } from '../../web/wasm/contract';
 
 const START: SceneState = {
@@ -53,6 +55,8 @@ test('every change survives the link', () => {
       { vertex: 5, offset: 2e22 },
     ],
     walker: { vertex: 5521 },
+    method: 'exact',
+    windows: 8,
     parameters: {
       operator: 'plain',
       solver: 'cg',
@@ -86,7 +90,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -104,6 +108,8 @@ const SCENES: readonly Partial<SceneState>[] = [
   ...Object.entries(CHANGES).flatMap(([option, values]) =>
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
+  ...METHOD.names.map((method) => ({ method })),
+  ...WINDOWS.map((windows) => ({ windows })),
   ...PATH_KIND.names.map((pathKind) => ({ pathKind })),
   ...VERTEX_FIELD.names.map((colorBy) => ({ colorBy })),
 ];
@@ -142,8 +148,17 @@ test('a preset with other settings can be set back to the defaults', () => {
 test('an old link keeps its meaning', () => {
   const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
   expect(decoded?.notices).toEqual([]);
+  expect(decoded?.state.method).toBe('heat');
   expect(decoded?.state.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
   expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
+});
+
+test('a link to a file says the method that the file was opened with, and is by heat where it does not', () => {
+  const mesh: MeshReference = { kind: 'file', name: 'cow.off', hash: '' };
+  const state: SceneState = { ...emptyScene(mesh), method: 'auto' };
+  expect(encodeLink(state, emptyScene(mesh))).toBe('v=1&m=file&name=cow.off&hash=&method=auto');
+  expect(throughLink(state).method).toBe('auto');
+  expect(decodeLink('#v=1&m=file&name=cow.off', startOf)?.state.method).toBe('heat');
 });
 
 test('a scene without sources and walker differs from an unchanged one', () => {
@@ -186,6 +201,9 @@ for (const [broken, key] of [
   ['op=tufted', 'op'],
   ['solver=lu', 'solver'],
   ['way=home', 'way'],
+  ['method=dijkstra', 'method'],
+  ['windows=3', 'windows'],
+  ['windows=all', 'windows'],
   ['refine=yes', 'refine'],
   ['s=12@', 's'],
   ['s=12@-1', 's'],

@@ -1,9 +1,11 @@
 import { expect, test } from '@playwright/test';
 import type { DistanceField, PathKind, SurfacePath } from '../../web/protocol';
 import type { Answer, Engine } from '../../web/solver/engine';
-import { MOST_TRIANGLES, type Phase, Refiner } from '../../web/solver/refiner';
+import { type Phase, Refiner } from '../../web/solver/refiner';
+import { WorkerLost } from '../../web/solver/remote';
 import { emptyScene } from '../../web/state/scene';
 import { until } from '../../web/state/signal';
+import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
 const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
@@ -17,12 +19,15 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     exactBelow,
     exactShare: 0,
     timeFactor: 1,
+    windows: undefined,
     error: null,
     solveMs: 1,
     refineMs: 0,
   };
   const question = {
     sources: [{ vertex: 0 }],
+    method: 'heat' as const,
+    windows: STATE.windows,
     parameters: STATE.parameters,
     from: { vertex: 1 },
     pathKind,
@@ -33,12 +38,16 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   return { question, field, path: PATH, pathKind: pathKind === 'exact' ? 'straight' : pathKind, pathMs: 0, factoring };
 }
 
-/** An engine whose slices reach as far as told; the last one again and again. */
-function engine(reach: readonly number[], triangles = 100): { engine: Engine; slices: () => number } {
+/** An engine whose slices reach as far as told, the last one again and again; after `failing` of them each fails. */
+function engine(
+  reach: readonly number[],
+  failing = Infinity,
+  failure = new Error(),
+): { engine: Engine; slices: () => number } {
   let slices = 0;
   const fake = {
-    opened: { report: { faces: triangles } },
     refine: async (before: Answer) => {
+      if (slices === failing) throw failure;
       const exactBelow = reach[Math.min(slices, reach.length - 1)];
       slices += 1;
       return { ...before, ...answer(exactBelow, before.question.pathKind), pathKind: before.pathKind };
@@ -54,7 +63,7 @@ function refiner(): { refiner: Refiner; shown: Answer[]; phases: Phase[]; settle
   const made = new Refiner(
     (better) => shown.push(better),
     (error) => {
-      throw error;
+      if (!(error instanceof WorkerLost)) throw error;
     },
   );
   made.phase.watch((phase) => phases.push(phase));
@@ -110,18 +119,59 @@ test('a question during the wait prevents the first step', async () => {
   expect(fake.slices()).toBe(0);
 });
 
-for (const [name, end, phase] of [
-  ['refinement off', { ...STATE, refine: false }, 'off'],
-  ['a large mesh', STATE, 'large'],
+for (const state of [
+  { ...STATE, refine: false },
+  { ...STATE, method: 'auto', refine: false },
+  { ...STATE, method: 'propagation' },
 ] as const) {
-  test(`${name}: the phase says at once that nothing is refined`, () => {
+  test(`${state.method} that is not to be refined: the phase says so at once`, () => {
     const { refiner: it } = refiner();
-    const fake = engine([Infinity], phase === 'large' ? MOST_TRIANGLES + 1 : 100);
-    it.rest(fake.engine, answer(0), end);
-    expect(it.phase.value).toBe(phase);
+    const fake = engine([Infinity]);
+    it.rest(fake.engine, answer(0), state);
+    expect(it.phase.value).toBe('off');
     expect(fake.slices()).toBe(0);
   });
 }
+
+test('the exact method is refined even if refinement is off', async () => {
+  const { refiner: it, settled } = refiner();
+  it.rest(engine([Infinity]).engine, answer(0), { ...STATE, method: 'exact', refine: false });
+  await settled();
+  expect(it.phase.value).toBe('exact');
+});
+
+test('where memory ends the refinement the field stays, and is not refined again', async () => {
+  const refused = Object.assign(new Error('no memory'), { name: OUT_OF_MEMORY });
+  const { refiner: it, shown, settled } = refiner();
+  const fake = engine([0.2], 1, refused);
+  it.rest(fake.engine, answer(0), STATE);
+  await settled();
+  expect(it.phase.value).toBe('memory');
+  expect(reached(shown)).toEqual([0.2]);
+  // The walker is placed elsewhere.
+  it.rest(fake.engine, { ...shown[0], path: null }, STATE);
+  expect(it.phase.value).toBe('memory');
+  // A source is.
+  it.rest(engine([Infinity]).engine, answer(0), STATE);
+  await settled();
+  expect(it.phase.value).toBe('exact');
+});
+
+test('where refinement costs a worker, the mesh is not refined again until another is shown', async () => {
+  const lost = Object.assign(new WorkerLost('no memory'), { name: OUT_OF_MEMORY });
+  const { refiner: it, settled } = refiner();
+  it.rest(engine([0.2], 1, lost).engine, answer(0), STATE);
+  await settled();
+  expect(it.hasLostWorker).toBe(true);
+  const fake = engine([Infinity]);
+  it.rest(fake.engine, answer(0, 'exact'), { ...STATE, pathKind: 'exact' });
+  expect(it.phase.value).toBe('memory');
+  expect(fake.slices()).toBe(0);
+  it.reset();
+  it.rest(fake.engine, answer(0), STATE);
+  await settled();
+  expect(it.phase.value).toBe('exact');
+});
 
 test('the exact path is traced at rest, even if the field is not refined', async () => {
   const { refiner: it, shown, settled } = refiner();
@@ -129,4 +179,24 @@ test('the exact path is traced at rest, even if the field is not refined', async
   await settled();
   expect(it.phase.value).toBe('off');
   expect(shown.map(({ pathKind }) => pathKind)).toEqual(['exact']);
+});
+
+test('a drag ends the search for the exact path', async () => {
+  const { refiner: it, shown } = refiner();
+  let steps = 0;
+  const search = {
+    traceExactly: (before: Answer) =>
+      new Promise<Answer>((resolve) => {
+        steps += 1;
+        setTimeout(() => resolve(before));
+      }),
+  };
+  it.rest(search as unknown as Engine, answer(0, 'exact'), { ...STATE, pathKind: 'exact' });
+  await until(() => it.phase.value === 'refining', it.phase);
+  await expect.poll(() => steps).toBeGreaterThan(2);
+  it.interrupt();
+  const before = steps;
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect(steps).toBe(before);
+  expect(shown).toHaveLength(0);
 });

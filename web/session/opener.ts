@@ -70,7 +70,7 @@ export class Opener {
     const companions = files.filter(({ name }) => !MESH_FILE.test(name));
     const load = () => readFiles([main, ...companions]);
     const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
-    const state = awaited ?? emptyScene({ kind: 'file', name: main.name, hash: '' });
+    const state = awaited ?? { ...emptyScene({ kind: 'file', name: main.name, hash: '' }), method: 'auto' };
     const request = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
     await this.#open(request, ({ opened }) => {
       const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
@@ -113,7 +113,8 @@ export class Opener {
     const { state } = this.#session.scene;
     const iterated = isOutOfMemory(failure) ? iteratively(state) : null;
     if (iterated) return { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#again(iterated) };
-    if (failure instanceof WorkerLost) return { name: 'Open the mesh again', run: () => void this.#again(state) };
+    if (failure instanceof WorkerLost && !this.#session.engine)
+      return { name: 'Open the mesh again', run: () => void this.#again(state) };
     return undefined;
   }
 
@@ -152,10 +153,12 @@ export class Opener {
   }
 }
 
-/** The same with conjugate gradients, which need no factors; null where it has them already. */
+/** The same with conjugate gradients, which need no factors; null where it needs none as it is. */
 function iteratively(state: SceneState): SceneState | null {
-  const { parameters } = state;
-  return parameters.solver === 'cg' ? null : { ...state, parameters: { ...parameters, solver: 'cg' } };
+  const { method, parameters } = state;
+  return method !== 'heat' || parameters.solver === 'cg'
+    ? null
+    : { ...state, parameters: { ...parameters, solver: 'cg' } };
 }
 
 async function readFiles(files: readonly File[]): Promise<MeshInput> {

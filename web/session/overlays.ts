@@ -1,8 +1,8 @@
 /** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
 import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
-import type { Overlay } from '../state/scene';
-import { type EdgeKind, FACE_FIELD, type VertexField } from '../wasm/contract';
+import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
+import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
 import type { Edges } from '../view/view';
 import type { Session } from './session';
 
@@ -38,7 +38,10 @@ export class Overlays {
       if (state.overlays !== previous.overlays || state.colorBy !== previous.colorBy) this.#latest = this.#update(true);
     });
     session.shown.watch((shown, previous) => {
-      const anew = shown?.opened !== previous?.opened || shown?.answer.factoring !== previous?.answer.factoring;
+      const anew =
+        shown?.opened !== previous?.opened ||
+        shown?.answer.factoring !== previous?.answer.factoring ||
+        shown?.answer.question.method !== previous?.answer.question.method;
       if (shown) this.#latest = this.#update(anew);
     });
   }
@@ -48,11 +51,13 @@ export class Overlays {
     const wish = ++this.#wish;
     const session = this.#session;
     const { view } = session;
-    const { overlays, colorBy } = session.scene.state;
-    const field = session.shown.value?.answer.field ?? null;
+    const { answer } = session.shown.value ?? {};
+    const field = answer?.field ?? null;
     const { engine } = session;
     // A fresh worker's first answer asks again.
-    if (!engine) return;
+    if (!engine || !answer) return;
+    const { method } = answer.question;
+    const { overlays, colorBy } = available(session.scene.state, method);
     try {
       const edges = anew ? await edgesOf(engine, overlays) : null;
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
@@ -63,9 +68,19 @@ export class Overlays {
       view.setArrows(arrows);
       session.paint(other);
     } catch (error) {
-      if (wish === this.#wish) session.fail(error);
+      // The answer by another method asks again.
+      if (wish === this.#wish && method === session.scene.state.method) session.fail(error);
     }
   }
+}
+
+/** What is wanted, without what only the heat method has. */
+function available({ overlays, colorBy }: SceneState, method: Method): Pick<SceneState, 'overlays' | 'colorBy'> {
+  if (method === 'heat') return { overlays, colorBy };
+  return {
+    overlays: overlays.filter((overlay) => !OF_HEAT.overlays.includes(overlay)),
+    colorBy: OF_HEAT.colorBy.includes(colorBy) ? VERTEX_FIELD.default : colorBy,
+  };
 }
 
 async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Edges[]> {

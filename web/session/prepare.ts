@@ -1,6 +1,6 @@
 /** The first answer of a mesh that has just been opened. */
-import type { MeshInput, OpenedMesh } from '../protocol';
-import type { Answer, Engine } from '../solver/engine';
+import type { MeshInput, OpenedMesh, Parameters } from '../protocol';
+import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { Places } from '../state/places';
 import type { SceneState } from '../state/scene';
@@ -21,18 +21,28 @@ export interface OpenRequest {
   view: readonly [number, number] | null;
 }
 
+/** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
+export function questionOf(state: SceneState, method = state.method): Question {
+  const { sources, windows, parameters, walker, pathKind } = state;
+  return { sources, method, windows, parameters, from: walker, pathKind, quick: false };
+}
+
+/** What is to be factored for a scene; null for nothing. */
+export function factorsOf({ method, parameters }: SceneState): Parameters | null {
+  return method === 'heat' ? parameters : null;
+}
+
 /** Makes the state fit the mesh and solves it for the first time. */
 export async function prepare(engine: Engine, request: OpenRequest): Promise<{ state: SceneState; shown: Shown }> {
   const { opened } = engine;
   const places = new Places(opened);
-  const { parameters, pathKind } = request.state;
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
   if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
-  let answer = await ask(engine, { sources, parameters, from: walker, pathKind, quick: false });
+  let answer = await ask(engine, { ...request.state, sources, walker });
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field.distance);
-    answer = await ask(engine, { sources, parameters, from: walker, pathKind, quick: false });
+    answer = await ask(engine, { ...request.state, sources, walker });
   }
   const { mesh } = request.state;
   return {
@@ -47,8 +57,8 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   };
 }
 
-async function ask(engine: Engine, question: Answer['question']): Promise<Answer> {
-  const answer = await engine.ask(question);
+async function ask(engine: Engine, state: SceneState): Promise<Answer> {
+  const answer = await engine.ask(questionOf(state));
   if (!answer) throw new Cancelled();
   return answer;
 }

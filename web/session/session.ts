@@ -1,32 +1,30 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
 import type { ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
-import type { Answer, Engine } from '../solver/engine';
+import { type Answer, type Engine, isSameField, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
+import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
 import type { Scene, SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
-import { type OpenRequest, prepare, type Shown } from './prepare';
+import type { Method } from '../wasm/contract';
+import { type Loading, whileLoading } from './loading';
+import { factorsOf, type OpenRequest, prepare, questionOf, type Shown } from './prepare';
 import { Presenter } from './presenter';
 
 /** A path that takes longer is traced only when the pointer rests. */
 const LIVE_PATH_MS = 8;
-/** A field that takes longer, a frame at 60 a second, has a small exact region while the pointer drags. */
+/** A field that takes longer, a frame at 60 a second, is solved with less accuracy while the pointer drags. */
 const LIVE_FIELD_MS = 16;
+
+/** Until the worker of the next opening is started. */
+const WARM_UP_MS = 1500;
 
 /** Radians a second: a turn in sixteen seconds. */
 const TURNTABLE_SPEED = Math.PI / 8;
-
-export interface Loading {
-  title: string;
-  stage: string;
-  /** 0 to 1 */
-  fraction: number;
-  vertices: number;
-}
 
 export class Session {
   readonly scene: Scene;
@@ -51,6 +49,8 @@ export class Session {
   /** Null before the first mesh, and while the worker of the one on screen is lost. */
   #engine: Engine | null = null;
   #lost: WorkerLost | null = null;
+  /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
+  #factoring: { meanwhile: Method } | null = null;
   /** What was asked when a worker was lost last, as text. */
   #fatal = '';
   #dragging = false;
@@ -83,9 +83,8 @@ export class Session {
 
   /** Shows another mesh once it is solved; until then, and if this rejects, everything stays as it was. */
   open(request: OpenRequest): Promise<Shown> {
-    const { parts, parameters } = request.state;
-    return this.#whileLoading(request.title, async (progress, check) => {
-      const engine = await this.#client.open(request.load, parts, parameters, progress);
+    return whileLoading(this.loading, request.title, async (progress, check) => {
+      const engine = await this.#start(request, request.state, progress);
       try {
         const { state, shown } = await prepare(engine, request);
         check();
@@ -103,7 +102,7 @@ export class Session {
     this.#client.cancel();
   }
 
-  /** During a drag a small exact region may do, and the path may wait until the pointer rests. */
+  /** During a drag a small exact region or one window may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
     const answer = this.shown.value?.answer;
     this.#dragging = dragging;
@@ -144,26 +143,9 @@ export class Session {
     this.failure.value = toError(error);
   }
 
-  /** `check` throws once another opening, or `cancelOpening`, has taken the place of this one. */
-  async #whileLoading<T>(
-    title: string,
-    work: (progress: ProgressListener, check: () => void) => Promise<T>,
-  ): Promise<T> {
-    let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
-    const isMine = () => this.loading.value === mine;
-    const progress: ProgressListener = (reached) => {
-      if (!isMine()) return;
-      mine = { title, ...reached };
-      this.loading.value = mine;
-    };
-    this.loading.value = mine;
-    try {
-      return await work(progress, () => {
-        if (!isMine()) throw new Cancelled();
-      });
-    } finally {
-      if (isMine()) this.loading.value = null;
-    }
+  /** A worker that has opened a mesh for a state. */
+  #start({ load }: OpenRequest, state: SceneState, progress: ProgressListener): Promise<Engine> {
+    return this.#client.open(load, state.parts, factorsOf(state), progress);
   }
 
   /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */
@@ -179,13 +161,12 @@ export class Session {
     this.#engine?.dispose();
     this.#use(engine);
     this.#request = request;
+    this.refiner.reset();
     this.failure.value = null;
     this.#count(shown.answer);
     this.shown.value = shown;
     this.scene.load(state);
     this.#rest();
-    // The next opening finds its worker compiled, and the first picture does not wait for it.
-    setTimeout(() => this.#client.warmUp(), 1500);
   }
 
   #use(engine: Engine): void {
@@ -197,6 +178,8 @@ export class Session {
       this.#lost = lost;
       return this.#revive(lost);
     });
+    // The next opening finds its worker compiled, and the first picture does not wait for it.
+    setTimeout(() => this.#client.warmUp(), WARM_UP_MS);
   }
 
   /** Gives the scene a fresh worker, once: what has ended two workers would end a third. */
@@ -209,28 +192,68 @@ export class Session {
       return;
     }
     this.#fatal = asked;
-    const { load, title } = this.#request;
+    const exactBelow = this.shown.value?.answer.field?.exactBelow ?? 0;
     try {
-      const engine = await this.#whileLoading(title, async (progress, check) => {
-        const opened = await this.#client.open(load, state.parts, state.parameters, progress);
-        check();
-        return opened;
-      });
-      this.#use(engine);
+      this.#use(await this.#startAgain(this.#request, state));
     } catch (error) {
       this.failure.value = error instanceof Cancelled ? lost : toError(error);
       return;
     }
     if (await this.#solve()) {
-      this.failure.value = new Error(`${lost.message} The solver was restarted; the scene is unchanged.`, {
-        cause: lost,
-      });
+      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.message;
+      this.failure.value = new Error(`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
+    }
+  }
+
+  /** Another worker for the mesh on screen, which is to be asked next. */
+  #startAgain(request: OpenRequest, state: SceneState): Promise<Engine> {
+    return whileLoading(this.loading, request.title, async (progress, check) => {
+      const engine = await this.#start(request, state, progress);
+      try {
+        check();
+        this.refiner.interrupt();
+        return engine;
+      } catch (error) {
+        engine.dispose();
+        throw error;
+      }
+    });
+  }
+
+  /** Factors the mesh on screen in a worker of its own; until that is done, the one in use answers by the method before. */
+  async #factor(before: Method): Promise<void> {
+    if (!this.#request) return;
+    const mine = { meanwhile: before };
+    this.#factoring = mine;
+    try {
+      const engine = await this.#startAgain(this.#request, this.scene.state);
+      this.#factoring = null;
+      this.#engine?.dispose();
+      this.#use(engine);
+    } catch (error) {
+      if (this.#factoring !== mine) return;
+      if (!(error instanceof Cancelled)) this.failure.value = toError(error);
+      this.#factoring = null;
+      this.scene.set({ method: before });
+      return;
+    }
+    await this.#solve();
+  }
+
+  /** Another method: heat needs factors, and others do not wait for them. */
+  #choose(before: Method): void {
+    if (this.scene.state.method !== 'heat' && this.#factoring) {
+      this.#factoring = null;
+      this.cancelOpening();
+    } else if (this.scene.state.method === 'heat' && this.#engine?.isFactored === false) {
+      void this.#factor(before);
     }
   }
 
   #follow(state: SceneState, previous: SceneState): void {
     const { value: shown } = this.shown;
     if (!shown) return;
+    if (state.method !== previous.method) this.#choose(previous.method);
     if (this.#lost || !this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
   }
@@ -241,17 +264,11 @@ export class Session {
     const { value: before } = this.shown;
     if (this.#lost && !this.loading.value) void this.#revive(this.#lost);
     if (!engine || !before) return false;
-    const { sources, parameters, walker, pathKind } = this.scene.state;
+    const question = this.#question;
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
     this.refiner.interrupt();
     try {
-      const answer = await engine.ask({
-        sources,
-        parameters,
-        from: wait ? null : walker,
-        pathKind,
-        quick: this.#quick,
-      });
+      const answer = await engine.ask({ ...question, from: wait ? null : question.from });
       if (!answer || engine !== this.#engine) return false;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
@@ -276,18 +293,24 @@ export class Session {
   #rest(): void {
     const { value: shown } = this.shown;
     const { state } = this.scene;
-    if (this.#engine && shown && this.#isAnswered(shown.answer)) this.refiner.rest(this.#engine, shown.answer, state);
+    if (!this.#engine || !shown || !this.#isAnswered(shown.answer)) return;
+    this.refiner.rest(this.#engine, shown.answer, { ...state, method: shown.answer.question.method });
+  }
+
+  /** What the scene asks now. */
+  get #question(): Question {
+    const { state } = this.scene;
+    return { ...questionOf(state, this.#factoring?.meanwhile ?? state.method), quick: this.#quick };
   }
 
   /** Whether an answer is to what the scene asks. */
   #isAnswered({ question }: Answer): boolean {
-    const { sources, parameters, walker, pathKind } = this.scene.state;
+    const asked = this.#question;
     return (
-      question.sources === sources &&
-      question.parameters === parameters &&
-      question.from === walker &&
-      question.pathKind === pathKind &&
-      (this.#quick || !question.quick)
+      isSameField(question, asked) &&
+      question.method === asked.method &&
+      question.from === asked.from &&
+      question.pathKind === asked.pathKind
     );
   }
 
@@ -316,6 +339,11 @@ function asText({
   ...asked
 }: SceneState): string {
   return JSON.stringify(asked);
+}
+
+/** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
+function outOfMemory(exactBelow: number): string {
+  return `Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
 }
 
 function toError(thrown: unknown): Error {

@@ -20,11 +20,14 @@ export class SolverClient {
     void this.#compiled().catch(() => undefined);
   }
 
-  /** `load` gives the input anew for each opening, because its buffers are handed over to the worker. */
+  /**
+   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `parameters` of the
+   * heat method; with null, nothing is factored.
+   */
   async open(
     load: () => Promise<MeshInput>,
     parts: readonly number[],
-    parameters: Parameters,
+    parameters: Parameters | null,
     progress: ProgressListener,
   ): Promise<Engine> {
     this.cancel();

@@ -13,18 +13,40 @@ import type {
   TracedPath,
   PathRequest,
 } from '../protocol';
-import { CROWD_HEIGHT } from '../state/scene';
+import { CROWD_HEIGHT, type Windows } from '../state/scene';
+import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
 export interface Question {
   sources: readonly Source[];
+  method: Method;
+  /** Of methods other than heat. */
+  windows: Windows;
+  /** Of the heat method. */
   parameters: Parameters;
   /** Start of the path; null: no path is wanted. */
   from: SurfacePoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
   pathKind: PathKind;
-  /** A small exact region is enough. */
+  /** A small exact region, or one window, is enough. */
   quick: boolean;
+}
+
+/** What a field depends on. */
+type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'quick'>;
+
+/** Windows that suffice while the pointer drags. */
+const QUICK_WINDOWS: Windows = 1;
+
+/** Whether a field that answers one question does for another as well. */
+export function isSameField(answered: FieldQuestion, asked: FieldQuestion): boolean {
+  const isByHeat = asked.method === 'heat';
+  return (
+    answered.sources === asked.sources &&
+    isByHeat === (answered.method === 'heat') &&
+    (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
+    (asked.quick || !answered.quick)
+  );
 }
 
 export interface Answer extends TracedPath {
@@ -42,24 +64,28 @@ interface Waiting {
   reject: (error: unknown) => void;
 }
 
-/** One open mesh and the worker that holds its factors. */
+/** One open mesh and the worker that holds it. */
 export class Engine {
   readonly #worker: SolverWorker;
-  #parameters: Parameters;
+  /** Whether it can be asked by the heat method. */
+  readonly isFactored: boolean;
+  #parameters: Parameters | null;
   #factoring: Factoring;
-  /** The field that the worker holds, and of which sources. */
-  #held: { sources: readonly Source[]; quick: boolean; field: DistanceField } | null = null;
+  /** The field that the worker holds, and what it was asked for. */
+  #held: { question: Question; field: DistanceField } | null = null;
   #busy = false;
   /** Ends with the refinement step or exact path that was asked for last. */
   #bettering: Promise<void> = Promise.resolve();
   #waiting: Waiting | null = null;
 
+  /** `parameters`: what is factored; null where nothing is. */
   constructor(
     worker: SolverWorker,
     readonly opened: OpenedMesh,
-    parameters: Parameters,
+    parameters: Parameters | null,
   ) {
     this.#worker = worker;
+    this.isFactored = parameters !== null;
     this.#parameters = parameters;
     this.#factoring = opened;
   }
@@ -85,17 +111,21 @@ export class Engine {
       // The exact path does not depend on the field.
       const request = pathKind === 'exact' ? null : requestOf(question, pathKind);
       const { field, path, pathMs } = await this.#worker.call(this.#worker.api.refine(request));
-      this.#held = { sources: question.sources, quick: false, field };
+      this.#held = { question, field };
       return request ? { ...answer, field, path, pathMs } : { ...answer, field };
     });
   }
 
-  /** An answer with the exact path. Null when a query is waiting: that comes first. */
+  /**
+   * One step of the search for the exact path: an answer with it, or the same answer while it is not found. Null when a
+   * query is waiting: that comes first.
+   */
   traceExactly(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
-      const { path } = await this.#path(requestOf(answer.question, 'exact'));
+      const { from } = answer.question;
+      const found = from && (await this.#worker.call(this.#worker.api.searchPath(from)));
       // The time of a path is that of one traced during a drag.
-      return { ...answer, path, pathKind: 'exact' };
+      return found ? { ...answer, path: found.path, pathKind: 'exact' } : answer;
     });
   }
 
@@ -154,7 +184,7 @@ export class Engine {
   }
 
   async #betterNow(answer: Answer, work: () => Promise<Answer>): Promise<Answer | null> {
-    if (this.#busy || this.#held?.sources !== answer.question.sources) return null;
+    if (this.#busy || !this.#held || !isSameField(this.#held.question, answer.question)) return null;
     this.#busy = true;
     try {
       const better = await work();
@@ -167,7 +197,7 @@ export class Engine {
   async #answer(question: Question): Promise<Answer> {
     const { api } = this.#worker;
     const { parameters, sources } = question;
-    if (parameters !== this.#parameters) {
+    if (question.method === 'heat' && parameters !== this.#parameters) {
       this.#factoring = await this.#worker.call(api.configure(parameters));
       this.#parameters = parameters;
       this.#held = null;
@@ -177,13 +207,21 @@ export class Engine {
     if (sources.length === 0) return { ...about, field: null, path: null, pathMs: 0 };
     const request = requestOf(question, pathKind);
     const held = this.#held;
-    // Another path does not undo what refinement has reached.
-    if (held && held.sources === sources && (question.quick || !held.quick)) {
+    // Another path does not undo what refinement has reached, unless it is not wanted.
+    if (
+      held &&
+      isSameField(held.question, question) &&
+      !(question.method === 'propagation' && held.field.refineMs > 0)
+    ) {
       return { ...about, field: held.field, ...(await this.#path(request)) };
     }
     this.#held = null;
-    const solved: Solved = await this.#worker.call(api.solve([...sources], question.quick, request));
-    this.#held = { sources, quick: question.quick, field: solved.field };
+    const solved: Solved = await this.#worker.call(
+      question.method === 'heat'
+        ? api.solve([...sources], question.quick, request)
+        : api.propagate([...sources], question.quick ? QUICK_WINDOWS : question.windows, request),
+    );
+    this.#held = { question, field: solved.field };
     return { ...about, ...solved };
   }
 

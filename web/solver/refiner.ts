@@ -1,21 +1,23 @@
 /** Refinement: when the user pauses, the answer that is shown is made exact step by step. */
-import type { SceneState } from '../state/scene';
+import type { DistanceField } from '../protocol';
+import { isRefined, type SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { Answer, Engine } from './engine';
+import { WorkerLost } from './remote';
+import { isOutOfMemory } from './trap';
 
 /**
  * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks;
- * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `idle`: no field; `large`, `late` and
- * `stuck`: given up, for the size of the mesh, the time, or because a few steps made no progress; `failed`: the query
- * or a step failed.
+ * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `idle`: no field; `memory`, `late` and
+ * `stuck`: given up, for want of memory or time, or because a few steps made no progress; `failed`: the query or a step
+ * failed.
  */
 export type Phase =
-  'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'idle' | 'large' | 'late' | 'stuck' | 'failed';
+  'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'idle' | 'memory' | 'late' | 'stuck' | 'failed';
 
 /** Pause before refinement begins. */
 const REST_MS = 300;
-/** Exact distances and exact paths need memory and time that grow faster than the mesh. */
-export const MOST_TRIANGLES = 200_000;
+/** Time and memory of exact distances grow faster than the mesh. */
 export const MOST_SECONDS = 60;
 /** Steps without progress after which refinement stops. */
 const PATIENCE = 3;
@@ -27,6 +29,12 @@ export class Refiner {
   /** What is under way; another object, and it ends. */
   #turn = {};
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** The field that the last step has given, or the one before any. */
+  #reached: DistanceField | null = null;
+  /** One that memory did not suffice to refine further. */
+  #full: DistanceField | null = null;
+  /** Whether a worker was lost for want of memory: what is exact is not asked for any more. */
+  #hasLostWorker = false;
 
   constructor(show: (answer: Answer) => void, fail: (error: unknown) => void) {
     this.#show = show;
@@ -36,6 +44,17 @@ export class Refiner {
   /** Nothing is under way, and nothing will be until the next answer. */
   get settled(): boolean {
     return !['solving', 'resting', 'refining'].includes(this.phase.value);
+  }
+
+  /** Whether refining the mesh on screen has cost a worker. */
+  get hasLostWorker(): boolean {
+    return this.#hasLostWorker;
+  }
+
+  /** Another mesh is on screen. */
+  reset(): void {
+    this.#full = null;
+    this.#hasLostWorker = false;
   }
 
   /** A query is sent, or something is dragged. */
@@ -52,12 +71,12 @@ export class Refiner {
   }
 
   /** The answer is shown; its refinement begins unless somebody asks before. */
-  rest(engine: Engine, answer: Answer, { refine, pathKind }: SceneState): void {
+  rest(engine: Engine, answer: Answer, state: Pick<SceneState, 'method' | 'refine' | 'pathKind'>): void {
     this.interrupt();
     const turn = this.#turn;
-    const large = engine.opened.report.faces > MOST_TRIANGLES;
-    const traces = pathKind === 'exact' && answer.path !== null && answer.pathKind !== 'exact' && !large;
-    const end = endOf(answer, refine, large);
+    const isWanted = state.pathKind === 'exact' && answer.path !== null && answer.pathKind !== 'exact';
+    const traces = isWanted && !this.#hasLostWorker;
+    const end = this.#endOf(answer, isRefined(state));
     if (end && !traces) {
       this.phase.value = end;
       return;
@@ -68,36 +87,47 @@ export class Refiner {
 
   async #begin(engine: Engine, answer: Answer, turn: object, traces: boolean, end: Phase | null): Promise<void> {
     this.phase.value = 'refining';
+    this.#reached = answer.field;
     try {
       const traced = traces ? await this.#trace(engine, answer, turn) : answer;
       const reached = end ?? (traced && (await this.#refine(engine, traced, turn)));
       if (turn === this.#turn && reached) this.phase.value = reached;
     } catch (error) {
+      const isFull = error instanceof Error && isOutOfMemory(error);
+      if (isFull && error instanceof WorkerLost) this.#hasLostWorker = true;
       if (turn !== this.#turn) return;
+      if (isFull && !this.#hasLostWorker) {
+        this.#full = this.#reached;
+        this.phase.value = 'memory';
+        return;
+      }
       this.giveUp();
       this.#fail(error);
     }
   }
 
   async #trace(engine: Engine, answer: Answer, turn: object): Promise<Answer | null> {
-    const traced = await engine.traceExactly(answer);
+    const isLate = deadline();
+    let traced: Answer | null = answer;
+    while (traced === answer && turn === this.#turn && !isLate()) traced = await engine.traceExactly(answer);
     if (turn !== this.#turn || !traced) return null;
     // Where there is no exact path, the straightened one stays.
-    if (!traced.path) return answer;
+    if (traced === answer || !traced.path) return answer;
     this.#show(traced);
     return traced;
   }
 
   /** The end that was reached; null when a question came in between. */
   async #refine(engine: Engine, answer: Answer, turn: object): Promise<Phase | null> {
-    const began = performance.now();
+    const isLate = deadline();
     let shown = answer;
     let reached = Number.NEGATIVE_INFINITY;
     let idle = 0;
     while (!isExact(shown)) {
-      if (performance.now() - began > 1000 * MOST_SECONDS) return 'late';
+      if (isLate()) return 'late';
       const next = await engine.refine(shown);
       if (turn !== this.#turn || !next?.field) return null;
+      this.#reached = next.field;
       idle = next.field.exactBelow > reached ? 0 : idle + 1;
       if (idle === PATIENCE) return 'stuck';
       reached = next.field.exactBelow;
@@ -108,14 +138,20 @@ export class Refiner {
     }
     return 'exact';
   }
+
+  /** Where an answer is to stay as it is. */
+  #endOf(answer: Answer, refines: boolean): Phase | null {
+    if (!answer.field) return 'idle';
+    if (isExact(answer)) return 'exact';
+    if (!refines) return 'off';
+    return this.#hasLostWorker || answer.field === this.#full ? 'memory' : null;
+  }
 }
 
-/** Where an answer is to stay as it is. */
-function endOf(answer: Answer, refine: boolean, large: boolean): Phase | null {
-  if (!answer.field) return 'idle';
-  if (isExact(answer)) return 'exact';
-  if (!refine) return 'off';
-  return large ? 'large' : null;
+/** Whether the most time that anything may take has passed since. */
+function deadline(): () => boolean {
+  const began = performance.now();
+  return () => performance.now() - began > 1000 * MOST_SECONDS;
 }
 
 function isExact({ field }: Answer): boolean {

@@ -7,15 +7,17 @@ import {
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
   MEMORY_LIMIT_MEBIBYTES,
+  METHOD,
   MULTI_SOURCE,
   OPERATOR,
   PATH_KIND,
   TIME_STEP_FACTORS,
   VERTEX_FIELD,
+  WINDOWS,
 } from '../wasm/contract';
 import type { Finish, Style, MapName } from './styles';
 import { findStyle, isRamp, STYLE_NUMBERS, STYLE_RANGES, MAPS, PATTERNS, SURROUNDINGS } from './styles';
-import { LARGEST_CROWD, type MeshReference, OVERLAYS, type SceneState, withOffset } from './scene';
+import { LARGEST_CROWD, type MeshReference, OVERLAYS, type SceneState, type Windows, withOffset } from './scene';
 
 const VERSION = '1';
 
@@ -42,6 +44,8 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
+  add('method', state.method, start.method);
+  add('windows', number(state.windows), number(start.windows));
   const { parameters } = state;
   add('t', option(parameters.timeStep), option(start.parameters.timeStep));
   add('b', parameters.boundary, start.parameters.boundary);
@@ -96,6 +100,8 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
+  read('method', choiceOf(METHOD), (method) => (state.method = method));
+  read('windows', parseWindows, (windows) => (state.windows = windows));
   const { parameters } = state;
   read('t', automaticOr(within(...TIME_STEP_FACTORS)), (factor) => (parameters.timeStep = factor));
   read('b', choiceOf(BOUNDARY), (boundary) => (parameters.boundary = boundary));
@@ -238,6 +244,10 @@ function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string
 
 function automaticOr(parse: (text: string) => number | null): (text: string) => number | typeof AUTOMATIC | null {
   return (text) => (text === AUTOMATIC ? text : parse(text));
+}
+
+function parseWindows(text: string): Windows | null {
+  return WINDOWS.find((count) => String(count) === text) ?? null;
 }
 
 function parseCamera(text: string): number[] | null {

@@ -1,6 +1,14 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
 import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
-import { DEFAULT_PARAMETERS, PATH_KIND, VERTEX_FIELD, type VertexField } from '../wasm/contract';
+import {
+  DEFAULT_PARAMETERS,
+  DEFAULT_WINDOWS,
+  type Method,
+  PATH_KIND,
+  VERTEX_FIELD,
+  type VertexField,
+  type WINDOWS,
+} from '../wasm/contract';
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -12,6 +20,15 @@ export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'di
  * heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];
+
+/** What only the heat method has to show. */
+export const OF_HEAT: { readonly overlays: readonly Overlay[]; readonly colorBy: readonly VertexField[] } = {
+  overlays: ['operator', 'heat'],
+  colorBy: ['heat'],
+};
+
+/** Windows of each half-edge, as many as propagation keeps. */
+export type Windows = (typeof WINDOWS)[number];
 
 export const LARGEST_CROWD = 10_000;
 
@@ -29,10 +46,15 @@ export interface SceneState extends Places {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
+  /** How distance is found. */
+  method: Method;
+  /** Of methods other than heat. */
+  windows: Windows;
+  /** Of the heat method. */
   parameters: Parameters;
   /** The kind of path that the walker takes. */
   pathKind: PathKind;
-  /** Whether a field at rest is made exact. */
+  /** Whether a field at rest is made exact, where the method leaves it open. */
   refine: boolean;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
@@ -55,6 +77,8 @@ export function emptyScene(mesh: MeshReference): SceneState {
     parts: [],
     sources: [],
     walker: null,
+    method: 'heat',
+    windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
     pathKind: PATH_KIND.default,
     refine: true,
@@ -66,6 +90,11 @@ export function emptyScene(mesh: MeshReference): SceneState {
     crowd: 0,
     selected: -1,
   };
+}
+
+/** Whether a field at rest is made exact. */
+export function isRefined({ method, refine }: Pick<SceneState, 'method' | 'refine'>): boolean {
+  return method === 'exact' || (refine && method !== 'propagation');
 }
 
 /** The inactive parts that are shown. */

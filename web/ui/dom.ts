@@ -68,20 +68,27 @@ export function slider({ label, min, max, step, describe, change }: SliderOption
   return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, label), output, input), show };
 }
 
-export function select<T extends string>(
+export function select<T extends string | number>(
   label: string,
   choices: readonly (readonly [T, string])[],
   change: (value: T) => void,
-): { element: HTMLElement; show: (value: T) => void } {
-  const input = h(
-    'select',
-    { onchange: () => change(choices[input.selectedIndex][0]) },
-    ...choices.map(([value, text]) => h('option', { value }, text)),
-  );
+): {
+  element: HTMLElement;
+  show: (value: T) => void;
+  /** Which of the choices can be made. */
+  allow: (isAllowed: (value: T) => boolean) => void;
+} {
+  const options = choices.map(([value, text]) => h('option', { value }, text));
+  const input = h('select', { onchange: () => change(choices[input.selectedIndex][0]) }, ...options);
   return {
     element: h('label', { class: 'field' }, h('span', {}, label), input),
     show: (value) => {
-      input.value = value;
+      input.value = String(value);
+    },
+    allow: (isAllowed) => {
+      choices.forEach(([value], i) => {
+        options[i].disabled = !isAllowed(value);
+      });
     },
   };
 }

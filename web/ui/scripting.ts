@@ -36,6 +36,8 @@ export interface Heatwalk {
   } | null;
   /** Of the field that is shown. */
   readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
+  /** Stored entries of all Cholesky factors of the mesh on screen; 0 where nothing is factored. */
+  readonly factorNonzeros: number;
   /** State of refinement: see `Phase`. */
   readonly refining: Phase;
   /** Fields solved and shown since the page was opened; refinement steps are not counted. */
@@ -102,6 +104,9 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
       if (!field) return null;
       const { distance: _distance, tangents: _tangents, ...figures } = field;
       return figures;
+    },
+    get factorNonzeros() {
+      return session.shown.value?.answer.factoring.factorNonzeros ?? 0;
     },
     get refining() {
       return session.refiner.phase.value;

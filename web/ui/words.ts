@@ -1,6 +1,10 @@
 /** Numbers and sentences as the page shows them. */
-import type { BuildReport, DistanceField, FieldError, OpenedMesh, PathKind } from '../protocol';
-import { MOST_SECONDS, MOST_TRIANGLES, type Phase } from '../solver/refiner';
+import type { BuildReport, DistanceField, FieldError, OpenedMesh } from '../protocol';
+import { MOST_SECONDS, type Phase } from '../solver/refiner';
+import type { SceneState } from '../state/scene';
+
+/** What is wanted of a field. */
+type Wish = Pick<SceneState, 'method' | 'pathKind'>;
 
 const GROUPED = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const THREE_DIGITS = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false });
@@ -26,9 +30,15 @@ export function percentDown(share: number): string {
   return `${Math.floor(100 * share)} %`;
 }
 
-/** Errors are small: one digit after the point where the share is under 10 %. */
+/** The least share that is told from 0, and that from which on one digit after the point says enough. */
+const LEAST_SHARE = 1e-5;
+const PLAIN_SHARE = 1e-3;
+
+/** Errors are small: one digit after the point where the share is under 10 %, and more where that would be 0. */
 export function finePercent(share: number): string {
-  return share < 0.1 ? `${(100 * share).toFixed(1)} %` : percent(share);
+  if (share >= 0.1) return percent(share);
+  if (share >= PLAIN_SHARE || share === 0) return `${(100 * share).toFixed(1)} %`;
+  return share < LEAST_SHARE ? 'below 0.001 %' : `${Number((100 * share).toPrecision(1))} %`;
 }
 
 export function milliseconds(value: number): string {
@@ -42,6 +52,9 @@ export function milliseconds(value: number): string {
 export function bytes(value: number): string {
   return `${(value / 2 ** 20).toFixed(value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
 }
+
+/** Share of exact vertices that is worth telling. */
+const LEAST_EXACT = 0.01;
 
 /** What was done to the triangles of a file, in one sentence. */
 export function openingSentence({ name, report }: OpenedMesh): string {
@@ -66,40 +79,56 @@ function repairs(report: BuildReport): string[] {
   return done;
 }
 
-/** How much of a field is exact, in as few words as the heading has room for; empty for none. */
-export function exactnessWords({ exactBelow, exactShare }: DistanceField): string {
+/** What was solved, as people say it. */
+function methodWords({ windows }: DistanceField): string {
+  return windows === undefined ? 'the heat method' : `propagation with ${counted(windows, 'window')}`;
+}
+
+/** How a field was found and how much of it is exact, in as few words as the heading has room for. */
+export function exactnessWords(field: DistanceField): string {
+  const { exactBelow, exactShare, windows } = field;
   if (exactBelow === Infinity) return 'exact';
-  return exactShare >= 0.01 ? `${percentDown(exactShare)} of vertices exact` : '';
+  const method = windows === undefined ? 'heat method' : 'propagation';
+  return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} exact` : method;
+}
+
+/** How a field was found, and how far it is exact, in a sentence. */
+export function fieldSentence(field: DistanceField): string {
+  const { exactBelow, exactShare, windows, error } = field;
+  if (exactBelow === Infinity) return error ? `Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : 'Exact.';
+  const beyond = windows === undefined ? '' : ', an upper bound beyond';
+  const exact =
+    exactShare >= LEAST_EXACT
+      ? `: exact below ${length(exactBelow)} units (${percentDown(exactShare)} of vertices)${beyond}`
+      : '';
+  return `By ${methodWords(field)}${exact}.`;
 }
 
 export function errorWords({ mean, max }: FieldError): string {
   return `mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
 }
 
-/** The state of refinement, or the reason why it ended. */
-export function refiningSentence(phase: Phase, field: DistanceField, path: PathKind): string {
-  const reached = exactnessWords(field) || 'approximate';
-  const soFar = reached[0].toUpperCase() + reached.slice(1);
+/** What is shown, and the state of refinement or the reason why it ended. */
+export function refiningSentence(phase: Phase, field: DistanceField, { method, pathKind }: Wish): string {
+  const soFar = fieldSentence(field);
   switch (phase) {
-    case 'exact':
-      return field.error ? `Exact. Error of the heat method: ${errorWords(field.error)}.` : 'Exact.';
-    case 'large': {
-      const limit = `${count(MOST_TRIANGLES)} triangles`;
-      const instead = path === 'exact' ? ' Their path is straightened instead of exact.' : '';
-      return `${soFar}. Meshes of more than ${limit} are not refined.${instead}`;
+    case 'memory': {
+      const instead = pathKind === 'exact' ? ' The path is straightened where no exact one was found.' : '';
+      return `${soFar} Refinement stopped because memory ran out.${instead}`;
     }
     case 'late':
-      return `${soFar}. Refinement stopped after ${MOST_SECONDS} seconds.`;
+      return `${soFar} Refinement stopped after ${MOST_SECONDS} seconds.`;
     case 'stuck':
-      return `${soFar}. Refinement stopped because it made no progress.`;
+      return `${soFar} Refinement stopped because it made no progress.`;
     case 'off':
-      return `${soFar}. Refinement is off.`;
+      return method === 'propagation' ? soFar : `${soFar} Refinement is off.`;
+    case 'exact':
     case 'solving':
     case 'resting':
     case 'refining':
     case 'failed':
     case 'idle':
-      return `${soFar}.`;
+      return soFar;
   }
 }
 

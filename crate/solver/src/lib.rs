@@ -61,6 +61,7 @@ mod options;
 pub mod path;
 mod progress;
 pub mod propagation;
+mod refinement;
 pub mod solver;
 
 /// Linear algebra, which knows no surface.
@@ -80,12 +81,13 @@ pub use heatwalk_surface::{
     io,
 };
 pub use options::{
-    AUTOMATIC, Boundary, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit, Method,
-    MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
+    Method, MultiSource, Operator, Parameters, PathKind, TimeStep, VertexField, WINDOWS,
 };
-pub use path::{Straightest, descend, straighten, straightest};
+pub use path::{PathSearch, Straightest, descend, straighten, straightest};
 pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
+pub use refinement::PropagationRefinement;
 pub use solver::{Answer, DistanceOptions, DistanceSolver};
 
 #[cfg(doctest)]

@@ -25,6 +25,12 @@ pub enum Method {
 
 choice!(Method, "method": Auto = "auto", Propagation = "propagation", Heat = "heat", Exact = "exact");
 
+/// Numbers of windows of each half-edge that are worth offering. Propagation takes any.
+pub const WINDOWS: [u16; 4] = [1, 2, 4, 8];
+
+/// Windows of each half-edge that propagation keeps unless told otherwise.
+pub const DEFAULT_WINDOWS: u16 = 1;
+
 /// Which triangles carry the cotan weights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Operator {
@@ -300,6 +306,7 @@ fn bad(name: &'static str, value: &str, range: &'static str) -> Error {
 mod tests {
     use super::*;
     use crate::choice::Choice;
+    use crate::propagation::Windows;
 
     fn read_back<C: Choice>() {
         for &choice in C::ALL {
@@ -321,6 +328,12 @@ mod tests {
         read_back::<PathKind>();
         read_back::<VertexField>();
         assert_eq!("superposed".parse(), Ok(MultiSource::Summed), "links of before");
+    }
+
+    #[test]
+    fn the_default_number_of_windows_is_that_of_propagation_and_is_offered() {
+        assert_eq!(Windows::default().to_string(), DEFAULT_WINDOWS.to_string());
+        assert!(WINDOWS.contains(&DEFAULT_WINDOWS));
     }
 
     #[test]

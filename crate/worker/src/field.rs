@@ -1,10 +1,25 @@
 //! A distance field as the page gets it, and what is known of how exact it is.
 
-use heatwalk::{Distance, RelativeError};
+use heatwalk::{Distance, HeatSolver, RelativeError};
 use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
+
+/// How a field was found before any of it was refined.
+#[derive(Clone, Copy)]
+pub enum Origin {
+    /// By heat that has flowed for t = m h², with this m.
+    Heat { time_factor: f64 },
+    /// By so many windows of each half-edge.
+    Windows(u16),
+}
+
+impl Origin {
+    pub fn of_heat(solver: &HeatSolver) -> Self {
+        Self::Heat { time_factor: solver.time_factor() }
+    }
+}
 
 /// A distance field.
 #[wasm_bindgen(inspectable)]
@@ -14,12 +29,12 @@ pub struct Field {
     unreachable: u32,
     exact_below: f64,
     exact_share: f64,
-    time_factor: f64,
+    origin: Origin,
     error: Option<RelativeError>,
 }
 
 impl Field {
-    pub(crate) fn of(drawn: &Drawn, distance: &Distance, time_factor: f64, error: Option<RelativeError>) -> Self {
+    pub(crate) fn of(drawn: &Drawn, distance: &Distance, origin: Origin, error: Option<RelativeError>) -> Self {
         let (mut max, mut reachable, mut exact) = (0.0_f64, 0, 0);
         for &value in &distance.values {
             if value.is_finite() {
@@ -34,7 +49,7 @@ impl Field {
             unreachable: (distance.values.len() - reachable) as u32,
             exact_below: distance.exact_below,
             exact_share: exact as f64 / reachable.max(1) as f64,
-            time_factor,
+            origin,
             error,
         }
     }
@@ -72,10 +87,22 @@ impl Field {
         self.exact_share
     }
 
-    /// m in t = m h², as asked for or chosen.
+    /// m in t = m h², as asked for or chosen; undefined where the field was found by windows.
     #[wasm_bindgen(getter, js_name = timeFactor)]
-    pub fn time_factor(&self) -> f64 {
-        self.time_factor
+    pub fn time_factor(&self) -> Option<f64> {
+        match self.origin {
+            Origin::Heat { time_factor } => Some(time_factor),
+            Origin::Windows(_) => None,
+        }
+    }
+
+    /// Windows of each half-edge that the field was found by; undefined where that was heat.
+    #[wasm_bindgen(getter)]
+    pub fn windows(&self) -> Option<u16> {
+        match self.origin {
+            Origin::Heat { .. } => None,
+            Origin::Windows(count) => Some(count),
+        }
     }
 
     /// Mean relative error of the field before it was refined; undefined until all of it is exact.

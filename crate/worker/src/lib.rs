@@ -1,7 +1,7 @@
 //! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
 //! The objects follow the way of the data: a [`MeshFile`] is read, a [`ActiveSurface`] is built from some of its parts,
-//! a [`solver::Solver`] factors it and answers.
+//! a [`solver::Solver`] answers, by windows or by heat where it is factored.
 
 #![cfg(target_arch = "wasm32")]
 
@@ -10,6 +10,7 @@ mod failure;
 mod field;
 mod parameters;
 mod results;
+mod solved;
 mod solver;
 
 use std::sync::Arc;
@@ -111,7 +112,7 @@ impl MeshFile {
     }
 }
 
-/// A welded surface, ready to be factored.
+/// A welded surface, ready to be solved on.
 #[wasm_bindgen]
 pub struct ActiveSurface {
     surface: Arc<Surface>,
@@ -146,12 +147,17 @@ impl ActiveSurface {
         BuildReport::of(self.surface.report())
     }
 
-    /// Factors the heat and Poisson matrices. `progress` is told the stages.
+    /// A solver by windows; nothing is factored.
+    pub fn solver(&self) -> Result<Solver> {
+        Solver::unfactored(&self.surface, &self.drawn)
+    }
+
+    /// A solver by heat as well: factors the heat and Poisson matrices. `progress` is told the stages.
     pub fn factor(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] parameters: &Object,
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<Solver> {
-        Solver::new(&self.surface, &self.drawn, parameters, progress)
+        Solver::factored(&self.surface, &self.drawn, parameters, progress)
     }
 }

@@ -1,69 +1,118 @@
-//! A factored surface that answers questions, the field solved last, and who walks on it.
+//! A surface that answers questions, the field solved last, and who walks on it.
 
+use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use heatwalk::exact::{self, ExactGeometry};
+use heatwalk::surface::memory;
 use heatwalk::{
-    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, Query, Refinement, RelativeError, Source, Stage,
-    Surface, VertexData, descend, exact, straighten,
+    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation, PropagationOptions,
+    Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::failure::Result;
-use crate::field::Field;
+use crate::failure::{Failure, Result};
+use crate::field::{Field, Origin};
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
+use crate::solved::{Solved, factored};
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.
 const QUICK_EDGES: f64 = 8.0;
 
+/// Bytes that exact distances and windows need of the surface, a face.
+const BYTES_PER_FACE: u64 = 128;
+
 /// The same walkers start at the same places whenever a mesh is opened.
 const CROWD_SEED: u64 = 1;
 
-/// The factors of a surface, the distance field solved last, and the crowd that walks to the sources.
+/// A surface that answers, the distance field solved last, and the crowd that walks to the sources.
 #[wasm_bindgen]
 pub struct Solver {
-    solver: HeatSolver,
     drawn: Arc<Drawn>,
+    geometry: Arc<ExactGeometry>,
+    /// What is factored, if anything.
+    heat: Option<HeatSolver>,
+    /// That of the last field by windows with its number of windows, kept for its memory.
+    propagation: Option<(u16, Propagation)>,
     solved: Option<Solved>,
+    /// The exact path that is searched on it, and whence.
+    search: Option<(SurfacePoint, PathSearch)>,
     crowd: Option<Crowd>,
 }
 
-struct Solved {
-    sources: Vec<Source>,
-    distance: Distance,
-    /// Absent before the first step and after the last.
-    refining: Option<Refining>,
-    error: Option<RelativeError>,
-    /// The values before they were made exact; present once all are.
-    instant: Option<VertexData<f64>>,
-}
-
-struct Refining {
-    refinement: Refinement,
-    /// The values before the first step, to be compared with the exact ones.
-    instant: VertexData<f64>,
-}
-
 impl Solver {
-    pub(crate) fn new(surface: &Arc<Surface>, drawn: &Arc<Drawn>, given: &Object, progress: &Function) -> Result<Self> {
-        let parameters = parameters(given)?;
-        let solver = HeatSolver::new(Arc::clone(surface), parameters, &mut reporter(progress))?;
-        Ok(Self { solver, drawn: Arc::clone(drawn), solved: None, crowd: None })
+    pub(crate) fn unfactored(surface: &Arc<Surface>, drawn: &Arc<Drawn>) -> Result<Self> {
+        memory::require(BYTES_PER_FACE * surface.face_count() as u64, "unfolding the triangles")?;
+        Ok(Self::new(drawn, Arc::new(ExactGeometry::new(Arc::clone(surface))), None))
     }
 
-    fn quick_distance(&self, sources: &[Source]) -> Result<Distance> {
-        let query = self.solver.query(sources)?;
-        let edges = match query.exact_radius {
-            ExactRadius::Edges(edges) => edges.min(QUICK_EDGES),
-            ExactRadius::Automatic => QUICK_EDGES,
+    pub(crate) fn factored(
+        surface: &Arc<Surface>,
+        drawn: &Arc<Drawn>,
+        given: &Object,
+        progress: &Function,
+    ) -> Result<Self> {
+        let heat = HeatSolver::new(Arc::clone(surface), parameters(given)?, &mut reporter(progress))?;
+        Ok(Self::new(drawn, Arc::clone(heat.exact_geometry()), Some(heat)))
+    }
+
+    fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, heat: Option<HeatSolver>) -> Self {
+        Self { drawn: Arc::clone(drawn), geometry, heat, propagation: None, solved: None, search: None, crowd: None }
+    }
+
+    fn sources(&self, given: &Array) -> Result<Vec<Source>> {
+        given.iter().map(|source| self.drawn.source(self.geometry.surface(), &source)).collect()
+    }
+
+    fn heat_distance(&self, sources: &[Source], quick: bool) -> Result<Distance> {
+        let heat = factored(self.heat.as_ref())?;
+        let query = heat.query(sources)?;
+        let exact_radius = match query.exact_radius {
+            radius if !quick => radius,
+            ExactRadius::Edges(edges) => ExactRadius::Edges(edges.min(QUICK_EDGES)),
+            ExactRadius::Automatic => ExactRadius::Edges(QUICK_EDGES),
         };
-        let quick = Query { exact_radius: ExactRadius::Edges(edges), ..query };
-        Ok(self.solver.factorization().distance(&quick)?)
+        Ok(heat.factorization().distance(&Query { exact_radius, ..query })?)
+    }
+
+    fn propagated_distance(&mut self, sources: &[Source], windows: u16) -> Result<Distance> {
+        let kept = self.propagation.take().filter(|&(count, _)| count == windows);
+        let mut propagation = match kept {
+            Some((_, mut propagation)) => {
+                propagation.restart(sources)?;
+                propagation
+            }
+            None => {
+                let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
+                let options = PropagationOptions { windows: Windows::AtMost(count), ..PropagationOptions::default() };
+                Propagation::new(Arc::clone(&self.geometry), sources, options)?
+            }
+        };
+        propagation.advance(f64::INFINITY, usize::MAX);
+        let distance = propagation.distance();
+        self.propagation = Some((windows, propagation));
+        Ok(distance)
+    }
+
+    fn answer(&mut self, solved: Solved) -> Result<Field> {
+        self.solved = Some(solved);
+        self.search = None;
+        self.field()
+    }
+
+    /// The last field as the page gets it; the crowd follows it.
+    fn field(&mut self) -> Result<Field> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        if let Some(crowd) = &mut self.crowd {
+            crowd.follow(&solved.distance)?;
+        }
+        Ok(solved.field(&self.drawn))
     }
 
     fn solved(&self) -> Result<&Solved> {
@@ -73,63 +122,55 @@ impl Solver {
 
 #[wasm_bindgen]
 impl Solver {
-    /// Factors again what the change needs, and forgets the field.
+    /// Factors again what the change needs, where anything is factored, and forgets the field.
     pub fn configure(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<()> {
-        self.solver.set_parameters(parameters(given)?, &mut reporter(progress))?;
+        let parameters = parameters(given)?;
+        if let Some(heat) = &mut self.heat {
+            heat.set_parameters(parameters, &mut reporter(progress))?;
+        }
         self.solved = None;
+        self.search = None;
         Ok(())
     }
 
-    /// Stored entries of all Cholesky factors together.
+    /// Stored entries of all Cholesky factors together; 0 where nothing is factored.
     pub fn factor_nonzeros(&self) -> f64 {
-        self.solver.factor_nonzeros() as f64
+        self.heat.as_ref().map_or(0, HeatSolver::factor_nonzeros) as f64
     }
 
-    /// Distance to the nearest of `sources`; with an exact radius of at most [`QUICK_EDGES`] when `quick`.
+    /// Distance to the nearest of `sources` by heat; with an exact radius of at most [`QUICK_EDGES`] when `quick`.
     pub fn solve(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
         quick: bool,
     ) -> Result<Field> {
-        let sources = sources.iter().map(|source| self.drawn.source(self.solver.surface(), &source));
-        let sources = sources.collect::<Result<Vec<_>>>()?;
-        let distance = if quick { self.quick_distance(&sources)? } else { self.solver.distance(&sources)? };
-        let field = Field::of(&self.drawn, &distance, self.solver.time_factor(), None);
-        if let Some(crowd) = &mut self.crowd {
-            crowd.follow(&distance)?;
-        }
-        self.solved = Some(Solved { sources, distance, refining: None, error: None, instant: None });
-        Ok(field)
+        let sources = self.sources(sources)?;
+        let distance = self.heat_distance(&sources, quick)?;
+        let origin = Origin::of_heat(factored(self.heat.as_ref())?);
+        self.answer(Solved::new(sources, distance, origin))
+    }
+
+    /// Distance to the nearest of `sources` by so many windows of each half-edge. Needs no factors.
+    pub fn propagate(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
+        windows: u16,
+    ) -> Result<Field> {
+        let sources = self.sources(sources)?;
+        let distance = self.propagated_distance(&sources, windows)?;
+        self.answer(Solved::new(sources, distance, Origin::Windows(windows)))
     }
 
     /// Makes the last field exact by about `work` windows further from the sources; once all is exact, nothing changes.
     pub fn refine(&mut self, work: u32) -> Result<Field> {
         let solved = self.solved.as_mut().ok_or(heatwalk::Error::NoSource)?;
-        if solved.distance.exact_below < f64::INFINITY {
-            let mut refining = match solved.refining.take() {
-                Some(refining) => refining,
-                None => Refining {
-                    refinement: self.solver.refine(&solved.sources)?,
-                    instant: solved.distance.values.clone(),
-                },
-            };
-            solved.distance = refining.refinement.step(self.solver.factorization(), work as usize)?;
-            if let Some(crowd) = &mut self.crowd {
-                crowd.follow(&solved.distance)?;
-            }
-            if refining.refinement.is_done() {
-                solved.distance.exact_below = f64::INFINITY;
-                solved.error = Some(RelativeError::between(&refining.instant, &solved.distance.values));
-                solved.instant = Some(refining.instant);
-            } else {
-                solved.refining = Some(refining);
-            }
-        }
-        Ok(Field::of(&self.drawn, &solved.distance, self.solver.time_factor(), solved.error))
+        self.search = None;
+        solved.refine(&self.geometry, self.heat.as_ref(), work as usize)?;
+        self.field()
     }
 
     /// The path from a place to its nearest source: "descent" of the last field, the same made "straight", or "exact".
@@ -139,26 +180,46 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
     ) -> Result<SurfacePath> {
         let solved = self.solved()?;
-        let surface = self.solver.surface();
+        let surface = self.geometry.surface();
         let from = self.drawn.point(surface, from)?;
         let path = match kind.parse()? {
             PathKind::Descent => descend(surface, &solved.distance, from)?,
             PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?)?,
-            PathKind::Exact => exact::shortest_path(self.solver.exact_geometry(), from, &solved.sources)?,
+            PathKind::Exact => exact::shortest_path(&self.geometry, from, &solved.sources)?,
         };
         Ok(SurfacePath::of(&path, &self.drawn.transform))
     }
 
+    /// Searches the exact path from a place to its nearest source by about `work` windows further; none until it is found.
+    pub fn search_path(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
+        work: u32,
+    ) -> Result<Option<SurfacePath>> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let from = self.drawn.point(self.geometry.surface(), from)?;
+        let begun = self.search.take().filter(|&(place, _)| place == from);
+        let mut search = match begun {
+            Some((_, search)) => search,
+            None => PathSearch::new(&self.geometry, from, &solved.sources)?,
+        };
+        let path = search.step(work as usize)?;
+        if path.is_none() {
+            self.search = Some((from, search));
+        }
+        Ok(path.map(|path| SurfacePath::of(&path, &self.drawn.transform)))
+    }
+
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
     pub fn tangents(&self) -> Result<Vec<i8>> {
-        let directions = self.solved()?.distance.directions(self.solver.surface())?;
+        let directions = self.solved()?.distance.directions(self.geometry.surface())?;
         Ok(self.drawn.spread_directions(&directions))
     }
 
     /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", of the last field.
     pub fn gradients(&self, #[wasm_bindgen(unchecked_param_type = "FaceField")] kind: &str) -> Result<Vec<f32>> {
         let solved = self.solved()?;
-        let surface = self.solver.surface();
+        let surface = self.geometry.surface();
         let vectors = match kind.parse()? {
             FaceField::Heat => solved.distance.heat_directions(surface)?,
             FaceField::Distance => solved.distance.gradients(surface)?,
@@ -169,11 +230,11 @@ impl Solver {
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
     /// operators see ("operator"), drawn on the surface.
     pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
-        let surface = self.solver.surface();
+        let surface = self.geometry.surface();
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
-            EdgeKind::Operator => overlay::operator_edges(&self.solver)?,
+            EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }
@@ -182,7 +243,7 @@ impl Solver {
     /// where nothing is reached. None until all of it is exact.
     pub fn errors(&self) -> Result<Option<Vec<f32>>> {
         let solved = self.solved()?;
-        let Some(instant) = &solved.instant else { return Ok(None) };
+        let Some(instant) = solved.instant() else { return Ok(None) };
         let error = |(instant, exact): (&f64, &f64)| {
             let error = (instant - exact).abs() / exact;
             if error.is_finite() { error } else { 0.0 }
@@ -205,7 +266,7 @@ impl Solver {
             _ if count == 0 => self.crowd = None,
             Some(crowd) => crowd.set_count(count as usize),
             None => {
-                let surface = self.solver.surface();
+                let surface = self.geometry.surface();
                 let height = height * surface.bounding_radius();
                 let mut crowd = Crowd::new(Arc::clone(surface), count as usize, height, CROWD_SEED)?;
                 if let Some(solved) = &self.solved {

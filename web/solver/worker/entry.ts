@@ -18,15 +18,21 @@ import type {
   Timings,
   TracedPath,
   PathRequest,
+  SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
-import { isTrap } from '../trap';
+import { DEFAULT_WINDOWS } from '../../wasm/contract';
+import { isOutOfMemory, isTrap } from '../trap';
 
-/** Shares of reading, building and factoring in the time that opening takes, for the progress bar. */
+/** Where building and factoring begin in the time that opening takes, for the progress bar; and where the first field does. */
 const BUILD_FROM = 0.1;
 const FACTOR_FROM = 0.3;
+const UNFACTORED = { buildFrom: 0.25, propagateFrom: 0.5 };
 
-/** A slice of refining lasts about this long, or this many solves where that is more: each slice ends with one. */
+/**
+ * A slice of refining lasts about this long. It lasts longer where what comes after it takes longer: this many solves by heat,
+ * since each slice ends with one, or else as long as showing the field takes, but no longer than finding it took.
+ */
 const SLICE_MS = 150;
 const SLICE_SOLVES = 2;
 /** Windows of the first slice, and of any slice at least. */
@@ -44,8 +50,12 @@ interface Current {
   timings: Timings;
   /** Windows of the next slice of refining. */
   work: number;
+  /** Whether the field is by heat: each slice of refining then ends with a solve. */
+  isByHeat: boolean;
   solveMs: number;
   refineMs: number;
+  /** When the last slice of refining ended. */
+  refinedAt: number;
 }
 
 let current: Current | undefined;
@@ -61,7 +71,10 @@ const api: SolverApi = {
     const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
     const surface = file.surface(Uint32Array.of(0));
     const solver = surface.factor({}, () => undefined);
-    for (const quick of [false, true]) solver.solve([{ vertex: 0 }], quick).free();
+    const sources = [{ vertex: 0 }];
+    for (const quick of [false, true]) solver.solve(sources, quick).free();
+    for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows).free();
+    solver.refine(FIRST_WORK).free();
     for (const used of [solver, surface, file]) used.free();
   },
 
@@ -73,7 +86,7 @@ const api: SolverApi = {
     const file = read(input);
     try {
       const readMs = clock();
-      progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
+      progress({ stage: 'Welding', fraction: parameters ? BUILD_FROM : UNFACTORED.buildFrom, vertices: 0 });
       const names = file.part_names();
       const triangles = file.part_triangles();
       const active = parts.length > 0 ? parts : names.map((_, index) => index);
@@ -81,12 +94,16 @@ const api: SolverApi = {
       try {
         const report = plain(surface.report());
         const buildMs = clock();
-        const solver = surface.factor(parameters, (stage: string, fraction: number) => {
-          progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices: report.vertices });
-        });
-        const timings: Timings = { readMs, buildMs, precomputeMs: clock() };
+        const { vertices } = report;
+        if (!parameters) progress({ stage: 'Propagating', fraction: UNFACTORED.propagateFrom, vertices });
+        const solver = parameters
+          ? surface.factor(parameters, (stage: string, fraction: number) => {
+              progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices });
+            })
+          : surface.solver();
+        const timings: Timings = { readMs, buildMs, precomputeMs: parameters ? clock() : 0 };
         current?.solver.free();
-        current = { solver, timings, work: FIRST_WORK, solveMs: 0, refineMs: 0 };
+        current = { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
         const opened: OpenedMesh = {
           name: nameOf(input),
           hash,
@@ -125,31 +142,39 @@ const api: SolverApi = {
   },
 
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
-    const mesh = openMesh();
-    const clock = stopwatch();
-    const field = mesh.solver.solve(sources, quick);
-    mesh.solveMs = clock();
-    mesh.refineMs = 0;
-    return solvedOf(field, mesh, request);
+    return firstField(true, (solver) => solver.solve(sources, quick), request);
+  },
+
+  propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved> {
+    return firstField(false, (solver) => solver.propagate(sources, windows), request);
   },
 
   refine(request: PathRequest | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
+    const shownMs = mesh.refineMs > 0 ? performance.now() - mesh.refinedAt : 0;
     const field = mesh.solver.refine(mesh.work);
     const passed = clock();
     mesh.refineMs += passed;
-    if (field.exactBelow < Infinity) {
-      const wanted = Math.max(SLICE_MS, SLICE_SOLVES * mesh.solveMs);
-      // A slice that was held up once must not make the next ones tiny, nor a quick one the next endless.
-      const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
-      mesh.work = Math.max(LEAST_WORK, Math.round(mesh.work * change));
-    }
+    mesh.refinedAt = performance.now();
+    const afterwards = mesh.isByHeat ? SLICE_SOLVES * mesh.solveMs : Math.min(shownMs, mesh.solveMs);
+    if (field.exactBelow < Infinity) mesh.work = nextWork(mesh.work, passed, Math.max(SLICE_MS, afterwards));
     return solvedOf(field, mesh, request);
   },
 
   path(request: PathRequest): Promise<TracedPath> {
     const traced = trace(openMesh(), request);
+    return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
+  },
+
+  searchPath(from: SurfacePoint): Promise<TracedPath | null> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const path = pathOf(() => mesh.solver.search_path(from, mesh.work));
+    const pathMs = clock();
+    mesh.work = nextWork(mesh.work, pathMs, SLICE_MS);
+    if (path === undefined) return Promise.resolve(null);
+    const traced = { path, pathMs };
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
@@ -198,6 +223,21 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
   return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
 }
 
+/** What a field is before any refinement. */
+function firstField(
+  isByHeat: boolean,
+  answer: (solver: wasm.Solver) => wasm.Field,
+  request: PathRequest | null,
+): Promise<Solved> {
+  const mesh = openMesh();
+  const clock = stopwatch();
+  const field = answer(mesh.solver);
+  mesh.solveMs = clock();
+  mesh.refineMs = 0;
+  mesh.isByHeat = isByHeat;
+  return solvedOf(field, mesh, request);
+}
+
 function solvedOf(field: wasm.Field, mesh: Current, request: PathRequest | null): Promise<Solved> {
   const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, request) };
   return Promise.resolve(
@@ -213,16 +253,25 @@ function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): Dis
 
 function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
-  return { path: request && pathOf(solver, request), pathMs: clock() };
+  const path = request && pathOf(() => solver.path(request.from, request.kind));
+  return { path: path ?? null, pathMs: clock() };
 }
 
-function pathOf(solver: wasm.Solver, { from, kind }: PathRequest): SurfacePath | null {
+/** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
+function pathOf(find: () => wasm.SurfacePath | undefined): SurfacePath | null | undefined {
   try {
-    return plain(solver.path(from, kind));
+    const found = find();
+    return found && plain(found);
   } catch (error) {
-    if (error instanceof Error && isTrap(error)) throw error;
+    if (error instanceof Error && (isTrap(error) || isOutOfMemory(error))) throw error;
     return null;
   }
+}
+
+/** Windows of the next slice: one that was held up must not make the next ones tiny, nor a quick one the next endless. */
+function nextWork(work: number, passed: number, wanted: number): number {
+  const change = Math.min(2, Math.max(0.5, wanted / Math.max(1, passed)));
+  return Math.max(LEAST_WORK, Math.round(work * change));
 }
 
 function pathBuffersOf({ path }: TracedPath): Transferable[] {

@@ -6,7 +6,7 @@ import { count, exactnessWords } from '../words';
 /** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact. */
 export function heading(session: Session): HTMLElement {
   const title = h('span', { class: 'title' });
-  const size = h('span', { class: 'quiet' });
+  const size = h('span', { class: 'quiet size' });
   const exactness = h('span', { class: 'quiet exactness' });
   session.shown.watch((shown) => {
     const field = shown?.answer.field;

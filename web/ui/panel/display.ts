@@ -1,8 +1,8 @@
 import type { Session } from '../../session/session';
-import { LARGEST_CROWD, type Overlay, OVERLAYS } from '../../state/scene';
+import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { count, percent } from '../words';
+import { count, finePercent } from '../words';
 
 const OVERLAY_WORDS: Record<Overlay, string> = {
   scenery: 'Inactive parts (scenery)',
@@ -18,7 +18,7 @@ const ARROWS: readonly Overlay[] = ['heat', 'distance'];
 const COLOR_BY_WORDS: Record<VertexField, string> = {
   distance: 'distance',
   heat: 'heat, log scale',
-  error: 'error of the heat method',
+  error: 'error before refinement',
 };
 
 /** Steps of the slider, which grows as the square: few walkers are chosen as finely as many. */
@@ -49,12 +49,17 @@ export function displaySection(session: Session): HTMLElement {
     change: (value) => scene.set({ crowd: walkersAt(value) }),
   });
   const showLegend = () => {
-    legend.textContent = legendOf(session, scene.state.colorBy);
+    legend.textContent = legendOf(session, scene.state);
     legend.hidden = legend.textContent === '';
   };
   const show = () => {
-    colorBy.show(scene.state.colorBy);
-    for (const { overlay, show: showToggle } of overlays) showToggle(scene.state.overlays.includes(overlay));
+    const { colorBy: shown, overlays: drawn, method } = scene.state;
+    colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
+    colorBy.show(shown);
+    for (const { overlay, element, show: showToggle } of overlays) {
+      element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
+      showToggle(drawn.includes(overlay));
+    }
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
   };
@@ -75,10 +80,12 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
-function legendOf(session: Session, colorBy: VertexField): string {
+function legendOf(session: Session, { colorBy, method }: SceneState): string {
   const error = session.shown.value?.answer.field?.error;
+  if (method !== 'heat' && OF_HEAT.colorBy.includes(colorBy))
+    return 'Only the heat method has heat; distance is shown.';
   if (colorBy === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
   if (colorBy === 'distance') return '';
   if (!error) return 'The error is known once all distances are exact.';
-  return `Relative error: mean ${percent(error.mean)}; the color scale ends at the maximum, ${percent(error.max)}.`;
+  return `Relative error: mean ${finePercent(error.mean)}; the color scale ends at the maximum, ${finePercent(error.max)}.`;
 }

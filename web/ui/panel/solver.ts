@@ -6,6 +6,8 @@ import {
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
   type LinearSolver,
+  METHOD,
+  type Method,
   MULTI_SOURCE,
   type MultiSource,
   OPERATOR,
@@ -14,10 +16,23 @@ import {
   PATH_KIND,
   type PathKind,
   TIME_STEP_FACTORS,
+  WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
-import { refiningSentence } from '../words';
+import { count, refiningSentence } from '../words';
 
+const METHODS: Record<Method, string> = {
+  auto: 'Automatic',
+  propagation: 'Propagation',
+  heat: 'Heat method',
+  exact: 'Exact',
+};
+const METHOD_HINTS: Record<Method, string> = {
+  auto: 'Propagation at once, then refined to exact. Nothing is factored.',
+  propagation: 'By a few windows of each half-edge; never below the exact distance. Nothing is factored.',
+  heat: 'Smooth distances from matrices that are factored once; refined to exact.',
+  exact: 'Propagation at once, then always refined to exact. Nothing is factored.',
+};
 const PATHS: Record<PathKind, string> = {
   descent: 'Steepest descent',
   straight: 'Straightened',
@@ -42,12 +57,14 @@ const SOLVERS: Record<LinearSolver, string> = {
   cg: 'Conjugate gradients',
 };
 
-/** Exactness and path first, then the settings of the method; the less common ones are collapsed. */
+/** Method, exactness and path first, then the settings of the method; the less common ones are collapsed. */
 export function solverSection(session: Session): HTMLElement {
   const { scene } = session;
   /** The radius in mean edges that the solver chose last. */
   let chosenNear = 0;
   const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
+  const method = select('Method', labelled(METHOD.names, METHODS), (value) => scene.set({ method: value }));
+  const hint = quiet('');
   const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
   const path = select('Path', labelled(PATH_KIND.names, PATHS), (value) => scene.set({ pathKind: value }));
   const [low, high] = TIME_STEP_FACTORS;
@@ -74,9 +91,37 @@ export function solverSection(session: Session): HTMLElement {
   );
   const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => change({ operator: value }));
   const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) => change({ solver: value }));
+  const windows = select(
+    'Windows',
+    WINDOWS.map((number) => [number, count(number)] as const),
+    (value) => scene.set({ windows: value }),
+  );
+  const ofHeat = [
+    factor.element,
+    quiet('Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.'),
+    boundary.element,
+  ];
+  const moreOfHeat = [
+    near.element,
+    quiet('Radius around the sources in which distances are exact at once, in mean edge lengths.'),
+    multi.element,
+    operator.element,
+    solver.element,
+  ];
+  const moreOfWindows = [
+    windows.element,
+    quiet('Windows that each half-edge keeps. More are nearer to the exact distance, and slower.'),
+  ];
 
   const show = () => {
     const { parameters, ...state } = scene.state;
+    const isByHeat = state.method === 'heat';
+    for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
+    for (const element of moreOfWindows) element.hidden = isByHeat;
+    method.show(state.method);
+    hint.textContent = METHOD_HINTS[state.method];
+    windows.show(state.windows);
+    refine.element.hidden = !(isByHeat || state.method === 'auto');
     refine.show(state.refine);
     path.show(state.pathKind);
     factor.show(
@@ -91,6 +136,8 @@ export function solverSection(session: Session): HTMLElement {
   };
   scene.subscribe((state, previous) => {
     if (
+      state.method !== previous.method ||
+      state.windows !== previous.windows ||
       state.parameters !== previous.parameters ||
       state.pathKind !== previous.pathKind ||
       state.refine !== previous.refine
@@ -100,8 +147,8 @@ export function solverSection(session: Session): HTMLElement {
   session.shown.watch((shown, previous) => {
     const field = shown?.answer.field;
     if (!shown || !field || field === previous?.answer.field) return;
-    // What refinement has reached since is not what was chosen.
-    if (field.refineMs === 0) {
+    // What refinement has reached since is not what was chosen, nor what windows reach.
+    if (field.refineMs === 0 && field.windows === undefined) {
       const edges = Math.round(field.exactBelow / shown.opened.meanEdge);
       chosenNear = Math.min(Math.max(edges, nearest), farthest);
     }
@@ -112,44 +159,32 @@ export function solverSection(session: Session): HTMLElement {
   return h(
     'div',
     { class: 'stack' },
+    method.element,
+    hint,
     refine.element,
     refiningStatus(session),
     path.element,
-    factor.element,
-    h(
-      'p',
-      { class: 'quiet' },
-      'Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.',
-    ),
-    boundary.element,
+    ...ofHeat,
     h(
       'details',
       { class: 'more' },
       h('summary', {}, 'More solver settings'),
-      h(
-        'div',
-        { class: 'stack' },
-        near.element,
-        h(
-          'p',
-          { class: 'quiet' },
-          'Radius around the sources in which distances are exact at once, in mean edge lengths.',
-        ),
-        multi.element,
-        operator.element,
-        solver.element,
-      ),
+      h('div', { class: 'stack' }, ...moreOfHeat, ...moreOfWindows),
     ),
   );
 }
 
-/** How exact the distance is, in a sentence. Screen readers announce only the end of refinement, not each step. */
+function quiet(text: string): HTMLElement {
+  return h('p', { class: 'quiet' }, text);
+}
+
+/** How the distance was found and how exact it is, in a sentence. Screen readers announce only the end of refinement, not each step. */
 function refiningStatus(session: Session): HTMLElement {
   const status = h('p', { class: 'quiet', role: 'status' });
   const show = () => {
     const { phase, settled } = session.refiner;
     const field = session.shown.value?.answer.field;
-    const sentence = field ? refiningSentence(phase.value, field, session.scene.state.pathKind) : '';
+    const sentence = field ? refiningSentence(phase.value, field, session.scene.state) : '';
     status.setAttribute('aria-live', settled ? 'polite' : 'off');
     if (status.textContent !== sentence) status.textContent = sentence;
   };

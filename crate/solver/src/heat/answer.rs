@@ -12,6 +12,7 @@ use crate::heat::query::Query;
 use crate::heat::source_heat::SourceHeat;
 use crate::heat::unit_field::divergence;
 use crate::options::MultiSource;
+use crate::refinement;
 use heatwalk_surface::{Source, ToSource, VertexData};
 
 /// A query with all that does not change while its exact region grows.
@@ -59,7 +60,7 @@ impl Factorization {
     /// As [`Factorization::distance`].
     pub fn refine(&self, query: &Query) -> Result<Refinement> {
         let question = self.question(query)?;
-        Ok(Refinement { front: self.start_wavefront(question.sources.clone()), question })
+        Ok(Refinement { front: refinement::start(self.exact_geometry(), &question.sources)?, question })
     }
 
     /// The wavefront of exact distances from some sources.
@@ -145,10 +146,10 @@ impl Refinement {
     ///
     /// # Errors
     /// As [`Factorization::distance`]; [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a factorization
-    /// of another surface.
+    /// of another surface; [`Error::OutOfMemory`](crate::Error::OutOfMemory) for the windows, before any is propagated.
     pub fn step(&mut self, factorization: &Factorization, work: usize) -> Result<Distance> {
         factorization.surface().require_own(self.front.surface().id(), "refinement")?;
-        self.front.advance(f64::INFINITY, work);
+        refinement::advance(&mut self.front, work)?;
         factorization.answer(&self.question, &ExactRegion::of(&self.front, self.front.radius()))
     }
 

@@ -10,6 +10,7 @@ use syn::{Attribute, Expr, Ident, Item, ItemEnum, ItemStruct, Lit, LitStr, Meta,
 #[derive(Default)]
 pub struct Definitions {
     pub words: Vec<Word>,
+    pub numbers: Vec<Numbers>,
     pub choices: Vec<Choice>,
     pub ranges: Vec<Range>,
     pub options: Vec<Options>,
@@ -21,6 +22,14 @@ pub struct Word {
     pub name: String,
     pub doc: Vec<String>,
     pub value: String,
+}
+
+/// `pub const NAME` of whole numbers: one, or an array.
+pub struct Numbers {
+    pub name: String,
+    pub doc: Vec<String>,
+    pub values: Vec<u32>,
+    pub is_array: bool,
 }
 
 /// An enum that `choice!` gives names.
@@ -116,11 +125,13 @@ impl Definitions {
                 }
                 Item::Struct(item) if is_public(&item.vis) => self.read_options(&item)?,
                 Item::Const(item) if is_public(&item.vis) => {
+                    let (name, doc) = (item.ident.to_string(), doc(&item.attrs));
                     if let Expr::Lit(value) = &*item.expr
                         && let Lit::Str(value) = &value.lit
                     {
-                        let (name, doc) = (item.ident.to_string(), doc(&item.attrs));
                         self.words.push(Word { name, doc, value: value.value() });
+                    } else if let Some((values, is_array)) = numbers(&item.expr) {
+                        self.numbers.push(Numbers { name, doc, values, is_array });
                     }
                 }
                 Item::Impl(item) if item.trait_.is_none() => {
@@ -208,6 +219,21 @@ fn ends(expression: &Expr) -> Option<[f64; 2]> {
         _ => None,
     };
     Some([number(&range.start)?, number(&range.end)?])
+}
+
+/// The whole numbers of `a` or `[a, b, …]`, and whether they are an array; None for another expression.
+fn numbers(expression: &Expr) -> Option<(Vec<u32>, bool)> {
+    let number = |value: &Expr| match value {
+        Expr::Lit(value) => match &value.lit {
+            Lit::Int(number) => number.base10_parse().ok(),
+            _ => None,
+        },
+        _ => None,
+    };
+    match expression {
+        Expr::Array(array) => Some((array.elems.iter().map(number).collect::<Option<_>>()?, true)),
+        single => Some((vec![number(single)?], false)),
+    }
 }
 
 /// The lines of a documentation comment.

@@ -1,8 +1,8 @@
 use std::fmt::Write as _;
 
 use heatwalk::{
-    AUTOMATIC, Boundary, Choice, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, Method, MultiSource,
-    Operator, PathKind, TimeStep, VertexField,
+    AUTOMATIC, Boundary, Choice, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, Method,
+    MultiSource, Operator, PathKind, TimeStep, VertexField, WINDOWS,
 };
 
 use super::*;
@@ -49,6 +49,8 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
         assert!(text.contains(&range), "{range}\nis not in\n{text}");
     }
     assert!(text.contains(&format!("export const AUTOMATIC = '{AUTOMATIC}';")), "{text}");
+    assert!(text.contains(&format!("export const WINDOWS = {WINDOWS:?} as const;")), "{text}");
+    assert!(text.contains(&format!("export const DEFAULT_WINDOWS = {DEFAULT_WINDOWS};")), "{text}");
 }
 
 #[test]

@@ -25,6 +25,13 @@ export interface Choice<Name extends string> {
         text += &documented(&word.doc, "");
         text += &format!("export const {} = {};\n", word.name, quoted(&word.value));
     }
+    for numbers in &definitions.numbers {
+        let values: Vec<String> = numbers.values.iter().map(u32::to_string).collect();
+        let values = values.join(", ");
+        text += &documented(&numbers.doc, "");
+        let value = if numbers.is_array { format!("[{values}] as const") } else { values };
+        text += &format!("export const {} = {value};\n", numbers.name);
+    }
     for choice in &definitions.choices {
         text += &choice_of(choice);
     }

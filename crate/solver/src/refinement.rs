@@ -1,0 +1,82 @@
+//! Distances that become exact step by step, from the sources outward.
+
+use std::sync::Arc;
+
+use crate::distance::Distance;
+use crate::error::Result;
+use crate::exact::{ExactGeometry, Wavefront};
+use crate::extremum::smaller;
+use heatwalk_surface::{ToSource, VertexData, VertexId, memory};
+
+/// What is being done where memory does not suffice.
+const STAGE: &str = "refining to exact distances";
+
+/// Bytes that a wavefront takes before it has any windows, a face.
+const BYTES_PER_FACE: u64 = 96;
+
+/// Refuses exact distances where there is no room to start them.
+///
+/// # Errors
+/// [`OutOfMemory`](crate::Error::OutOfMemory).
+pub(crate) fn require_room(geometry: &ExactGeometry) -> Result<()> {
+    Ok(memory::require(BYTES_PER_FACE * geometry.surface().face_count() as u64, STAGE)?)
+}
+
+/// Starts exact distances, where there is room for them.
+///
+/// # Errors
+/// [`OutOfMemory`](crate::Error::OutOfMemory); those of [`ToSource::to_source`].
+pub(crate) fn start<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S]) -> Result<Wavefront> {
+    require_room(geometry)?;
+    Wavefront::new(Arc::clone(geometry), sources)
+}
+
+/// Propagates about `work` windows further, where there is room for twice as much as is held: windows are kept in one block,
+/// which is copied to one of twice its size when it is full, and memory that is refused then ends the program.
+///
+/// # Errors
+/// [`OutOfMemory`](crate::Error::OutOfMemory); then nothing has changed.
+pub(crate) fn advance(front: &mut Wavefront, work: usize) -> Result<()> {
+    memory::require(2 * front.pending_bytes() as u64, STAGE)?;
+    front.advance(f64::INFINITY, work);
+    Ok(())
+}
+
+/// Lengths of paths, as [propagation](crate::propagation) gives them, that become exact step by step.
+#[derive(Debug)]
+pub struct PropagationRefinement {
+    front: Wavefront,
+    /// `#V`, in the file's unit, nowhere below the exact distance.
+    lengths: VertexData<f64>,
+}
+
+impl PropagationRefinement {
+    /// Begins to make a distance exact. `lengths` (`#V`, in the file's unit) are those of paths from these sources.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); those of [`ToSource::to_source`].
+    pub fn new<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], lengths: VertexData<f64>) -> Result<Self> {
+        Ok(Self { front: start(geometry, sources)?, lengths })
+    }
+
+    /// Propagates about `work` windows further and gives the distance that is known then: exact within the radius that
+    /// they have reached, beyond it the shorter of two paths.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); then nothing has changed.
+    pub fn step(&mut self, work: usize) -> Result<Distance> {
+        advance(&mut self.front, work)?;
+        let (radius, found) = (self.front.radius(), self.front.values());
+        let shorter = |vertex: VertexId| {
+            let value = found[vertex];
+            if value < radius { value } else { smaller(value, self.lengths[vertex]) }
+        };
+        let values = self.front.surface().vertices().map(shorter).collect();
+        Ok(Distance::of_paths(self.front.surface(), values, self.front.sources(), radius))
+    }
+
+    /// Whether every distance is exact.
+    pub fn is_done(&self) -> bool {
+        self.front.is_done()
+    }
+}

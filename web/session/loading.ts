@@ -1,0 +1,37 @@
+/** What is being opened, for the loading bar. */
+import type { ProgressListener } from '../protocol';
+import { Cancelled } from '../solver/remote';
+import type { Signal } from '../state/signal';
+
+export interface Loading {
+  title: string;
+  stage: string;
+  /** 0 to 1 */
+  fraction: number;
+  vertices: number;
+}
+
+/**
+ * Does a work of which `loading` shows the progress. `check` throws once another work, or null, has taken its place there.
+ */
+export async function whileLoading<T>(
+  loading: Signal<Loading | null>,
+  title: string,
+  work: (progress: ProgressListener, check: () => void) => Promise<T>,
+): Promise<T> {
+  let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
+  const isMine = () => loading.value === mine;
+  const progress: ProgressListener = (reached) => {
+    if (!isMine()) return;
+    mine = { title, ...reached };
+    loading.value = mine;
+  };
+  loading.value = mine;
+  try {
+    return await work(progress, () => {
+      if (!isMine()) throw new Cancelled();
+    });
+  } finally {
+    if (isMine()) loading.value = null;
+  }
+}
