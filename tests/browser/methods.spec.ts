@@ -27,9 +27,9 @@ async function gate(page: Page): Promise<() => Promise<void>> {
       console.info('opening');
       if (argumentList[2].value?.memory !== ${MEBIBYTES}) return;
       event.stopImmediatePropagation();
-      new BroadcastChannel('gate').onmessage = () => {
+      addEventListener('gate', () => {
         dispatchEvent(Object.assign(new MessageEvent('message', { data: event.data }), { isLetThrough: true }));
-      };
+      });
       console.info('held');
     });`;
     await route.fulfill({ response, body: watch + (await response.text()) });
@@ -41,7 +41,7 @@ async function gate(page: Page): Promise<() => Promise<void>> {
   });
   return async () => {
     await held;
-    await page.evaluate(() => new BroadcastChannel('gate').postMessage('open'));
+    for (const worker of page.workers()) await worker.evaluate(() => dispatchEvent(new Event('gate')));
   };
 }
 
