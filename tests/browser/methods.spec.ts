@@ -1,5 +1,6 @@
 /** The methods by which distance is found: what each shows, when anything is factored, and the way from one to another. */
 import type { Page } from '@playwright/test';
+import { DEFAULT_WINDOWS } from '../../web/wasm/contract';
 import { grid, off, sphere } from '../fixtures';
 import { crossings, expect, type HeatwalkPage, test } from '../page';
 
@@ -60,7 +61,7 @@ test('a dropped file shows stripes with nothing factored, and is exact at rest',
   await heatwalk.settled();
   expect(await heatwalk.refining()).toBe('exact');
   const { windows, timeFactor, error, refineMs } = await heatwalk.field();
-  expect([windows, timeFactor]).toEqual([1, undefined]);
+  expect([windows, timeFactor]).toEqual([DEFAULT_WINDOWS, undefined]);
   expect(refineMs).toBeGreaterThan(0);
   // Far below that of the heat method, which is about 1 % here.
   expect(error?.mean).toBeLessThan(0.002);
@@ -117,7 +118,7 @@ test('while the mesh is factored, questions are answered by windows; then heat i
   await expect.poll(() => heatwalk.solves()).toBe(solves + 1);
   const { sources } = await heatwalk.scene();
   expect(sources).not.toEqual([SOURCE]);
-  expect((await heatwalk.field()).windows).toBe(2);
+  expect((await heatwalk.field()).windows).toBe(DEFAULT_WINDOWS);
   expect(await heatwalk.distanceAt(sources[0])).toBeLessThan(0.2);
   expect(await factors(heatwalk)).toBe(0);
 
@@ -169,7 +170,7 @@ test('what is factored answers every method, without opening the mesh again', as
   for (const method of ['auto', 'exact', 'propagation']) {
     await choose(page, method);
     await heatwalk.settled();
-    expect((await heatwalk.field()).windows, method).toBe(2);
+    expect((await heatwalk.field()).windows, method).toBe(DEFAULT_WINDOWS);
     expect(await heatwalk.distanceAt(FAR)).not.toBe(distance);
   }
   await choose(page, 'heat');
