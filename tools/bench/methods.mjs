@@ -4,7 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { attempt, POTPOURRI3D, pythonWith } from '../peers.mjs';
-import { prepare, root } from '../steps.mjs';
+import { buildModules, npmProgram, prepare, root } from '../steps.mjs';
 import { description } from './checkout.mjs';
 import { folder, meshes as chosenMeshes } from './meshes.mjs';
 import { Programs } from './programs.mjs';
@@ -15,7 +15,7 @@ import { digits, table } from './report.mjs';
 const PAIRS = 6;
 /** Sources of a median solve. */
 const SOURCES = 10;
-/** Windows kept of each half-edge. */
+/** Windows kept of each half-edge; the first is the default. */
 const KEPT = [1, 2, 4, 8];
 const METHODS = ['propagation', 'auto', 'exact'];
 const ROBUST = 'pp3d robust';
@@ -23,6 +23,10 @@ const ROBUST = 'pp3d robust';
 /** Meshes as in `chosenMeshes`. Those on which a peer takes minutes have one pair, and neither errors nor exact distances. */
 export async function methods({ files, subdivisions, quick, only }) {
   prepare();
+  buildModules();
+  npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+  const { Page } = await import('./page.mjs');
+  const page = await Page.open();
   const programs = new Programs(root);
   programs.build();
   const python = pythonWith(POTPOURRI3D);
@@ -32,41 +36,54 @@ export async function methods({ files, subdivisions, quick, only }) {
   const meshes = all.filter(({ who }) => who.includes('robust'));
   for (const mesh of meshes) {
     console.log(`\n— ${mesh.name}, ${mesh.triangles} triangles`);
-    mesh.rows = alternate(programs, python, mesh, quick || mesh.isSlow ? 1 : PAIRS);
+    mesh.rows = await alternate({ programs, page }, python, mesh, quick || mesh.isSlow ? 1 : PAIRS);
     if (!mesh.isSlow) mesh.errors = errors(programs, python, mesh);
   }
+  await page.close();
   report(meshes);
 }
 
 /** The ratios of each row to the peer, of pairs measured one right after the other; which is first alternates. */
-function alternate(programs, python, mesh, count) {
-  const { sources } = programs.another(mesh.file, 'propagation', SOURCES);
+async function alternate(own, python, mesh, count) {
+  const { sources } = own.programs.another(mesh.file, 'propagation', SOURCES);
   const pairs = [];
   while (pairs.length < count) {
     const pair = {};
-    const own = () => (pair.own = times(programs, mesh));
+    const ours = async () => (pair.own = await times(own, mesh, sources));
     const peer = () =>
       (pair.peer = attempt(python, [script('bench/peers.py'), 'robust', mesh.file, ...sources.map(String)]));
-    for (const measure of pairs.length % 2 === 0 ? [own, peer] : [peer, own]) measure();
+    for (const measure of pairs.length % 2 === 0 ? [ours, peer] : [peer, ours]) await measure();
     if (pair.peer.failed) return { failed: pair.peer.failed };
     pairs.push(pair);
   }
   return Object.keys(pairs[0].own).map((name) => {
-    const own = pairs.map((pair) => pair.own[name]);
+    const ours = pairs.map((pair) => pair.own[name]);
     const peer = pairs.map(({ peer: { precompute, solve } }) =>
       name.startsWith('first') ? precompute + solve : solve,
     );
-    const { ratio, interval } = judge(own.map((time, pair) => time / peer[pair]));
-    return { name, own: median(own), peer: median(peer), ratio, interval };
+    const { ratio, interval } = judge(ours.map((time, pair) => time / peer[pair]));
+    return { name, own: median(ours), peer: median(peer), ratio, interval };
   });
 }
 
 /** Milliseconds from positions to the first whole field by each method, and of another source by propagation. */
-function times(programs, { file, isSlow }) {
+async function times({ programs, page }, { file, isSlow }, sources) {
   const wanted = METHODS.filter((method) => method !== 'exact' || !isSlow);
   return {
     ...Object.fromEntries(wanted.map((method) => [`first field, ${method}`, programs.first(file, method)])),
     'another source, propagation': programs.another(file, 'propagation', SOURCES).solve,
+    ...(await timesOnPage(page, file, sources)),
+  };
+}
+
+/** The same by propagation in the page's worker; from a file's bytes as well. */
+async function timesOnPage(page, file, sources) {
+  const { read, precompute, first, solve, failed } = await page.worker(file, sources, KEPT[0]);
+  if (failed) throw new Error(failed);
+  return {
+    'first field, page': precompute + first,
+    'first field from bytes, page': read + precompute + first,
+    'another source, page': solve,
   };
 }
 

@@ -55,8 +55,11 @@ export class Page {
     await this.#server.close();
   }
 
-  /** Milliseconds of precompute and of a solve, and bytes of memory, of a fresh worker. */
-  async worker(mesh, sources) {
+  /**
+   * Milliseconds of reading, precompute, the first answer and the median one, and bytes of memory, of a fresh worker: by
+   * heat, or by so many windows of each half-edge, where nothing is factored.
+   */
+  async worker(mesh, sources, windows = 0) {
     this.#mesh = mesh;
     return this.#with(BLANK, async (tab) => {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
@@ -66,6 +69,7 @@ export class Page {
           module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
           mesh: MESH,
           parameters: PARAMETERS,
+          windows,
           sources,
         });
         return await Promise.race([measured, silence()]);
@@ -156,7 +160,7 @@ function brotli(bytes) {
 
 // What follows runs in the browser.
 
-async function measureWorker({ worker, module, mesh, parameters, sources }) {
+async function measureWorker({ worker, module, mesh, parameters, windows, sources }) {
   const { Comlink } = window;
   const compiled = await WebAssembly.compileStreaming(fetch(module));
   const started = async () => {
@@ -166,20 +170,27 @@ async function measureWorker({ worker, module, mesh, parameters, sources }) {
   };
   // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
   const progress = () => Comlink.proxy(() => undefined);
-  const first = await started();
-  await first.open({ kind: 'shape', shape: 'icosphere' }, [], parameters, progress());
-  await first.solve([{ vertex: 0 }], false, null);
+  const shown = await started();
+  await shown.open({ kind: 'shape', shape: 'icosphere' }, [], parameters, progress());
+  await shown.solve([{ vertex: 0 }], false, null);
   const api = await started();
   await api.warmUp();
   const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
   const input = Comlink.transfer({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] }, [bytes.buffer]);
-  const { timings } = await api.open(input, [], parameters, progress());
+  const { timings } = await api.open(input, [], windows > 0 ? null : parameters, progress());
   const times = [];
-  for (const vertex of sources) times.push((await api.solve([{ vertex }], false, null)).field.solveMs);
+  for (const vertex of sources) {
+    const asked = [{ vertex }];
+    const { field } = await (windows > 0 ? api.propagate(asked, windows, null) : api.solve(asked, false, null));
+    times.push(field.solveMs);
+  }
+  const [first] = times;
   times.sort((a, b) => a - b);
   // The same parameters again: nothing is factored, and the answer tells the memory, which never shrinks.
   const { memoryBytes } = await api.configure(parameters);
   return {
+    read: timings.readMs,
+    first,
     precompute: timings.buildMs + timings.precomputeMs,
     solve: (times[(times.length - 1) >> 1] + times[times.length >> 1]) / 2,
     memory: memoryBytes,
