@@ -9,7 +9,9 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{Boundary, Distance, ExactRadius, HeatSolver, Parameters, Place, Soup, Surface, TimeStep, VertexId};
+use heatwalk::{
+    Boundary, Distance, ExactRadius, HeatSolver, InputVertex, Parameters, Soup, Surface, TimeStep, VertexId,
+};
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
     Soup::single("test", positions, triangles)
@@ -121,9 +123,11 @@ pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {
     solver_with(soup, heat_only(time_factor, boundary))
 }
 
+/// From a vertex of the soup.
 pub fn distance_from(soup: &Soup, vertex: u32) -> (HeatSolver, Distance) {
     let solver = solver(soup, 1.0, Boundary::Neumann);
-    let distance = solver.distance(&[Place::Vertex(VertexId(vertex))]).expect("a valid source");
+    let source = solver.surface().vertex_of_input(InputVertex(vertex)).expect("a vertex in use");
+    let distance = solver.distance(&[source]).expect("a valid source");
     (solver, distance)
 }
 
