@@ -218,7 +218,7 @@ const FINE = off(sphere(80));
 
 test('where memory does not suffice to refine on, what is exact stays', async ({ heatwalk, page }) => {
   const asked = await refuseToRefine(page, 'out-of-memory', 'no memory');
-  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=auto');
+  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=auto&windows=2');
   const [first] = page.workers();
   await heatwalk.settled();
   expect(await heatwalk.refining()).toBe('memory');
@@ -247,7 +247,7 @@ test('a solver that refinement ends for want of memory restarts, and the mesh is
   page,
 }) => {
   const asked = await refuseToRefine(page, 'RuntimeError', 'unreachable');
-  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=exact');
+  await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=exact&windows=2');
   const alert = page.getByRole('alert');
   await expect(alert).toContainText(
     /^Refinement needed more memory than the browser gives; distances were exact below [\d.]+ units\. The solver was restarted/,
