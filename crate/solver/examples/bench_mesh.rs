@@ -10,7 +10,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use heatwalk::{Soup, Surface, io};
+use heatwalk::{Element, FaceId, Soup, Surface, VertexId, io};
 use heatwalk_shapes as shapes;
 use serde_json::json;
 
@@ -20,8 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("give a mesh and a file to write".into());
     };
     let surface = Surface::build(&read(input)?)?;
-    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
-    let mut mesh = Soup::single(input, surface.positions().as_slice().to_vec(), triangles);
+    let mut mesh = in_input_order(input, &surface);
     for _ in 0..subdivisions.first().map_or(Ok(0), |count| count.parse())? {
         mesh = subdivided(mesh);
     }
@@ -37,6 +36,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         })
     );
     Ok(())
+}
+
+/// The surface as a soup, in the order of its file: what a surface gains by another one is no gain of the file's.
+fn in_input_order(name: &str, surface: &Surface) -> Soup {
+    let mut vertices: Vec<VertexId> = surface.vertices().collect();
+    vertices.sort_unstable_by_key(|&vertex| surface.inputs_of_vertex(vertex)[0]);
+    let mut number = vec![0; vertices.len()];
+    vertices.iter().zip(0..).for_each(|(vertex, new)| number[vertex.index()] = new);
+    let corners = |face: FaceId| surface.faces()[face].map(|vertex| number[vertex.index()]);
+    let positions = vertices.iter().map(|&vertex| surface.position(vertex)).collect();
+    Soup::single(name, positions, surface.faces_in_input_order().map(corners).collect())
 }
 
 fn read(input: &str) -> Result<Soup, Box<dyn Error>> {
