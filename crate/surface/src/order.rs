@@ -1,5 +1,7 @@
 //! The order of vertices and triangles in memory: neighbours on the surface shall be neighbours there, since whatever
 //! spreads over the surface waits for memory otherwise.
+//!
+//! The curve is that of Morton, "A computer oriented geodetic data base", 1966: cells by the interleaved bits of their coordinates.
 
 use glam::DVec3;
 

@@ -36,7 +36,7 @@ impl Label {
         let per_share = SHARES / length;
         let [begin, end] = [window.begin, window.end].map(|at| at * per_share);
         let whole = begin as u16;
-        let (begin, end) = (whole + u16::from(f64::from(whole) < begin), end as u16);
+        let (begin, end) = (whole.saturating_add(u16::from(f64::from(whole) < begin)), end as u16);
         (begin < end).then_some(Self { offset: window.offset, x: window.x, depth: window.depth, value, begin, end })
     }
 

@@ -50,3 +50,12 @@ fn a_new_round_knows_nothing_of_the_last() {
     labels.clear(1);
     assert_eq!((labels.value_of(0), labels.take(0, 0, &bar(9.0))), (f32::INFINITY, None));
 }
+
+#[test]
+fn an_interval_at_the_end_of_a_half_edge_is_not_kept_as_all_of_it() {
+    for length in (1..2000).map(|count| 0.1 * f64::from(count)) {
+        // Shares of what is all but at the end may round to more than there are.
+        let window = Window::from(beam(length, length));
+        assert!(Label::new(&window, length, -1.0).is_none(), "{length}");
+    }
+}
