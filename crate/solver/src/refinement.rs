@@ -31,13 +31,13 @@ pub(crate) fn start<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S]) -
     Wavefront::new(Arc::clone(geometry), sources)
 }
 
-/// Propagates about `work` windows further, where there is room for twice as much as is held: windows are kept in one block,
-/// which is copied to one of twice its size when it is full, and memory that is refused then ends the program.
+/// Propagates about `work` windows further, where there is room for as much again as is held: memory that is refused while
+/// windows are propagated ends the program.
 ///
 /// # Errors
 /// [`OutOfMemory`](crate::Error::OutOfMemory); then nothing has changed.
 pub(crate) fn advance(front: &mut Wavefront, work: usize) -> Result<()> {
-    memory::require(2 * front.pending_bytes() as u64, STAGE)?;
+    memory::require(front.pending_bytes() as u64, STAGE)?;
     front.advance(f64::INFINITY, work);
     Ok(())
 }

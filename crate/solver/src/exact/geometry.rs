@@ -14,8 +14,8 @@ use heatwalk_surface::{Element, FaceId, Place, VertexId};
 pub(super) enum Bend {
     /// Not at all: the angles around it sum to less than a turn (on the boundary, half a turn).
     Never,
-    /// Inside the surface, with this angle sum, radians.
-    Saddle(f64),
+    /// Inside the surface.
+    Saddle,
     /// On the boundary, one fan of faces.
     Reflex,
     /// Edges of three faces, or several fans: any direction may follow any other.
@@ -130,11 +130,6 @@ impl Frame {
         let (along, up) = (weights[after(k)], weights[before(k)]);
         [along * self[k].length + up * x, up * y]
     }
-
-    /// Angle at corner `k`, radians.
-    pub fn angle(&self, k: usize) -> f64 {
-        self[k].sin.atan2(self[k].cos)
-    }
 }
 
 /// Lengths whose fourth powers, as in the square of an area, neither under- nor overflow, however thin the triangle.
@@ -214,7 +209,7 @@ impl ExactGeometry {
             if !is_plain[vertex] {
                 geometry.bend(surface, VertexId::from_index(vertex), angle)
             } else if angle.exceeds(2) {
-                Bend::Saddle(angle.radians())
+                Bend::Saddle
             } else {
                 Bend::Never
             }
@@ -257,7 +252,7 @@ impl ExactGeometry {
         }
         match (fan == faces, is_open) {
             (false, _) => Bend::Anywhere,
-            (true, false) if angle.exceeds(2) => Bend::Saddle(angle.radians()),
+            (true, false) if angle.exceeds(2) => Bend::Saddle,
             (true, true) if angle.exceeds(1) => Bend::Reflex,
             (true, _) => Bend::Never,
         }

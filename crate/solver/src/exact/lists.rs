@@ -1,169 +1,184 @@
 //! The windows that wait at each half-edge: a list without overlaps, in order along the half-edge.
 
-use super::geometry::ExactGeometry;
 use super::overlap::Overlap;
-use super::wavefront::Wavefront;
 use super::window::Window;
 use crate::extremum::smaller;
 
-/// Where in the list of a half-edge the next window is looked for.
-struct Cursor {
-    halfedge: u32,
-    /// The last window that ends before `begin`, 0 for none.
-    before: u32,
-    begin: f64,
+#[cfg(test)]
+mod tests;
+
+/// Lists with room for more windows give their memory back once they are empty.
+const LONG: usize = 256;
+
+/// A list of windows for each half-edge, in memory for those that have any.
+#[derive(Debug)]
+pub(super) struct Lists {
+    /// `3 #F`, the number of the half-edge's list; 0 where no window waits.
+    numbers: Vec<u32>,
+    /// Number 0 is always empty.
+    lists: Vec<Vec<Window>>,
+    /// Numbers of lists that no half-edge has.
+    free: Vec<u32>,
+    merge: Merge,
 }
 
-impl Wavefront {
-    /// Brings windows that leave a face by a half-edge, in order along that edge against the half-edge's direction, to the
-    /// half-edges on the other faces of the edge.
-    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &[Window]) {
-        let (frame, k) = geometry.frame_of(halfedge);
-        for (target, is_mirrored) in geometry.across(halfedge) {
-            let mut cursor = Cursor { halfedge: target, before: 0, begin: f64::NEG_INFINITY };
-            if is_mirrored {
-                for window in leaving.iter().rev() {
-                    self.insert(window.mirrored(frame[k].length), &mut cursor);
+impl Lists {
+    pub fn new(halfedges: usize) -> Self {
+        Self { numbers: vec![0; halfedges], lists: vec![Vec::new()], free: Vec::new(), merge: Merge::default() }
+    }
+
+    /// The number of half-edges.
+    pub fn len(&self) -> usize {
+        self.numbers.len()
+    }
+
+    /// The windows that wait at a half-edge.
+    pub fn at(&self, halfedge: u32) -> &[Window] {
+        &self.lists[self.numbers[halfedge as usize] as usize]
+    }
+
+    /// Takes all windows of a half-edge out; `windows` is empty before, and its memory is kept for later.
+    pub fn take(&mut self, halfedge: u32, windows: &mut Vec<Window>) {
+        let number = std::mem::take(&mut self.numbers[halfedge as usize]);
+        if number != 0 {
+            std::mem::swap(&mut self.lists[number as usize], windows);
+            self.release(number);
+        }
+    }
+
+    /// Lets the windows that wait at a half-edge be forgotten.
+    pub fn clear(&mut self, halfedge: u32) {
+        let number = std::mem::take(&mut self.numbers[halfedge as usize]);
+        if number != 0 {
+            self.lists[number as usize].clear();
+            self.release(number);
+        }
+    }
+
+    fn release(&mut self, number: u32) {
+        let list = &mut self.lists[number as usize];
+        if list.capacity() > LONG {
+            *list = Vec::new();
+        }
+        self.free.push(number);
+    }
+
+    /// Adds windows, nearly in order along the half-edge, to those that wait there; where some overlap, each keeps what it
+    /// reaches sooner.
+    pub fn add(&mut self, halfedge: u32, windows: &[Window]) {
+        let number = &mut self.numbers[halfedge as usize];
+        if *number == 0 {
+            *number = self.free.pop().unwrap_or_else(|| {
+                self.lists.push(Vec::new());
+                self.lists.len() as u32 - 1
+            });
+        }
+        self.merge.add(&mut self.lists[*number as usize], windows);
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let windows: usize = self.lists.iter().map(Vec::capacity).sum();
+        size_of::<Window>() * windows + size_of::<Vec<Window>>() * self.lists.capacity() + 4 * self.numbers.len()
+    }
+}
+
+/// Merges windows into a list. What it holds is kept for its memory.
+#[derive(Debug, Default)]
+struct Merge {
+    waiting: Vec<Window>,
+    /// Windows of the list that begin after the next to be added, the first of them last.
+    later: Vec<Window>,
+}
+
+impl Merge {
+    fn add(&mut self, list: &mut Vec<Window>, windows: &[Window]) {
+        let mut waiting = std::mem::take(&mut self.waiting);
+        std::mem::swap(list, &mut waiting);
+        let mut rest = waiting.iter();
+        for window in windows {
+            if !(rest.as_slice().is_empty() && self.later.is_empty()) {
+                self.append_before(window.begin, list, &mut rest);
+            }
+            self.append(list, window);
+        }
+        self.append_before(f64::INFINITY, list, &mut rest);
+        waiting.clear();
+        self.waiting = waiting;
+    }
+
+    /// Appends what begins before `limit`.
+    fn append_before(&mut self, limit: f64, list: &mut Vec<Window>, waiting: &mut std::slice::Iter<Window>) {
+        loop {
+            let later = self.later.last().map_or(limit, |window| window.begin);
+            match waiting.as_slice().first() {
+                Some(window) if window.begin < smaller(later, limit) => {
+                    waiting.next();
+                    self.append(list, window);
                 }
-            } else {
-                for &window in leaving {
-                    self.insert(window, &mut cursor);
+                _ if later < limit => {
+                    let window = self.later.pop();
+                    window.iter().for_each(|window| self.append(list, window));
                 }
+                _ => return,
             }
         }
     }
 
-    /// Puts a window into the list of a half-edge; where it overlaps others, each keeps what it reaches sooner.
-    fn insert(&mut self, mut window: Window, cursor: &mut Cursor) {
-        if window.begin < cursor.begin {
-            cursor.before = 0;
+    /// Appends a window; those of the list that begin after it wait until what comes next begins after them.
+    #[inline]
+    fn append(&mut self, list: &mut Vec<Window>, window: &Window) {
+        while list.last().is_some_and(|last| last.begin > window.begin) {
+            self.put_off(list);
         }
-        cursor.begin = window.begin;
-        let mut before = cursor.before;
-        let mut current = self.following(cursor.halfedge, before);
-        while current != 0 && self.windows[current as usize].end <= window.begin {
-            before = current;
-            current = self.windows[current as usize].next;
+        match list.last_mut() {
+            Some(last) if last.continues_into(window) => (last.end, last.at_end) = (window.end, window.at_end),
+            Some(last) if last.end > window.begin => divide(list, window),
+            _ => list.push(*window),
         }
-        cursor.before = before;
-        if let Some(nearest) = self.join(before, current, &window) {
-            self.queue.push(cursor.halfedge, nearest);
+    }
+
+    #[cold]
+    fn put_off(&mut self, list: &mut Vec<Window>) {
+        if let Some(last) = list.pop() {
+            let place = self.later.partition_point(|later| later.begin > last.begin);
+            self.later.insert(place, last);
+        }
+    }
+}
+
+/// Appends a window that overlaps the last one of a list and does not begin before it.
+fn divide(list: &mut Vec<Window>, window: &Window) {
+    let Some(last) = list.last_mut() else { return };
+    let overlap = Overlap::new(window, last);
+    let reaches_past = window.end >= last.end;
+    let mut rest = *window;
+    // Mostly one ends where the other begins.
+    match (overlap.begin.1 < 0.0, overlap.end.1 < 0.0) {
+        (false, false) if overlap.turn().is_none() => {
+            if !reaches_past {
+                return;
+            }
+            (rest.begin, rest.at_begin) = (last.end, last.at_end + overlap.end.1);
+        }
+        (true, true) if reaches_past && overlap.turn().is_none() => {
+            (last.end, last.at_end) = (window.begin, window.at_begin - overlap.begin.1);
+        }
+        (false, true) if reaches_past => {
+            let meeting = overlap.change();
+            (last.end, last.at_end) = (meeting.place, meeting.second);
+            (rest.begin, rest.at_begin) = (meeting.place, meeting.first);
+        }
+        _ => {
+            let (shares, last) = (overlap.shares(), *last);
+            let part = |&(is_new, begin, end)| if is_new { window } else { &last }.part(begin, end);
+            list.pop();
+            list.extend(shares.as_slice().iter().map(part).filter(Window::is_wide));
             return;
         }
-        let mut nearest = f64::INFINITY;
-        loop {
-            if current == 0 || self.windows[current as usize].begin >= window.end {
-                if window.is_wide() {
-                    nearest = smaller(nearest, window.nearest());
-                    self.link(cursor.halfedge, before, current, window);
-                }
-                break;
-            }
-            let other = self.windows[current as usize];
-            let overlap = Overlap::new(&window, &other);
-            let (begins_ahead, ends_ahead) = (overlap.begin.1 < 0.0, overlap.end.1 < 0.0);
-            // Two neighbours meet in one point: by far the most frequent case.
-            if other.begin <= window.begin && other.end < window.end && !begins_ahead && ends_ahead {
-                let change = overlap.change();
-                window = window.part(change, window.end);
-                let kept = other.part(other.begin, change);
-                self.windows[current as usize] = kept;
-                if kept.is_wide() {
-                    before = current;
-                } else {
-                    self.relink(cursor.halfedge, before, other.next);
-                    self.release(current);
-                }
-                current = other.next;
-                continue;
-            }
-            if window.begin < other.begin && window.end <= other.end && begins_ahead && !ends_ahead {
-                let change = overlap.change();
-                self.windows[current as usize] = other.part(change, other.end);
-                window = window.part(window.begin, change);
-                continue;
-            }
-            let shares = overlap.shares();
-            if let [(false, ..)] = shares.as_slice() {
-                break;
-            }
-            self.release(current);
-            current = other.next;
-            self.relink(cursor.halfedge, before, current);
-            let mut rest = None;
-            for (index, &(is_new, begin, end)) in shares.as_slice().iter().enumerate() {
-                let share = if is_new { &window } else { &other }.part(begin, end);
-                if is_new && index + 1 == shares.as_slice().len() && end > other.end {
-                    rest = Some(share);
-                } else if share.is_wide() {
-                    if is_new {
-                        nearest = smaller(nearest, share.nearest());
-                    }
-                    before = self.link(cursor.halfedge, before, current, share);
-                }
-            }
-            match rest {
-                Some(share) => window = share,
-                None => break,
-            }
-        }
-        if nearest < f64::INFINITY {
-            self.queue.push(cursor.halfedge, nearest);
-        }
     }
-
-    /// Where a window only continues one of its neighbours in the list, past a vertex around which the surface is flat,
-    /// makes them one; returns its least distance.
-    fn join(&mut self, before: u32, current: u32, window: &Window) -> Option<f64> {
-        // The two may overlap by rounding, and then the neighbour counts as the one that follows.
-        let neighbours = [before, current].into_iter().filter(|&number| number != 0);
-        for number in neighbours {
-            let other = self.windows[number as usize];
-            let after = other.next;
-            if other.continues_into(window) {
-                if after != 0 && self.windows[after as usize].begin < window.end {
-                    return None;
-                }
-                self.windows[number as usize] = Window { next: after, ..other.part(other.begin, window.end) };
-            } else if window.continues_into(&other) {
-                self.windows[number as usize] = other.part(window.begin, other.end);
-            } else {
-                continue;
-            }
-            return Some(self.windows[number as usize].nearest());
-        }
-        None
-    }
-
-    fn following(&self, halfedge: u32, before: u32) -> u32 {
-        if before == 0 { self.heads[halfedge as usize] } else { self.windows[before as usize].next }
-    }
-
-    fn relink(&mut self, halfedge: u32, before: u32, next: u32) {
-        if before == 0 {
-            self.heads[halfedge as usize] = next;
-        } else {
-            self.windows[before as usize].next = next;
-        }
-    }
-
-    /// Puts a window between two of a list; returns its number.
-    fn link(&mut self, halfedge: u32, before: u32, next: u32, window: Window) -> u32 {
-        let window = Window { next, ..window };
-        let number = if self.free == 0 {
-            self.windows.push(window);
-            self.windows.len() as u32 - 1
-        } else {
-            let number = self.free;
-            self.free = std::mem::replace(&mut self.windows[number as usize], window).next;
-            number
-        };
-        self.relink(halfedge, before, number);
-        number
-    }
-
-    pub(super) fn release(&mut self, number: u32) {
-        self.windows[number as usize].next = self.free;
-        self.free = number;
+    list.pop_if(|last| !last.is_wide());
+    if rest.is_wide() {
+        list.push(rest);
     }
 }

@@ -18,6 +18,8 @@ mod lists;
 mod origin;
 mod overlap;
 mod queue;
+#[cfg(test)]
+mod samples;
 mod sources;
 mod targets;
 mod trace;

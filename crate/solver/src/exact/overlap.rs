@@ -1,5 +1,7 @@
 //! Two windows that overlap: each keeps what it reaches sooner.
 
+use std::hint::select_unpredictable;
+
 use super::window::Window;
 use crate::extremum::{larger, smaller};
 
@@ -37,6 +39,20 @@ impl Shares {
     }
 }
 
+/// A place where both distances are the same, nearly.
+pub(super) struct Meeting {
+    pub place: f64,
+    /// The distance by each window.
+    pub first: f64,
+    pub second: f64,
+}
+
+impl Meeting {
+    fn lead(&self) -> f64 {
+        self.first - self.second
+    }
+}
+
 impl<'a> Overlap<'a> {
     pub fn new(first: &'a Window, second: &'a Window) -> Self {
         let begin = if first.begin < second.begin {
@@ -52,19 +68,32 @@ impl<'a> Overlap<'a> {
         Self { first, second, begin, end }
     }
 
-    fn lead(&self, x: f64) -> f64 {
-        self.first.at(x) - self.second.at(x)
+    fn distances(&self, place: f64) -> Meeting {
+        Meeting { place, first: self.first.at(place), second: self.second.at(place) }
     }
 
     /// Where the lead changes once, from begin to end.
-    pub fn change(&self) -> f64 {
+    pub fn change(&self) -> Meeting {
         self.zero(self.begin, self.end)
     }
 
-    /// Who keeps what.
+    /// Where one leads where the other does at begin and end, and the lead there.
     ///
     /// The difference of two distances along a line has one extremum at most, in line with both sources, so that
     /// the lead changes twice at most.
+    pub fn turn(&self) -> Option<(f64, f64)> {
+        let (first, second) = (self.first, self.second);
+        let (across, apart) = (first.x * second.depth - second.x * first.depth, second.depth - first.depth);
+        let [from_begin, from_end] = [self.begin.0, self.end.0].map(|place| across - place * apart);
+        if from_begin * from_end >= 0.0 {
+            return None;
+        }
+        let in_line = across / apart;
+        let lead = self.distances(in_line).lead();
+        ((lead < 0.0) != (self.begin.1 < 0.0)).then_some((in_line, lead))
+    }
+
+    /// Who keeps what.
     pub fn shares(&self) -> Shares {
         let (first, second, begin, end) = (self.first, self.second, self.begin, self.end);
         let mut shares = Shares { shares: [(false, 0.0, 0.0); 5], count: 0 };
@@ -75,18 +104,14 @@ impl<'a> Overlap<'a> {
         }
         let mut from = begin;
         if (begin.1 < 0.0) == (end.1 < 0.0) {
-            let in_line = (first.x * second.depth - second.x * first.depth) / (second.depth - first.depth);
-            if in_line > begin.0 && in_line < end.0 {
-                let extremum = (in_line, self.lead(in_line));
-                if (extremum.1 < 0.0) != (begin.1 < 0.0) {
-                    let change = self.zero(begin, extremum);
-                    shares.push(begin.1 < 0.0, begin.0, change);
-                    from = (self.zero(extremum, end), end.1);
-                    shares.push(extremum.1 < 0.0, change, from.0);
-                }
+            if let Some(turn) = self.turn() {
+                let change = self.zero(begin, turn).place;
+                shares.push(begin.1 < 0.0, begin.0, change);
+                from = (self.zero(turn, end).place, end.1);
+                shares.push(turn.1 < 0.0, change, from.0);
             }
         } else {
-            from = (self.change(), end.1);
+            from = (self.change().place, end.1);
             shares.push(begin.1 < 0.0, begin.0, from.0);
         }
         shares.push(from.1 < 0.0, from.0, end.0);
@@ -99,13 +124,13 @@ impl<'a> Overlap<'a> {
     }
 
     /// Where the lead is zero, between two positions where its signs differ. Positions come with the lead there.
-    fn zero(&self, low: (f64, f64), high: (f64, f64)) -> f64 {
+    fn zero(&self, low: (f64, f64), high: (f64, f64)) -> Meeting {
         let (first, second) = (self.first, self.second);
         // Rounding of a lead, and a share of the leads around that moves the zero by as much of the overlap: a
         // sliver in which the slower ray is kept meets the faster one within as little.
         let enough =
             larger(4.0 * f64::EPSILON * larger(second.at_begin, second.at_end), 1e-11 * (high.1 - low.1).abs());
-        // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`.
+        // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`; with p x + q of δ's sign.
         let (a, b) = (first.x - low.0, second.x - low.0);
         let delta = second.offset - first.offset;
         let p = 2.0 * (b - a);
@@ -116,31 +141,29 @@ impl<'a> Overlap<'a> {
         let under = (q + p * b) * (q + p * b) + second.depth * second.depth * square;
         let root = -(half + (2.0 * delta.abs() * larger(under, 0.0).sqrt()).copysign(half));
         let constant = q * q - four * (b * b + second.depth * second.depth);
-        let (mut low, mut high) = (low, high);
         let width = high.0 - low.0;
-        for x in [root / square, constant / root] {
-            if x >= 0.0 && x <= width {
-                let x = smaller(low.0 + x, high.0);
-                let lead = self.lead(x);
-                if lead.abs() <= enough {
-                    return x;
-                }
-            }
-        }
-        // The Illinois variant of the secant method.
+        let [x, other] = [root / square, constant / root];
+        let is_inside = (x >= 0.0) & (x <= width) & ((p * x + q) * delta >= 0.0);
+        let meeting = self.distances(low.0 + smaller(larger(select_unpredictable(is_inside, x, other), 0.0), width));
+        if meeting.lead().abs() <= enough { meeting } else { self.search(low, high, enough) }
+    }
+
+    /// The same by the Illinois variant of the secant method, until the lead is small enough.
+    #[cold]
+    fn search(&self, mut low: (f64, f64), mut high: (f64, f64), enough: f64) -> Meeting {
         for _ in 0..60 {
             let x = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).max(low.0.min(high.0)).min(low.0.max(high.0));
-            let lead = self.lead(x);
-            if lead.abs() <= enough {
-                return x;
+            let meeting = self.distances(x);
+            if meeting.lead().abs() <= enough {
+                return meeting;
             }
-            if (lead < 0.0) == (high.1 < 0.0) {
+            if (meeting.lead() < 0.0) == (high.1 < 0.0) {
                 low.1 *= 0.5;
             } else {
                 low = high;
             }
-            high = (x, lead);
+            high = (x, meeting.lead());
         }
-        high.0
+        self.distances(high.0)
     }
 }

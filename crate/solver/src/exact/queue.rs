@@ -185,16 +185,22 @@ impl Buckets {
         self.ring.place(number, item);
     }
 
-    /// Takes an item out of the first bucket, unless that begins at `limit` or beyond.
-    pub fn pop(&mut self, limit: f64) -> Option<u32> {
-        while self.waiting > 0 {
-            let item = self.ring.pop(limit)?;
-            if self.bucket[item as usize] == self.ring.current + 1 {
-                self.bucket[item as usize] = 0;
-                self.waiting -= 1;
-                return Some(item);
+    /// Takes some items out of the first bucket, unless that begins at `limit` or beyond: `most` at most.
+    pub fn pop_some(&mut self, limit: f64, most: usize, items: &mut Vec<u32>) {
+        items.clear();
+        while items.is_empty() && self.waiting > 0 {
+            self.ring.pop_some(limit, most, items);
+            if items.is_empty() {
+                return;
             }
+            let here = self.ring.current + 1;
+            items.retain(|&item| {
+                let bucket = &mut self.bucket[item as usize];
+                let is_there = *bucket == here;
+                *bucket = if is_there { 0 } else { *bucket };
+                is_there
+            });
+            self.waiting -= items.len();
         }
-        None
     }
 }

@@ -1,18 +1,53 @@
 //! Where windows begin: at sources, and at vertices that paths bend at.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::geometry::{Bend, ExactGeometry, Frame, Turn, after, before};
+use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::{Window, length};
+use crate::extremum::{larger, smaller};
 use heatwalk_surface::{Place, VertexId};
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
 
+/// A border of the shadow behind a vertex.
+#[derive(Debug, Clone, Copy)]
+struct Border {
+    /// The face that it lies in.
+    turn: Turn,
+    /// Its direction, of any length, from the edge that leaves the face's corner.
+    direction: [f64; 2],
+}
+
+/// A direction at a corner, from the leaving edge, seen from the other edge against the sense of rotation; and back.
+fn reflected(side: &Side, [x, y]: [f64; 2]) -> [f64; 2] {
+    [side.cos * x + side.sin * y, side.sin * x - side.cos * y]
+}
+
 impl ExactGeometry {
+    /// Walks around a vertex to half a turn from a direction in the first face, seen from the edge that is met first there.
+    fn half_turn(&self, start: Turn, [x, y]: [f64; 2]) -> Option<Border> {
+        let side_of = |turn: Turn| &self.frames[turn.face as usize][turn.corner];
+        let (mut turn, mut side) = (start, side_of(start));
+        // Less than half a turn from the edge met first, and a face's angle is less, so that one sign tells.
+        let mut direction = [-x - SHADOW_MARGIN * y, SHADOW_MARGIN * x - y];
+        loop {
+            let [x, y] = direction;
+            direction = [x * side.cos + y * side.sin, y * side.cos - x * side.sin];
+            turn = self.turn(turn).filter(|next| next.face != start.face)?;
+            side = side_of(turn);
+            let [x, y] = direction;
+            if x * side.sin - y * side.cos > 0.0 {
+                return Some(Border {
+                    turn,
+                    direction: if turn.is_reversed { reflected(side, direction) } else { direction },
+                });
+            }
+        }
+    }
+
     /// Whether shortest paths can bend at a vertex.
     pub(super) fn can_bend(&self, vertex: u32) -> bool {
         self.bends[vertex as usize] != Bend::Never
@@ -54,35 +89,40 @@ impl Wavefront {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
         let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
-        if window.clip(frame[k].length, ends) {
-            self.deliver(&geometry, halfedge, &[window]);
+        if window.is_wide() && window.clip(frame[k].length, ends) {
+            self.deliver(&geometry, halfedge, &[window], window.nearest());
         }
     }
 
     /// Sends windows from a vertex that paths can bend at, into the shadow behind it.
     pub(super) fn bend_at(&mut self, vertex: u32) {
-        let geometry = Arc::clone(&self.geometry);
         if self.is_source(vertex) {
             return;
         }
-        let shadow_end = match geometry.bends[vertex as usize] {
-            Bend::Never => return,
-            Bend::Saddle(angle) => angle - PI + SHADOW_MARGIN,
-            Bend::Reflex => f64::INFINITY,
+        let geometry = Arc::clone(&self.geometry);
+        let borders = |wavefront: &Self| {
+            let (start, towards) = wavefront.arrival(vertex)?;
+            let back = Turn { is_reversed: true, ..start };
+            let side = &geometry.frames[start.face as usize][start.corner];
+            Some([geometry.half_turn(start, towards), geometry.half_turn(back, reflected(side, towards))])
+        };
+        match geometry.bends[vertex as usize] {
+            Bend::Never => {}
+            Bend::Saddle => {
+                if let Some([Some(begin), Some(end)]) = borders(self) {
+                    self.light(&geometry, begin, Some(end));
+                }
+            }
+            Bend::Reflex => {
+                let borders = borders(self).into_iter().flatten().flatten();
+                borders.for_each(|border| self.light(&geometry, border, None));
+            }
             Bend::Anywhere => {
                 let surface = Arc::clone(&self.surface);
                 for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
-                    self.light_from_corner(face.0, k, [0.0, f64::INFINITY]);
+                    self.light_from_corner(face.0, k, [None, None]);
                 }
-                return;
             }
-        };
-        let Some((face, k, towards)) = self.arrival(vertex) else { return };
-        let frame = &geometry.frames[face as usize];
-        let start = Turn { face, corner: k, is_reversed: false };
-        self.sweep(start, frame.angle(k) - towards, shadow_end);
-        if shadow_end == f64::INFINITY {
-            self.sweep(Turn { is_reversed: true, ..start }, towards, shadow_end);
         }
     }
 
@@ -96,27 +136,24 @@ impl Wavefront {
         }
     }
 
-    /// The face by which the shortest path reaches a vertex, the corner there, and the angle between the edge that
-    /// leaves that corner and the path.
-    fn arrival(&self, vertex: u32) -> Option<(u32, usize, f64)> {
-        let corner = |face: u32| {
+    /// The face by which the shortest path reaches a vertex, as the start of a walk around it, and the direction that the
+    /// path comes from, of any length, from the edge that leaves the corner there.
+    fn arrival(&self, vertex: u32) -> Option<(Turn, [f64; 2])> {
+        let at_corner = |face: u32| {
             let frame = &self.geometry.frames[face as usize];
-            frame.vertices().iter().position(|&corner| corner == vertex).map(|k| (frame, k))
+            let corner = frame.vertices().iter().position(|&corner| corner == vertex)?;
+            Some((frame, Turn { face, corner, is_reversed: false }))
         };
         match self.origins[vertex as usize] {
             Origin::None => None,
             Origin::Straight { face, root } => {
-                let (frame, k) = corner(face)?;
-                let weights = self.weights_of_root(root, face)?;
-                let [x, y] = frame.place(k, weights);
-                Some((face, k, y.atan2(x)))
+                let (frame, start) = at_corner(face)?;
+                Some((start, frame.place(start.corner, self.weights_of_root(root, face)?)))
             }
             Origin::Window { halfedge, at, .. } => {
-                let (frame, k) = corner(halfedge / 3)?;
-                let [x, y] = frame.opposite(after(k));
-                // Seen from the corner, between the edge to the half-edge's begin and the ray.
-                let towards = (y * at).atan2(x * (x - at) + y * y);
-                Some((halfedge / 3, k, towards))
+                let (frame, start) = at_corner(halfedge / 3)?;
+                let [x, y] = frame.opposite(after(start.corner));
+                Some((start, [x * (x - at) + y * y, y * at]))
             }
         }
     }
@@ -131,31 +168,24 @@ impl Wavefront {
         faces.into_iter().find(|&(found, _)| found == face).map(|(_, weights)| weights)
     }
 
-    /// Walks around a vertex from a face, at `angle` from the path's direction when it leaves it, and lights the
-    /// faces between half a turn and `shadow_end`.
-    fn sweep(&mut self, start: Turn, angle: f64, shadow_end: f64) {
-        let geometry = Arc::clone(&self.geometry);
-        let (mut turn, mut angle) = (start, angle);
-        let shadow_begin = PI - SHADOW_MARGIN;
-        while angle < shadow_end {
+    /// Lights the faces around a vertex from one border of its shadow to the other, or to the boundary.
+    fn light(&mut self, geometry: &ExactGeometry, begin: Border, end: Option<Border>) {
+        let (mut turn, mut first) = (begin.turn, Some(begin.direction));
+        loop {
+            let last = end.filter(|end| end.turn.face == turn.face).map(|end| end.direction);
+            let range = if turn.is_reversed { [last, first] } else { [first, last] };
+            self.light_from_corner(turn.face, turn.corner, range);
+            first = None;
             match geometry.turn(turn) {
-                Some(next) if next.face != start.face => turn = next,
-                _ => break,
-            }
-            let width = geometry.frames[turn.face as usize].angle(turn.corner);
-            let [begin, end] = [shadow_begin - angle, shadow_end - angle];
-            angle += width;
-            if begin < width {
-                // Along the edge that is met first, angles grow from the corner's leaving edge, unless reversed.
-                let range = if turn.is_reversed { [width - end, width - begin] } else { [begin, end] };
-                self.light_from_corner(turn.face, turn.corner, range);
+                Some(next) if last.is_none() && next.face != begin.turn.face => turn = next,
+                _ => return,
             }
         }
     }
 
-    /// Sends a window from a corner of a face by the opposite edge, between two angles from the corner's leaving
-    /// edge, and straight lines along its edges.
-    fn light_from_corner(&mut self, face: u32, k: usize, [from, to]: [f64; 2]) {
+    /// Sends a window from a corner of a face by the opposite edge, between two directions from the corner's leaving edge
+    /// (without them, between both edges there), and straight lines along its edges.
+    fn light_from_corner(&mut self, face: u32, k: usize, [from, to]: [Option<[f64; 2]>; 2]) {
         let geometry = Arc::clone(&self.geometry);
         let frame: &Frame = &geometry.frames[face as usize];
         let root = frame[k].vertex;
@@ -169,12 +199,10 @@ impl Wavefront {
 
         let along = frame[out].length;
         // By the law of sines, measured from the edge's end, as the half-edge across runs.
-        let meets = |angle: f64| {
-            along - frame[k].length * angle.sin() / (frame[out].cos * angle.sin() + frame[out].sin * angle.cos())
-        };
-        let width = frame.angle(k);
-        let begin = if to >= width { 0.0 } else { meets(to).max(0.0) };
-        let end = if from <= 0.0 { along } else { meets(from).min(along) };
+        let meets =
+            |[cos, sin]: [f64; 2]| along - frame[k].length * sin / (frame[out].cos * sin + frame[out].sin * cos);
+        let begin = to.map_or(0.0, |to| larger(meets(to), 0.0));
+        let end = from.map_or(along, |from| smaller(meets(from), along));
         let place = [frame[last].length * frame[last].cos, frame[k].length * frame[out].sin];
         let window = Window::new(begin, end, place, value, root);
         self.leave(face * 3 + out as u32, window);

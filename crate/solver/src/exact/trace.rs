@@ -31,7 +31,7 @@ enum Step {
     Arrived,
     /// A way out.
     Leaves(Ray),
-    /// Nothing: the line belongs to another face of the edge.
+    /// Nothing: the line belongs to another face of the edge, and ends here without having met the source.
     Lost,
 }
 
@@ -120,12 +120,15 @@ impl Wavefront {
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
+        let near = MEETS * (frame[0].length + frame[1].length + frame[2].length);
         if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
-            let scale = frame[0].length + frame[1].length + frame[2].length;
-            if length(root_x - x, root_y - y) <= MEETS * scale {
+            if length(root_x - x, root_y - y) <= near {
                 return Step::Arrived;
             }
+        }
+        if length(x - at, y) <= near {
+            return Step::Lost;
         }
         let [forward, up] = [x - at, y];
         let is_left = (opposite[0] - at) * up - opposite[1] * forward >= 0.0;
@@ -196,11 +199,12 @@ impl Trace<'_> {
                 front.geometry.across(ray.halfedge).map(|(halfedge, is_mirrored)| (ray, halfedge, is_mirrored, length)),
             );
             loop {
-                let Some((from, halfedge, is_mirrored, length)) = open.pop() else {
+                let next = open.pop().filter(|_| steps_left > 0);
+                let Some((from, halfedge, is_mirrored, length)) = next else {
                     self.points.truncate(begin);
                     return None;
                 };
-                steps_left = steps_left.checked_sub(1)?;
+                steps_left -= 1;
                 self.points.truncate(length);
                 match front.step(from, halfedge, is_mirrored, root) {
                     Step::Arrived => return Some(End::Root(halfedge / 3)),

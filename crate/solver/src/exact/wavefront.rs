@@ -5,16 +5,20 @@ use std::sync::Arc;
 
 use super::crossing::Crossing;
 use super::geometry::{ExactGeometry, after, before};
+use super::lists::Lists;
 use super::origin::Origin;
 use super::queue::Buckets;
 use super::targets::Targets;
-use super::window::{Beam, GRAZE, Window, length};
+use super::window::{Beam, Window, length};
 use crate::error::Result;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
-const BUCKET: f64 = 1.0;
+const BUCKET: f64 = 0.7;
+
+/// Half-edges and vertices whose memory is fetched together.
+const BATCH: usize = 16;
 
 /// Exact distances that grow outward from their sources; stopped and continued at will, with the same result.
 #[derive(Debug)]
@@ -29,18 +33,17 @@ pub struct Wavefront {
     pub(super) origins: Vec<Origin>,
     /// Vertices with a finite value.
     reached: Vec<VertexId>,
-    /// All windows; those not in use form a list from `free`. Number 0 is none.
-    pub(super) windows: Vec<Window>,
-    pub(super) free: u32,
-    /// `3 #F`, first window that waits to enter the face by each half-edge, in order along it; 0 where there is none.
-    pub(super) heads: Vec<u32>,
+    /// Windows that wait to enter a face by each of its half-edges.
+    pub(super) waiting: Lists,
     /// Half-edges, then vertices that paths can bend at.
     pub(super) queue: Buckets,
     propagated: usize,
+    /// Items of the queue that are processed now; kept for its memory.
+    batch: Vec<u32>,
     /// Windows that cross now; kept for its memory.
-    crossing: Vec<Crossing>,
-    /// Those that leave by one half-edge; kept for its memory.
-    leaving: Vec<Window>,
+    crossing: Vec<Window>,
+    /// Those that leave by either half-edge; kept for its memory.
+    leaving: [Vec<Window>; 2],
 }
 
 impl Wavefront {
@@ -72,20 +75,18 @@ impl Wavefront {
         let surface = Arc::clone(&geometry.surface);
         let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
         let base = base(&sources);
-        let none = Window::new(0.0, 0.0, [0.0; 2], 0.0, 0);
         let mut wavefront = Self {
             targets: Targets::new(&surface, &geometry, targets),
             sources,
             values: vec![f64::INFINITY; vertices].into(),
             origins: vec![Origin::None; vertices],
             reached: Vec::new(),
-            windows: vec![none],
-            free: 0,
-            heads: vec![0; halfedges],
+            waiting: Lists::new(halfedges),
             queue: Buckets::new(halfedges + vertices, base, BUCKET * surface.mean_edge()),
             propagated: 0,
+            batch: Vec::new(),
             crossing: Vec::new(),
-            leaving: Vec::new(),
+            leaving: Default::default(),
             surface,
             geometry,
         };
@@ -109,13 +110,11 @@ impl Wavefront {
             self.values[vertex] = f64::INFINITY;
             self.origins[vertex.index()] = Origin::None;
         }
-        self.windows.truncate(1);
-        self.free = 0;
-        let heads = &mut self.heads;
+        let waiting = &mut self.waiting;
         self.queue.clear(base(&sources), |item| {
             // A half-edge where windows wait is in the queue.
-            if let Some(head) = heads.get_mut(item as usize) {
-                *head = 0;
+            if (item as usize) < waiting.len() {
+                waiting.clear(item);
             }
         });
         self.propagated = 0;
@@ -127,16 +126,38 @@ impl Wavefront {
     /// the radius was reached.
     pub fn advance(&mut self, radius: f64, work: usize) -> bool {
         let enough = self.propagated.saturating_add(work);
-        let halfedges = self.heads.len() as u32;
+        let halfedges = self.waiting.len() as u32;
         let geometry = Arc::clone(&self.geometry);
+        let mut batch = std::mem::take(&mut self.batch);
         while self.propagated < enough {
-            match self.queue.pop(radius) {
-                None => return true,
-                Some(item) if item < halfedges => self.cross(&geometry, item),
-                Some(item) => self.bend_at(item - halfedges),
+            self.queue.pop_some(radius, BATCH, &mut batch);
+            if batch.is_empty() {
+                break;
+            }
+            self.fetch(&geometry, &batch);
+            for &item in &batch {
+                match item.checked_sub(halfedges) {
+                    None => self.cross(&geometry, item),
+                    Some(vertex) => self.bend_at(vertex),
+                }
             }
         }
+        self.batch = batch;
         self.radius() >= radius
+    }
+
+    /// Reads what a batch will need, so that the processor waits for all of it at once instead of for one after another.
+    fn fetch(&self, geometry: &ExactGeometry, batch: &[u32]) {
+        let mut sum = 0.0;
+        for &halfedge in batch.iter().filter(|&&item| (item as usize) < self.waiting.len()) {
+            let (frame, k) = geometry.frame_of(halfedge);
+            sum += self.waiting.at(halfedge).first().map_or(0.0, |window| window.begin);
+            sum += self.values[VertexId(frame[before(k)].vertex)];
+            for out in [after(k), before(k)] {
+                sum += self.waiting.at(frame[out].next_on_edge >> 2).first().map_or(0.0, |window| window.begin);
+            }
+        }
+        std::hint::black_box(sum);
     }
 
     /// The surface that it grows on.
@@ -189,16 +210,10 @@ impl Wavefront {
 
     /// The windows that wait, each with its half-edge; their roots are the numbers of the sources that they come from.
     pub(crate) fn waiting(&self) -> impl Iterator<Item = (u32, Beam)> + '_ {
-        let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.heads.len());
+        let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.waiting.len());
         halfedges.flat_map(move |halfedge| {
-            let listed = |number: u32| Some(number).filter(|&number| number != 0);
-            let list = std::iter::successors(listed(self.heads[halfedge as usize]), move |&number| {
-                listed(self.windows[number as usize].next)
-            });
-            list.map(move |number| {
-                let beam = self.windows[number as usize].beam();
-                (halfedge, Beam { root: self.source_of(beam.root), ..beam })
-            })
+            let beams = self.waiting.at(halfedge).iter().map(Window::beam);
+            beams.map(move |beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
         })
     }
 
@@ -219,7 +234,7 @@ impl Wavefront {
 
     /// Bytes held for what is still to be done.
     pub fn pending_bytes(&self) -> usize {
-        size_of::<Window>() * self.windows.capacity() + 4 * self.heads.len() + self.queue.bytes()
+        self.waiting.bytes() + self.queue.bytes()
     }
 
     /// Offers a vertex a shorter path.
@@ -232,7 +247,7 @@ impl Wavefront {
             self.values[VertexId(vertex)] = value;
             self.origins[vertex as usize] = origin;
             if self.geometry.can_bend(vertex) {
-                self.queue.push(self.heads.len() as u32 + vertex, value);
+                self.queue.push(self.waiting.len() as u32 + vertex, value);
             }
         }
     }
@@ -241,64 +256,88 @@ impl Wavefront {
     /// face, windows for the half-edges across its two other edges.
     fn cross(&mut self, geometry: &ExactGeometry, halfedge: u32) {
         let (frame, k) = geometry.frame_of(halfedge);
-        let [l, r] = [before(k), after(k)];
         let sides = frame.seen_from(k);
         let [a, b, c] = sides.map(|side| side.vertex);
         let opposite = frame.opposite(k);
+        let [at_a, at_b] = [a, b].map(|vertex| self.values[VertexId(vertex)]);
 
-        let mut crossing = std::mem::take(&mut self.crossing);
-        crossing.clear();
-        let ends = [self.values[VertexId(a)], self.values[VertexId(b)]];
-        let mut next = std::mem::take(&mut self.heads[halfedge as usize]);
-        while next != 0 {
-            let number = next;
-            let mut window = self.windows[number as usize];
-            next = window.next;
-            self.release(number);
+        let mut windows = std::mem::take(&mut self.crossing);
+        self.waiting.take(halfedge, &mut windows);
+        windows.retain_mut(|window| {
             let is_current = self.values.get(VertexId(window.root)).is_none_or(|&value| value >= window.offset);
-            if !(is_current && window.clip(frame[k].length, ends)) {
-                continue;
+            let crosses = is_current && window.clip(sides[0].length, [at_a, at_b]);
+            if crosses {
+                self.reach(halfedge, c, opposite, window);
             }
-            let entering = Crossing::new(window.beam(), opposite);
-            let (splits, distance) = (entering.splits, entering.distance);
-            crossing.push(entering);
-            let at = smaller(larger(splits, window.begin), window.end);
-            if (splits - at).abs() > GRAZE * distance {
-                continue;
-            }
-            let is_straight = at == splits;
-            let bent = length(at - window.x, window.depth) + length(opposite[0] - at, opposite[1]);
-            let value = window.offset + if is_straight { distance } else { bent };
-            if value < self.values[VertexId(c)] {
-                let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
-                self.offer(c, value, origin);
-            }
-        }
-        self.propagated += crossing.len();
+            crosses
+        });
+        self.propagated += windows.len();
         if self.targets.are_in(halfedge / 3) {
-            for crossing in &crossing {
-                self.targets.see(frame, halfedge, &crossing.beam);
+            for window in &windows {
+                self.targets.see(frame, halfedge, &window.beam());
             }
         }
 
-        let mut leaving = std::mem::take(&mut self.leaving);
-        for (out, corners) in [(l, [a, c]), (r, [c, b])] {
-            if frame[out].next_on_edge >> 2 == halfedge - k as u32 + out as u32 {
-                continue;
-            }
-            let ends = corners.map(|vertex| self.values[VertexId(vertex)]);
-            leaving.clear();
-            for crossing in &crossing {
-                let part = if out == l { crossing.to_left(sides) } else { crossing.to_right(sides) };
-                let Some(mut part) = part.map(Window::from) else { continue };
-                if part.clip(frame[out].length, ends) {
-                    leaving.push(part);
+        let at_c = self.values[VertexId(c)];
+        let [mut to_left, mut to_right] = std::mem::take(&mut self.leaving);
+        let [mut nearest_left, mut nearest_right] = [f64::INFINITY; 2];
+        for window in &windows {
+            let crossing = Crossing::new(window.beam(), opposite);
+            if let Some(beam) = crossing.to_left(sides) {
+                let mut window = Window::from(beam);
+                if window.is_wide() && window.clip(sides[2].length, [at_a, at_c]) {
+                    nearest_left = smaller(nearest_left, window.nearest());
+                    to_left.push(window);
                 }
             }
-            self.deliver(geometry, halfedge - k as u32 + out as u32, &leaving);
+            if let Some(beam) = crossing.to_right(sides) {
+                let mut window = Window::from(beam);
+                if window.is_wide() && window.clip(sides[1].length, [at_c, at_b]) {
+                    nearest_right = smaller(nearest_right, window.nearest());
+                    to_right.push(window);
+                }
+            }
         }
-        self.leaving = leaving;
-        self.crossing = crossing;
+        windows.clear();
+        let first = halfedge - k as u32;
+        self.deliver(geometry, first + before(k) as u32, &to_left, nearest_left);
+        self.deliver(geometry, first + after(k) as u32, &to_right, nearest_right);
+        to_left.clear();
+        to_right.clear();
+        self.leaving = [to_left, to_right];
+        self.crossing = windows;
+    }
+
+    /// Offers the corner opposite a half-edge the path through a window that enters there.
+    fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], window: &Window) {
+        let crossing = Crossing::new(window.beam(), opposite);
+        if !crossing.sees_corner() {
+            return;
+        }
+        let at = smaller(larger(crossing.splits(), window.begin), window.end);
+        let value = window.at(at) + length(opposite[0] - at, opposite[1]);
+        if value < self.values[VertexId(corner)] {
+            let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
+            self.offer(corner, value, origin);
+        }
+    }
+
+    /// Brings windows that leave a face by a half-edge, in order along that edge against the half-edge's direction, to the
+    /// half-edges on the other faces of the edge.
+    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &[Window], nearest: f64) {
+        if leaving.is_empty() {
+            return;
+        }
+        let (frame, k) = geometry.frame_of(halfedge);
+        for (target, is_mirrored) in geometry.across(halfedge) {
+            if is_mirrored {
+                let mirrored = leaving.iter().rev().map(|window| window.mirrored(frame[k].length));
+                self.waiting.add(target, &mirrored.collect::<Vec<_>>());
+            } else {
+                self.waiting.add(target, leaving);
+            }
+            self.queue.push(target, nearest);
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! Windows: the part of an edge that sees one (pseudo-)source along straight lines, unfolded into the plane.
 
+use std::hint::select_unpredictable;
+
 use crate::extremum::{larger, smaller};
 
 /// A window reaches vertices that its rays miss by at most this share of their distance from it, and an angle sum
@@ -55,7 +57,7 @@ impl From<Beam> for Window {
 
 /// An interval of a half-edge, and the (pseudo-)source that lights it from behind.
 ///
-/// The half-edge lies on the x axis from the origin, its face above, the source at `(x, −depth)`. Windows form lists.
+/// The half-edge lies on the x axis from the origin, its face above, the source at `(x, −depth)`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Window {
     /// Where the interval begins and ends, along the half-edge.
@@ -71,15 +73,13 @@ pub(crate) struct Window {
     pub at_end: f64,
     /// A vertex, or `#V` + the number of a source.
     pub root: u32,
-    /// Following window of the list, 0 at its end.
-    pub next: u32,
 }
 
 impl Window {
-    /// A window with nothing after it. `[x, depth]` is the source's place, `offset` its distance.
+    /// A window and the distances of its ends. `[x, depth]` is the source's place, `offset` its distance.
     pub fn new(begin: f64, end: f64, [x, depth]: [f64; 2], offset: f64, root: u32) -> Self {
         let at = |at: f64| offset + length(at - x, depth);
-        Self { begin, end, x, depth, offset, at_begin: at(begin), at_end: at(end), root, next: 0 }
+        Self { begin, end, x, depth, offset, at_begin: at(begin), at_end: at(end), root }
     }
 
     /// Without the distances of its ends.
@@ -102,8 +102,8 @@ impl Window {
 
     /// The least distance in the interval.
     pub fn nearest(&self) -> f64 {
-        let is_below = self.begin < self.x && self.x < self.end;
-        if is_below { self.offset + self.depth } else { smaller(self.at_begin, self.at_end) }
+        let is_below = (self.begin < self.x) & (self.x < self.end);
+        select_unpredictable(is_below, self.offset + self.depth, smaller(self.at_begin, self.at_end))
     }
 
     /// Whether the interval is worth following. Also false where something is not a number.
@@ -111,13 +111,16 @@ impl Window {
         is_wide(self, self.begin, self.end)
     }
 
-    /// Whether another window begins where this one ends and has the same source.
+    /// Whether another window begins where this one ends and has the same source, at the same distance: that of a vertex
+    /// may have fallen between the two.
     pub fn continues_into(&self, other: &Self) -> bool {
         let close = SAME * (self.at_end - self.offset);
-        self.root == other.root
-            && (self.end - other.begin).abs() <= close
-            && (self.x - other.x).abs() <= close
-            && (self.depth - other.depth).abs() <= close
+        // No branches: one alone is often true, all together hardly ever.
+        ((self.end - other.begin).abs() <= close)
+            & (self.root == other.root)
+            & (self.offset == other.offset)
+            & ((self.x - other.x).abs() <= close)
+            & ((self.depth - other.depth).abs() <= close)
     }
 
     /// The same window on a half-edge in the opposite direction.
@@ -136,20 +139,23 @@ impl Window {
     /// of the whole window); `values` are distances there. Returns whether anything is left.
     pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
         // At slope one, the way by an end grows at least as fast as this window's distance.
-        let limit = values[0] + MARGIN * values[0];
-        if self.at_begin > limit + self.begin {
-            if self.at_end > limit + self.end {
+        let limit = values.map(|value| value + MARGIN * value);
+        let is_cut = [self.at_begin > limit[0] + self.begin, self.at_end > limit[1] + (length - self.end)];
+        if is_cut == [false; 2] {
+            return true;
+        }
+        if is_cut[0] {
+            if self.at_end > limit[0] + self.end {
                 return false;
             }
-            let begin = tie(self.x, self.depth, limit - self.offset);
+            let begin = tie(self.x, self.depth, limit[0] - self.offset);
             *self = self.part(smaller(larger(begin, self.begin), self.end), self.end);
         }
-        let limit = values[1] + MARGIN * values[1];
-        if self.at_end > limit + (length - self.end) {
-            if self.at_begin > limit + (length - self.begin) {
+        if is_cut[1] {
+            if self.at_begin > limit[1] + (length - self.begin) {
                 return false;
             }
-            let end = length - tie(length - self.x, self.depth, limit - self.offset);
+            let end = length - tie(length - self.x, self.depth, limit[1] - self.offset);
             *self = self.part(self.begin, larger(smaller(end, self.end), self.begin));
         }
         self.is_wide()

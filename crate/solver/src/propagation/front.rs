@@ -144,7 +144,7 @@ impl<C: Count> Front<C> {
             }
             self.crossed += 1;
             let crossing = Crossing::new(beam, opposite);
-            let at = smaller(larger(crossing.splits, beam.begin), beam.end);
+            let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
             self.offer(c, beam.at(at) + length(opposite[0] - at, opposite[1]), beam.root);
             let at_c = self.values[VertexId(c)];
             let first = halfedge - k as u32;

@@ -172,7 +172,7 @@ impl<C: Count> Labels<C> {
                 Some(ref window) => window,
                 None => {
                     let mut window = Window::from(*beam);
-                    if !window.clip(bar.length, bar.ends) {
+                    if !(window.is_wide() && window.clip(bar.length, bar.ends)) {
                         return None;
                     }
                     kept.insert(window)

@@ -3,6 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use super::super::samples::Numbers;
 use super::*;
 
 /// Places of an interval that are looked at.
@@ -10,21 +11,7 @@ const SAMPLES: u32 = 64;
 /// What the loser may be nearer by: a zero is found to 1e-11 of the leads around it.
 const BOUND: f64 = 1e-10;
 
-/// Numbers from 0 to 1 that repeat late.
-struct Numbers(u64);
-
 impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// A window of a half-edge of length 1 that sees its source at up to 1.5 from the half-edge.
-    fn window(&mut self, offset: f64) -> Window {
-        let [begin, end] = [0.5 * self.next(), 0.5 + 0.5 * self.next()];
-        Window::new(begin, end, [2.0 * self.next() - 0.5, 0.02 + 1.5 * self.next()], offset, 0)
-    }
-
     /// Two windows with a lead of some thousandths at a random place of their overlap, so that it may change twice.
     fn overlap(&mut self) -> [Window; 2] {
         let first = self.window(0.5);
