@@ -20,7 +20,7 @@ const EVENNESS: [f64; 2] = [0.07, 0.15];
 const EVEN: (f64, f64) = (0.3, 80.0);
 
 /// m of others, where so short a time would follow the edges, on surfaces of at least so many mean edges in width. On
-/// narrower ones, where rounding costs more, it falls with the cubic root.
+/// narrower ones, where rounding costs more, it falls with the fifth root.
 const UNEVEN: (f64, f64) = (1.0, 100.0);
 
 /// m grows with the grading up to this. Beyond, it would round off too much where triangles are small.
@@ -53,7 +53,7 @@ pub(super) fn suited_factor(operators: &Operators, extent: f64) -> f64 {
     let mean_edge = operators.mean_edge();
     let (length, width) = (extent / mean_edge, operators.area() / (extent * mean_edge));
     let for_even = EVEN.0 * (length / EVEN.1).max(1.0).powf(2.0 / 3.0);
-    let for_uneven = UNEVEN.0 * (width / UNEVEN.1).min(1.0).cbrt();
+    let for_uneven = UNEVEN.0 * (width / UNEVEN.1).min(1.0).powf(0.2);
     // t is to suit the triangles that heat crosses: those where most of the surface is.
     let most_grading = (width / WIDTH_PER_GRADING).clamp(1.0, MOST_GRADING);
     operators.grading().clamp(1.0, most_grading) * (for_even + unevenness * (for_uneven - for_even).max(0.0))
