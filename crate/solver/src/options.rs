@@ -76,7 +76,8 @@ choice!(LinearSolver, "linear solver": Cholesky = "cholesky", ConjugateGradients
 /// The diffusion time t = m h², h the mean edge length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum TimeStep {
-    /// m chosen by how even the edge lengths are; with conjugate gradients so large that all heat is above their noise.
+    /// m chosen by how even, how graded and how fine the triangles are; with conjugate gradients so large that all heat is
+    /// above their noise.
     #[default]
     Automatic,
     /// This m; positive, no unit. Larger is smoother.
@@ -129,8 +130,8 @@ choice!(MultiSource, "multi-source mode": Exact = "exact", Summed = "summed" | "
 /// Radius around the sources within which distances are exact polyhedral ones.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ExactRadius {
-    /// As far as costs a fraction of a solve on large meshes, and a few solves, well below a millisecond each, on meshes of
-    /// some thousand vertices.
+    /// As far as costs a fraction of a solve on large meshes, and about twice the rest of it on meshes of some thousand
+    /// vertices.
     #[default]
     Automatic,
     /// So many mean edges, whatever it costs: 0 is the heat method alone, infinity is exact everywhere.

@@ -5,11 +5,14 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
+use std::ops::ControlFlow;
+
 use common::exact_distances::{self, Field, Known};
 use common::{distance_from, heat_only, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
+use heatwalk::exact::exact_distance;
 use heatwalk::{
-    Boundary, Element, InputVertex, LinearSolver, Operator, Parameters, Place, RelativeError, TimeStep, VertexId,
+    Boundary, Element, InputVertex, LinearSolver, Operator, Parameters, Place, RelativeError, Soup, TimeStep, VertexId,
 };
 use heatwalk_shapes as shapes;
 
@@ -145,6 +148,50 @@ fn default_settings_converge_on_the_sphere() {
     };
     let errors = [5, 6, 7].map(error);
     assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.01, "{errors:?}");
+}
+
+/// An ellipsoid of triangles that are well shaped but nine times as long around one pole as around the other: a sphere
+/// under a conformal map, stretched.
+fn graded_ellipsoid(subdivisions: u32) -> Soup {
+    let sphere = shapes::icosphere(subdivisions);
+    let moved = |p: &DVec3| {
+        // Stereographic projection, three times as large, and back.
+        let square = 9.0 * (1.0 + p.z) / (1.0 - p.z).max(1e-9);
+        let z = (square - 1.0) / (square + 1.0);
+        let around = ((1.0 - z * z) / (1.0 - p.z * p.z).max(1e-18)).sqrt();
+        DVec3::new(1.3 * p.x * around, 0.8 * p.y * around, z)
+    };
+    common::soup(sphere.positions.iter().map(moved).collect(), sphere.triangles)
+}
+
+/// Relative error against exact distances, from a vertex of the soup.
+fn error_from(soup: &Soup, source: u32, parameters: Parameters) -> RelativeError {
+    let solver = solver_with(soup, parameters);
+    let source = [solver.surface().vertex_of_input(InputVertex(source)).expect("a used vertex")];
+    let exact = exact_distance(solver.surface(), &source, &mut |_| ControlFlow::Continue(())).expect("a source");
+    RelativeError::between(&solver.distance(&source).expect("a source").values, exact.as_slice())
+}
+
+#[test]
+fn default_settings_are_better_than_heat_alone_on_graded_meshes() {
+    let soup = graded_ellipsoid(5);
+    let height = |&index: &u32| soup.positions[index as usize].z;
+    let mut vertices: Vec<u32> = (0..soup.positions.len() as u32).collect();
+    vertices.sort_by(|a, b| height(a).total_cmp(&height(b)));
+    // Among large triangles, between, and among small ones.
+    for rank in [40, vertices.len() / 3, vertices.len() - 40] {
+        let [ours, alone] = [Parameters::default(), heat_only(1.0, Boundary::Neumann)]
+            .map(|parameters| error_from(&soup, vertices[rank], parameters));
+        assert!(ours.mean < 0.9 * alone.mean && ours.max < 0.9 * alone.max, "{rank}: {ours:?}, alone {alone:?}");
+    }
+}
+
+#[test]
+fn the_time_factor_suits_the_triangles() {
+    let chosen = |soup: &Soup| solver_with(soup, Parameters::default()).time_factor();
+    let [even, uneven] = [shapes::icosphere(4), shapes::uv_sphere(40, 80)].map(|soup| chosen(&soup));
+    assert!(even == 0.3 && uneven > 0.5, "{even} {uneven}");
+    assert!(chosen(&graded_ellipsoid(5)) > 1.5 * chosen(&shapes::icosphere(5)));
 }
 
 /// Ratios of our mean and maximum errors to those of geometry-central's robust heat method, field by field.

@@ -146,6 +146,19 @@ fn asking_again_gives_the_same() {
 }
 
 #[test]
+fn what_was_asked_before_changes_no_bit_of_a_source_s_distance() {
+    let soup = shapes::torus(1.0, 0.4, 60, 30);
+    let asked = solver_with(&soup, Parameters::default());
+    for question in [vec![900], vec![3], vec![3, 900, 1500], vec![900], vec![1500]].map(|q| vertices(&q)) {
+        let after = asked.distance(&question).expect("sources");
+        if question.len() == 1 {
+            let first = solver_with(&soup, Parameters::default()).distance(&question).expect("a source");
+            assert_eq!((after.values, after.exact_below), (first.values, first.exact_below));
+        }
+    }
+}
+
+#[test]
 fn distances_start_at_sources_inside_faces_and_on_edges() {
     let soup = shapes::icosphere(4);
     let mut seed = 9;
@@ -248,6 +261,24 @@ fn the_exact_radius_goes_from_heat_alone_to_exact_everywhere() {
         let inside = distance.values.iter().zip(&exact).filter(|&(_, exact)| *exact < distance.exact_below);
         assert!(inside.into_iter().all(is_exact), "{edges}");
         assert_eq!(distance.values.iter().zip(&exact).all(is_exact), is_all, "{edges}");
+    }
+}
+
+#[test]
+fn the_exact_region_is_exact_and_takes_few_windows_on_small_meshes() {
+    for soup in [shapes::torus(1.0, 0.4, 40, 20), shapes::uv_sphere(40, 60), square(30)] {
+        let solver = solver_with(&soup, Parameters::default());
+        let count = solver.surface().vertex_count();
+        let source = vertices(&[count as u32 / 3]);
+        let distance = solver.distance(&source).expect("a source");
+        let mut front = solver.wavefront(&source).expect("a source");
+        front.advance(distance.exact_below, usize::MAX);
+        let inside: Vec<VertexId> =
+            solver.surface().vertices().filter(|&vertex| front.values()[vertex] < distance.exact_below).collect();
+        assert!(inside.len() > 30, "{} of {count}", inside.len());
+        assert!(inside.iter().all(|&vertex| distance.values[vertex] == front.values()[vertex]));
+        // Those that wait at one edge cross together.
+        assert!(front.windows() < count, "{} windows for {count} vertices", front.windows());
     }
 }
 

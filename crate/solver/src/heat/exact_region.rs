@@ -8,13 +8,23 @@ use crate::options::ExactRadius;
 use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 
-/// A radius that work has cut short is rounded down to a power of this in mean edges, so that moving or adding a
-/// source mostly leaves it, and with it the Schur columns kept from before.
+/// With several sources, a radius that work has cut short is rounded down to a power of this in mean edges, so that
+/// moving or adding a source mostly leaves it, and with it the Schur columns kept from before. One needs none.
 const RADIUS_STEP: f64 = 1.189_207_115_002_721; // the fourth root of 2
 
 /// Windows that the exact region may propagate, times the fourth root of the number of vertices: beyond some rings it
 /// gains little, and the finer the mesh, the less it may take of a solve.
 const WINDOWS: f64 = 600.0;
+
+/// Vertices below which that falls with their number, so that on small meshes, too, it takes at most about twice the time
+/// of the rest of a solve.
+const FEW_VERTICES: f64 = 6000.0;
+
+/// Windows that the exact region may propagate where its radius is chosen.
+fn windows(vertices: usize) -> usize {
+    let vertices = vertices as f64;
+    (WINDOWS * vertices.powf(0.25) * (vertices / FEW_VERTICES).min(1.0)) as usize
+}
 
 /// Exact distances around the sources: those of a wavefront that are below a radius.
 pub(super) struct ExactRegion<'a> {
@@ -49,8 +59,10 @@ impl<'a> ExactRegion<'a> {
                 Self::of(front, radius)
             }
             ExactRadius::Automatic => {
-                let windows = WINDOWS * (front.values().len() as f64).powf(0.25);
-                front.advance(f64::INFINITY, windows as usize);
+                front.advance(f64::INFINITY, windows(front.values().len()));
+                if sources.len() == 1 {
+                    return Self::of(front, f64::INFINITY);
+                }
                 let steps = ((front.radius() - least) / mean_edge).log(RADIUS_STEP).floor();
                 Self::of(front, least + mean_edge * RADIUS_STEP.powf(steps))
             }

@@ -71,7 +71,7 @@ impl Factorization {
     ) -> Result<Self> {
         let operators = Operators::new(&surface, options.operator);
         let mean_edge = operators.mean_edge();
-        let suited_factor = suited_factor(operators.deviation(), extent / mean_edge);
+        let suited_factor = suited_factor(&operators, extent);
         let systems = Systems::new(operators, options.solver, progress)?;
         let neumann = Condition::Neumann;
         let dirichlet = dirichlet(&surface);

@@ -70,7 +70,7 @@ pub(crate) struct Elements {
     pub(crate) whole: usize,
     /// Mean length of the edges, in the file's unit.
     pub(crate) mean_edge: f64,
-    /// Root-mean-square deviation of the edges' lengths, as a share of their mean.
+    /// Root-mean-square deviation of a triangle's sides from their mean, as a share of it.
     pub(crate) deviation: f64,
 }
 
@@ -78,6 +78,24 @@ impl Elements {
     /// What a triangle counts for.
     pub(crate) fn share(&self, index: usize) -> f64 {
         if index < self.whole { 1.0 } else { 0.5 }
+    }
+
+    /// Area of all triangles, in the file's unit squared.
+    pub(crate) fn area(&self) -> f64 {
+        self.shapes.iter().enumerate().map(|(index, shape)| self.share(index) * shape.area()).sum()
+    }
+
+    /// How much larger triangles are where most of the surface is than where most vertices are: the geometric mean of
+    /// their areas, weighted by area, over that of an equilateral triangle with the mean edge. About 1 where all are of
+    /// one size.
+    pub(crate) fn grading(&self) -> f64 {
+        let unit = self.mean_edge * self.mean_edge;
+        let areas = self.shapes.iter().enumerate().map(|(index, shape)| (self.share(index), shape.area() / unit));
+        let (whole, logarithms) = areas
+            .filter(|&(_, area)| area > 0.0)
+            .fold((0.0, 0.0), |(whole, sum), (share, area)| (whole + share * area, sum + share * area * area.ln()));
+        let equilateral = 0.25 * 3.0_f64.sqrt();
+        (logarithms / whole).exp() / equilateral
     }
 
     /// Adds the divergence at corners 1 and 2 of a triangle, and minus their sum at corner 0, to that of the vertices.
@@ -111,16 +129,17 @@ impl Elements {
     }
 }
 
-/// Mean length of the edges and its root-mean-square deviation, as a share of the mean. `lengths` are those of the
-/// triangles' sides, of which two make an edge, or one that is a boundary.
+/// Mean length of the edges, and the root-mean-square deviation of a triangle's sides from their mean, as a share of it.
+/// `lengths` are those of the triangles' sides, of which two make an edge, or one that is a boundary.
 pub(crate) fn edge_statistics(lengths: &[f64], is_boundary: impl Fn(usize) -> bool) -> (f64, f64) {
-    let sides = || {
-        let sides = lengths.iter().enumerate();
-        sides.map(|(side, &length)| (length, if is_boundary(side) { 2.0 } else { 1.0 }))
+    let sides = lengths.iter().enumerate();
+    let (sum, count) = sides
+        .map(|(side, &length)| (length, if is_boundary(side) { 2.0 } else { 1.0 }))
+        .fold((0.0, 0.0), |(sum, count), (length, weight)| (sum + weight * length, count + weight));
+    let triangles = lengths.as_chunks().0;
+    let variance = |&[a, b, c]: &[f64; 3]| {
+        let third = 3.0 / (a + b + c);
+        [a, b, c].map(|side| (side * third - 1.0).powi(2)).iter().sum::<f64>() / 3.0
     };
-    let (sum, count) =
-        sides().fold((0.0, 0.0), |(sum, count), (length, weight)| (sum + weight * length, count + weight));
-    let mean = sum / count;
-    let deviation = |(length, weight): (f64, f64)| weight * (length / mean - 1.0).powi(2);
-    (mean, (sides().map(deviation).sum::<f64>() / count).sqrt())
+    (sum / count, (triangles.iter().map(variance).sum::<f64>() / triangles.len() as f64).sqrt())
 }

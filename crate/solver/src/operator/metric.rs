@@ -106,9 +106,21 @@ impl Operators {
         self.elements.mean_edge
     }
 
-    /// Root-mean-square deviation of the edges' lengths, as a share of their mean.
+    /// Root-mean-square deviation of a triangle's sides from their mean, as a share of it: 0 where all are equilateral.
     pub fn deviation(&self) -> f64 {
         self.elements.deviation
+    }
+
+    /// Area of all triangles, in the file's unit squared.
+    pub fn area(&self) -> f64 {
+        self.elements.area()
+    }
+
+    /// How much larger triangles are where most of the surface is than where most vertices are: the geometric mean of
+    /// their areas, weighted by area, over that of an equilateral triangle with the mean edge. About 1 where all are of
+    /// one size.
+    pub fn grading(&self) -> f64 {
+        self.elements.grading()
     }
 
     /// Edges of the triangles: vertices, the lower first, and length. Edges of the same vertices whose lengths differ by a
