@@ -18,7 +18,7 @@ const WINDOWS: f64 = 600.0;
 
 /// Vertices below which that falls with their number, so that on small meshes, too, it takes at most about twice the time
 /// of the rest of a solve.
-const FEW_VERTICES: f64 = 6000.0;
+const FEW_VERTICES: f64 = 4000.0;
 
 /// Windows that the exact region may propagate where its radius is chosen.
 fn windows(vertices: usize) -> usize {
