@@ -48,40 +48,58 @@ fn distances(geometry: &Arc<ExactGeometry>, places: &[VertexId], windows: Window
     places.iter().map(from).collect()
 }
 
-#[test]
-fn measure() {
-    for windows in [Some(1), Some(2), Some(4), Some(8), None] {
-        let (mut asym, mut tri) = ([0.0_f64; 2], [0.0_f64; 2]);
-        let mut na = 0.0;
-        for (n, surface) in surfaces().into_iter().enumerate() {
-            let surface = Arc::new(surface);
-            let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
-            let mut seed = 77 + n as u64;
-            let places: Vec<VertexId> =
-                (0..PLACES).map(|_| VertexId::from_index(random(&mut seed, surface.vertex_count()))).collect();
-            let windows = windows.map_or(Windows::All, |w| Windows::AtMost(NonZeroU16::new(w).unwrap()));
-            let d = distances(&geometry, &places, windows);
-            let (mut a0, mut t0) = (0.0_f64, 0.0_f64);
-            for a in 0..PLACES {
-                for b in 0..PLACES {
-                    if d[a][b].is_finite() && a != b && d[a][b] > 0.0 {
-                        let r = (d[a][b] - d[b][a]).abs() / d[a][b];
-                        a0 = a0.max(r);
-                        asym[1] += r;
-                        na += 1.0;
-                    }
-                    for c in 0..PLACES {
-                        let two = d[a][b] + d[b][c];
-                        if two.is_finite() && two > 0.0 {
-                            t0 = t0.max(d[a][c] / two - 1.0);
-                        }
+/// How far the distances between some places of each surface are from a metric.
+struct Deviation {
+    /// Mean and largest difference between both ways, as a share of one.
+    asymmetry: [f64; 2],
+    /// The largest share by which a distance exceeds that by way of a third place.
+    excess: f64,
+}
+
+impl Deviation {
+    fn of(windows: Windows) -> Self {
+        let (mut differences, mut excess) = (Vec::new(), 0.0_f64);
+        let mut seed = 77;
+        for surface in surfaces() {
+            let place = |_| VertexId::from_index(random(&mut seed, surface.vertex_count()));
+            let places: Vec<VertexId> = (0..PLACES).map(place).collect();
+            let distance = distances(&Arc::new(ExactGeometry::new(surface)), &places, windows);
+            for (a, b) in (0..PLACES).flat_map(|a| (0..PLACES).map(move |b| (a, b))) {
+                let (there, back) = (distance[a][b], distance[b][a]);
+                assert_eq!(there.is_finite(), back.is_finite());
+                assert_eq!(there == 0.0, places[a] == places[b]);
+                if there > 0.0 && there.is_finite() {
+                    differences.push((there - back).abs() / there);
+                }
+                for c in 0..PLACES {
+                    let by_way = there + distance[b][c];
+                    if by_way > 0.0 && by_way.is_finite() {
+                        excess = excess.max(distance[a][c] / by_way - 1.0);
                     }
                 }
             }
-            println!("{windows:?} {n} V {} asym {a0:.3e} tri {t0:.3e}", surface.vertex_count());
-            asym[0] = asym[0].max(a0);
-            tri[0] = tri[0].max(t0);
         }
-        println!("== {windows:?} asym {asym:?} mean {} tri {tri:?}", asym[1] / na);
+        assert!(differences.len() > 1000, "{} pairs", differences.len());
+        let mean = differences.iter().sum::<f64>() / differences.len() as f64;
+        Self { asymmetry: [mean, differences.into_iter().fold(0.0, f64::max)], excess }
+    }
+}
+
+#[test]
+fn exact_distances_are_a_metric() {
+    let Deviation { asymmetry: [_, most], excess } = Deviation::of(Windows::All);
+    // Measured: 2.2e-15 and 7e-16.
+    assert!(most < 1e-13 && excess < 1e-13, "{most:e} {excess:e}");
+}
+
+#[test]
+fn propagated_distances_are_nearly_a_metric() {
+    // Half as much again as the most that was measured with eight seeds: 0.4, 0.14, 0.054 and 0.037 % of asymmetry in the mean, and
+    // 13.5, 2.1, 1.8 and 2.1 % of excess. The largest ones are those of slivers, which few windows miss whatever their number.
+    for (windows, mean, excess) in [(1, 6e-3, 0.2), (2, 2.1e-3, 0.032), (4, 8e-4, 0.027), (8, 5.5e-4, 0.032)] {
+        let deviation = Deviation::of(Windows::AtMost(NonZeroU16::new(windows).expect("a window")));
+        let asymmetry = deviation.asymmetry;
+        assert!(asymmetry[0] < mean && asymmetry[1] < 0.2, "{windows} windows: {asymmetry:?}");
+        assert!(deviation.excess < excess, "{windows} windows: {}", deviation.excess);
     }
 }

@@ -102,9 +102,12 @@ pub(crate) fn zeroed<T: Zeroable + Send>(count: usize, threads: NonZeroUsize) ->
 }
 
 /// Touches every page of a vector's spare memory. The system hands pages out one by one, when they are first written to, which
-/// takes ten times as long as writing; several threads are as many times as fast.
+/// takes ten times as long as writing; several threads are as many times as fast. With one thread nothing is done.
 pub fn touch<T: Send>(values: &mut Vec<T>, threads: NonZeroUsize) {
     let spare = values.spare_capacity_mut();
+    if busy(spare.len(), threads) == 1 {
+        return;
+    }
     map_parts(ranges(spare.len(), threads), spare, |_, part| {
         for value in part.iter_mut().step_by((PAGE / size_of::<T>().max(1)).max(1)) {
             *value = MaybeUninit::zeroed();

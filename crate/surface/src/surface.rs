@@ -82,6 +82,7 @@ pub struct Surface {
     /// Number [`NONE`] where the triangle was dropped.
     face_of_triangle: InputTriangleData<FaceId>,
     triangle_of_face: FaceData<InputTriangle>,
+    /// Empty where each vertex is of one input vertex.
     inputs_of_face: FaceData<[InputVertex; 3]>,
     components: VertexData<u32>,
     is_boundary: VertexData<bool>,
@@ -113,18 +114,12 @@ impl Surface {
         let (positions, mut faces, mut edges, mut corners) =
             (welded.positions, welded.faces, welded.edges, welded.corners);
         let triangle_of_face = welded.triangle_of_face;
-        let mut inputs_of_face: FaceData<_> = parallel::collect(faces.len(), threads, |face| {
-            soup.triangles[triangle_of_face[FaceId::from_index(face)].index()].map(InputVertex)
-        })
-        .into();
-
         let (mut twins, do_agree) = edges.twins(faces.as_slice(), threads);
         let flipped = if do_agree { Vec::new() } else { edges.faces_to_flip(faces.as_slice()) };
         if !flipped.is_empty() {
             let mut is_flipped: FaceData<bool> = vec![false; faces.len()].into();
             for &face in &flipped {
                 faces[face].swap(1, 2);
-                inputs_of_face[face].swap(1, 2);
                 is_flipped[face] = true;
             }
             edges = edges.flipped(|face| is_flipped[face]);
@@ -169,6 +164,16 @@ impl Surface {
             components: component_count,
             boundary_loops,
             euler_characteristic: positions.len() as i64 - sums.count as i64 + faces.len() as i64,
+        };
+        let inputs_of_face = if report.welded_vertices == 0 {
+            FaceData::default()
+        } else {
+            let inputs = |face: FaceId| {
+                let inputs = soup.triangles[triangle_of_face[face].index()].map(InputVertex);
+                let at = |vertex| inputs.into_iter().find(|&input| welded.vertex_of_input[input] == Some(vertex));
+                faces[face].map(|vertex| at(vertex).expect("a corner there"))
+            };
+            parallel::collect(faces.len(), threads, |face| inputs(FaceId::from_index(face))).into()
         };
         let mut face_of_triangle = parallel::collect(soup.triangles.len(), threads, |_| FaceId(NONE));
         parallel::map_parts(parallel::ranges(face_of_triangle.len(), threads), &mut face_of_triangle, |own, faces| {
@@ -290,7 +295,8 @@ impl Surface {
 
     /// The input vertices at a face's corners, in the order of [`faces`](Self::faces).
     pub fn inputs_of_face(&self, face: FaceId) -> [InputVertex; 3] {
-        self.inputs_of_face[face]
+        let only = || self.faces[face].map(|vertex| self.inputs_of_vertex(vertex)[0]);
+        self.inputs_of_face.get(face).copied().unwrap_or_else(only)
     }
 
     /// `#V`, the connected component of each vertex, counted from 0 in order of their first vertices.

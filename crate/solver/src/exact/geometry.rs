@@ -184,6 +184,8 @@ impl AngleSum {
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
     pub(super) surface: Arc<Surface>,
+    /// Threads that made it. As many are the first to touch the memory of searches on it.
+    pub(crate) threads: NonZeroUsize,
     /// `#F`.
     pub(super) frames: Vec<Frame>,
     /// `#V`.
@@ -209,7 +211,7 @@ impl ExactGeometry {
         for copy in mesh.vertices().skip(surface.vertex_count()) {
             is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
-        let mut geometry = Self { surface: Arc::clone(&surface), frames, bends: Vec::new() };
+        let mut geometry = Self { surface: Arc::clone(&surface), threads, frames, bends: Vec::new() };
         let bend = |number| {
             let vertex = VertexId::from_index(number);
             let mut angle = AngleSum::default();
