@@ -45,7 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         propagation.restart(&[other])?;
         propagation.advance(f64::INFINITY, usize::MAX);
         Ok(())
-    })
+    })?;
+    Ok(())
 }
 
 /// From positions to a surface that can be asked.
