@@ -43,9 +43,16 @@ export class Programs {
     return spawnSync(this.heatwalk, ['distance', '--help'], { encoding: 'utf8' }).stdout.includes('propagation');
   }
 
-  /** What `heatwalk distance` answers from a source. */
+  /** Options for one thread, as the peers have. Another commit's program may build on one only, and know no option for it. */
+  get #oneThread() {
+    const help = spawnSync(this.heatwalk, ['info', '--help'], { encoding: 'utf8' }).stdout;
+    return help.includes('--threads') ? ['--threads', '1'] : [];
+  }
+
+  /** What `heatwalk distance` answers from a source, on one thread. */
   distance(mesh, source, ...options) {
-    return json(this.heatwalk, ['distance', mesh, '--source', String(source), ...options, '--json']);
+    const places = ['--source', String(source)];
+    return json(this.heatwalk, ['distance', mesh, ...places, ...options, ...this.#oneThread, '--json']);
   }
 
   /** Mean and maximum error in per cent. */

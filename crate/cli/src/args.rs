@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::thread::available_parallelism;
 
 use anyhow::Result;
 use clap::error::ErrorKind;
@@ -40,9 +41,20 @@ pub struct Mesh {
     /// Take only this part of the file, counted from 0; may be repeated
     #[arg(long = "part", value_name = "N")]
     pub parts: Vec<usize>,
+    /// Threads that build the surface and answer --each; all that the machine has if not given
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+impl Mesh {
+    /// Threads to work on.
+    pub fn threads(&self) -> NonZeroUsize {
+        // Where the machine does not tell, one is sure to be there.
+        self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+    }
 }
 
 #[derive(Args)]
@@ -81,9 +93,6 @@ pub struct Distance {
     /// Distances from each source by itself, a column of the output each
     #[arg(long, conflicts_with_all = ["lines", "repeat", "compare"])]
     pub each: bool,
-    /// Threads that answer --each; all that the machine has if not given
-    #[arg(long, value_name = "N", requires = "each")]
-    pub threads: Option<NonZeroUsize>,
     /// Tell the error against exact distances
     #[arg(long, conflicts_with = "exact")]
     pub compare: bool,

@@ -1,7 +1,5 @@
 //! `heatwalk distance`.
 
-use std::num::NonZeroUsize;
-use std::thread::available_parallelism;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -23,7 +21,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let (surface, built_ms) = build(&input)?;
+    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
     let mut sources =
         arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
     for line in &arguments.lines {
@@ -32,7 +30,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
 
     let mut report = Report::default();
     report.push_surface(surface.report());
-    let mut prepared = prepare((&surface, built_ms), &options)?;
+    let mut prepared = prepare((&surface, built_ms), &options, arguments.mesh.threads())?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }
@@ -94,8 +92,7 @@ fn each(
     (arguments, options): (&Distance, &DistanceOptions),
     report: &mut Report,
 ) -> Result<(Columns, f64)> {
-    // Where the machine does not tell, one is sure to be there.
-    let threads = arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let threads = arguments.mesh.threads();
     let start = Instant::now();
     let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
     let solve_ms = milliseconds(start);

@@ -30,10 +30,10 @@ pub fn path(arguments: &Path) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
-    let (surface, built_ms) = build(&input)?;
+    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
     let from = arguments.from.on(&input.soup, &surface)?;
     let to = arguments.to.on(&input.soup, &surface)?;
-    let mut prepared = prepare((&surface, built_ms), &options)?;
+    let mut prepared = prepare((&surface, built_ms), &options, arguments.mesh.threads())?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?
     } else {

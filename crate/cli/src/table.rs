@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::{Context, Result};
+use heatwalk::surface::parallel::ONE;
 use heatwalk::{DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, VertexId};
 use serde_json::{Value, json};
 
@@ -61,7 +62,7 @@ fn path_and_parts(mesh: &str) -> (&str, Vec<usize>) {
 fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
-    let (surface, build_ms) = build(&input).with_context(|| mesh.to_owned())?;
+    let (surface, build_ms) = build(&input, ONE).with_context(|| mesh.to_owned())?;
     let source = VertexId(0);
     let exactly = DistanceOptions::by(Method::Exact);
     let exact = || DistanceSolver::new(Arc::clone(&surface)).distance(&[source], &exactly, &mut go_on);
@@ -69,7 +70,7 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let figures = |linear_solver, sources| -> Result<Figures> {
         let heat = arguments.options.parameters(linear_solver, MultiSource::default());
         let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
-        let Prepared { mut solver, precompute_ms, .. } = prepare((&surface, build_ms), &options)?;
+        let Prepared { mut solver, precompute_ms, .. } = prepare((&surface, build_ms), &options, ONE)?;
         let mut solve = |source| Ok(solver.distance(&[source], &options, &mut go_on)?.distance.values);
         let solve_ms = median_solve_ms(&sample(&surface, sources), &mut solve)?;
         let error = match &exact {

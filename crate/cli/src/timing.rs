@@ -1,6 +1,7 @@
 //! Work with the time that it takes.
 
 use std::mem;
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
@@ -11,9 +12,9 @@ use heatwalk::{DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Su
 use crate::input::Input;
 use crate::report::milliseconds;
 
-pub fn build(input: &Input) -> Result<(Arc<Surface>, f64)> {
+pub fn build(input: &Input, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
     let start = Instant::now();
-    let surface = Surface::build(&input.soup)?;
+    let surface = Surface::build_on(&input.soup, threads)?;
     Ok((Arc::new(surface), milliseconds(start)))
 }
 
@@ -29,10 +30,14 @@ pub struct Prepared {
 }
 
 /// `surface`: with the milliseconds that building it took.
-pub fn prepare((surface, build_ms): (&Arc<Surface>, f64), options: &DistanceOptions) -> Result<Prepared> {
+pub fn prepare(
+    (surface, build_ms): (&Arc<Surface>, f64),
+    options: &DistanceOptions,
+    threads: NonZeroUsize,
+) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    let mut solver = DistanceSolver::new(Arc::clone(surface));
+    let mut solver = DistanceSolver::on_threads(Arc::clone(surface), threads);
     solver.prepare(options, &mut |step| {
         if let Step::Precompute(stage, _) = step {
             begun.push((stage, milliseconds(start)));

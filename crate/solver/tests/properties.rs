@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use common::shortness::{check_valid, largest_kink, sharpest_turn};
-use common::{band, book, square};
+use common::{Damage, band, book, damaged, square};
 use glam::DVec3;
 use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::Operators;
@@ -45,20 +45,13 @@ fn any_soup() -> impl Strategy<Value = Soup> {
         any::<bool>(),
     );
     (base, damage).prop_map(|(soup, (seed, jitter, squeeze, tear, doubled, unwelded))| {
-        damaged(soup, seed, jitter, squeeze, tear, doubled, unwelded)
+        let soup = damaged(soup, seed, Damage { jitter, squeeze, tear });
+        repeated(soup, doubled, unwelded)
     })
 }
 
-fn damaged(mut soup: Soup, mut seed: u64, jitter: f64, squeeze: f64, tear: f64, doubled: bool, unwelded: bool) -> Soup {
-    let mut random = || common::random(&mut seed, 1_000_000) as f64 / 1e6;
-    for position in &mut soup.positions {
-        *position += jitter * (DVec3::new(random(), random(), random()) - 0.5);
-        position.y *= squeeze;
-    }
-    soup.triangles.retain(|_| random() >= tear);
-    if soup.triangles.is_empty() {
-        soup.triangles.push([0, 1, 2]);
-    }
+/// A soup beside a copy of it, and with a vertex for each corner.
+fn repeated(mut soup: Soup, doubled: bool, unwelded: bool) -> Soup {
     if doubled {
         let count = soup.positions.len() as u32;
         let copies: Vec<DVec3> = soup.positions.iter().map(|&position| position + DVec3::Z * 10.0).collect();

@@ -1,7 +1,12 @@
 //! Which half-edges of a triangle list lie on the same edge, and which triangles to flip so that neighbours agree.
 
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::csr::{Csr, NONE};
 use crate::element::{Element, FaceId, HalfedgeId, VertexId};
+use crate::parallel::{self, Numbers};
 
 /// The corners of each vertex, by the half-edges that leave them.
 pub type Corners = Csr<VertexId, HalfedgeId>;
@@ -15,27 +20,41 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// Finds the half-edges between the same vertices.
-    pub fn new(faces: &[[VertexId; 3]], corners: &Corners) -> Self {
-        let mut next: Vec<HalfedgeId> = (0..3 * faces.len() as u32).map(HalfedgeId).collect();
-        // Per vertex the lower one that it was last met from, and the latest half-edge between the two.
-        let mut latest = vec![[NONE; 2]; corners.rows().len()];
-        for (vertex, row) in corners.rows() {
-            for &corner in row {
-                let (face, before) = (faces[corner.triangle().index()], corner.previous_in_triangle());
-                let (after, k) = (corner.next_in_triangle().corner(), before.corner());
-                for (other, halfedge) in [(face[after], corner), (face[k], before)] {
-                    if other <= vertex {
-                        continue;
+    /// Finds the half-edges between the same vertices, and the faces whose three vertices an earlier face has, in any order,
+    /// ascending.
+    pub fn new(faces: &[[VertexId; 3]], corners: &Corners, threads: NonZeroUsize) -> (Self, Vec<FaceId>) {
+        let next = Numbers::identity(3 * faces.len());
+        let duplicates = parallel::map(corners.ranges(threads), |vertices| {
+            let (mut duplicates, mut apexes) = (Vec::new(), Vec::new());
+            // Half-edges from or to a higher vertex, below the number of that.
+            let mut star: Vec<u64> = Vec::new();
+            for vertex in vertices.map(VertexId::from_index) {
+                star.clear();
+                for &corner in corners.row(vertex) {
+                    let (face, before) = (faces[corner.triangle().index()], corner.previous_in_triangle());
+                    let ends = [(face[corner.next_in_triangle().corner()], corner), (face[before.corner()], before)];
+                    let higher = ends.into_iter().filter(|&(other, _)| other > vertex);
+                    star.extend(higher.map(|(other, halfedge)| u64::from(other.0) << 32 | u64::from(halfedge.0)));
+                }
+                star.sort_unstable();
+                for edge in star.chunk_by(|a, b| a >> 32 == b >> 32).filter(|edge| edge.len() > 1) {
+                    let halfedges = edge.iter().map(|&pair| HalfedgeId(pair as u32));
+                    for (halfedge, after) in halfedges.clone().zip(halfedges.clone().cycle().skip(1)) {
+                        next.set(halfedge.0, after.0);
                     }
-                    let [from, last] = std::mem::replace(&mut latest[other.index()], [vertex.0, halfedge.0]);
-                    if from == vertex.0 {
-                        next[halfedge.index()] = std::mem::replace(&mut next[last as usize], halfedge);
-                    }
+                    let apex = |halfedge: HalfedgeId| origin(faces, halfedge.previous_in_triangle());
+                    apexes.clear();
+                    apexes.extend(halfedges.map(|halfedge| (apex(halfedge), halfedge.triangle())));
+                    apexes.sort_unstable();
+                    duplicates.extend(apexes.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
                 }
             }
-        }
-        Self { next }
+            duplicates
+        });
+        let mut duplicates = duplicates.concat();
+        duplicates.sort_unstable();
+        duplicates.dedup();
+        (Self { next: next.into_elements() }, duplicates)
     }
 
     /// The next half-edge of the same edge, the given one where it is alone.
@@ -55,7 +74,12 @@ impl Edges {
 
     /// One half-edge of each edge: its last one.
     pub fn representatives(&self) -> impl Iterator<Item = HalfedgeId> + Clone + '_ {
-        self.halfedges().filter(|&halfedge| self.next_on_edge(halfedge) <= halfedge)
+        self.representatives_in(0..self.next.len())
+    }
+
+    /// Those of them in a range of half-edges.
+    pub(crate) fn representatives_in(&self, halfedges: Range<usize>) -> impl Iterator<Item = HalfedgeId> + Clone + '_ {
+        halfedges.map(HalfedgeId::from_index).filter(|&halfedge| self.next_on_edge(halfedge) <= halfedge)
     }
 
     /// Whether the edge has one face only.
@@ -74,33 +98,15 @@ impl Edges {
         !self.is_single(halfedge) && self.mate(halfedge).is_none()
     }
 
-    /// The faces whose three vertices an earlier face has, in any order; ascending.
-    pub fn duplicates(&self, faces: &[[VertexId; 3]]) -> Vec<FaceId> {
-        let apex = |halfedge: HalfedgeId| origin(faces, halfedge.previous_in_triangle());
-        let mut duplicates = Vec::new();
-        let mut apexes: Vec<(VertexId, FaceId)> = Vec::new();
-        for last in self.representatives().filter(|&last| !self.is_single(last)) {
-            if let Some(first) = self.mate(last) {
-                if apex(first) == apex(last) {
-                    duplicates.push(last.triangle());
-                }
-                continue;
-            }
-            apexes.clear();
-            apexes.extend(self.around(last).map(|halfedge| (apex(halfedge), halfedge.triangle())));
-            apexes.sort_unstable();
-            duplicates.extend(apexes.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
+    /// The edges without some faces, ascending, in the order of the others.
+    pub fn without(&self, removed: &[FaceId]) -> Self {
+        let mut is_kept = vec![true; self.next.len() / 3];
+        for face in removed {
+            is_kept[face.index()] = false;
         }
-        duplicates.sort_unstable();
-        duplicates.dedup();
-        duplicates
-    }
-
-    /// The edges of the faces that are kept, in their order.
-    pub fn kept(&self, is_kept: &[bool]) -> Self {
         let mut count = 0;
         let mut renumbered = Vec::with_capacity(is_kept.len());
-        for &is_kept in is_kept {
+        for &is_kept in &is_kept {
             renumbered.push(FaceId(count));
             count += u32::from(is_kept);
         }
@@ -126,10 +132,6 @@ impl Edges {
 
     /// The faces to flip so that as many neighbours as possible agree, the fewer in each connected component.
     pub fn faces_to_flip(&self, faces: &[[VertexId; 3]]) -> Vec<FaceId> {
-        let disagrees = |last: HalfedgeId| self.mate(last).is_some_and(|mate| same_direction(faces, last, mate));
-        if !self.representatives().any(disagrees) {
-            return Vec::new();
-        }
         let mut flipped: Vec<Option<bool>> = vec![None; faces.len()];
         let mut component: Vec<FaceId> = Vec::new();
         let mut result = Vec::new();
@@ -162,13 +164,20 @@ impl Edges {
         result
     }
 
-    /// Twin of each half-edge: its mate where the two run in opposite directions, else number [`NONE`].
-    pub(crate) fn twins(&self, faces: &[[VertexId; 3]]) -> Vec<HalfedgeId> {
-        let twin = |halfedge| {
-            let mate = self.mate(halfedge).filter(|&mate| !same_direction(faces, halfedge, mate));
-            mate.unwrap_or(HalfedgeId(NONE))
-        };
-        self.halfedges().map(twin).collect()
+    /// Twin of each half-edge: its mate where the two run in opposite directions, else number [`NONE`]; and whether all mates
+    /// do.
+    pub(crate) fn twins(&self, faces: &[[VertexId; 3]], threads: NonZeroUsize) -> (Vec<HalfedgeId>, bool) {
+        let does_agree = AtomicBool::new(true);
+        let twins = parallel::collect(self.next.len(), threads, |halfedge| {
+            let halfedge = HalfedgeId::from_index(halfedge);
+            let Some(mate) = self.mate(halfedge) else { return HalfedgeId(NONE) };
+            if same_direction(faces, halfedge, mate) {
+                does_agree.store(false, Ordering::Relaxed);
+                return HalfedgeId(NONE);
+            }
+            mate
+        });
+        (twins, does_agree.into_inner())
     }
 }
 

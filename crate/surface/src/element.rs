@@ -7,8 +7,10 @@
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
+use bytemuck::Zeroable;
+
 /// A numbered element.
-pub trait Element: Copy {
+pub trait Element: Copy + Send + Sync + Zeroable {
     /// The element of this number, counted from 0.
     ///
     /// # Panics
@@ -22,7 +24,7 @@ pub trait Element: Copy {
 macro_rules! element {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Zeroable)]
         #[repr(transparent)]
         pub struct $name(pub u32);
 

@@ -1,7 +1,11 @@
 //! Half-edge connectivity, in the words of geometry-central.
 
+use std::num::NonZeroUsize;
+
 use crate::csr::NONE;
+use crate::edges::Corners;
 use crate::element::{CutVertex, CutVertexData, Element, FaceId, HalfedgeId, VertexId};
+use crate::parallel;
 
 /// Oriented manifold triangle connectivity. Every half-edge has a twin and a next: boundary loops are capped by
 /// boundary faces, whose half-edges run against the triangles beside them.
@@ -30,50 +34,62 @@ impl HalfedgeMesh {
     /// boundary or cut). Returns it with the welded vertex of each of its own. The first fan of triangles around welded
     /// vertex `v` becomes vertex `v`; further fans become vertices after the last welded one.
     pub(crate) fn from_twins(
-        vertex_count: usize,
         faces: &[[VertexId; 3]],
+        corners: &Corners,
         mut twin: Vec<HalfedgeId>,
+        threads: NonZeroUsize,
     ) -> (Self, CutVertexData<VertexId>) {
         let triangles = faces.len() as u32;
         let interior = faces.len() * 3;
-        let mut vertex = vec![CutVertex(NONE); interior];
-        let mut outgoing = vec![HalfedgeId(NONE); vertex_count];
-        let mut welded: Vec<VertexId> = (0..vertex_count as u32).map(VertexId).collect();
-        for (corner, &around) in (0..).map(HalfedgeId).zip(faces.iter().flatten()) {
-            if vertex[corner.index()].0 != NONE {
+        let vertex_count = corners.rows().len();
+        let around = faces.as_flattened();
+        let mut vertex = parallel::collect(interior, threads, |halfedge| CutVertex(around[halfedge].0));
+        let mut outgoing = parallel::collect(vertex_count, threads, |_| HalfedgeId(NONE));
+        let mut welded = parallel::collect(vertex_count, threads, VertexId::from_index);
+        let cut = parallel::map_parts(corners.ranges(threads), &mut outgoing, |vertices, outgoing| {
+            let mut cut: Vec<HalfedgeId> = Vec::new();
+            for (vertex, outgoing) in vertices.map(VertexId::from_index).zip(outgoing) {
+                let Some(&corner) = corners.row(vertex).first() else { continue };
+                let mut faces = 0;
+                *outgoing = visit_fan(&twin, corner, |_| faces += 1);
+                if faces < corners.row(vertex).len() {
+                    cut.extend_from_slice(corners.row(vertex));
+                }
+            }
+            cut
+        });
+        let mut cut = cut.concat();
+        cut.sort_unstable();
+        let mut is_done = vec![false; cut.len()];
+        for index in 0..cut.len() {
+            if is_done[index] {
                 continue;
             }
-            let fan = if outgoing[around.index()].0 == NONE {
-                CutVertex(around.0)
+            let (corner, welded_vertex) = (cut[index], around[cut[index].index()]);
+            let fan = if corners.row(welded_vertex)[0] == corner {
+                CutVertex(welded_vertex.0)
             } else {
                 outgoing.push(HalfedgeId(NONE));
-                welded.push(around);
+                welded.push(welded_vertex);
                 CutVertex(outgoing.len() as u32 - 1)
             };
-            let mut halfedge = corner;
-            let is_closed = loop {
+            outgoing[fan.index()] = visit_fan(&twin, corner, |halfedge| {
                 vertex[halfedge.index()] = fan;
-                halfedge = twin[halfedge.previous_in_triangle().index()];
-                if halfedge.0 == NONE || halfedge == corner {
-                    break halfedge == corner;
-                }
-            };
-            let mut first = corner;
-            while !is_closed && twin[first.index()].0 != NONE {
-                first = twin[first.index()].next_in_triangle();
-                vertex[first.index()] = fan;
-            }
-            outgoing[fan.index()] = first;
+                is_done[cut.binary_search(&halfedge).expect("a corner there")] = true;
+            });
         }
-        for halfedge in 0..interior {
-            if twin[halfedge].0 != NONE {
-                continue;
-            }
-            let boundary = HalfedgeId(vertex.len() as u32);
-            let origin = vertex[HalfedgeId(halfedge as u32).next_in_triangle().index()];
-            twin[halfedge] = boundary;
+        let is_alone = |&halfedge: &usize| twin[halfedge].0 == NONE;
+        let alone =
+            parallel::map(parallel::ranges(interior, threads), |range| range.filter(is_alone).collect::<Vec<_>>());
+        let alone = alone.concat();
+        vertex.reserve_exact(alone.len());
+        twin.reserve_exact(alone.len());
+        for halfedge in alone.into_iter().map(HalfedgeId::from_index) {
+            let boundary = HalfedgeId::from_index(vertex.len());
+            let origin = vertex[halfedge.next_in_triangle().index()];
+            twin[halfedge.index()] = boundary;
             vertex.push(origin);
-            twin.push(HalfedgeId(halfedge as u32));
+            twin.push(halfedge);
             outgoing[origin.index()] = boundary;
         }
         let boundary_next: Vec<HalfedgeId> =
@@ -222,6 +238,27 @@ impl HalfedgeMesh {
     pub fn euler_characteristic(&self) -> i64 {
         self.vertex_count() as i64 - self.halfedge_count() as i64 / 2 + self.face_count() as i64
     }
+}
+
+/// Visits the corners of the fan that a corner is part of, and returns one: that with nothing clockwise of it, or the given one.
+fn visit_fan(twin: &[HalfedgeId], corner: HalfedgeId, mut visit: impl FnMut(HalfedgeId)) -> HalfedgeId {
+    let mut last = corner;
+    loop {
+        visit(last);
+        last = twin[last.previous_in_triangle().index()];
+        if last == corner {
+            return corner;
+        }
+        if last.0 == NONE {
+            break;
+        }
+    }
+    let mut first = corner;
+    while twin[first.index()].0 != NONE {
+        first = twin[first.index()].next_in_triangle();
+        visit(first);
+    }
+    first
 }
 
 fn cycle(start: HalfedgeId, step: impl Fn(HalfedgeId) -> HalfedgeId) -> impl Iterator<Item = HalfedgeId> {

@@ -3,10 +3,13 @@
 //!
 //! The curve is that of Morton, "A computer oriented geodetic data base", 1966: cells by the interleaved bits of their coordinates.
 
+use std::num::NonZeroUsize;
+
 use glam::DVec3;
 
-use crate::csr::Csr;
 use crate::element::{InputTriangle, VertexId};
+use crate::parallel::{self, Numbers};
+use crate::sort::Sorted;
 
 /// Smaller surfaces stay in the processor's caches whatever their order.
 const LEAST_VERTICES: usize = 1 << 14;
@@ -14,61 +17,71 @@ const LEAST_VERTICES: usize = 1 << 14;
 /// Vertices in rows are this far apart at most, in rows.
 const ROWS_APART: f64 = 8.0;
 
+/// Triangles that tell whether the order is scattered.
+const SAMPLES: usize = 1 << 16;
+
 /// Cells of the curve along each axis, as a power of two.
 const BITS: u32 = 10;
 
-/// Renumbers vertices along a Morton curve, and sorts triangles by their vertices, where the order given is so scattered that
-/// it costs time. `vertex_of_input` tells the vertex of each input vertex, or a number out of range. Returns the order of the
-/// triangles; none where everything stays.
+/// Renumbers vertices along a Morton curve where the order given is so scattered that it costs time. `vertex_of_input` tells
+/// the vertex of each input vertex, or a number out of range. Returns whether it did.
 pub fn gather(
     triangles: &[[u32; 3]],
-    positions: &mut [DVec3],
+    positions: &mut Vec<DVec3>,
     vertex_of_input: &mut [u32],
-) -> Option<Vec<InputTriangle>> {
+    threads: NonZeroUsize,
+) -> bool {
     if positions.len() < LEAST_VERTICES || !is_scattered(triangles, positions.len(), vertex_of_input) {
-        return None;
+        return false;
     }
-    let order = along_curve(positions);
-    let mut renumbered = vec![0; positions.len()];
-    for (new, &old) in order.iter().enumerate() {
-        renumbered[old as usize] = new as u32;
-    }
-    let gathered: Vec<DVec3> = order.iter().map(|&old| positions[old as usize]).collect();
-    positions.copy_from_slice(&gathered);
-    for vertex in vertex_of_input.iter_mut() {
-        *vertex = renumbered.get(*vertex as usize).copied().unwrap_or(*vertex);
-    }
-    let first = |corners: &[u32; 3]| corners.iter().map(|&corner| VertexId(vertex_of_input[corner as usize])).min();
-    Some(Csr::group(positions.len(), triangles.iter().map(first)).into_items())
+    let order = Sorted::new(&along_curve(positions, threads), 3 * BITS, threads);
+    let renumbered = Numbers::identity(positions.len());
+    *positions = parallel::collect(order.len(), threads, |new| {
+        renumbered.set(order.number(new), new as u32);
+        positions[order.number(new) as usize]
+    });
+    let vertices = positions.len();
+    parallel::map_parts(parallel::ranges(vertex_of_input.len(), threads), vertex_of_input, |_, numbers| {
+        for number in numbers.iter_mut().filter(|number| (**number as usize) < vertices) {
+            *number = renumbered.get(*number);
+        }
+    });
+    true
 }
 
-/// Whether the numbers of a triangle's vertices are far apart in the mean, or those of successive triangles.
+/// Sorts faces by their first vertices, those of one vertex in their own order. Returns the number that each one had.
+pub fn sort_faces(faces: &mut Vec<[VertexId; 3]>, vertices: usize, threads: NonZeroUsize) -> Vec<InputTriangle> {
+    let first = |face: usize| faces[face].iter().map(|vertex| vertex.0).min().unwrap_or_default();
+    let keys = parallel::collect(faces.len(), threads, first);
+    let order = Sorted::new(&keys, vertices.ilog2() + 1, threads);
+    *faces = parallel::collect(order.len(), threads, |place| faces[order.number(place) as usize]);
+    parallel::collect(order.len(), threads, |place| InputTriangle(order.number(place)))
+}
+
+/// Whether the numbers of a triangle's vertices are far apart in the mean, or those of successive triangles, as a sample tells.
 fn is_scattered(triangles: &[[u32; 3]], vertices: usize, vertex_of_input: &[u32]) -> bool {
     let number = |corner: u32| i64::from(vertex_of_input[corner as usize]);
-    let steps = |[a, b, c]: [u32; 3]| number(a).abs_diff(number(b)).max(number(b).abs_diff(number(c)));
-    let inside: u64 = triangles.iter().map(|&corners| steps(corners)).sum();
-    let between: u64 = triangles.windows(2).map(|pair| number(pair[0][0]).abs_diff(number(pair[1][0]))).sum();
-    (inside + between) as f64 > ROWS_APART * (vertices as f64).sqrt() * triangles.len() as f64
+    let steps = |pair: &[[u32; 3]]| {
+        let [[a, b, c], [d, ..]] = [pair[0], pair[1]].map(|triangle| triangle.map(number));
+        (a.abs_diff(b).max(b.abs_diff(c)), a.abs_diff(d))
+    };
+    let sample = triangles.windows(2).step_by((triangles.len() / SAMPLES).max(1));
+    let count = sample.len();
+    let total: u64 = sample.map(steps).map(|(inside, between)| inside + between).sum();
+    total as f64 > ROWS_APART * (vertices as f64).sqrt() * count as f64
 }
 
-/// The vertices in order of a Morton curve through their bounding box.
-fn along_curve(positions: &[DVec3]) -> Vec<u32> {
+/// `#V`, the cell of a Morton curve through their bounding box that each vertex lies in.
+fn along_curve(positions: &[DVec3], threads: NonZeroUsize) -> Vec<u32> {
     let bounds = |(low, high): (DVec3, DVec3), &position| (low.min(position), high.max(position));
     let (low, high) = positions.iter().fold((DVec3::MAX, DVec3::MIN), bounds);
     // Halved, so that the size of the largest box is a number.
     let size = (0.5 * high - 0.5 * low).max_element();
     let cells = f64::from((1_u32 << BITS) - 1);
-    let mut keyed: Vec<u64> = positions
-        .iter()
-        .zip(0_u64..)
-        .map(|(&position, vertex)| {
-            let cell = (0.5 * position - 0.5 * low) / size * cells;
-            let code = spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2;
-            u64::from(code) << 32 | vertex
-        })
-        .collect();
-    keyed.sort_unstable();
-    keyed.into_iter().map(|key| key as u32).collect()
+    parallel::collect(positions.len(), threads, |vertex| {
+        let cell = (0.5 * positions[vertex] - 0.5 * low) / size * cells;
+        spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2
+    })
 }
 
 /// The lowest [`BITS`] bits, two zeros before each.

@@ -4,11 +4,12 @@
 //! faces, a Möbius strip) the half-edge mesh is cut, and several of its vertices share one welded vertex; heat, distance
 //! and paths live on welded vertices and do not see the cut.
 
+use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 
-use crate::csr::Csr;
+use crate::csr::{Csr, NONE};
 use crate::edges::{Corners, Edges};
 use crate::element::{
     CutVertex, CutVertexData, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData, InputVertex,
@@ -17,6 +18,7 @@ use crate::element::{
 use crate::error::{Error, Result};
 use crate::halfedge::HalfedgeMesh;
 use crate::memory;
+use crate::parallel;
 use crate::soup::Soup;
 use crate::triangle;
 use crate::union_find::UnionFind;
@@ -77,8 +79,10 @@ pub struct Surface {
     vertex_of_cut: CutVertexData<VertexId>,
     vertex_of_input: InputVertexData<Option<VertexId>>,
     inputs_of_vertex: Csr<VertexId, InputVertex>,
-    face_of_triangle: InputTriangleData<Option<FaceId>>,
+    /// Number [`NONE`] where the triangle was dropped.
+    face_of_triangle: InputTriangleData<FaceId>,
     triangle_of_face: FaceData<InputTriangle>,
+    /// Empty where each vertex is of one input vertex.
     inputs_of_face: FaceData<[InputVertex; 3]>,
     components: VertexData<u32>,
     is_boundary: VertexData<bool>,
@@ -88,25 +92,34 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Welds, cleans and orients a soup.
+    /// Welds, cleans and orients a soup, on the caller's thread alone.
+    ///
+    /// # Errors
+    /// As [`Self::build_on`].
+    pub fn build(soup: &Soup) -> Result<Self> {
+        Self::build_on(soup, parallel::ONE)
+    }
+
+    /// Welds, cleans and orients a soup, on so many threads. The surface is the same, to the last bit, however many.
     ///
     /// # Errors
     /// [`IndexOutOfRange`](crate::Error::IndexOutOfRange); [`NotFinite`](crate::Error::NotFinite) for a used vertex;
     /// [`Empty`](crate::Error::Empty) where no triangle of non-zero area is left; [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn build(soup: &Soup) -> Result<Self> {
+    ///
+    /// # Panics
+    /// Where there are no threads, as on wasm32, and more than one is asked for.
+    pub fn build_on(soup: &Soup, threads: NonZeroUsize) -> Result<Self> {
         memory::require(BYTES_PER_TRIANGLE * soup.triangles.len() as u64, "building the surface")?;
-        let welded = weld(soup)?;
+        let welded = weld(soup, threads)?;
         let (positions, mut faces, mut edges, mut corners) =
             (welded.positions, welded.faces, welded.edges, welded.corners);
-        let input_corners = |triangle: &InputTriangle| soup.triangles[triangle.index()].map(InputVertex);
-        let mut inputs_of_face: FaceData<_> = welded.triangle_of_face.iter().map(input_corners).collect();
-
-        let flipped = edges.faces_to_flip(faces.as_slice());
+        let triangle_of_face = welded.triangle_of_face;
+        let (mut twins, do_agree) = edges.twins(faces.as_slice(), threads);
+        let flipped = if do_agree { Vec::new() } else { edges.faces_to_flip(faces.as_slice()) };
         if !flipped.is_empty() {
             let mut is_flipped: FaceData<bool> = vec![false; faces.len()].into();
             for &face in &flipped {
                 faces[face].swap(1, 2);
-                inputs_of_face[face].swap(1, 2);
                 is_flipped[face] = true;
             }
             edges = edges.flipped(|face| is_flipped[face]);
@@ -116,9 +129,9 @@ impl Surface {
                     *corner = face.halfedge(3 - k);
                 }
             }
+            twins = edges.twins(faces.as_slice(), threads).0;
         }
-        let twins = edges.twins(faces.as_slice());
-        let (mesh, vertex_of_cut) = HalfedgeMesh::from_twins(positions.len(), faces.as_slice(), twins);
+        let (mesh, vertex_of_cut) = HalfedgeMesh::from_twins(faces.as_slice(), &corners, twins, threads);
 
         let mut is_boundary: VertexData<bool> = vec![false; positions.len()].into();
         let mut is_oriented_manifold = true;
@@ -135,8 +148,8 @@ impl Surface {
         let boundary_loops =
             mesh.boundary_loops().filter(|&cap| mesh.halfedges_of_face(cap).any(is_true_boundary)).count();
 
-        let (components, component_count) = connected_components(&faces, positions.len());
-        let (mean_edge, edge_count) = mean_edge(&edges, &faces, &positions);
+        let (components, component_count) = connected_components(faces.as_slice(), positions.len(), threads);
+        let sums = EdgeSums::new(&edges, &faces, &positions, threads);
         let unreferenced = welded.vertex_of_input.iter().filter(|vertex| vertex.is_none()).count();
         let report = BuildReport {
             input_vertices: soup.positions.len(),
@@ -147,18 +160,32 @@ impl Surface {
             degenerate_faces: welded.degenerate_faces,
             duplicate_faces: welded.duplicate_faces,
             flipped_faces: flipped.len(),
-            non_manifold_edges: edges.representatives().filter(|&last| edges.is_branching(last)).count(),
+            non_manifold_edges: sums.branching,
             components: component_count,
             boundary_loops,
-            euler_characteristic: positions.len() as i64 - edge_count as i64 + faces.len() as i64,
+            euler_characteristic: positions.len() as i64 - sums.count as i64 + faces.len() as i64,
         };
-        let mut face_of_triangle: InputTriangleData<_> = vec![None; soup.triangles.len()].into();
-        for (face, &triangle) in welded.triangle_of_face.enumerate() {
-            face_of_triangle[triangle] = Some(face);
-        }
+        let inputs_of_face = if report.welded_vertices == 0 {
+            FaceData::default()
+        } else {
+            let inputs = |face: FaceId| {
+                let inputs = soup.triangles[triangle_of_face[face].index()].map(InputVertex);
+                let at = |vertex| inputs.into_iter().find(|&input| welded.vertex_of_input[input] == Some(vertex));
+                faces[face].map(|vertex| at(vertex).expect("a corner there"))
+            };
+            parallel::collect(faces.len(), threads, |face| inputs(FaceId::from_index(face))).into()
+        };
+        let mut face_of_triangle = parallel::collect(soup.triangles.len(), threads, |_| FaceId(NONE));
+        parallel::map_parts(parallel::ranges(face_of_triangle.len(), threads), &mut face_of_triangle, |own, faces| {
+            for (face, triangle) in triangle_of_face.enumerate() {
+                if let Some(place) = faces.get_mut(triangle.index().wrapping_sub(own.start)) {
+                    *place = face;
+                }
+            }
+        });
         Ok(Self {
             id: SurfaceId::unique(),
-            inputs_of_vertex: Csr::group(positions.len(), welded.vertex_of_input.iter().copied()),
+            inputs_of_vertex: Csr::group(positions.len(), welded.vertex_of_input.as_slice(), threads),
             mesh,
             edges,
             positions,
@@ -166,13 +193,13 @@ impl Surface {
             corners,
             vertex_of_cut,
             vertex_of_input: welded.vertex_of_input,
-            face_of_triangle,
-            triangle_of_face: welded.triangle_of_face,
+            face_of_triangle: face_of_triangle.into(),
+            triangle_of_face,
             inputs_of_face,
             components,
             is_boundary,
             is_oriented_manifold,
-            mean_edge,
+            mean_edge: sums.length / sums.count as f64,
             report,
         })
     }
@@ -253,12 +280,12 @@ impl Surface {
 
     /// The face that an input triangle became; `None` where it was dropped, or there is none such.
     pub fn face_of_triangle(&self, triangle: InputTriangle) -> Option<FaceId> {
-        self.face_of_triangle.get(triangle).copied().flatten()
+        self.face_of_triangle.get(triangle).copied().filter(|face| face.0 != NONE)
     }
 
     /// All faces, in the order of the input's triangles.
     pub fn faces_in_input_order(&self) -> impl Iterator<Item = FaceId> {
-        self.face_of_triangle.iter().copied().flatten()
+        self.face_of_triangle.iter().copied().filter(|face| face.0 != NONE)
     }
 
     /// The input triangle that became a face.
@@ -268,7 +295,8 @@ impl Surface {
 
     /// The input vertices at a face's corners, in the order of [`faces`](Self::faces).
     pub fn inputs_of_face(&self, face: FaceId) -> [InputVertex; 3] {
-        self.inputs_of_face[face]
+        let only = || self.faces[face].map(|vertex| self.inputs_of_vertex(vertex)[0]);
+        self.inputs_of_face.get(face).copied().unwrap_or_else(only)
     }
 
     /// `#V`, the connected component of each vertex, counted from 0 in order of their first vertices.
@@ -389,12 +417,14 @@ impl Surface {
 }
 
 /// Connected component of each vertex, and their number.
-fn connected_components(faces: &FaceData<[VertexId; 3]>, vertices: usize) -> (VertexData<u32>, usize) {
-    let mut sets = UnionFind::new(vertices);
-    for &[a, b, c] in faces {
-        sets.join(a.0, b.0);
-        sets.join(b.0, c.0);
-    }
+fn connected_components(faces: &[[VertexId; 3]], vertices: usize, threads: NonZeroUsize) -> (VertexData<u32>, usize) {
+    let sets = UnionFind::new(vertices);
+    parallel::map(parallel::ranges(faces.len(), threads), |range| {
+        for &[a, b, c] in &faces[range] {
+            sets.join(a.0, b.0);
+            sets.join(b.0, c.0);
+        }
+    });
     let mut component: Vec<u32> = Vec::with_capacity(vertices);
     let mut count = 0;
     for vertex in 0..vertices as u32 {
@@ -405,13 +435,43 @@ fn connected_components(faces: &FaceData<[VertexId; 3]>, vertices: usize) -> (Ve
     (component.into(), count as usize)
 }
 
-/// Mean length of edges, and their number. A cut edge counts once, wherever the cut may run.
-fn mean_edge(edges: &Edges, faces: &FaceData<[VertexId; 3]>, positions: &VertexData<DVec3>) -> (f64, usize) {
-    let (mut sum, mut count) = (0.0, 0);
-    for halfedge in edges.representatives() {
-        let (face, k) = (faces[halfedge.triangle()], halfedge.corner());
-        sum += triangle::length(positions[face[(k + 1) % 3]] - positions[face[k]]);
-        count += 1;
+/// Half-edges whose lengths are summed before anything else, so that rounding does not depend on the number of threads.
+const BLOCK: usize = 1 << 12;
+
+/// Sums over edges. A cut edge counts once, wherever the cut may run.
+#[derive(Clone, Copy, Default)]
+struct EdgeSums {
+    length: f64,
+    count: usize,
+    /// Edges of three faces or more.
+    branching: usize,
+}
+
+impl EdgeSums {
+    fn new(
+        edges: &Edges,
+        faces: &FaceData<[VertexId; 3]>,
+        positions: &VertexData<DVec3>,
+        threads: NonZeroUsize,
+    ) -> Self {
+        let of_edge = |last: HalfedgeId| {
+            let (face, k) = (faces[last.triangle()], last.corner());
+            let length = triangle::length(positions[face[(k + 1) % 3]] - positions[face[k]]);
+            Self { length, count: 1, branching: usize::from(edges.is_branching(last)) }
+        };
+        let halfedges = 3 * faces.len();
+        let blocks = parallel::map(parallel::shares(halfedges.div_ceil(BLOCK), halfedges, threads), |blocks| {
+            let of_block = |block: usize| edges.representatives_in(block * BLOCK..((block + 1) * BLOCK).min(halfedges));
+            blocks.map(|block| of_block(block).map(of_edge).fold(Self::default(), Self::plus)).collect::<Vec<_>>()
+        });
+        blocks.into_iter().flatten().fold(Self::default(), Self::plus)
     }
-    (sum / count as f64, count)
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            length: self.length + other.length,
+            count: self.count + other.count,
+            branching: self.branching + other.branching,
+        }
+    }
 }

@@ -54,7 +54,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
         if touching.is_empty() {
             return false;
         }
-        let mut components = self.components(faces.len());
+        let components = self.components(faces.len());
         let before = positions.len();
         for fans in touching {
             let mut here = Vec::new();
@@ -114,7 +114,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
 
     /// Faces that edges or vertices of the file hold together.
     fn components(&self, faces: usize) -> UnionFind {
-        let mut components = UnionFind::new(faces);
+        let components = UnionFind::new(faces);
         for last in self.edges.representatives() {
             for side in self.edges.around(last) {
                 components.join(last.triangle().0, side.triangle().0);

@@ -1,29 +1,43 @@
-//! Sets that grow together (Tarjan 1975).
+//! Sets that grow together (Tarjan 1975), on any number of threads (Anderson & Woll 1991: a root gets a parent by a single
+//! compare-and-swap, and shortening a path only moves a parent up).
+
+use crate::parallel::Numbers;
 
 /// Numbers `0..n`, each in a set of its own until sets are joined.
 pub struct UnionFind {
-    parent: Vec<u32>,
+    parent: Numbers,
 }
 
 impl UnionFind {
     /// Each of so many numbers alone.
     pub fn new(count: usize) -> Self {
-        Self { parent: (0..count as u32).collect() }
+        Self { parent: Numbers::identity(count) }
     }
 
     /// The least number of the set that this one is in.
-    pub fn least(&mut self, mut number: u32) -> u32 {
-        while self.parent[number as usize] != number {
-            let above = self.parent[self.parent[number as usize] as usize];
-            self.parent[number as usize] = above;
+    pub fn least(&self, mut number: u32) -> u32 {
+        loop {
+            let parent = self.parent.get(number);
+            if parent == number {
+                return number;
+            }
+            let above = self.parent.get(parent);
+            if above == parent {
+                return parent;
+            }
+            self.parent.set(number, above);
             number = above;
         }
-        number
     }
 
     /// Makes one set of two.
-    pub fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.least(a), self.least(b));
-        self.parent[a.max(b) as usize] = a.min(b);
+    pub fn join(&self, a: u32, b: u32) {
+        loop {
+            let (a, b) = (self.least(a), self.least(b));
+            // Another thread may just have joined the greater one to a third.
+            if a == b || self.parent.replace(a.max(b), a.max(b), a.min(b)) {
+                return;
+            }
+        }
     }
 }

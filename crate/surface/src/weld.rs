@@ -1,15 +1,21 @@
 //! From soup to clean indexed triangles: input vertices of equal position become one vertex where surfaces join along edges,
 //! useless triangles go.
 
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use glam::DVec3;
 
-use crate::csr::{Csr, NONE};
+use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{
-    Element, FaceData, HalfedgeId, InputTriangle, InputVertex, InputVertexData, VertexData, VertexId,
+    Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, InputVertexData, VertexData, VertexId,
 };
 use crate::error::{Error, Result};
-use crate::order::gather;
+use crate::merge::merge;
+use crate::order::{gather, sort_faces};
+use crate::parallel;
 use crate::soup::Soup;
 use crate::touching::Fans;
 
@@ -33,39 +39,21 @@ pub struct Welded {
 ///
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::NotFinite`] (a vertex that no triangle uses may be anything), [`Error::Empty`].
-pub fn weld(soup: &Soup) -> Result<Welded> {
-    let vertices = soup.positions.len();
-    let mut used = vec![false; vertices];
-    for (triangle, corners) in soup.triangles.iter().enumerate() {
-        for &vertex in corners {
-            let Some(is_used) = used.get_mut(vertex as usize) else {
-                return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices });
-            };
-            *is_used = true;
-        }
-    }
-    if let Some(vertex) = (0..vertices).find(|&vertex| used[vertex] && !soup.positions[vertex].is_finite()) {
-        return Err(Error::NotFinite { vertex });
-    }
-    let (mut vertex_of_input, mut positions) = merge(&soup.positions, &used);
-    let order = gather(&soup.triangles, &mut positions, &mut vertex_of_input);
-
-    let mut faces = Vec::with_capacity(soup.triangles.len());
-    let mut triangle_of_face = Vec::with_capacity(soup.triangles.len());
-    let mut take = |triangle: InputTriangle| {
-        let corners = soup.triangles[triangle.index()];
-        let face @ [a, b, c] = corners.map(|vertex| VertexId(vertex_of_input[vertex as usize]));
-        let [p, q, r] = face.map(|vertex| positions[vertex.index()]);
-        if a != b && b != c && c != a && (q - p).cross(r - p) != DVec3::ZERO {
-            faces.push(face);
-            triangle_of_face.push(triangle);
-        }
+pub fn weld(soup: &Soup, threads: NonZeroUsize) -> Result<Welded> {
+    let is_used = used_vertices(soup, threads)?;
+    let (mut vertex_of_input, mut positions) = merge(&soup.positions, &is_used, threads);
+    let is_gathered = gather(&soup.triangles, &mut positions, &mut vertex_of_input, threads);
+    let mut faces = parallel::collect(soup.triangles.len(), threads, |triangle| {
+        soup.triangles[triangle].map(|vertex| VertexId(vertex_of_input[vertex as usize]))
+    });
+    let mut triangle_of_face = if is_gathered {
+        sort_faces(&mut faces, positions.len(), threads)
+    } else {
+        parallel::collect(faces.len(), threads, InputTriangle::from_index)
     };
-    match order {
-        Some(order) => order.into_iter().for_each(&mut take),
-        None => (0..soup.triangles.len()).map(InputTriangle::from_index).for_each(&mut take),
-    }
-    let degenerate_faces = soup.triangles.len() - faces.len();
+    let degenerate = degenerate_faces(&faces, &positions, threads);
+    remove(&degenerate, &mut faces);
+    remove(&degenerate, &mut triangle_of_face);
 
     if faces.is_empty() {
         let reason = if soup.triangles.is_empty() {
@@ -75,25 +63,17 @@ pub fn weld(soup: &Soup) -> Result<Welded> {
         };
         return Err(Error::Empty { reason });
     }
-    let group = |vertices: usize, faces: &[[VertexId; 3]]| -> Corners {
-        Csr::group(vertices, faces.iter().flatten().copied().map(Some))
-    };
+    let group = |vertices: usize, faces: &[[VertexId; 3]]| Corners::group(vertices, faces.as_flattened(), threads);
     let mut corners = group(positions.len(), &faces);
-    let mut edges = Edges::new(&faces, &corners);
-    let duplicates = edges.duplicates(&faces);
+    let (mut edges, duplicates) = Edges::new(&faces, &corners, threads);
     if !duplicates.is_empty() {
-        let mut is_kept = vec![true; faces.len()];
-        for &face in &duplicates {
-            is_kept[face.index()] = false;
-        }
-        edges = edges.kept(&is_kept);
-        let (mut of_faces, mut of_triangles) = (is_kept.iter(), is_kept.iter());
-        faces.retain(|_| of_faces.next() == Some(&true));
-        triangle_of_face.retain(|_| of_triangles.next() == Some(&true));
+        edges = edges.without(&duplicates);
+        remove(&duplicates, &mut faces);
+        remove(&duplicates, &mut triangle_of_face);
         corners = group(positions.len(), &faces);
     }
     // Surfaces part at whole edges, so that half-edges of an edge stay together; only vertices get other numbers.
-    let is_merged = positions.len() < used.iter().filter(|&&used| used).count();
+    let is_merged = positions.len() < is_used.iter().filter(|&&is_used| is_used).count();
     let mut is_renumbered = is_merged && {
         let input = |corner: HalfedgeId| {
             let triangle = triangle_of_face[corner.triangle().index()];
@@ -102,7 +82,7 @@ pub fn weld(soup: &Soup) -> Result<Welded> {
         let fans = Fans { corners: &corners, edges: &edges, input };
         fans.part_touching(&mut faces, &mut positions, &mut vertex_of_input)
     };
-    if degenerate_faces > 0 {
+    if !degenerate.is_empty() {
         is_renumbered |= drop_unused(&mut faces, &mut positions, &mut vertex_of_input);
     }
     if is_renumbered {
@@ -116,38 +96,54 @@ pub fn weld(soup: &Soup) -> Result<Welded> {
         triangle_of_face: triangle_of_face.into(),
         edges,
         corners,
-        degenerate_faces,
+        degenerate_faces: degenerate.len(),
         duplicate_faces: duplicates.len(),
     })
 }
 
-/// Welded vertex of each used input vertex ([`NONE`] elsewhere) and position of each welded one, by an open-addressing
-/// hash table of the coordinates' bits.
-fn merge(vertices: &[DVec3], used: &[bool]) -> (Vec<u32>, Vec<DVec3>) {
-    // Half full at most, so that probes stay short.
-    let bits = (vertices.len() * 2).next_power_of_two().trailing_zeros().max(1);
-    let mask = (1_usize << bits) - 1;
-    let mut table = vec![NONE; mask + 1];
-    let mut vertex_of_input = vec![NONE; vertices.len()];
-    let mut positions: Vec<DVec3> = Vec::with_capacity(vertices.len());
-    for vertex in (0..vertices.len()).filter(|&vertex| used[vertex]) {
-        // Adding 0 turns −0 into +0: one position, one bit pattern.
-        let position = vertices[vertex] + 0.0;
-        let hash = position.to_array().iter().fold(0_u64, |hash, coordinate| {
-            // The odd constant of Fibonacci hashing, 2⁶⁴ / golden ratio, spreads low bits to the top.
-            (hash.rotate_left(23) ^ coordinate.to_bits()).wrapping_mul(0x9E37_79B9_7F4A_7C15)
-        });
-        let mut bucket = (hash >> (64 - bits)) as usize;
-        while table[bucket] != NONE && positions[table[bucket] as usize] != position {
-            bucket = (bucket + 1) & mask;
+/// Per input vertex, whether a triangle uses it.
+fn used_vertices(soup: &Soup, threads: NonZeroUsize) -> Result<Vec<bool>> {
+    let vertices = soup.positions.len();
+    let is_used: Vec<AtomicBool> = (0..vertices).map(|_| AtomicBool::new(false)).collect();
+    let mark = |triangles: Range<usize>| {
+        for triangle in triangles {
+            for vertex in soup.triangles[triangle] {
+                let Some(is_used) = is_used.get(vertex as usize) else {
+                    return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices });
+                };
+                is_used.store(true, Ordering::Relaxed);
+            }
         }
-        if table[bucket] == NONE {
-            table[bucket] = positions.len() as u32;
-            positions.push(position);
-        }
-        vertex_of_input[vertex] = table[bucket];
+        Ok(())
+    };
+    parallel::map(parallel::ranges(soup.triangles.len(), threads), mark).into_iter().collect::<Result<()>>()?;
+    let is_used: Vec<bool> = is_used.into_iter().map(AtomicBool::into_inner).collect();
+    let is_bad = |&vertex: &usize| is_used[vertex] && !soup.positions[vertex].is_finite();
+    let bad = parallel::map(parallel::ranges(vertices, threads), |mut vertices| vertices.find(is_bad));
+    match bad.into_iter().flatten().next() {
+        Some(vertex) => Err(Error::NotFinite { vertex }),
+        None => Ok(is_used),
     }
-    (vertex_of_input, positions)
+}
+
+/// The faces with a repeated corner or no area, ascending.
+fn degenerate_faces(faces: &[[VertexId; 3]], positions: &[DVec3], threads: NonZeroUsize) -> Vec<FaceId> {
+    let is_degenerate = |&face: &FaceId| {
+        let [a, b, c] = faces[face.index()];
+        let [p, q, r] = [a, b, c].map(|vertex| positions[vertex.index()]);
+        a == b || b == c || c == a || (q - p).cross(r - p) == DVec3::ZERO
+    };
+    let degenerate = |faces: Range<usize>| faces.map(FaceId::from_index).filter(is_degenerate).collect::<Vec<_>>();
+    parallel::map(parallel::ranges(faces.len(), threads), degenerate).concat()
+}
+
+/// Removes the values of some faces, ascending.
+fn remove<T>(removed: &[FaceId], values: &mut Vec<T>) {
+    if removed.is_empty() {
+        return;
+    }
+    let (mut face, mut removed) = ((0..).map(FaceId), removed.iter().copied().peekable());
+    values.retain(|_| removed.next_if_eq(&face.next().expect("a face")).is_none());
 }
 
 /// Drops vertices that no face uses, keeping the order of the others. Returns whether there were any.

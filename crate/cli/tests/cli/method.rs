@@ -145,7 +145,6 @@ fn each_source_has_a_column_however_many_threads_there_are() {
     assert!(each(&["--each", "--repeat", "3"]).contains("cannot be used"));
     assert!(each(&["--each", "--compare"]).contains("cannot be used"));
     assert!(each(&["--each", "--line", "0,5"]).contains("cannot be used"));
-    assert!(each(&["--threads", "2"]).contains("--each"));
     assert!(each(&["--each", "--threads", "0"]).contains("--threads"));
 }
 

@@ -5,11 +5,12 @@ use heatwalk::FaceId;
 use heatwalk::Place;
 use heatwalk::Surface;
 use heatwalk::surface::csr::Csr;
+use heatwalk::surface::parallel;
 use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::Rng;
 
 /// A place in the list of weights.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, bytemuck::Zeroable)]
 struct Home(u32);
 
 impl Element for Home {
@@ -41,7 +42,7 @@ impl Homes {
         Self {
             sources: Vec::new(),
             weights: Vec::new(),
-            of_face: Csr::group(surface.face_count(), std::iter::empty()),
+            of_face: Csr::group::<FaceId>(surface.face_count(), &[], parallel::ONE),
             is_reached: Vec::new(),
             areas: Vec::new(),
         }
@@ -60,11 +61,11 @@ impl Homes {
             is_reached[source.component(surface) as usize] = true;
             let source = source.snapped(surface);
             for face in source.faces(surface) {
-                faces.push(Some(face));
+                faces.push(face);
                 self.weights.push(source.weights_in(surface, face));
             }
         }
-        self.of_face = Csr::group(surface.face_count(), faces.iter().copied());
+        self.of_face = Csr::group(surface.face_count(), &faces, parallel::ONE);
         if self.is_reached != is_reached {
             let area = |face: FaceId| {
                 let component = surface.component(surface.faces()[face][0]);

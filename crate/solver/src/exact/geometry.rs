@@ -1,19 +1,26 @@
 //! What the wavefront needs of a surface: triangles laid in the plane, what lies across each edge, pseudo-sources.
 
 use std::f64::consts::PI;
+use std::num::NonZeroUsize;
 use std::ops::Index;
 use std::sync::Arc;
 
+use bytemuck::Zeroable;
+
 use super::window::GRAZE;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, FaceId, Place, VertexId};
+use heatwalk_surface::{CutVertex, Element, FaceId, Place, VertexId};
+use heatwalk_surface::{parallel, triangle};
+
+#[cfg(test)]
+mod tests;
 
 /// How shortest paths can bend at a vertex.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
+#[repr(u8)]
 pub(super) enum Bend {
     /// Not at all: the angles around it sum to less than a turn (on the boundary, half a turn).
-    Never,
+    Never = 0,
     /// Inside the surface.
     Saddle,
     /// On the boundary, one fan of faces.
@@ -23,7 +30,7 @@ pub(super) enum Bend {
 }
 
 /// One corner of a triangle in the plane and the half-edge that runs from there to the next: half a cache line.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Zeroable)]
 #[repr(align(32))]
 pub(crate) struct Side {
     /// Length of the half-edge.
@@ -46,7 +53,7 @@ impl Side {
 }
 
 /// A triangle in the plane. Its half-edge `k` runs from corner `k` to the next.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Zeroable)]
 pub(crate) struct Frame([Side; 3]);
 
 impl Index<usize> for Frame {
@@ -168,21 +175,12 @@ impl AngleSum {
     }
 }
 
-/// `#V`, whether the faces around each vertex form one closed fan of the half-edge mesh.
-fn vertices_of_closed_fans(surface: &Surface) -> Vec<bool> {
-    let mesh = &surface.mesh();
-    let mut is_closed: Vec<bool> =
-        mesh.vertices().take(surface.vertex_count()).map(|vertex| !mesh.is_boundary_vertex(vertex)).collect();
-    for vertex in mesh.vertices().skip(surface.vertex_count()) {
-        is_closed[surface.vertex_of_cut(vertex).index()] = false;
-    }
-    is_closed
-}
-
 /// What a [`Wavefront`](super::Wavefront) needs of a surface, made once and shared by all wavefronts on it.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
     pub(super) surface: Arc<Surface>,
+    /// Threads that made it. As many are the first to touch the memory of searches on it.
+    pub(crate) threads: NonZeroUsize,
     /// `#F`.
     pub(super) frames: Vec<Frame>,
     /// `#V`.
@@ -190,31 +188,41 @@ pub struct ExactGeometry {
 }
 
 impl ExactGeometry {
-    /// Lays out the triangles and finds the pseudo-sources of a surface.
+    /// Lays out the triangles and finds the pseudo-sources of a surface, on the caller's thread alone.
     pub fn new(surface: impl Into<Arc<Surface>>) -> Self {
-        let owner = surface.into();
-        let surface = &*owner;
-        let mut frames = Vec::with_capacity(surface.face_count());
-        let mut angles = vec![AngleSum::default(); surface.vertex_count()];
-        for face in surface.mesh().faces() {
-            let frame = Frame::new(surface, face);
-            for (k, vertex) in frame.vertices().into_iter().enumerate() {
-                angles[vertex as usize].add(frame[k].cos, frame[k].sin);
-            }
-            frames.push(frame);
+        Self::on_threads(surface, parallel::ONE)
+    }
+
+    /// The same on so many threads. It makes no difference how many.
+    ///
+    /// # Panics
+    /// Where there are no threads, as on wasm32, and more than one is asked for.
+    pub fn on_threads(surface: impl Into<Arc<Surface>>, threads: NonZeroUsize) -> Self {
+        let surface = surface.into();
+        let mesh = surface.mesh();
+        let frame = |face| Frame::new(&surface, FaceId::from_index(face));
+        let frames = parallel::collect(surface.face_count(), threads, frame);
+        let mut is_cut = vec![false; surface.vertex_count()];
+        for copy in mesh.vertices().skip(surface.vertex_count()) {
+            is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
-        let mut geometry = Self { surface: Arc::clone(&owner), frames, bends: Vec::new() };
-        let is_plain = vertices_of_closed_fans(surface);
-        let bend = |(vertex, angle): (usize, &AngleSum)| {
-            if !is_plain[vertex] {
-                geometry.bend(surface, VertexId::from_index(vertex), angle)
+        let mut geometry = Self { surface: Arc::clone(&surface), threads, frames, bends: Vec::new() };
+        let bend = |number| {
+            let vertex = VertexId::from_index(number);
+            let mut angle = AngleSum::default();
+            for (face, k) in surface.corners_of_vertex(vertex) {
+                let side = &geometry.frame(face.0)[k];
+                angle.add(side.cos, side.sin);
+            }
+            if is_cut[number] || mesh.is_boundary_vertex(CutVertex::from_index(number)) {
+                geometry.bend(&surface, vertex, &angle)
             } else if angle.exceeds(2) {
                 Bend::Saddle
             } else {
                 Bend::Never
             }
         };
-        geometry.bends = angles.iter().enumerate().map(bend).collect();
+        geometry.bends = parallel::collect(surface.vertex_count(), threads, bend);
         geometry
     }
 

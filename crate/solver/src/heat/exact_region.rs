@@ -82,7 +82,7 @@ impl<'a> ExactRegion<'a> {
     /// What distance beyond the region has to meet: on the rim of each patch of the region the mean of the exact
     /// distances, and the initial distances of sources that no patch contains.
     pub(super) fn constraints(&self, surface: &Surface, touched: &[Touched], sources: &[Source]) -> Vec<Constraint> {
-        let mut patches = UnionFind::new(surface.vertex_count());
+        let patches = UnionFind::new(surface.vertex_count());
         let mut rim: Vec<(u32, f64)> = Vec::new();
         for &Touched { corners, is_inside } in touched {
             if is_inside {

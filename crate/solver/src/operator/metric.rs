@@ -159,7 +159,7 @@ fn plain(surface: &Surface) -> Elements {
 fn components(faces: &[[u32; 3]]) -> Vec<u32> {
     let count = faces.as_flattened().iter().max().map_or(0, |&last| last as usize + 1);
     let mut is_used = vec![false; count];
-    let mut connected = UnionFind::new(count);
+    let connected = UnionFind::new(count);
     for &[a, b, c] in faces {
         connected.join(a, b);
         connected.join(b, c);

@@ -78,7 +78,7 @@ impl<C: Count> Front<C> {
         Ok(Self {
             values: VertexData::default(),
             nearest: VertexData::default(),
-            labels: Labels::new(3 * surface.face_count(), stretches, surface.mean_edge())?,
+            labels: Labels::new(3 * surface.face_count(), stretches, surface.mean_edge(), geometry.threads)?,
             crossing: Ring::new(0.0, BUCKET * surface.mean_edge()),
             sending: Ring::new(0.0, BUCKET * surface.mean_edge()),
             waits: Vec::new(),

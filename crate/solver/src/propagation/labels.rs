@@ -1,10 +1,12 @@
 //! The windows kept: of each half-edge one for each of its stretches.
 
 use std::fmt::Debug;
+use std::num::NonZeroUsize;
 
 use crate::error::{Error, Result};
 use crate::exact::{Beam, Window};
 use crate::extremum::smaller;
+use heatwalk_surface::parallel;
 
 #[cfg(test)]
 mod tests;
@@ -107,13 +109,14 @@ pub(super) struct Labels<C> {
 }
 
 impl<C: Count> Labels<C> {
-    /// Makes room for them.
+    /// Makes room for them, with the help of so many threads.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(halfedges: usize, stretches: C, mean_edge: f64) -> Result<Self> {
+    pub fn new(halfedges: usize, stretches: C, mean_edge: f64, threads: NonZeroUsize) -> Result<Self> {
         let (mut labels, count) = (Vec::new(), halfedges * stretches.get());
         labels.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { stage: "keeping windows" })?;
+        parallel::touch(&mut labels, threads);
         Ok(Self {
             stretches,
             per_stretch: 1.0 / stretches.get() as f64,

@@ -5,7 +5,7 @@
 
 mod answer;
 mod options;
-mod parallel;
+mod questions;
 mod search;
 
 use std::num::NonZeroUsize;
@@ -20,13 +20,15 @@ use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::progress::{Step, Steps};
-use heatwalk_surface::{Source, Surface, ToSource};
+use heatwalk_surface::{Source, Surface, ToSource, parallel};
 use search::Search;
 
 /// Distances on a surface by any [`Method`].
 #[derive(Debug)]
 pub struct DistanceSolver {
     surface: Arc<Surface>,
+    /// Those that make the geometry.
+    threads: NonZeroUsize,
     geometry: Option<Arc<ExactGeometry>>,
     heat: Option<HeatSolver>,
     /// One for each thread that has answered.
@@ -36,7 +38,12 @@ pub struct DistanceSolver {
 impl DistanceSolver {
     /// Of a surface. Nothing is computed yet.
     pub fn new(surface: impl Into<Arc<Surface>>) -> Self {
-        Self { surface: surface.into(), geometry: None, heat: None, searches: Vec::new() }
+        Self::on_threads(surface, parallel::ONE)
+    }
+
+    /// The same, to unfold triangles on so many threads. It makes no difference to the answers how many.
+    pub fn on_threads(surface: impl Into<Arc<Surface>>, threads: NonZeroUsize) -> Self {
+        Self { surface: surface.into(), threads, geometry: None, heat: None, searches: Vec::new() }
     }
 
     /// Makes what a method needs before its first question: factors for [`Method::Heat`], the unfolded triangles for the
@@ -95,14 +102,14 @@ impl DistanceSolver {
         let Some(propagation) = options.propagation(self.surface.face_count()) else {
             let mut solvers = vec![self.factored(options.heat, progress)?; threads];
             let answer = |solver: &mut &HeatSolver, question: usize| by_heat(solver, &[sources[question]]);
-            return parallel::answers(&mut solvers, count, answer, progress);
+            return questions::answers(&mut solvers, count, answer, progress);
         };
         let geometry = Arc::clone(self.exact_geometry());
         let answer = |search: &mut Search, question: usize| {
             let go_on = &mut |_| ControlFlow::Continue(());
             search.answer(&geometry, &[sources[question]], (options, propagation), go_on)
         };
-        parallel::answers(self.searches(threads), count, answer, progress)
+        questions::answers(self.searches(threads), count, answer, progress)
     }
 
     /// The surface.
@@ -112,10 +119,10 @@ impl DistanceSolver {
 
     /// What exact distances and paths need of the surface, made here unless it was before.
     pub fn exact_geometry(&mut self) -> &Arc<ExactGeometry> {
-        let (surface, heat) = (&self.surface, &self.heat);
+        let (surface, heat, threads) = (&self.surface, &self.heat, self.threads);
         self.geometry.get_or_insert_with(|| match heat {
             Some(heat) => Arc::clone(heat.exact_geometry()),
-            None => Arc::new(ExactGeometry::new(Arc::clone(surface))),
+            None => Arc::new(ExactGeometry::on_threads(Arc::clone(surface), threads)),
         })
     }
 

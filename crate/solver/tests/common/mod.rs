@@ -105,6 +105,31 @@ pub fn square(n: u32) -> Soup {
     soup(positions, triangles)
 }
 
+/// What is done to a shape.
+#[derive(Clone, Copy)]
+pub struct Damage {
+    /// How far vertices move, in the file's unit.
+    pub jitter: f64,
+    /// What the y axis shrinks to.
+    pub squeeze: f64,
+    /// Share of the triangles that are torn out.
+    pub tear: f64,
+}
+
+/// A shape bent, squeezed and torn by random numbers: slivers, saddles, holes, several pieces.
+pub fn damaged(mut soup: Soup, mut seed: u64, Damage { jitter, squeeze, tear }: Damage) -> Soup {
+    let mut random = || random(&mut seed, 1_000_000) as f64 / 1e6;
+    for position in &mut soup.positions {
+        *position += jitter * (DVec3::new(random(), random(), random()) - 0.5);
+        position.y *= squeeze;
+    }
+    soup.triangles.retain(|_| random() >= tear);
+    if soup.triangles.is_empty() {
+        soup.triangles.push([0, 1, 2]);
+    }
+    self::soup(soup.positions, soup.triangles)
+}
+
 pub fn surface(soup: &Soup) -> Surface {
     Surface::build(soup).expect("a usable test shape")
 }

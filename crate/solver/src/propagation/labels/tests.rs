@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 const LENGTH: f64 = 0.7;
 
 fn labels(sources: usize) -> Labels<Fixed<1>> {
-    let mut labels = Labels::new(1, Fixed, LENGTH).expect("memory");
+    let mut labels = Labels::new(1, Fixed, LENGTH, parallel::ONE).expect("memory");
     labels.clear(sources);
     labels
 }
