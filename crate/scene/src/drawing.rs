@@ -42,15 +42,21 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
             sectors.join(twin.0, surface.mesh().next(halfedge).0);
         }
     }
-    let mut sector_normals = vec![DVec3::ZERO; corners];
-    for corner in (0..corners as u32).map(HalfedgeId) {
+    let weighted_normal = |corner: HalfedgeId| {
         let mut positions = surface.corners(corner.triangle());
         positions.rotate_left(corner.corner());
-        let sector = sectors.root(corner.0);
-        sector_normals[sector as usize] += face_normals[corner.triangle()] * triangle::angle(positions);
-    }
+        face_normals[corner.triangle()] * triangle::angle(positions)
+    };
     let mut drawn_corners = vec![0; corners];
-    let mut drawing = DrawMesh::default();
+    // Creases and seams are few as a rule.
+    let vertices = surface.vertex_count();
+    let mut drawing = DrawMesh {
+        positions: Vec::with_capacity(3 * vertices),
+        normals: Vec::with_capacity(3 * vertices),
+        triangles: Vec::with_capacity(corners),
+        vertex_of_drawn: Vec::with_capacity(vertices),
+        input_of_drawn: Vec::with_capacity(vertices),
+    };
     let mut around: Vec<(u32, InputVertex, HalfedgeId)> = Vec::new();
     for vertex in surface.vertices() {
         around.clear();
@@ -59,24 +65,24 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
             (sectors.root(corner.0), surface.inputs_of_face(face)[k], corner)
         }));
         around.sort_unstable();
-        for group in around.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let (sector, input, corner) = group[0];
-            let drawn = drawing.vertex_of_drawn.len() as u32;
-            let mut normal = triangle::unit(sector_normals[sector as usize]);
-            if normal == DVec3::ZERO {
-                normal = face_normals[corner.triangle()];
-            }
-            drawing.positions.extend(transform.place(surface.position(vertex)).to_array());
-            drawing.normals.extend(normal.as_vec3().to_array());
-            drawing.vertex_of_drawn.push(vertex);
-            drawing.input_of_drawn.push(input);
-            for &(_, _, corner) in group {
-                drawn_corners[corner.0 as usize] = drawn;
+        for sector in around.chunk_by(|a, b| a.0 == b.0) {
+            let smooth = triangle::unit(sector.iter().map(|&(_, _, corner)| weighted_normal(corner)).sum());
+            for group in sector.chunk_by(|a, b| a.1 == b.1) {
+                let (_, input, corner) = group[0];
+                let drawn = drawing.vertex_of_drawn.len() as u32;
+                let normal = if smooth == DVec3::ZERO { face_normals[corner.triangle()] } else { smooth };
+                drawing.positions.extend(transform.place(surface.position(vertex)).to_array());
+                drawing.normals.extend(normal.as_vec3().to_array());
+                drawing.vertex_of_drawn.push(vertex);
+                drawing.input_of_drawn.push(input);
+                for &(_, _, corner) in group {
+                    drawn_corners[corner.0 as usize] = drawn;
+                }
             }
         }
     }
     let corners_of = |face: FaceId| [0, 1, 2].map(|k| drawn_corners[face.halfedge(k).0 as usize]);
-    drawing.triangles = surface.faces_in_input_order().flat_map(corners_of).collect();
+    drawing.triangles.extend(surface.faces_in_input_order().flat_map(corners_of));
     drawing
 }
 

@@ -28,7 +28,7 @@ pub fn gather(
     if positions.len() < LEAST_VERTICES || !is_scattered(triangles, positions.len(), vertex_of_input) {
         return None;
     }
-    let order = along_curve(positions);
+    let order = along_curve(positions.iter().copied());
     let mut renumbered = vec![0; positions.len()];
     for (new, &old) in order.iter().enumerate() {
         renumbered[old as usize] = new as u32;
@@ -51,20 +51,19 @@ fn is_scattered(triangles: &[[u32; 3]], vertices: usize, vertex_of_input: &[u32]
     (inside + between) as f64 > ROWS_APART * (vertices as f64).sqrt() * triangles.len() as f64
 }
 
-/// The vertices in order of a Morton curve through their bounding box.
-fn along_curve(positions: &[DVec3]) -> Vec<u32> {
-    let bounds = |(low, high): (DVec3, DVec3), &position| (low.min(position), high.max(position));
-    let (low, high) = positions.iter().fold((DVec3::MAX, DVec3::MIN), bounds);
+/// The numbers of points in order of a Morton curve through their bounding box.
+pub fn along_curve(points: impl Iterator<Item = DVec3> + Clone) -> Vec<u32> {
+    let bounds = |(low, high): (DVec3, DVec3), point| (low.min(point), high.max(point));
+    let (low, high) = points.clone().fold((DVec3::MAX, DVec3::MIN), bounds);
     // Halved, so that the size of the largest box is a number.
     let size = (0.5 * high - 0.5 * low).max_element();
     let cells = f64::from((1_u32 << BITS) - 1);
-    let mut keyed: Vec<u64> = positions
-        .iter()
+    let mut keyed: Vec<u64> = points
         .zip(0_u64..)
-        .map(|(&position, vertex)| {
-            let cell = (0.5 * position - 0.5 * low) / size * cells;
+        .map(|(point, number)| {
+            let cell = (0.5 * point - 0.5 * low) / size * cells;
             let code = spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2;
-            u64::from(code) << 32 | vertex
+            u64::from(code) << 32 | number
         })
         .collect();
     keyed.sort_unstable();

@@ -3,7 +3,7 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pick::Picker;
+use heatwalk_bake::Picker;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};

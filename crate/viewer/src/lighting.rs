@@ -2,7 +2,7 @@
 
 use crate::binding::{fragment_entry, smooth_sampler, texture};
 use crate::context::Context;
-use crate::occlusion::OCCLUSION_SIZE;
+use heatwalk_bake::OCCLUSION_SIZE;
 use crate::shadow::ShadowMaps;
 
 /// The shadow maps and the occlusion grid, and the group that binds them.
@@ -60,7 +60,7 @@ impl Lighting {
         Self { layout, group, maps, occlusion }
     }
 
-    /// The texels of an [`Occlusion`](crate::occlusion::Occlusion).
+    /// Those of a [`Shade`](heatwalk_bake::Shade).
     pub(crate) fn set_occlusion(&self, context: &Context, texels: &[u8]) {
         let size = OCCLUSION_SIZE as u32;
         let layout =

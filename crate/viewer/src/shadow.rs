@@ -4,7 +4,7 @@
 
 use glam::{Mat4, Vec2, Vec3};
 
-use crate::bounds::Bounds;
+use heatwalk_bake::Bounds;
 use crate::context::{Context, DEPTH_FORMAT};
 
 /// Texels along a side.

@@ -6,7 +6,7 @@ use crate::camera::Eye;
 use crate::context::Context;
 use crate::environment::{Environment, LIGHT_COUNT, Light};
 use crate::lighting::Lighting;
-use crate::occlusion::Cube;
+use heatwalk_bake::Cube;
 use crate::shadow::ShadowView;
 use crate::uniform::Uniform;
 
