@@ -27,6 +27,14 @@ export type Plain<T> = { [Key in keyof T as T[Key] extends (...given: never[]) =
 export type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
 export type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
+/** What there must be room for beside a mesh. */
+export interface Room {
+  /** Windows of each half-edge; 0 where the mesh is factored, which looks for room itself. */
+  windows: number;
+  /** Most memory, in MiB; that of the browser where it is chosen automatically. */
+  memory: Parameters['memory'];
+}
+
 export interface PartInfo {
   name: string;
   triangles: number;
@@ -148,8 +156,11 @@ export interface SolverApi {
   start(module: WebAssembly.Module): Promise<void>;
   /** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
   warmUp(): Promise<void>;
-  /** Reads and welds a mesh, the only one of this worker. `parts`: the indices to walk on, empty for all. */
-  open(input: MeshInput, parts: number[], progress: ProgressListener): Promise<OpenedMesh>;
+  /**
+   * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
+   * for all.
+   */
+  open(input: MeshInput, parts: number[], room: Room, progress: ProgressListener): Promise<OpenedMesh>;
   /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
   prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;
   /** Factors again what the change needs, where anything is factored. The last field is forgotten. */

@@ -170,15 +170,16 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
   };
   // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
   const progress = () => Comlink.proxy(() => undefined);
+  const room = { windows, memory: 'auto' };
   const shown = await started();
-  await shown.open({ kind: 'shape', shape: 'icosphere' }, [], progress());
+  await shown.open({ kind: 'shape', shape: 'icosphere' }, [], room, progress());
   await shown.prepare(parameters, progress());
   await shown.solve([{ vertex: 0 }], false, null);
   const api = await started();
   await api.warmUp();
   const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
   const input = Comlink.transfer({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] }, [bytes.buffer]);
-  await api.open(input, [], progress());
+  await api.open(input, [], room, progress());
   const { timings } = await api.prepare(windows > 0 ? null : parameters, progress());
   const times = [];
   for (const vertex of sources) {

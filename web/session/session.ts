@@ -12,7 +12,7 @@ import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { type Loading, whileLoading } from './loading';
-import { factorsOf, type OpenRequest, prepare, questionOf, type Shown } from './prepare';
+import { type OpenRequest, prepare, questionOf, type Shown, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
 /** A path that takes longer is traced only when the pointer rests. */
@@ -59,6 +59,8 @@ export class Session {
   #request: OpenRequest | null = null;
   /** Null before the first mesh, and while the worker of the one on screen is lost. */
   #engine: Engine | null = null;
+  /** Of the mesh that is being opened, while its first answer is under way. */
+  #answering: Engine | null = null;
   #lost: WorkerLost | null = null;
   /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
   #factoring: { meanwhile: Method } | null = null;
@@ -98,6 +100,7 @@ export class Session {
       try {
         const built = (opened: OpenedMesh) => this.#preview(opened, request);
         const engine = await this.#start(request, request.state, progress, built);
+        this.#answering = engine;
         try {
           const { state, shown } = await prepare(engine, request);
           check();
@@ -106,6 +109,8 @@ export class Session {
         } catch (error) {
           engine.dispose();
           throw error;
+        } finally {
+          if (this.#answering === engine) this.#answering = null;
         }
       } finally {
         this.#presenter.endPreview();
@@ -117,6 +122,7 @@ export class Session {
   cancelOpening(): void {
     this.loading.value = null;
     this.#client.cancel();
+    this.#answering?.dispose();
   }
 
   /** During a drag a small exact region or one window may do, and the path may wait until the pointer rests. */
@@ -167,7 +173,8 @@ export class Session {
     progress: ProgressListener,
     built?: (opened: OpenedMesh) => void,
   ): Promise<Engine> {
-    return this.#client.open(load, state.parts, factorsOf(state), progress, built);
+    this.#answering?.dispose();
+    return this.#client.open(load, wantedOf(state), progress, built);
   }
 
   #preview(opened: OpenedMesh, request: OpenRequest): void {

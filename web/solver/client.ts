@@ -4,10 +4,19 @@
  * terminates its worker and touches nothing else.
  */
 import { proxy, transfer } from 'comlink';
-import type { MeshInput, OpenedMesh, Parameters, ProgressListener } from '../protocol';
+import type { MeshInput, OpenedMesh, Parameters, ProgressListener, Room } from '../protocol';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
 import { Cancelled, SolverWorker } from './remote';
+
+/** What is to be done with a mesh. */
+export interface Wanted {
+  /** Indices of the parts to walk on, empty for all. */
+  parts: readonly number[];
+  /** Of the heat method; with null, nothing is factored. */
+  parameters: Parameters | null;
+  room: Room;
+}
 
 export class SolverClient {
   /** All workers share one, and with it the code that the browser has optimised so far. */
@@ -21,14 +30,12 @@ export class SolverClient {
   }
 
   /**
-   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `parameters` of the
-   * heat method; with null, nothing is factored. `built` is told the mesh while the worker goes on; where it throws, the
-   * opening ends.
+   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `built` is told the
+   * mesh while the worker goes on; where it throws, the opening ends.
    */
   async open(
     load: () => Promise<MeshInput>,
-    parts: readonly number[],
-    parameters: Parameters | null,
+    { parts, parameters, room }: Wanted,
     progress: ProgressListener,
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
@@ -38,7 +45,7 @@ export class SolverClient {
     this.#opening = worker;
     try {
       const input = await worker.call(load());
-      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], proxy(progress));
+      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], room, proxy(progress));
       const opened = await worker.call(opening);
       const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
       const telling = (async () => built(opened))();

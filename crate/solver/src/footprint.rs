@@ -32,18 +32,17 @@ pub fn footprint(vertices: usize, triangles: usize, windows: u16) -> u64 {
 /// Refuses a mesh whose [`footprint`] is larger than the memory there is.
 ///
 /// # Errors
-/// [`Error::TooManyWindows`] where one window of each half-edge would fit, else [`Error::MeshTooLarge`].
+/// [`Error::MeshTooLarge`] where not even one window of each half-edge would fit; [`Error::TooManyWindows`].
 pub fn require_room(vertices: usize, triangles: usize, windows: u16, available_bytes: u64) -> Result<()> {
     let needed_bytes = footprint(vertices, triangles, windows);
-    if needed_bytes <= available_bytes {
-        return Ok(());
-    }
-    let fits_with_fewer = windows > DEFAULT_WINDOWS && footprint(vertices, triangles, DEFAULT_WINDOWS) <= available_bytes;
-    Err(if fits_with_fewer {
-        Error::TooManyWindows { triangles, windows, needed_bytes, available_bytes }
+    let least_bytes = footprint(vertices, triangles, windows.min(DEFAULT_WINDOWS));
+    if least_bytes > available_bytes {
+        Err(Error::MeshTooLarge { triangles, needed_bytes: least_bytes, available_bytes })
+    } else if needed_bytes > available_bytes {
+        Err(Error::TooManyWindows { triangles, windows, needed_bytes, available_bytes })
     } else {
-        Error::MeshTooLarge { triangles, needed_bytes, available_bytes }
-    })
+        Ok(())
+    }
 }
 
 #[cfg(test)]

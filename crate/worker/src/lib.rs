@@ -16,8 +16,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::Soup;
-use heatwalk::{Surface, io};
+use heatwalk::{MemoryLimit, Soup, Surface, io};
 use heatwalk_scene::DrawTransform;
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
@@ -42,6 +41,9 @@ export type Progress = (stage: string, fraction: number) => void;
 pub fn start() {
     std::panic::set_hook(Box::new(|panic| failure::end(&panic.to_string())));
 }
+
+/// Bytes that a program on wasm32 can have.
+const ADDRESS_SPACE: u64 = 1 << 32;
 
 /// Names that [`MeshFile::shape`] takes.
 #[wasm_bindgen]
@@ -89,6 +91,19 @@ impl MeshFile {
     /// Triangles of each part.
     pub fn part_triangles(&self) -> Vec<u32> {
         self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
+    }
+
+    /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
+    /// or in so many MiB; 0 windows: for what is factored, before its factors.
+    pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
+        let parts = active.iter().filter_map(|&part| self.soup.parts.get(part as usize));
+        let triangles = parts.map(|part| part.triangles.len()).sum();
+        let vertices = self.soup.positions.len().min(3 * triangles);
+        let available = match mebibytes.map(MemoryLimit::mebibytes) {
+            Some(MemoryLimit::Bytes(most)) => most.min(ADDRESS_SPACE),
+            Some(MemoryLimit::Automatic) | None => ADDRESS_SPACE,
+        };
+        Ok(heatwalk::require_room(vertices, triangles, windows, available)?)
     }
 
     /// The surface formed by the parts `active`.

@@ -21,7 +21,7 @@ import type {
   SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
-import { DEFAULT_WINDOWS } from '../../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
@@ -82,7 +82,7 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, progress) {
+  async open(input, parts, room, progress) {
     await ready;
     const hash = await hashOf(input);
     const clock = stopwatch();
@@ -93,7 +93,9 @@ const api: SolverApi = {
     const names = file.part_names();
     const triangles = file.part_triangles();
     const active = parts.length > 0 ? parts : names.map((_, index) => index);
-    const surface = file.surface(Uint32Array.from(active));
+    const chosen = Uint32Array.from(active);
+    file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
+    const surface = file.surface(chosen);
     const report = plain(surface.report());
     const buildMs = clock();
     const { vertices } = report;
