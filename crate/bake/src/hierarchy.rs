@@ -88,7 +88,8 @@ impl Hierarchy {
                     }
                 }
             } else {
-                let mut children = [2 * node + 1, 2 * node + 2].map(|node| (node, self.entry(node, ray.origin, inverse)));
+                let mut children =
+                    [2 * node + 1, 2 * node + 2].map(|node| (node, self.entry(node, ray.origin, inverse)));
                 // What is entered first is looked at first, so last in.
                 children.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
                 waiting.extend(children);

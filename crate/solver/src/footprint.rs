@@ -56,7 +56,10 @@ mod tests {
         assert!(require_room(vertices, triangles, 8, eight).is_ok());
         let refused = require_room(vertices, triangles, 8, eight - 1).expect_err("one byte less");
         assert_eq!(refused.code(), "too-many-windows");
-        assert!(refused.to_string().starts_with("8 windows of each half-edge of 1000000 triangles take 1."), "{refused}");
+        assert!(
+            refused.to_string().starts_with("8 windows of each half-edge of 1000000 triangles take 1."),
+            "{refused}"
+        );
         assert!(require_room(vertices, triangles, 1, one).is_ok());
         for windows in [0, 1, 8] {
             let available = footprint(vertices, triangles, windows.min(1)) - 1;

@@ -2,12 +2,12 @@ use encase::ShaderType;
 use glam::Vec3;
 
 use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
-use heatwalk_bake::{CONTACT_SIZE, Floor};
 use crate::context::Context;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shadow::SHADOW_REACH;
 use crate::shared::Shared;
 use crate::uniform::Uniform;
+use heatwalk_bake::{CONTACT_SIZE, Floor};
 
 /// `Ground` of ground.wgsl.
 #[derive(ShaderType)]

@@ -2,8 +2,8 @@
 
 use crate::binding::{fragment_entry, smooth_sampler, texture};
 use crate::context::Context;
-use heatwalk_bake::OCCLUSION_SIZE;
 use crate::shadow::ShadowMaps;
+use heatwalk_bake::OCCLUSION_SIZE;
 
 /// The shadow maps and the occlusion grid, and the group that binds them.
 pub(crate) struct Lighting {

@@ -5,7 +5,6 @@ use glam::{Vec2, Vec3};
 
 use crate::arrow::Arrows;
 use crate::background::Background;
-use heatwalk_bake::{Bounds, Shade};
 use crate::camera::{Camera, Insets, View};
 use crate::canvas::Canvas;
 use crate::context::{Backend, Context};
@@ -21,6 +20,7 @@ use crate::style::Style;
 use crate::surface::{FieldBuffers, SurfaceRenderer};
 use crate::walker::Walkers;
 use crate::wire::Wires;
+use heatwalk_bake::{Bounds, Shade};
 
 /// A place on the surface under a pixel.
 #[derive(Clone, Copy, Debug)]

@@ -30,7 +30,9 @@ impl Failure {
     /// The solver's error, with what a user of the page can do about it.
     fn of(error: &heatwalk::Error) -> Self {
         let remedy = match error.code() {
-            OUT_OF_MEMORY | "mesh-too-large" => "; use a mesh with fewer triangles, or the native program on a larger machine",
+            OUT_OF_MEMORY | "mesh-too-large" => {
+                "; use a mesh with fewer triangles, or the native program on a larger machine"
+            }
             TOO_LARGE => ", or the native program on a larger machine",
             "missing-resource" => "; open both together",
             _ => "",

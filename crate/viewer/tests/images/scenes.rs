@@ -3,7 +3,9 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
-use heatwalk_viewer::{CrowdPose, Error, Finish, Hierarchy, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style, Surroundings, View};
+use heatwalk_viewer::{
+    CrowdPose, Error, Finish, Hierarchy, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style, Surroundings, View,
+};
 
 /// A picture and how its scene is set up.
 pub struct Scene {
