@@ -44,7 +44,7 @@ const ORDER = [
 type Layer = (typeof ORDER)[number];
 const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
 /** What a preview has from the scene that it stands before. */
-const COMMON: readonly Layer[] = ['background', 'spin'];
+const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 
 /** All that is shown together. */
 interface Picture {
@@ -210,7 +210,7 @@ export class View {
    */
   preview(draw: () => void): void {
     const scene = this.#picture;
-    const common = [...scene.layers].filter(([layer]) => COMMON.includes(layer));
+    const common = [...scene.layers].filter(([layer]) => COMMON.has(layer));
     this.#picture = this.#drawn = { layers: new Map(common), scale: 1 };
     try {
       draw();
@@ -427,7 +427,7 @@ export class View {
   }
 
   #show(layer: Layer, apply: (viewer: Viewer) => void): void {
-    const isCommon = COMMON.includes(layer);
+    const isCommon = COMMON.has(layer);
     if (isCommon || !this.#isPreview) this.#use(apply);
     this.#picture.layers.set(layer, apply);
     if (isCommon) this.#drawn.layers.set(layer, apply);
