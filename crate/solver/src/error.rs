@@ -71,7 +71,7 @@ pub enum Error {
     },
     /// A mesh fits into memory, but not with so many windows.
     #[error(
-        "{windows} windows of each half-edge of {triangles} triangles take {} of memory, more than the {} there are; one window fits",
+        "{windows} windows of each half-edge of {triangles} triangles take {} of memory, more than the {} there are; keep one window, which fits",
         memory_size(*.needed_bytes),
         memory_size(*.available_bytes)
     )]

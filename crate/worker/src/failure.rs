@@ -34,6 +34,7 @@ impl Failure {
                 "; use a mesh with fewer triangles, or the native program on a larger machine"
             }
             TOO_LARGE => ", or the native program on a larger machine",
+            TOO_MANY_WINDOWS => ", or use the native program on a larger machine",
             "missing-resource" => "; open both together",
             _ => "",
         };
