@@ -130,6 +130,11 @@ export class HeatwalkPage {
   /** The window as drawn once everything has settled, without what floats over the canvas. */
   async picture(): Promise<PNG> {
     await this.settled();
+    return this.screen();
+  }
+
+  /** The same at once, whatever is under way. */
+  async screen(): Promise<PNG> {
     const style = '.stage ~ * { visibility: hidden !important }';
     return PNG.sync.read(await this.page.screenshot({ style }));
   }

@@ -27,6 +27,14 @@ export type Plain<T> = { [Key in keyof T as T[Key] extends (...given: never[]) =
 export type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
 export type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
+/** What there must be room for beside a mesh. */
+export interface Room {
+  /** Windows of each half-edge; 0 where the mesh is factored, which looks for room itself. */
+  windows: number;
+  /** Most memory, in MiB; that of the browser where it is chosen automatically. */
+  memory: Parameters['memory'];
+}
+
 export interface PartInfo {
   name: string;
   triangles: number;
@@ -43,12 +51,17 @@ export interface DrawTransform {
 }
 
 export type DrawMesh = Plain<wasm.DrawMesh>;
+export type Shade = Plain<wasm.Shade>;
 export type BuildReport = Plain<wasm.BuildReport>;
 export type SurfacePath = Plain<wasm.SurfacePath>;
 
 export interface Timings {
   readMs: number;
+  /** Welding and connectivity, and what windows need of it where nothing is factored. */
   buildMs: number;
+  /** Making the triangles ready to be drawn. */
+  drawMs: number;
+  /** Factoring; 0 where nothing is factored. */
   precomputeMs: number;
 }
 
@@ -67,7 +80,8 @@ export interface SceneryPart {
   mesh: DrawMesh;
 }
 
-export interface OpenedMesh extends Factoring {
+/** What is known of a mesh before anything is solved on it: enough to draw it. */
+export interface OpenedMesh {
   name: string;
   /** SHA-256 of the first file, hex; empty for shapes and arrays. */
   hash: string;
@@ -75,6 +89,8 @@ export interface OpenedMesh extends Factoring {
   /** Indices of the parts that form the surface. */
   active: number[];
   surface: DrawMesh;
+  /** Of the surface alone; null where there are other parts. */
+  shade: Shade | null;
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
@@ -141,15 +157,12 @@ export interface SolverApi {
   /** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
   warmUp(): Promise<void>;
   /**
-   * Reads, welds, and factors for the heat method with these parameters; with null, nothing is factored. `parts`: the
-   * indices to walk on, empty for all. The last mesh stays if this fails.
+   * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
+   * for all.
    */
-  open(
-    input: MeshInput,
-    parts: number[],
-    parameters: Parameters | null,
-    progress: ProgressListener,
-  ): Promise<OpenedMesh>;
+  open(input: MeshInput, parts: number[], room: Room, progress: ProgressListener): Promise<OpenedMesh>;
+  /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
+  prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;
   /** Factors again what the change needs, where anything is factored. The last field is forgotten. */
   configure(parameters: Parameters): Promise<Factoring>;
   /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */

@@ -46,3 +46,34 @@ test('a setting whose factors do not fit keeps the field, and works with conjuga
   await expect(message).toBeEmpty();
   expect((await heatwalk.scene()).parameters.boundary).toBe('average');
 });
+
+test('a mesh that does not fit with so many windows opens with one', async ({ heatwalk, page }) => {
+  // One window of each half-edge of 20 000 triangles takes 8 MiB, eight take 21.
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=12`);
+  const before = await heatwalk.mesh();
+  await heatwalk.drop([[NAME, CONTENT]]);
+  const message = page.getByRole('alert');
+  await expect(message).toContainText(
+    /grid\.off was not opened: 8 windows of each half-edge of 20000 triangles take 20\.\d MiB of memory, more than the 12\.0 MiB there are; keep one window, which fits, or use the native program/,
+  );
+  expect(await heatwalk.mesh()).toEqual(before);
+
+  await message.getByRole('button', { name: 'Use one window' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe(NAME);
+  await expect(message).toBeEmpty();
+  expect((await heatwalk.scene()).windows).toBe(1);
+  expect((await heatwalk.field()).windows).toBe(1);
+});
+
+test('a mesh that does not fit is refused before it is built, with its size', async ({ heatwalk, page }) => {
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=5`);
+  const before = await heatwalk.mesh();
+  await heatwalk.drop([[NAME, CONTENT]]);
+  const message = page.getByRole('alert');
+  await expect(message).toContainText(
+    /grid\.off was not opened: a mesh of 20000 triangles takes 7\.\d MiB of memory, more than the 5\.0 MiB there are; use a mesh with fewer triangles, or the native program/,
+  );
+  await expect(message.getByRole('button', { name: 'Use one window' })).toBeHidden();
+  expect(await heatwalk.mesh()).toEqual(before);
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
+});

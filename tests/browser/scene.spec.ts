@@ -1,4 +1,3 @@
-import type { Page } from '@playwright/test';
 import { glb, gltf, obj, off, sphere } from '../fixtures';
 import { brightness, crossings, difference, expect, test } from '../page';
 
@@ -76,63 +75,6 @@ for (const [name, content] of [
     expect(crossings(picture, x, y - 150, y + 150)).toBeGreaterThanOrEqual(4);
   });
 }
-
-/** Drops a torus of 4 n² triangles, made in the page because it is too large to be sent there. */
-async function dropTorus(page: Page, name: string, n: number): Promise<void> {
-  await page.evaluate(
-    ([file, around]) => {
-      const along = 2 * around;
-      const header = `ply\nformat binary_little_endian 1.0\nelement vertex ${along * around}\nproperty float x\nproperty float y\nproperty float z\nelement face ${2 * along * around}\nproperty list uchar int vertex_indices\nend_header\n`;
-      const body = new DataView(new ArrayBuffer(along * around * (12 + 2 * 13)));
-      let at = 0;
-      for (let i = 0; i < along; i++) {
-        for (let j = 0; j < around; j++) {
-          const [a, b] = [(2 * Math.PI * i) / along, (2 * Math.PI * j) / around];
-          const radius = 1 + 0.4 * Math.cos(b);
-          for (const value of [radius * Math.cos(a), 0.4 * Math.sin(b), radius * Math.sin(a)]) {
-            body.setFloat32(at, value, true);
-            at += 4;
-          }
-        }
-      }
-      const vertex = (i: number, j: number) => (i % along) * around + (j % around);
-      for (let i = 0; i < along; i++) {
-        for (let j = 0; j < around; j++) {
-          const [p, q, r, s] = [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)];
-          for (const triangle of [
-            [p, q, r],
-            [p, r, s],
-          ]) {
-            body.setUint8(at, 3);
-            triangle.forEach((corner, k) => body.setInt32(at + 1 + 4 * k, corner, true));
-            at += 13;
-          }
-        }
-      }
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([header, body], file));
-      document.body.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
-    },
-    [name, n] as const,
-  );
-}
-
-test('a mesh of a million triangles shows its stripes before anything is factored', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await heatwalk.open('#v=1&m=file&name=torus.ply&method=auto&refine=0&cam=0,1.2,3,0,0,0');
-  await dropTorus(page, 'torus.ply', 500);
-  await expect.poll(async () => (await heatwalk.mesh()).name, { timeout: 60_000 }).toBe('torus.ply');
-  expect(await heatwalk.mesh()).toMatchObject({ triangles: 1_000_000, vertices: 500_000, components: 1 });
-  expect(await page.evaluate(() => window.heatwalk.factorNonzeros)).toBe(0);
-  const { sources } = await heatwalk.scene();
-  expect(await heatwalk.distanceAt(sources[0])).toBe(0);
-  // Across the ring, from its outer edge to the hole.
-  const [outer, inner] = [
-    await heatwalk.pixelOf({ vertex: 125 * 500 }),
-    await heatwalk.pixelOf({ vertex: 125 * 500 + 250 }),
-  ];
-  expect(crossings(await heatwalk.picture(), outer[0], inner[1], outer[1])).toBeGreaterThanOrEqual(4);
-});
 
 test('a glTF opens together with its .bin, in whatever order they are dropped', async ({ heatwalk }) => {
   await heatwalk.open();

@@ -19,7 +19,7 @@ import {
   TOO_LARGE,
   WINDOWS,
 } from '../../web/wasm/contract';
-import { type ActiveSurface, initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
+import { type Drawing, initSync, MeshFile, type Solver } from '../../web/wasm/solver/heatwalk_worker.js';
 
 const MODULE = path.join(import.meta.dirname, '../../web/wasm/solver/heatwalk_worker_bg.wasm');
 /** Of 32-bit floats. */
@@ -37,7 +37,7 @@ const VALUES: { [Option in keyof Parameters]: readonly Parameters[Option][] } = 
   memory: [MEMORY_LIMIT_MEBIBYTES[1], AUTOMATIC],
 };
 
-let surface: ActiveSurface;
+let drawing: Drawing;
 let solver: Solver;
 test.beforeAll(() => {
   initSync({ module: fs.readFileSync(MODULE) });
@@ -46,8 +46,8 @@ test.beforeAll(() => {
   for (let i = 0; i < 81; i++) positions.set([(i % 9) ** 1.5, Math.floor(i / 9) + 3 * (i % 9), 0], 3 * i);
   for (let i = 0; i < 72; i++) if (i % 9 < 8) triangles.push(i, i + 1, i + 10, i, i + 10, i + 9);
   const file = MeshFile.arrays('grid', positions, Uint32Array.from(triangles));
-  surface = file.surface(Uint32Array.of(0));
-  solver = surface.factor(DEFAULT_PARAMETERS, () => undefined);
+  drawing = file.surface(Uint32Array.of(0)).draw();
+  solver = drawing.factor(DEFAULT_PARAMETERS, () => undefined);
 });
 
 function configure(options: object): void {
@@ -85,7 +85,7 @@ test('every kind of path, gradient and edges is answered', () => {
 });
 
 test('windows are answered with and without factors, by the same distances, and become exact', () => {
-  const unfactored = surface.solver();
+  const unfactored = drawing.solver();
   expect(unfactored.factor_nonzeros()).toBe(0);
   expect(solver.factor_nonzeros()).toBeGreaterThan(0);
   for (const windows of WINDOWS) {

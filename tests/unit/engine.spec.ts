@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import type { DistanceField, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
+import type { DistanceField, Factoring, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
 import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
@@ -43,7 +43,7 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
     },
   };
   const worker = { api, call: <T>(answer: Promise<T>) => answer } as unknown as SolverWorker;
-  const made = new Engine(worker, {} as OpenedMesh, DEFAULT_PARAMETERS);
+  const made = new Engine(worker, {} as OpenedMesh, {} as Factoring, DEFAULT_PARAMETERS);
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 

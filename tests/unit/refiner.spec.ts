@@ -33,7 +33,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     pathKind,
     quick: false,
   };
-  const timings = { readMs: 0, buildMs: 0, precomputeMs: 0 };
+  const timings = { readMs: 0, buildMs: 0, drawMs: 0, precomputeMs: 0 };
   const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
   return { question, field, path: PATH, pathKind: pathKind === 'exact' ? 'straight' : pathKind, pathMs: 0, factoring };
 }

@@ -19,6 +19,8 @@ const SOURCES = 10;
 const KEPT = [1, 2, 4, 8];
 const METHODS = ['propagation', 'auto', 'exact'];
 const ROBUST = 'pp3d robust';
+/** The preset that is shown before a file is dropped. */
+const BEFORE_A_FILE = 'teapot';
 
 /** Meshes as in `chosenMeshes`. Those on which a peer takes minutes have one pair, and neither errors nor exact distances. */
 export async function methods({ files, subdivisions, quick, only }) {
@@ -38,6 +40,8 @@ export async function methods({ files, subdivisions, quick, only }) {
     console.log(`\n— ${mesh.name}, ${mesh.triangles} triangles`);
     mesh.rows = await alternate({ programs, page }, python, mesh, quick || mesh.isSlow ? 1 : PAIRS);
     if (!mesh.isSlow) mesh.errors = errors(programs, python, mesh);
+    const { memory } = await page.worker(mesh.file, [0], KEPT[0]);
+    mesh.page = { memory, drag: await page.drag(BEFORE_A_FILE, mesh.file) };
   }
   await page.close();
   report(meshes);
@@ -121,6 +125,10 @@ function report(meshes) {
     '',
     ...errorsTable(meshes.filter(({ errors: measured }) => measured)),
     '',
+    "On the page: MiB of the worker's memory after the first field, and fields a second while a source is dragged.",
+    '',
+    ...table(['mesh', 'memory', 'fields a second'], meshes.map(pageRow)),
+    '',
   ].join('\n');
   const target = join(root, 'target', 'bench');
   mkdirSync(target, { recursive: true });
@@ -139,6 +147,10 @@ function timesRows({ name, triangles, rows }) {
     const bounds = interval[1] < Infinity ? interval.map((bound) => bound.toFixed(3)).join('–') : '–';
     return [name, String(triangles), what, digits(own), digits(peer), ratio.toFixed(3), bounds];
   });
+}
+
+function pageRow({ name, page: { memory, drag } }) {
+  return [name, (memory / 2 ** 20).toFixed(0), drag.fields.toFixed(0)];
 }
 
 function errorsTable(meshes) {

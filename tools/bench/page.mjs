@@ -1,7 +1,7 @@
 // The page as it ships, in a headless Chromium: its worker alone, a source dragged on it, and what it loads.
 
 import { createReadStream, readdirSync, readFileSync, statSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { brotliCompressSync, constants } from 'node:zlib';
 // Of two checkouts, each brings its own; the test runner would refuse to be loaded twice.
@@ -79,11 +79,18 @@ export class Page {
     });
   }
 
-  /** A source dragged over a preset for some seconds: fields a second, and how long each answer kept the page busy. */
-  async drag(preset) {
+  /**
+   * A source dragged for some seconds over a preset, or over the mesh of a file as one that is dropped: fields a second, and
+   * how long each answer kept the page busy.
+   */
+  async drag(preset, file) {
     const address = `/?gpu=webgl#v=1&m=${preset}`;
     return this.#with(address, async (tab) => {
       await tab.evaluate(() => window.heatwalk.ready);
+      if (file) {
+        await tab.setInputFiles('input[type=file]', file);
+        await tab.waitForFunction((name) => window.heatwalk.mesh.name === name, basename(file));
+      }
       const [x, y] = await tab.evaluate(pixelOnModel);
       await tab.mouse.click(x, y);
       // A second press too soon would be a double click.
@@ -170,14 +177,17 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
   };
   // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
   const progress = () => Comlink.proxy(() => undefined);
+  const room = { windows, memory: 'auto' };
   const shown = await started();
-  await shown.open({ kind: 'shape', shape: 'icosphere' }, [], parameters, progress());
+  await shown.open({ kind: 'shape', shape: 'icosphere' }, [], room, progress());
+  await shown.prepare(parameters, progress());
   await shown.solve([{ vertex: 0 }], false, null);
   const api = await started();
   await api.warmUp();
   const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
   const input = Comlink.transfer({ kind: 'files', files: [{ name: 'mesh.ply', bytes }] }, [bytes.buffer]);
-  const { timings } = await api.open(input, [], windows > 0 ? null : parameters, progress());
+  await api.open(input, [], room, progress());
+  const { timings } = await api.prepare(windows > 0 ? null : parameters, progress());
   const times = [];
   for (const vertex of sources) {
     const asked = [{ vertex }];

@@ -27,6 +27,10 @@ export class Frames {
   constructor(session: Session, crowd: CrowdWalk) {
     this.#session = session;
     this.#crowd = crowd;
+    session.preview.watch((preview, before) => {
+      // What was moved in front of a mesh that was not opened belongs to no scene.
+      if (!preview && before && session.shown.value?.opened !== before.opened) this.#settling = null;
+    });
   }
 
   /** Frames follow one another whatever happens in one of them. */
@@ -60,7 +64,7 @@ export class Frames {
     const waits = now < this.#rests && this.#session.dragging;
     this.#last = now;
     this.#drew = !waits && this.#session.view.render(step(passed));
-    if (this.#settling !== null) this.#settle();
+    if (this.#settling !== null && !this.#session.preview.value) this.#settle();
   }
 
   /** Once, though it may go wrong in every frame. */

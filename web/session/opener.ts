@@ -5,6 +5,7 @@ import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
+import { DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 
@@ -33,6 +34,7 @@ export function startOf(mesh: MeshReference): SceneState | null {
 }
 
 const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
+const USE_ONE_WINDOW = 'Use one window';
 
 export class Opener {
   readonly #session: Session;
@@ -111,8 +113,8 @@ export class Opener {
   /** What can be done when a question to the mesh on screen has failed. */
   remedy(failure: Error): Action | undefined {
     const { state } = this.#session.scene;
-    const iterated = isOutOfMemory(failure) ? iteratively(state) : null;
-    if (iterated) return { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#again(iterated) };
+    const lighter = lighterOf(state, failure);
+    if (lighter) return { name: lighter.name, run: () => void this.#again(lighter.state) };
     if (failure instanceof WorkerLost && !this.#session.engine)
       return { name: 'Open the mesh again', run: () => void this.#again(state) };
     return undefined;
@@ -137,10 +139,11 @@ export class Opener {
       if (!(error instanceof Cancelled)) {
         const failure = error instanceof Error ? error : new Error(String(error));
         const { message, stack } = failure;
-        const iterated = isOutOfMemory(failure) ? iteratively(request.state) : null;
-        const remedy = iterated
-          ? { name: USE_CONJUGATE_GRADIENTS, run: () => void this.#open({ ...request, state: iterated }, done) }
-          : undefined;
+        const lighter = lighterOf(request.state, failure);
+        const remedy = lighter && {
+          name: lighter.name,
+          run: () => void this.#open({ ...request, state: lighter.state }, done),
+        };
         this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message, remedy);
       }
     }
@@ -153,12 +156,12 @@ export class Opener {
   }
 }
 
-/** The same with conjugate gradients, which need no factors; null where it needs none as it is. */
-function iteratively(state: SceneState): SceneState | null {
+/** The same with less memory, where a failure was for want of it: without factors, or with as few windows as there are. */
+function lighterOf(state: SceneState, failure: Error): { name: string; state: SceneState } | undefined {
   const { method, parameters } = state;
-  return method !== 'heat' || parameters.solver === 'cg'
-    ? null
-    : { ...state, parameters: { ...parameters, solver: 'cg' } };
+  if (failure.name === TOO_MANY_WINDOWS) return { name: USE_ONE_WINDOW, state: { ...state, windows: DEFAULT_WINDOWS } };
+  if (!isOutOfMemory(failure) || method !== 'heat' || parameters.solver === 'cg') return undefined;
+  return { name: USE_CONJUGATE_GRADIENTS, state: { ...state, parameters: { ...parameters, solver: 'cg' } } };
 }
 
 async function readFiles(files: readonly File[]): Promise<MeshInput> {

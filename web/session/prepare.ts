@@ -1,9 +1,11 @@
 /** The first answer of a mesh that has just been opened. */
-import type { MeshInput, OpenedMesh, Parameters } from '../protocol';
+import type { MeshInput, OpenedMesh } from '../protocol';
+import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { Places } from '../state/places';
 import type { SceneState } from '../state/scene';
+import { AUTOMATIC } from '../wasm/contract';
 
 export interface Shown {
   opened: OpenedMesh;
@@ -27,9 +29,11 @@ export function questionOf(state: SceneState, method = state.method): Question {
   return { sources, method, windows, parameters, from: walker, pathKind, quick: false };
 }
 
-/** What is to be factored for a scene; null for nothing. */
-export function factorsOf({ method, parameters }: SceneState): Parameters | null {
-  return method === 'heat' ? parameters : null;
+/** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
+export function wantedOf({ parts, method, windows, parameters }: SceneState): Wanted {
+  return method === 'heat'
+    ? { parts, parameters, room: { windows: 0, memory: AUTOMATIC } }
+    : { parts, parameters: null, room: { windows, memory: parameters.memory } };
 }
 
 /** Makes the state fit the mesh and solves it for the first time. */

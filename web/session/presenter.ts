@@ -1,5 +1,5 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
-import type { DistanceField } from '../protocol';
+import type { DistanceField, OpenedMesh } from '../protocol';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField, View } from '../view/view';
@@ -10,8 +10,10 @@ export class Presenter {
   readonly walk = new Walk();
   readonly #scene: Scene;
   readonly #view: View;
-  /** What is on the view. */
+  /** The scene's mesh and answer. */
   #shown: Shown | null = null;
+  /** The mesh that is on the view in the place of the scene, and the camera to come back to. */
+  #previewed: { opened: OpenedMesh; camera: readonly number[] | null } | null = null;
   #state: SceneState;
   /** The field shown, of distance. */
   #field: DistanceField | null = null;
@@ -30,23 +32,49 @@ export class Presenter {
   }
 
   /**
-   * Shows another mesh. Where the view cannot take it, it is started anew with what it showed before, and the reason is
-   * thrown.
+   * Draws a mesh without an answer in the place of the scene, which goes on behind it until `replace` or `endPreview`. If
+   * this throws, the scene is shown as before.
+   */
+  preview(opened: OpenedMesh, { state, view: from }: OpenRequest): void {
+    const { camera } = this.#view;
+    this.#view.preview(() => {
+      this.#showMesh(opened, state);
+      this.#view.setStyle(state.style, 1, from?.[0] ?? this.#facing);
+    });
+    this.#previewed = { opened, camera };
+    this.#look(state, from);
+  }
+
+  /** Shows the scene again, if a mesh is drawn in its place. */
+  endPreview(): void {
+    if (!this.#previewed) return;
+    const { camera } = this.#previewed;
+    this.#previewed = null;
+    this.#view.endPreview();
+    if (camera) this.#view.camera = camera;
+  }
+
+  /**
+   * Shows another mesh; one that is drawn already stays as the user has turned it. Where the view cannot take it, it is
+   * started anew with what it showed before, and the reason is thrown.
    */
   replace(shown: Shown, state: SceneState, from: OpenRequest['view']): void {
-    const before = { shown: this.#shown, state: this.#state, facing: this.#facing, camera: this.#view.camera };
+    const previewed = this.#previewed?.opened === shown.opened ? this.#previewed : null;
+    const { camera } = previewed ?? this.#view;
+    const before = { shown: this.#shown, state: this.#state, facing: this.#facing, camera };
+    this.#previewed = null;
     try {
-      this.#showAll(shown, state, from?.[0] ?? this.#facing, 0);
-      if (state.camera) {
-        this.#view.camera = state.camera;
-      } else if (from) {
-        this.#view.camera = [...from, 3, 0, 0, 0];
-        this.#view.frame();
-      }
+      if (previewed) this.#view.adoptPreview();
+      else this.#showMesh(shown.opened, state);
+      this.#showRest(shown, state, from?.[0] ?? this.#facing, 0);
+      if (!previewed) this.#look(state, from);
     } catch (error) {
       // One that is not being replaced already has seen half of it. The next one is given what was shown.
       if (this.#view.backend.value !== null) void this.#view.start();
-      if (before.shown) this.#showAll(before.shown, before.state, before.facing, this.walk.arc);
+      if (before.shown) {
+        this.#showMesh(before.shown.opened, before.state);
+        this.#showRest(before.shown, before.state, before.facing, this.walk.arc);
+      }
       if (before.camera) this.#view.camera = before.camera;
       throw error;
     }
@@ -83,12 +111,23 @@ export class Presenter {
     }
   }
 
-  #showAll(shown: Shown, state: SceneState, facing: number, arc: number): void {
+  #look(state: SceneState, from: OpenRequest['view']): void {
+    if (state.camera) {
+      this.#view.camera = state.camera;
+    } else if (from) {
+      this.#view.camera = [...from, 3, 0, 0, 0];
+      this.#view.frame();
+    }
+  }
+
+  #showMesh({ surface, shade, scenery, drawTransform }: OpenedMesh, state: SceneState): void {
+    this.#view.setMesh(surface, shade, visible(scenery, state), drawTransform);
+  }
+
+  #showRest(shown: Shown, state: SceneState, facing: number, arc: number): void {
     this.#state = state;
     this.#facing = facing;
     this.#whole = shown.places.diameter;
-    const { surface, scenery, drawTransform } = shown.opened;
-    this.#view.setMesh(surface, visible(scenery, state), drawTransform);
     this.#showStyle();
     this.#showField(shown);
     this.#showPath(shown, arc);

@@ -1,5 +1,5 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import type { ProgressListener } from '../protocol';
+import type { OpenedMesh, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
@@ -12,7 +12,7 @@ import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { type Loading, whileLoading } from './loading';
-import { factorsOf, type OpenRequest, prepare, questionOf, type Shown } from './prepare';
+import { type OpenRequest, prepare, questionOf, type Shown, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
 /** A path that takes longer is traced only when the pointer rests. */
@@ -20,17 +20,28 @@ const LIVE_PATH_MS = 8;
 /** A field that takes longer, a frame at 60 a second, is solved with less accuracy while the pointer drags. */
 const LIVE_FIELD_MS = 16;
 
+/** Triangles of a mesh whose first answer takes so many frames that the mesh is drawn before. */
+const LEAST_PREVIEWED = 100_000;
+
 /** Until the worker of the next opening is started. */
 const WARM_UP_MS = 1500;
 
 /** Radians a second: a turn in sixteen seconds. */
 const TURNTABLE_SPEED = Math.PI / 8;
 
+/** A mesh without an answer. */
+export interface Preview {
+  title: string;
+  opened: OpenedMesh;
+}
+
 export class Session {
   readonly scene: Scene;
   readonly view: View;
   readonly loading = new Signal<Loading | null>(null);
   readonly shown = new Signal<Shown | null>(null);
+  /** The mesh that is drawn in place of the scene until its first answer has come. */
+  readonly preview = new Signal<Preview | null>(null);
   /** A question to the solver failed, or the worker that holds the mesh was lost. */
   readonly failure = new Signal<Error | null>(null);
   readonly paused = new Signal(false);
@@ -48,6 +59,8 @@ export class Session {
   #request: OpenRequest | null = null;
   /** Null before the first mesh, and while the worker of the one on screen is lost. */
   #engine: Engine | null = null;
+  /** Of the mesh that is being opened, while its first answer is under way. */
+  #answering: Engine | null = null;
   #lost: WorkerLost | null = null;
   /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
   #factoring: { meanwhile: Method } | null = null;
@@ -81,18 +94,27 @@ export class Session {
     return this.#engine;
   }
 
-  /** Shows another mesh once it is solved; until then, and if this rejects, everything stays as it was. */
+  /** Shows another mesh once it is solved, a large one ahead of that; if this rejects, everything is as it was. */
   open(request: OpenRequest): Promise<Shown> {
     return whileLoading(this.loading, request.title, async (progress, check) => {
-      const engine = await this.#start(request, request.state, progress);
       try {
-        const { state, shown } = await prepare(engine, request);
-        check();
-        this.#adopt(engine, state, shown, request);
-        return shown;
-      } catch (error) {
-        engine.dispose();
-        throw error;
+        const built = (opened: OpenedMesh) => this.#preview(opened, request);
+        const engine = await this.#start(request, request.state, progress, built);
+        this.#answering = engine;
+        try {
+          const { state, shown } = await prepare(engine, request);
+          check();
+          this.#adopt(engine, state, shown, request);
+          return shown;
+        } catch (error) {
+          engine.dispose();
+          throw error;
+        } finally {
+          if (this.#answering === engine) this.#answering = null;
+        }
+      } finally {
+        this.#presenter.endPreview();
+        this.preview.value = null;
       }
     });
   }
@@ -100,6 +122,7 @@ export class Session {
   cancelOpening(): void {
     this.loading.value = null;
     this.#client.cancel();
+    this.#answering?.dispose();
   }
 
   /** During a drag a small exact region or one window may do, and the path may wait until the pointer rests. */
@@ -144,8 +167,21 @@ export class Session {
   }
 
   /** A worker that has opened a mesh for a state. */
-  #start({ load }: OpenRequest, state: SceneState, progress: ProgressListener): Promise<Engine> {
-    return this.#client.open(load, state.parts, factorsOf(state), progress);
+  #start(
+    { load }: OpenRequest,
+    state: SceneState,
+    progress: ProgressListener,
+    built?: (opened: OpenedMesh) => void,
+  ): Promise<Engine> {
+    this.#answering?.dispose();
+    return this.#client.open(load, wantedOf(state), progress, built);
+  }
+
+  #preview(opened: OpenedMesh, request: OpenRequest): void {
+    const triangles = opened.report.faces;
+    if (triangles < LEAST_PREVIEWED) return;
+    this.#presenter.preview(opened, request);
+    this.preview.value = { title: request.title, opened };
   }
 
   /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */

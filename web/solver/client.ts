@@ -4,10 +4,19 @@
  * terminates its worker and touches nothing else.
  */
 import { proxy, transfer } from 'comlink';
-import type { MeshInput, Parameters, ProgressListener } from '../protocol';
+import type { MeshInput, OpenedMesh, Parameters, ProgressListener, Room } from '../protocol';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
 import { Cancelled, SolverWorker } from './remote';
+
+/** What is to be done with a mesh. */
+export interface Wanted {
+  /** Indices of the parts to walk on, empty for all. */
+  parts: readonly number[];
+  /** Of the heat method; with null, nothing is factored. */
+  parameters: Parameters | null;
+  room: Room;
+}
 
 export class SolverClient {
   /** All workers share one, and with it the code that the browser has optimised so far. */
@@ -21,14 +30,14 @@ export class SolverClient {
   }
 
   /**
-   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `parameters` of the
-   * heat method; with null, nothing is factored.
+   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `built` is told the
+   * mesh while the worker goes on; where it throws, the opening ends.
    */
   async open(
     load: () => Promise<MeshInput>,
-    parts: readonly number[],
-    parameters: Parameters | null,
+    { parts, parameters, room }: Wanted,
     progress: ProgressListener,
+    built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
     this.cancel();
     const worker = this.#spare ?? new SolverWorker(this.#compiled());
@@ -36,9 +45,12 @@ export class SolverClient {
     this.#opening = worker;
     try {
       const input = await worker.call(load());
-      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], parameters, proxy(progress));
+      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], room, proxy(progress));
       const opened = await worker.call(opening);
-      return new Engine(worker, opened, parameters);
+      const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
+      const telling = (async () => built(opened))();
+      const [factoring] = await Promise.all([preparing, telling]);
+      return new Engine(worker, opened, factoring, parameters);
     } catch (error) {
       worker.end(new Cancelled());
       throw error;

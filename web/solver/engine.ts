@@ -82,12 +82,13 @@ export class Engine {
   constructor(
     worker: SolverWorker,
     readonly opened: OpenedMesh,
+    factoring: Factoring,
     parameters: Parameters | null,
   ) {
     this.#worker = worker;
     this.isFactored = parameters !== null;
     this.#parameters = parameters;
-    this.#factoring = opened;
+    this.#factoring = factoring;
   }
 
   /** Resolves when the worker is lost. */

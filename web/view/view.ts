@@ -1,5 +1,5 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { DistanceField, DrawMesh, DrawTransform, SurfacePath, SurfacePoint } from '../protocol';
+import type { DistanceField, DrawMesh, DrawTransform, Shade, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
@@ -43,6 +43,15 @@ const ORDER = [
 ] as const;
 type Layer = (typeof ORDER)[number];
 const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
+/** What a preview has from the scene that it stands before. */
+const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
+
+/** All that is shown together. */
+interface Picture {
+  layers: Map<Layer, (viewer: Viewer) => void>;
+  /** Drawn length of the file's unit. */
+  scale: number;
+}
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
 export interface Insets {
@@ -58,6 +67,13 @@ const RELAPSE_MS = 10_000;
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
+const NO_MESH = {
+  positions: new Float32Array(),
+  normals: new Float32Array(),
+  triangles: new Uint32Array(),
+  order: new Uint32Array(),
+  boxes: new Float32Array(),
+};
 const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
@@ -67,12 +83,13 @@ export class View {
   readonly #traps = new Traps();
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
-  #layers = new Map<Layer, (viewer: Viewer) => void>();
+  /** What calls change. */
+  #picture: Picture = { layers: new Map(), scale: 1 };
+  /** What is on the canvas: that, or a preview in its place. */
+  #drawn = this.#picture;
   #camera: Float64Array | null = null;
   #frameFirst = false;
   #ratio = 1;
-  /** Drawn length of the file's unit. */
-  #scale = 1;
   /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
   #size: [width: number, height: number] = [1, 1];
   #insets: Insets = NO_INSETS;
@@ -134,9 +151,9 @@ export class View {
   #replay(viewer: Viewer): boolean {
     for (const layer of ORDER) {
       try {
-        this.#layers.get(layer)?.(viewer);
+        this.#drawn.layers.get(layer)?.(viewer);
       } catch (error) {
-        this.#layers.delete(layer);
+        this.#drawn.layers.delete(layer);
         this.failure.value = asError(error);
         if (isUnusable(this.failure.value)) return false;
       }
@@ -167,24 +184,62 @@ export class View {
     this.#show('background', (viewer) => viewer.set_background(unitColour(top), unitColour(bottom)));
   }
 
-  /** If this throws, everything is shown as before. */
-  setMesh(surface: DrawMesh, scenery: readonly DrawMesh[], { scale }: DrawTransform): void {
-    const before = new Map(this.#layers);
+  /** `shade`: of the surface alone. If this throws, everything is shown as before. */
+  setMesh(surface: DrawMesh, shade: Shade | null, scenery: readonly DrawMesh[], { scale }: DrawTransform): void {
+    const picture = this.#picture;
+    const before = new Map(picture.layers);
     try {
-      this.#show('surface', (viewer) => viewer.set_surface(surface.positions, surface.normals, surface.triangles));
-      for (const layer of CLEARED_BY_SURFACE) this.#layers.delete(layer);
+      this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
+      for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
       this.setScenery(scenery);
-      this.#scale = scale;
+      picture.scale = scale;
     } catch (error) {
-      this.#layers = before;
-      if (this.#viewer) this.#replay(this.#viewer);
+      picture.layers = before;
+      this.#redraw();
       throw error;
     }
   }
 
   setScenery(parts: readonly DrawMesh[]): void {
-    const { positions, normals, triangles } = joined(parts);
-    this.#show('scenery', (viewer) => viewer.set_scenery(positions, normals, triangles));
+    this.#show('scenery', (viewer) => viewer.set_scenery([...parts]));
+  }
+
+  /**
+   * Puts what `draw` shows in the place of all else, which is kept, and changed by further calls, until `endPreview`. If
+   * this throws, everything is shown as before.
+   */
+  preview(draw: () => void): void {
+    const scene = this.#picture;
+    const common = [...scene.layers].filter(([layer]) => COMMON.has(layer));
+    this.#picture = this.#drawn = { layers: new Map(common), scale: 1 };
+    try {
+      draw();
+      this.#picture = scene;
+    } catch (error) {
+      this.#picture = scene;
+      this.endPreview();
+      throw error;
+    }
+  }
+
+  /** Further calls change what the preview shows; what was kept is forgotten. */
+  adoptPreview(): void {
+    this.#picture = this.#drawn;
+  }
+
+  /** Shows again what was kept. */
+  endPreview(): void {
+    this.#drawn = this.#picture;
+    if (!this.#picture.layers.has('surface')) this.#use((viewer) => viewer.set_surface(NO_MESH, null));
+    this.#redraw();
+  }
+
+  get #isPreview(): boolean {
+    return this.#drawn !== this.#picture;
+  }
+
+  #redraw(): void {
+    if (this.#viewer) this.#replay(this.#viewer);
   }
 
   /** Null where there is none. */
@@ -230,7 +285,7 @@ export class View {
 
   /** `arc` in the unit of the file. */
   setWalker(arc: number): void {
-    const drawn = arc * this.#scale;
+    const drawn = arc * this.#picture.scale;
     this.#show('walker', (viewer) => viewer.set_walker(drawn));
   }
 
@@ -308,7 +363,7 @@ export class View {
   }
 
   focus(position: Vector): void {
-    this.#use((viewer) => viewer.focus(...position));
+    if (!this.#isPreview) this.#use((viewer) => viewer.focus(...position));
   }
 
   /** Yaw, pitch, distance, offset; null before the first picture. */
@@ -324,8 +379,9 @@ export class View {
     this.#use((viewer) => viewer.set_camera(numbers));
   }
 
-  /** `x`, `y` in CSS pixels of the window. */
+  /** `x`, `y` in CSS pixels of the window. Nothing is hit while a preview is drawn. */
   pick(x: number, y: number): PointHit | null {
+    if (this.#isPreview) return null;
     const { left, top } = this.stage.getBoundingClientRect();
     const hit = this.#use((viewer) => viewer.pick((x - left) * this.#ratio, (y - top) * this.#ratio));
     if (!hit) return null;
@@ -336,8 +392,9 @@ export class View {
     return found;
   }
 
-  /** CSS pixels of the window; null behind the camera. */
+  /** CSS pixels of the window; null behind the camera and while a preview is drawn. */
   project(position: Vector): [number, number] | null {
+    if (this.#isPreview) return null;
     const pixel = this.#use((viewer) => viewer.project(...position));
     if (!pixel) return null;
     const { left, top } = this.stage.getBoundingClientRect();
@@ -370,8 +427,10 @@ export class View {
   }
 
   #show(layer: Layer, apply: (viewer: Viewer) => void): void {
-    this.#use(apply);
-    this.#layers.set(layer, apply);
+    const isCommon = COMMON.has(layer);
+    if (isCommon || !this.#isPreview) this.#use(apply);
+    this.#picture.layers.set(layer, apply);
+    if (isCommon) this.#drawn.layers.set(layer, apply);
   }
 
   #freshCanvas(): HTMLCanvasElement {
@@ -413,22 +472,6 @@ function asError(thrown: unknown): Error {
 function pixels(length: number, exact: number | undefined): number {
   const product = Math.max(1, Math.round(length * devicePixelRatio));
   return exact !== undefined && Math.abs(exact - product) <= 1 ? Math.max(1, exact) : product;
-}
-
-function joined(meshes: readonly DrawMesh[]): DrawMesh {
-  const numbers = meshes.reduce((sum, { positions }) => sum + positions.length, 0);
-  const corners = meshes.reduce((sum, { triangles }) => sum + triangles.length, 0);
-  const positions = new Float32Array(numbers);
-  const normals = new Float32Array(numbers);
-  const triangles = new Uint32Array(corners);
-  let [vertex, corner] = [0, 0];
-  for (const mesh of meshes) {
-    positions.set(mesh.positions, 3 * vertex);
-    normals.set(mesh.normals, 3 * vertex);
-    for (const index of mesh.triangles) triangles[corner++] = vertex + index;
-    vertex += mesh.positions.length / 3;
-  }
-  return { positions, normals, triangles };
 }
 
 function finishOf({ metalness, roughness, glow }: Finish): Float32Array {

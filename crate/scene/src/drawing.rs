@@ -1,10 +1,12 @@
 //! Vertices for drawing: smooth normals, split at creases and where the file has seams.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
-use heatwalk::Surface;
 use heatwalk::surface::triangle;
-use heatwalk::{FaceData, FaceId, HalfedgeId, InputVertex, VertexId};
+use heatwalk::surface::union_find::UnionFind;
+use heatwalk::{FaceData, FaceId, HalfedgeId, InputVertex, Surface, VertexData, VertexId};
 
 use crate::transform::DrawTransform;
 
@@ -26,77 +28,140 @@ pub struct DrawMesh {
 /// Makes the vertices to draw. An edge is a crease where the normals of its faces differ by more than `crease_angle`
 /// (radians, 0 to π), and where the surface is cut or ends.
 pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform) -> DrawMesh {
-    let face_normals: FaceData<DVec3> = surface.mesh().faces().map(|face| surface.face_normal(face)).collect();
-    let corners = surface.face_count() * 3;
-    let mut sectors = Sectors { parent: (0..corners as u32).collect() };
-    let least_cosine = crease_angle.cos();
-    for halfedge in (0..corners as u32).map(HalfedgeId) {
-        let twin = surface.mesh().twin(halfedge);
-        if twin < halfedge || surface.mesh().is_boundary(surface.mesh().face(twin)) {
-            continue;
-        }
-        let [left, right] = [halfedge, twin].map(|side| face_normals[surface.mesh().face(side)]);
-        if left.dot(right) >= least_cosine {
-            // A half-edge is also the corner that it leaves.
-            sectors.join(halfedge.0, surface.mesh().next(twin).0);
-            sectors.join(twin.0, surface.mesh().next(halfedge).0);
-        }
-    }
-    let mut sector_normals = vec![DVec3::ZERO; corners];
-    for corner in (0..corners as u32).map(HalfedgeId) {
-        let mut positions = surface.corners(corner.triangle());
-        positions.rotate_left(corner.corner());
-        let sector = sectors.root(corner.0);
-        sector_normals[sector as usize] += face_normals[corner.triangle()] * triangle::angle(positions);
-    }
-    let mut drawn_corners = vec![0; corners];
-    let mut drawing = DrawMesh::default();
-    let mut around: Vec<(u32, InputVertex, HalfedgeId)> = Vec::new();
+    let shading = Shading::new(surface, crease_angle.cos());
+    let vertices = surface.vertex_count();
+    let mut drawing = DrawMesh {
+        positions: Vec::with_capacity(3 * vertices),
+        normals: Vec::with_capacity(3 * vertices),
+        triangles: Vec::with_capacity(3 * surface.face_count()),
+        vertex_of_drawn: Vec::with_capacity(vertices),
+        input_of_drawn: Vec::with_capacity(vertices),
+    };
+    let mut first_drawn: VertexData<u32> = vec![0; vertices].into();
+    // Corners of vertices that are drawn more than once, with their drawn vertex.
+    let mut split: Vec<(HalfedgeId, u32)> = Vec::new();
     for vertex in surface.vertices() {
-        around.clear();
-        around.extend(surface.corners_of_vertex(vertex).map(|(face, k)| {
-            let corner = face.halfedge(k);
-            (sectors.root(corner.0), surface.inputs_of_face(face)[k], corner)
-        }));
-        around.sort_unstable();
-        for group in around.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let (sector, input, corner) = group[0];
+        let position = transform.place(surface.position(vertex)).to_array();
+        let mut draw = |normal: DVec3, input| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
-            let mut normal = triangle::unit(sector_normals[sector as usize]);
-            if normal == DVec3::ZERO {
-                normal = face_normals[corner.triangle()];
-            }
-            drawing.positions.extend(transform.place(surface.position(vertex)).to_array());
+            drawing.positions.extend(position);
             drawing.normals.extend(normal.as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
-            for &(_, _, corner) in group {
-                drawn_corners[corner.0 as usize] = drawn;
+            drawn
+        };
+        let inputs = surface.inputs_of_vertex(vertex);
+        if shading.is_smooth[vertex] && inputs.len() == 1 {
+            let corner = surface.corners_of_vertex(vertex).next();
+            let normal = shading.smooth_normal(shading.sums[vertex], corner.map_or(FaceId(0), |(face, _)| face));
+            first_drawn[vertex] = draw(normal, inputs[0]);
+            continue;
+        }
+        for sector in shading.sectors(surface, vertex).chunk_by(|a, b| a.0 == b.0) {
+            let sum = sector.iter().map(|&(_, _, corner)| shading.weighted_normal(surface, corner)).sum();
+            for group in sector.chunk_by(|a, b| a.1 == b.1) {
+                let (_, input, corner) = group[0];
+                let drawn = draw(shading.smooth_normal(sum, corner.triangle()), input);
+                split.extend(group.iter().map(|&(_, _, corner)| (corner, drawn)));
             }
         }
     }
-    let corners_of = |face: FaceId| [0, 1, 2].map(|k| drawn_corners[face.halfedge(k).0 as usize]);
-    drawing.triangles = surface.faces_in_input_order().flat_map(corners_of).collect();
+    let faces = surface.faces().iter().flatten();
+    let mut drawn_corners: Vec<u32> = faces.map(|&vertex| first_drawn[vertex]).collect();
+    for (corner, drawn) in split {
+        drawn_corners[corner.0 as usize] = drawn;
+    }
+    let (corners, _) = drawn_corners.as_chunks::<3>();
+    drawing.triangles.extend(surface.faces_in_input_order().flat_map(|face| corners[face.0 as usize]));
     drawing
 }
 
-/// Disjoint sets of corners that share a normal.
-struct Sectors {
-    parent: Vec<u32>,
+/// What normals of drawn vertices are made of.
+struct Shading {
+    face_normals: FaceData<DVec3>,
+    /// Of the face normals around each vertex, weighted by angle.
+    sums: VertexData<DVec3>,
+    /// Whether the faces around a vertex are one fan without a crease.
+    is_smooth: VertexData<bool>,
+    least_cosine: f64,
 }
 
-impl Sectors {
-    fn root(&mut self, mut corner: u32) -> u32 {
-        while self.parent[corner as usize] != corner {
-            let above = self.parent[corner as usize];
-            self.parent[corner as usize] = self.parent[above as usize];
-            corner = above;
+impl Shading {
+    /// `least_cosine`: of the normals on both sides of an edge that is no crease.
+    fn new(surface: &Surface, least_cosine: f64) -> Self {
+        let mesh = surface.mesh();
+        let mut face_normals = Vec::with_capacity(surface.face_count());
+        let mut sums: VertexData<DVec3> = vec![DVec3::ZERO; surface.vertex_count()].into();
+        for (face, &vertices) in surface.faces().enumerate() {
+            let normal = surface.face_normal(face);
+            let corners = surface.corners(face);
+            let [p, q, r] = corners;
+            let angles = [triangle::angle([p, q, r]), triangle::angle([q, r, p])];
+            let third = (PI - angles[0] - angles[1]).max(0.0);
+            for (vertex, angle) in vertices.into_iter().zip([angles[0], angles[1], third]) {
+                sums[vertex] += normal * angle;
+            }
+            face_normals.push(normal);
         }
-        corner
+        let mut shading = Self {
+            face_normals: face_normals.into(),
+            sums,
+            is_smooth: vec![true; surface.vertex_count()].into(),
+            least_cosine,
+        };
+        for halfedge in (0..3 * surface.face_count() as u32).map(HalfedgeId) {
+            if mesh.twin(halfedge) > halfedge && !shading.is_smooth_edge(surface, halfedge) {
+                for vertex in surface.ends(halfedge) {
+                    shading.is_smooth[vertex] = false;
+                }
+            }
+        }
+        for copy in mesh.vertices().skip(surface.vertex_count()) {
+            shading.is_smooth[surface.vertex_of_cut(copy)] = false;
+        }
+        shading
     }
 
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
+    /// Whether two faces meet at a half-edge, without a crease.
+    fn is_smooth_edge(&self, surface: &Surface, halfedge: HalfedgeId) -> bool {
+        let mesh = surface.mesh();
+        let across = mesh.face(mesh.twin(halfedge));
+        let [left, right] = [halfedge.triangle(), across];
+        !mesh.is_boundary(across) && self.face_normals[left].dot(self.face_normals[right]) >= self.least_cosine
+    }
+
+    /// The corners of a vertex, each with the least one that no crease parts it from and with its input vertex; sorted.
+    fn sectors(&self, surface: &Surface, vertex: VertexId) -> Vec<(u32, InputVertex, HalfedgeId)> {
+        let mut corners: Vec<HalfedgeId> =
+            surface.corners_of_vertex(vertex).map(|(face, k)| face.halfedge(k)).collect();
+        corners.sort_unstable();
+        let sets = UnionFind::new(corners.len());
+        for (index, &corner) in (0..).zip(&corners) {
+            // A half-edge is also the corner that it leaves.
+            if self.is_smooth_edge(surface, corner) {
+                let mesh = surface.mesh();
+                let across = corners.binary_search(&mesh.next(mesh.twin(corner)));
+                across.into_iter().for_each(|other| sets.join(index, other as u32));
+            }
+        }
+        let sector = |(index, &corner): (u32, &HalfedgeId)| {
+            (sets.least(index), surface.inputs_of_face(corner.triangle())[corner.corner()], corner)
+        };
+        let mut sectors: Vec<_> = (0..).zip(&corners).map(sector).collect();
+        sectors.sort_unstable();
+        sectors
+    }
+
+    /// The normal of a corner's face, weighted by the corner's angle.
+    fn weighted_normal(&self, surface: &Surface, corner: HalfedgeId) -> DVec3 {
+        let mut positions = surface.corners(corner.triangle());
+        positions.rotate_left(corner.corner());
+        self.face_normals[corner.triangle()] * triangle::angle(positions)
+    }
+
+    /// The unit normal along a sum, that of a face where it is nothing.
+    fn smooth_normal(&self, sum: DVec3, face: FaceId) -> DVec3 {
+        let normal = triangle::unit(sum);
+        if normal == DVec3::ZERO { self.face_normals[face] } else { normal }
     }
 }

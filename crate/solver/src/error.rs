@@ -55,7 +55,37 @@ pub enum Error {
         /// Most bytes that are in use at once while the matrices are factored or solved.
         needed_bytes: u64,
     },
-    /// Something other than the factors does not fit into memory.
+    /// A mesh does not fit into memory, which is found out before it is built.
+    #[error(
+        "a mesh of {triangles} triangles takes {} of memory, more than the {} there are",
+        memory_size(*.needed_bytes),
+        memory_size(*.available_bytes)
+    )]
+    MeshTooLarge {
+        /// Of the file.
+        triangles: usize,
+        /// Most bytes that would be in use at once.
+        needed_bytes: u64,
+        /// Bytes there are.
+        available_bytes: u64,
+    },
+    /// A mesh fits into memory, but not with so many windows.
+    #[error(
+        "{windows} windows of each half-edge of {triangles} triangles take {} of memory, more than the {} there are; keep one window, which fits",
+        memory_size(*.needed_bytes),
+        memory_size(*.available_bytes)
+    )]
+    TooManyWindows {
+        /// Of the file.
+        triangles: usize,
+        /// Windows asked for.
+        windows: u16,
+        /// Most bytes that would be in use at once.
+        needed_bytes: u64,
+        /// Bytes there are.
+        available_bytes: u64,
+    },
+    /// Something else does not fit into memory.
     #[error("out of memory while {stage}")]
     OutOfMemory {
         /// What was being done.
@@ -89,6 +119,8 @@ impl Error {
             Self::NotPositiveDefinite { .. } => "not-positive-definite",
             Self::NotConverged { .. } => "not-converged",
             Self::TooLarge { .. } => "too-large",
+            Self::MeshTooLarge { .. } => "mesh-too-large",
+            Self::TooManyWindows { .. } => "too-many-windows",
             Self::OutOfMemory { .. } => "out-of-memory",
             Self::NoHeat => "no-heat",
             Self::Unreachable => "unreachable",

@@ -54,6 +54,7 @@ mod distance;
 mod error;
 pub mod exact;
 mod extremum;
+mod footprint;
 pub mod gradient;
 pub mod heat;
 pub mod operator;
@@ -74,6 +75,7 @@ pub use choice::{Choice, UnknownChoice};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use distance::Distance;
 pub use error::{Error, Result};
+pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,

@@ -28,6 +28,7 @@ pub use element::{
 };
 pub use error::{Error, Result};
 pub use halfedge::HalfedgeMesh;
+pub use order::along_curve;
 pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::Soup;

@@ -34,11 +34,11 @@ pub fn gather(
     if positions.len() < LEAST_VERTICES || !is_scattered(triangles, positions.len(), vertex_of_input) {
         return false;
     }
-    let order = Sorted::new(&along_curve(positions, threads), 3 * BITS, threads);
+    let order = along_curve(positions.len(), |vertex| positions[vertex], threads);
     let renumbered = Numbers::identity(positions.len());
     *positions = parallel::collect(order.len(), threads, |new| {
-        renumbered.set(order.number(new), new as u32);
-        positions[order.number(new) as usize]
+        renumbered.set(order[new], new as u32);
+        positions[order[new] as usize]
     });
     let vertices = positions.len();
     parallel::map_parts(parallel::ranges(vertex_of_input.len(), threads), vertex_of_input, |_, numbers| {
@@ -71,17 +71,19 @@ fn is_scattered(triangles: &[[u32; 3]], vertices: usize, vertex_of_input: &[u32]
     total as f64 > ROWS_APART * (vertices as f64).sqrt() * count as f64
 }
 
-/// `#V`, the cell of a Morton curve through their bounding box that each vertex lies in.
-fn along_curve(positions: &[DVec3], threads: NonZeroUsize) -> Vec<u32> {
-    let bounds = |(low, high): (DVec3, DVec3), &position| (low.min(position), high.max(position));
-    let (low, high) = positions.iter().fold((DVec3::MAX, DVec3::MIN), bounds);
+/// The numbers of points in order of a Morton curve through their bounding box, those of one cell in their own order.
+pub fn along_curve(count: usize, point: impl Fn(usize) -> DVec3 + Sync, threads: NonZeroUsize) -> Vec<u32> {
+    let bounds = |(low, high): (DVec3, DVec3), point| (low.min(point), high.max(point));
+    let (low, high) = (0..count).map(&point).fold((DVec3::MAX, DVec3::MIN), bounds);
     // Halved, so that the size of the largest box is a number.
     let size = (0.5 * high - 0.5 * low).max_element();
-    let cells = f64::from((1_u32 << BITS) - 1);
-    parallel::collect(positions.len(), threads, |vertex| {
-        let cell = (0.5 * positions[vertex] - 0.5 * low) / size * cells;
+    let most = f64::from((1_u32 << BITS) - 1);
+    let cells = parallel::collect(count, threads, |number| {
+        let cell = (0.5 * point(number) - 0.5 * low) / size * most;
         spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2
-    })
+    });
+    let order = Sorted::new(&cells, 3 * BITS, threads);
+    parallel::collect(count, threads, |place| order.number(place))
 }
 
 /// The lowest [`BITS`] bits, two zeros before each.

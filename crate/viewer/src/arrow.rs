@@ -3,11 +3,11 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pick::Picker;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
 use crate::vertex::vertex_layout;
+use heatwalk_bake::Picker;
 
 /// Arrows at most: more would hide the surface, and each other.
 const MOST: usize = 4_000;

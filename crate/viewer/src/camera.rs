@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, Vec3};
 
 use self::motion::{Flight, Orbit};
-use crate::bounds::Bounds;
+use heatwalk_bake::Bounds;
 
 pub use self::eye::Eye;
 pub use self::view::View;

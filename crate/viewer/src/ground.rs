@@ -2,12 +2,12 @@ use encase::ShaderType;
 use glam::Vec3;
 
 use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
-use crate::contact::{CONTACT_SIZE, Floor};
 use crate::context::Context;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shadow::SHADOW_REACH;
 use crate::shared::Shared;
 use crate::uniform::Uniform;
+use heatwalk_bake::{CONTACT_SIZE, Floor};
 
 /// `Ground` of ground.wgsl.
 #[derive(ShaderType)]
@@ -74,7 +74,7 @@ impl Ground {
         Self { pipeline, group, uniform, contact, floor: None }
     }
 
-    /// Lays the floor; `contact` are the texels of [`Contact`](crate::contact::Contact).
+    /// Lays the floor; `contact` is that of a [`Shade`](heatwalk_bake::Shade).
     pub(crate) fn set(&mut self, context: &Context, floor: Floor, contact: &[u8]) {
         self.floor = Some(floor);
         let row = Some(CONTACT_SIZE as u32);

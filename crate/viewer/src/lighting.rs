@@ -2,8 +2,8 @@
 
 use crate::binding::{fragment_entry, smooth_sampler, texture};
 use crate::context::Context;
-use crate::occlusion::OCCLUSION_SIZE;
 use crate::shadow::ShadowMaps;
+use heatwalk_bake::OCCLUSION_SIZE;
 
 /// The shadow maps and the occlusion grid, and the group that binds them.
 pub(crate) struct Lighting {
@@ -60,7 +60,7 @@ impl Lighting {
         Self { layout, group, maps, occlusion }
     }
 
-    /// The texels of an [`Occlusion`](crate::occlusion::Occlusion).
+    /// Those of a [`Shade`](heatwalk_bake::Shade).
     pub(crate) fn set_occlusion(&self, context: &Context, texels: &[u8]) {
         let size = OCCLUSION_SIZE as u32;
         let layout =

@@ -1,12 +1,11 @@
 //! A mesh that is shown.
 
 use glam::Vec3;
+use heatwalk_bake::{Bounds, Hierarchy, Picker};
 
-use crate::bounds::Bounds;
 use crate::check;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pick::Picker;
 use crate::surface::MeshBuffers;
 
 /// A triangle mesh as the page hands it over; world space.
@@ -17,6 +16,8 @@ pub struct MeshArrays {
     pub normals: Vec<Vec3>,
     /// `#F × 3`, indices into the positions.
     pub triangles: Vec<[u32; 3]>,
+    /// Of the triangles.
+    pub hierarchy: Hierarchy,
 }
 
 impl MeshArrays {
@@ -25,6 +26,10 @@ impl MeshArrays {
         check::same_length("normals", &self.positions, &self.normals)?;
         check::places("positions", &self.positions)?;
         check::vectors("normals", &self.normals)?;
+        let found = self.hierarchy.order().len();
+        if found != self.triangles.len() {
+            return Err(Error::WrongLength { what: "hierarchy", expected: self.triangles.len(), found });
+        }
         for (triangle, corners) in self.triangles.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
                 return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });
@@ -49,9 +54,9 @@ impl Mesh {
         let Some(bounds) = Bounds::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty()) else {
             return Ok(None);
         };
-        let MeshArrays { positions, normals, triangles } = arrays;
+        let MeshArrays { positions, normals, triangles, hierarchy } = arrays;
         let buffers = MeshBuffers::new(context, &positions, &normals, &triangles)?;
-        Ok(Some(Self { buffers, bounds, normals, picker: Picker::new(positions, triangles) }))
+        Ok(Some(Self { buffers, bounds, normals, picker: Picker::new(positions, triangles, hierarchy) }))
     }
 
     pub(crate) fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {

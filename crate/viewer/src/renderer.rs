@@ -5,7 +5,6 @@ use glam::{Vec2, Vec3};
 
 use crate::arrow::Arrows;
 use crate::background::Background;
-use crate::bounds::Bounds;
 use crate::camera::{Camera, Insets, View};
 use crate::canvas::Canvas;
 use crate::context::{Backend, Context};
@@ -21,6 +20,7 @@ use crate::style::Style;
 use crate::surface::{FieldBuffers, SurfaceRenderer};
 use crate::walker::Walkers;
 use crate::wire::Wires;
+use heatwalk_bake::{Bounds, Shade};
 
 /// A place on the surface under a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +54,9 @@ pub struct Renderer {
     /// The largest value of the field, at the ramps' end; above 0.
     max: f64,
     surface: Option<(Mesh, FieldBuffers)>,
-    scenery: Option<Mesh>,
+    /// Of the surface alone, where it was given.
+    shade: Option<Shade>,
+    scenery: Vec<Mesh>,
     /// Of surface and scenery together.
     scene: Bounds,
     track: Option<Track>,
@@ -87,7 +89,8 @@ impl Renderer {
             style: Style::default(),
             max: 1.0,
             surface: None,
-            scenery: None,
+            shade: None,
+            scenery: Vec::new(),
             scene: Bounds::UNIT,
             track: None,
             dirty: true,
@@ -153,8 +156,7 @@ impl Renderer {
         let ray = self.camera.ray(pixel);
         let (mesh, _) = self.surface.as_ref()?;
         let hit = mesh.picker.cast(ray)?;
-        let hidden = self.scenery.as_ref().and_then(|scenery| scenery.picker.cast(ray));
-        if hidden.is_some_and(|scenery| scenery.depth < hit.depth) {
+        if self.scenery.iter().filter_map(|mesh| mesh.picker.cast(ray)).any(|scenery| scenery.depth < hit.depth) {
             return None;
         }
         let [a, b, c] = mesh.picker.corners(hit.triangle).map(|vertex| mesh.normals[vertex as usize]);

@@ -4,8 +4,8 @@
 
 use glam::{Mat4, Vec2, Vec3};
 
-use crate::bounds::Bounds;
 use crate::context::{Context, DEPTH_FORMAT};
+use heatwalk_bake::Bounds;
 
 /// Texels along a side.
 const SIZE: u32 = 1024;

@@ -6,9 +6,9 @@ use crate::camera::Eye;
 use crate::context::Context;
 use crate::environment::{Environment, LIGHT_COUNT, Light};
 use crate::lighting::Lighting;
-use crate::occlusion::Cube;
 use crate::shadow::ShadowView;
 use crate::uniform::Uniform;
+use heatwalk_bake::Cube;
 
 /// What all primitives of one frame have in common.
 pub(crate) struct Frame {

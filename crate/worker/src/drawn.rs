@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData};
+use heatwalk::{FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData, VertexId};
 use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
@@ -28,36 +28,38 @@ export type Source = SurfacePoint & {
 
 /// A surface as it is drawn.
 pub struct Drawn {
-    mesh: Mesh,
+    /// `#D`, the welded vertex of each drawn vertex.
+    vertices: Vec<VertexId>,
+    /// `#D`, the input vertex of each drawn vertex.
+    inputs: Vec<InputVertex>,
     /// `#F`, the face of each drawn triangle.
     faces: Vec<FaceId>,
     pub transform: DrawTransform,
 }
 
 impl Drawn {
-    pub fn new(surface: &Surface, transform: DrawTransform) -> Self {
+    /// With the triangles themselves, which only the page needs.
+    pub fn new(surface: &Surface, transform: DrawTransform) -> (Self, DrawMesh) {
         let faces = surface.faces_in_input_order().collect();
-        Self { mesh: draw_mesh(surface, CREASE_ANGLE, &transform), faces, transform }
-    }
-
-    pub fn mesh(&self) -> DrawMesh {
-        let Mesh { positions, normals, triangles, .. } = self.mesh.clone();
-        DrawMesh { positions, normals, triangles }
+        let Mesh { positions, normals, triangles, vertex_of_drawn, input_of_drawn } =
+            draw_mesh(surface, CREASE_ANGLE, &transform);
+        let drawn = Self { vertices: vertex_of_drawn, inputs: input_of_drawn, faces, transform };
+        (drawn, DrawMesh::new(positions, normals, triangles))
     }
 
     pub fn input_vertices(&self) -> Vec<u32> {
-        self.mesh.input_of_drawn.iter().map(|vertex| vertex.0).collect()
+        self.inputs.iter().map(|vertex| vertex.0).collect()
     }
 
     /// Values of vertices as values of drawn vertices.
     pub fn spread(&self, values: &VertexData<f64>) -> Vec<f32> {
-        self.mesh.vertex_of_drawn.iter().map(|&vertex| values[vertex] as f32).collect()
+        self.vertices.iter().map(|&vertex| values[vertex] as f32).collect()
     }
 
     /// Unit vectors of vertices as four bytes a drawn vertex, the last one 0.
     pub fn spread_directions(&self, directions: &VertexData<DVec3>) -> Vec<i8> {
         let bytes = |direction: DVec3| (127.0 * direction).as_i8vec3().extend(0).to_array();
-        self.mesh.vertex_of_drawn.iter().flat_map(|&vertex| bytes(directions[vertex])).collect()
+        self.vertices.iter().flat_map(|&vertex| bytes(directions[vertex])).collect()
     }
 
     /// Vectors of faces as vectors of drawn triangles, three numbers each.

@@ -9,6 +9,9 @@ pub const OUT_OF_MEMORY: &str = "out-of-memory";
 /// Name of the error of a call whose factors do not fit into memory, found out before they are made.
 pub const TOO_LARGE: &str = "too-large";
 
+/// Name of the error of a call whose mesh fits into memory, but not with so many windows.
+pub const TOO_MANY_WINDOWS: &str = "too-many-windows";
+
 /// Name of the error of a call that ended the module, as that of a trap: the module must not be called again.
 pub const TRAP: &str = "RuntimeError";
 
@@ -27,8 +30,11 @@ impl Failure {
     /// The solver's error, with what a user of the page can do about it.
     fn of(error: &heatwalk::Error) -> Self {
         let remedy = match error.code() {
-            OUT_OF_MEMORY => "; use a mesh with fewer triangles, or the native program on a larger machine",
+            OUT_OF_MEMORY | "mesh-too-large" => {
+                "; use a mesh with fewer triangles, or the native program on a larger machine"
+            }
             TOO_LARGE => ", or the native program on a larger machine",
+            TOO_MANY_WINDOWS => ", or use the native program on a larger machine",
             "missing-resource" => "; open both together",
             _ => "",
         };

@@ -1,7 +1,7 @@
 //! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
-//! The objects follow the way of the data: a [`MeshFile`] is read, a [`ActiveSurface`] is built from some of its parts,
-//! a [`solver::Solver`] answers, by windows or by heat where it is factored.
+//! The objects follow the way of the data: a [`MeshFile`] is read, an [`ActiveSurface`] is built from some of its parts, a
+//! [`Drawing`] is made of that, a [`solver::Solver`] answers, by windows or by heat where it is factored.
 
 #![cfg(target_arch = "wasm32")]
 
@@ -16,8 +16,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::Soup;
-use heatwalk::{Surface, io};
+use heatwalk::{MemoryLimit, Soup, Surface, io};
 use heatwalk_scene::DrawTransform;
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
@@ -25,7 +24,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
-use crate::results::{BuildReport, DrawMesh};
+use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
@@ -42,6 +41,9 @@ export type Progress = (stage: string, fraction: number) => void;
 pub fn start() {
     std::panic::set_hook(Box::new(|panic| failure::end(&panic.to_string())));
 }
+
+/// Bytes that a program on wasm32 can have.
+const ADDRESS_SPACE: u64 = 1 << 32;
 
 /// Names that [`MeshFile::shape`] takes.
 #[wasm_bindgen]
@@ -91,20 +93,36 @@ impl MeshFile {
         self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
     }
 
+    /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
+    /// or in so many MiB; 0 windows: for what is factored, before its factors.
+    pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
+        let parts = active.iter().filter_map(|&part| self.soup.parts.get(part as usize));
+        let triangles = parts.map(|part| part.triangles.len()).sum();
+        let vertices = self.soup.positions.len().min(3 * triangles);
+        let available = match mebibytes.map(MemoryLimit::mebibytes) {
+            Some(MemoryLimit::Bytes(most)) => most.min(ADDRESS_SPACE),
+            Some(MemoryLimit::Automatic) | None => ADDRESS_SPACE,
+        };
+        Ok(heatwalk::require_room(vertices, triangles, windows, available)?)
+    }
+
     /// The surface formed by the parts `active`.
     pub fn surface(&self, active: &[u32]) -> Result<ActiveSurface> {
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
-        let soup = self.soup.select(&chosen)?;
-        let surface = Surface::build(&soup)?;
+        let surface = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
+            Surface::build(&self.soup)?
+        } else {
+            Surface::build(&self.soup.select(&chosen)?)?
+        };
         let transform = DrawTransform::around(&surface, &self.soup);
-        Ok(ActiveSurface { drawn: Arc::new(Drawn::new(&surface, transform)), surface: Arc::new(surface) })
+        Ok(ActiveSurface { transform, surface: Arc::new(surface) })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
     pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<DrawMesh> {
         let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
-            Ok(surface) => Ok(Drawn::new(&surface, beside.drawn.transform).mesh()),
+            Ok(surface) => Ok(Drawn::new(&surface, beside.transform).1),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
             Err(heatwalk::surface::Error::Empty { .. }) => Ok(DrawMesh::default()),
             Err(error) => Err(error.into()),
@@ -112,29 +130,19 @@ impl MeshFile {
     }
 }
 
-/// A welded surface, ready to be solved on.
+/// A welded surface.
 #[wasm_bindgen]
 pub struct ActiveSurface {
     surface: Arc<Surface>,
-    drawn: Arc<Drawn>,
+    transform: DrawTransform,
 }
 
 #[wasm_bindgen]
 impl ActiveSurface {
-    /// The surface's triangles, to be drawn.
-    pub fn drawing(&self) -> DrawMesh {
-        self.drawn.mesh()
-    }
-
     /// Four numbers: what is drawn at the origin, and the drawn length of the file's unit.
     pub fn draw_transform(&self) -> Vec<f64> {
-        let DrawTransform { center, scale } = self.drawn.transform;
+        let DrawTransform { center, scale } = self.transform;
         center.extend(scale).to_array().to_vec()
-    }
-
-    /// For each drawn vertex, its vertex in the input.
-    pub fn input_vertices(&self) -> Vec<u32> {
-        self.drawn.input_vertices()
     }
 
     /// Mean edge length.
@@ -145,6 +153,38 @@ impl ActiveSurface {
     /// What was done to make it.
     pub fn report(&self) -> BuildReport {
         BuildReport::of(self.surface.report())
+    }
+
+    /// Makes its triangles ready to be drawn.
+    pub fn draw(&self) -> Drawing {
+        let (drawn, mesh) = Drawn::new(&self.surface, self.transform);
+        Drawing { surface: Arc::clone(&self.surface), drawn: Arc::new(drawn), mesh }
+    }
+}
+
+/// A surface as it is drawn, ready to be solved on.
+#[wasm_bindgen]
+pub struct Drawing {
+    surface: Arc<Surface>,
+    drawn: Arc<Drawn>,
+    mesh: DrawMesh,
+}
+
+#[wasm_bindgen]
+impl Drawing {
+    /// What its triangles keep off the light where there are no others; to be asked before they are taken.
+    pub fn shade(&self) -> Shade {
+        self.mesh.shade()
+    }
+
+    /// Takes its triangles, which only the page needs.
+    pub fn take_mesh(&mut self) -> DrawMesh {
+        std::mem::take(&mut self.mesh)
+    }
+
+    /// For each drawn vertex, its vertex in the input.
+    pub fn input_vertices(&self) -> Vec<u32> {
+        self.drawn.input_vertices()
     }
 
     /// A solver by windows; nothing is factored.

@@ -1,18 +1,35 @@
 //! What the page gets: objects whose properties, made plain by `toJSON`, are the messages of the page's protocol. Each array
 //! is copied once, into a buffer of JavaScript's.
 
+use glam::Vec3;
 use heatwalk::Path;
+use heatwalk_bake::{Bounds, Hierarchy};
 use heatwalk_scene::DrawTransform;
-use js_sys::{Float32Array, Uint32Array};
+use js_sys::{Float32Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-/// Triangles to draw, with vertices split where the normal jumps.
+/// Triangles to draw, with vertices split where the normal jumps, and their bounding volume hierarchy.
 #[wasm_bindgen(inspectable)]
 #[derive(Default)]
 pub struct DrawMesh {
-    pub(crate) positions: Vec<f32>,
-    pub(crate) normals: Vec<f32>,
-    pub(crate) triangles: Vec<u32>,
+    positions: Vec<f32>,
+    normals: Vec<f32>,
+    triangles: Vec<u32>,
+    hierarchy: Hierarchy,
+}
+
+impl DrawMesh {
+    pub(crate) fn new(positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Self {
+        let hierarchy = Hierarchy::new(bytemuck::cast_slice(&positions), bytemuck::cast_slice(&triangles));
+        Self { positions, normals, triangles, hierarchy }
+    }
+
+    /// What the triangles keep off the light around them.
+    pub(crate) fn shade(&self) -> Shade {
+        let positions: &[Vec3] = bytemuck::cast_slice(&self.positions);
+        let bounds = Bounds::of_points(positions.iter()).unwrap_or(Bounds::UNIT);
+        Shade(heatwalk_bake::Shade::new(bounds, [(positions, bytemuck::cast_slice(&self.triangles))].into_iter()))
+    }
 }
 
 #[wasm_bindgen]
@@ -33,6 +50,37 @@ impl DrawMesh {
     #[wasm_bindgen(getter)]
     pub fn triangles(&self) -> Uint32Array {
         self.triangles.as_slice().into()
+    }
+
+    /// `#F`, triangles in the order of the hierarchy's leaves.
+    #[wasm_bindgen(getter)]
+    pub fn order(&self) -> Uint32Array {
+        self.hierarchy.order().into()
+    }
+
+    /// Least and greatest corner of each of the hierarchy's boxes, from the root to the leaves.
+    #[wasm_bindgen(getter)]
+    pub fn boxes(&self) -> Float32Array {
+        bytemuck::cast_slice::<_, f32>(self.hierarchy.boxes()).into()
+    }
+}
+
+/// What a surface keeps off the light around it: texels of the viewer's.
+#[wasm_bindgen(inspectable)]
+pub struct Shade(heatwalk_bake::Shade);
+
+#[wasm_bindgen]
+impl Shade {
+    /// Darkness of the floor.
+    #[wasm_bindgen(getter)]
+    pub fn contact(&self) -> Uint8Array {
+        self.0.contact().into()
+    }
+
+    /// Ambient occlusion around the surface.
+    #[wasm_bindgen(getter)]
+    pub fn occlusion(&self) -> Uint8Array {
+        self.0.occlusion().into()
     }
 }
 

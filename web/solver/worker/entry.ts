@@ -21,13 +21,13 @@ import type {
   SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
-import { DEFAULT_WINDOWS } from '../../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
 
-/** Where building and factoring begin in the time that opening takes, for the progress bar; and where the first field does. */
+/** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
-const FACTOR_FROM = 0.3;
-const UNFACTORED = { buildFrom: 0.25, propagateFrom: 0.5 };
+const DRAW_FROM = 0.3;
+const SOLVE_FROM = 0.4;
 
 /**
  * A slice of refining lasts about this long. It lasts longer where what comes after it takes longer: this many solves by heat,
@@ -58,6 +58,8 @@ interface Current {
   refinedAt: number;
 }
 
+/** What is drawn of a mesh that is not prepared yet. */
+let opened: { drawing: wasm.Drawing; timings: Timings; vertices: number } | undefined;
 let current: Current | undefined;
 
 const api: SolverApi = {
@@ -70,66 +72,79 @@ const api: SolverApi = {
     await ready;
     const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
     const surface = file.surface(Uint32Array.of(0));
-    const solver = surface.factor({}, () => undefined);
+    const drawing = surface.draw();
+    drawing.shade().free();
+    const solver = drawing.factor({}, () => undefined);
     const sources = [{ vertex: 0 }];
     for (const quick of [false, true]) solver.solve(sources, quick).free();
     for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows).free();
     solver.refine(FIRST_WORK).free();
-    for (const used of [solver, surface, file]) used.free();
+    for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, parameters, progress) {
-    const { memory } = await ready;
+  async open(input, parts, room, progress) {
+    await ready;
     const hash = await hashOf(input);
     const clock = stopwatch();
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
     const file = read(input);
-    try {
-      const readMs = clock();
-      progress({ stage: 'Welding', fraction: parameters ? BUILD_FROM : UNFACTORED.buildFrom, vertices: 0 });
-      const names = file.part_names();
-      const triangles = file.part_triangles();
-      const active = parts.length > 0 ? parts : names.map((_, index) => index);
-      const surface = file.surface(Uint32Array.from(active));
-      try {
-        const report = plain(surface.report());
-        const buildMs = clock();
-        const { vertices } = report;
-        if (!parameters) progress({ stage: 'Propagating', fraction: UNFACTORED.propagateFrom, vertices });
-        const solver = parameters
-          ? surface.factor(parameters, (stage: string, fraction: number) => {
-              progress({ stage, fraction: FACTOR_FROM + (1 - FACTOR_FROM) * fraction, vertices });
-            })
-          : surface.solver();
-        const timings: Timings = { readMs, buildMs, precomputeMs: parameters ? clock() : 0 };
-        current?.solver.free();
-        current = { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
-        const opened: OpenedMesh = {
-          name: nameOf(input),
-          hash,
-          parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
-          active: [...active],
-          surface: plain(surface.drawing()),
-          inputVertices: surface.input_vertices(),
-          drawTransform: drawTransformOf(surface),
-          scenery: names.flatMap((_, part) =>
-            active.includes(part) ? [] : [{ part, mesh: plain(file.scenery(part, surface)) }],
-          ),
-          report,
-          meanEdge: surface.mean_edge(),
-          ...factoringOf(current, memory),
-        };
-        return transfer(opened, [
-          ...buffersOf(opened.surface),
-          ...opened.scenery.flatMap(({ mesh }) => buffersOf(mesh)),
-          opened.inputVertices.buffer,
-        ]);
-      } finally {
-        surface.free();
-      }
-    } finally {
-      file.free();
+    const readMs = clock();
+    progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
+    const names = file.part_names();
+    const triangles = file.part_triangles();
+    const active = parts.length > 0 ? parts : names.map((_, index) => index);
+    const chosen = Uint32Array.from(active);
+    file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
+    const surface = file.surface(chosen);
+    const report = plain(surface.report());
+    const buildMs = clock();
+    const { vertices } = report;
+    progress({ stage: 'Drawing', fraction: DRAW_FROM, vertices });
+    const inactive = names.map((_, part) => part).filter((part) => !active.includes(part));
+    const scenery = inactive.map((part) => ({ part, mesh: plain(file.scenery(part, surface)) }));
+    // The file's triangles go before those that are drawn come.
+    file.free();
+    const drawing = surface.draw();
+    const mesh: OpenedMesh = {
+      name: nameOf(input),
+      hash,
+      parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
+      active: [...active],
+      shade: scenery.length === 0 ? plain(drawing.shade()) : null,
+      surface: plain(drawing.take_mesh()),
+      inputVertices: drawing.input_vertices(),
+      drawTransform: drawTransformOf(surface),
+      scenery,
+      report,
+      meanEdge: surface.mean_edge(),
+    };
+    surface.free();
+    opened = { drawing, timings: { readMs, buildMs, drawMs: clock(), precomputeMs: 0 }, vertices };
+    return transfer(mesh, [
+      ...buffersOf(mesh.surface),
+      ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
+      mesh.inputVertices.buffer,
+    ]);
+  },
+
+  async prepare(parameters, progress) {
+    const { memory } = await ready;
+    if (!opened) throw new Error('No mesh is open.');
+    const { drawing, timings, vertices } = opened;
+    const clock = stopwatch();
+    if (parameters) {
+      const solver = drawing.factor(parameters, (stage: string, fraction: number) => {
+        progress({ stage, fraction: SOLVE_FROM + (1 - SOLVE_FROM) * fraction, vertices });
+      });
+      current = currentOf(solver, { ...timings, precomputeMs: clock() });
+    } else {
+      progress({ stage: 'Propagating', fraction: SOLVE_FROM, vertices });
+      const solver = drawing.solver();
+      current = currentOf(solver, { ...timings, buildMs: timings.buildMs + clock() });
     }
+    drawing.free();
+    opened = undefined;
+    return factoringOf(current, memory);
   },
 
   async configure(parameters: Parameters): Promise<Factoring> {
@@ -213,6 +228,10 @@ const api: SolverApi = {
     return wasm.shape_names();
   },
 };
+
+function currentOf(solver: wasm.Solver, timings: Timings): Current {
+  return { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
+}
 
 function openMesh(): Current {
   if (!current) throw new Error('No mesh is open.');
@@ -315,8 +334,8 @@ function drawTransformOf(surface: wasm.ActiveSurface): DrawTransform {
   return { center: [x, y, z], scale };
 }
 
-function buffersOf({ positions, normals, triangles }: DrawMesh): Transferable[] {
-  return [positions.buffer, normals.buffer, triangles.buffer];
+function buffersOf({ positions, normals, triangles, order, boxes }: DrawMesh): Transferable[] {
+  return [positions, normals, triangles, order, boxes].map(({ buffer }) => buffer);
 }
 
 /** Milliseconds since the last call. */

@@ -8,16 +8,21 @@ export function heading(session: Session): HTMLElement {
   const title = h('span', { class: 'title' });
   const size = h('span', { class: 'quiet size' });
   const exactness = h('span', { class: 'quiet exactness' });
-  session.shown.watch((shown) => {
-    const field = shown?.answer.field;
-    exactness.textContent = field ? exactnessWords(field) : '';
+  const tell = () => {
+    const preview = session.preview.value;
+    const shown = session.shown.value;
+    const opened = (preview ?? shown)?.opened;
+    const field = preview ? null : shown?.answer.field;
     const { mesh } = session.scene.state;
-    title.textContent = mesh.kind === 'preset' ? (findPreset(mesh.id)?.title ?? '') : mesh.name;
-    size.textContent = shown ? `${count(shown.opened.report.faces)} triangles` : '';
-  });
+    const named = mesh.kind === 'preset' ? (findPreset(mesh.id)?.title ?? '') : mesh.name;
+    title.textContent = preview?.title ?? named;
+    size.textContent = opened ? `${count(opened.report.faces)} triangles` : '';
+    exactness.textContent = field ? exactnessWords(field) : '';
+  };
+  session.shown.watch(tell);
+  session.preview.watch(tell);
   session.scene.subscribe((state, previous) => {
-    if (state.mesh === previous.mesh) return;
-    title.textContent = state.mesh.kind === 'preset' ? (findPreset(state.mesh.id)?.title ?? '') : state.mesh.name;
+    if (state.mesh !== previous.mesh) tell();
   });
   return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size, exactness);
 }

@@ -47,6 +47,7 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Time factor m', field?.timeFactor ? length(field.timeFactor) : '–'],
     ['Read', milliseconds(timings.readMs)],
     ['Build', milliseconds(timings.buildMs)],
+    ['Draw', milliseconds(timings.drawMs)],
     ['Factor', timings.precomputeMs > 0 ? milliseconds(timings.precomputeMs) : '–'],
     ['Solve', field ? milliseconds(field.solveMs) : '–'],
     ['Refine', field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],

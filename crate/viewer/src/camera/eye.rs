@@ -4,7 +4,7 @@ use glam::dcamera::rh::proj::directx::perspective;
 use glam::{DMat3, DMat4, DVec2, DVec3, Vec2, Vec3};
 
 use super::{Camera, FIELD_OF_VIEW};
-use crate::pick::Ray;
+use heatwalk_bake::Ray;
 
 /// The near plane is at least this share of the far one, so that depth keeps its resolution when the eye is inside.
 const NEAREST_NEAR: f64 = 1e-3;

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3, Vec2, Vec3};
 use super::motion::{FLIGHT_SECONDS, GLIDE_SECONDS};
 use super::view::{DISTANCE_RANGE, TARGET_RANGE};
 use super::{Camera, Insets, View};
-use crate::bounds::Bounds;
+use heatwalk_bake::Bounds;
 
 /// Pixels; single precision on coordinates up to two thousand.
 const PIXEL_TOLERANCE: f32 = 2e-3;

@@ -1,9 +1,9 @@
 //! What is shown.
 
 use glam::Vec3;
+use heatwalk_bake::{Bounds, Shade};
 
 use super::Renderer;
-use crate::bounds::Bounds;
 use crate::check;
 use crate::environment::{Environment, Surroundings};
 use crate::error::Error;
@@ -14,16 +14,17 @@ use crate::surface::{FieldBuffers, RAMP_BYTES};
 
 impl Renderer {
     /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges. The view stays the same relative to the
-    /// bounds.
+    /// bounds. `shade`: that of the surface alone, where it is known.
     ///
     /// # Errors
     /// When the arrays do not fit together, or the device, or are no finite places; the old surface then stays.
-    pub fn set_surface(&mut self, arrays: MeshArrays) -> Result<(), Error> {
+    pub fn set_surface(&mut self, arrays: MeshArrays, shade: Option<Shade>) -> Result<(), Error> {
         let vertex_count = arrays.positions.len();
         self.surface = match Mesh::new(&self.context, arrays)? {
             Some(mesh) => Some((mesh, FieldBuffers::new(&self.context, vertex_count)?)),
             None => None,
         };
+        self.shade = shade;
         self.pins.set(&self.context, &[], &[], None);
         self.curve.set_points(&self.context, &[]);
         self.track = None;
@@ -34,12 +35,13 @@ impl Renderer {
         Ok(())
     }
 
-    /// Replaces the scenery; without triangles there is none.
+    /// Replaces the scenery.
     ///
     /// # Errors
     /// When the arrays do not fit together, or the device, or are no finite places; the old scenery then stays.
-    pub fn set_scenery(&mut self, arrays: MeshArrays) -> Result<(), Error> {
-        self.scenery = Mesh::new(&self.context, arrays)?;
+    pub fn set_scenery(&mut self, meshes: Vec<MeshArrays>) -> Result<(), Error> {
+        let made = meshes.into_iter().filter_map(|arrays| Mesh::new(&self.context, arrays).transpose());
+        self.scenery = made.collect::<Result<_, _>>()?;
         self.update_bounds();
         Ok(())
     }
@@ -47,7 +49,7 @@ impl Renderer {
     fn update_bounds(&mut self) {
         let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
         let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
-        let all = if self.scenery.is_some() { all() } else { None };
+        let all = if self.scenery.is_empty() { None } else { all() };
         self.scene = all.unwrap_or(surface);
         self.camera.set_bounds(surface, self.scene);
         (self.dirty, self.shadows_dirty, self.occlusion_dirty) = (true, true, true);

@@ -1,12 +1,14 @@
 //! A frame, from what is shown to the canvas or to a picture.
 
+use std::borrow::Cow;
+
+use heatwalk_bake::{Cube, Floor, Shade};
+
 use super::Renderer;
 use crate::camera::{Camera, Eye};
 use crate::canvas::NextFrame;
 use crate::capture::Capture;
-use crate::contact::{Contact, Floor};
 use crate::error::Error;
-use crate::occlusion::{Cube, Occlusion};
 use crate::shadow::{Casters, ShadowView};
 use crate::shared::Frame;
 
@@ -109,7 +111,7 @@ impl Renderer {
         if let Some((mesh, field)) = &self.surface {
             self.surfaces.draw(pass, &mesh.buffers, field);
         }
-        if let Some(mesh) = &self.scenery {
+        for mesh in &self.scenery {
             self.surfaces.draw_scenery(pass, &mesh.buffers);
         }
         self.walkers.draw(pass);
@@ -127,14 +129,12 @@ impl Renderer {
         if self.meshes().next().is_none() {
             return self.ground.clear();
         }
-        let floor = Floor::new(self.scene);
-        let mut contact = Contact::new(floor, self.scene);
-        let mut occlusion = Occlusion::new(Cube::around(self.scene));
-        for mesh in self.meshes() {
-            contact.add(mesh.picker.positions(), mesh.picker.triangles());
-            occlusion.add(mesh.picker.positions(), mesh.picker.triangles());
-        }
-        self.ground.set(&self.context, floor, &contact.into_texels());
-        self.shared.lighting.set_occlusion(&self.context, &occlusion.into_texels());
+        let made = || {
+            let triangles = self.meshes().map(|mesh| (mesh.picker.positions(), mesh.picker.triangles()));
+            Cow::Owned(Shade::new(self.scene, triangles))
+        };
+        let shade = self.shade.as_ref().filter(|_| self.scenery.is_empty()).map_or_else(made, Cow::Borrowed);
+        self.ground.set(&self.context, Floor::new(self.scene), shade.contact());
+        self.shared.lighting.set_occlusion(&self.context, shade.occlusion());
     }
 }

@@ -6,7 +6,7 @@ use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
-use super::numbers::{color, finish, mesh_arrays, points};
+use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, points, shade};
 use crate::environment;
 use crate::error::Error;
 use crate::pose::CrowdPose;
@@ -23,13 +23,15 @@ pub enum Surroundings {
 
 #[wasm_bindgen]
 impl Viewer {
-    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges.
+    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges. `shaded`: what it keeps off the
+    /// light where it is alone, if that is known.
     ///
     /// # Errors
     /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown
     /// stays.
-    pub fn set_surface(&mut self, positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Result<(), JsError> {
-        Ok(self.renderer.set_surface(mesh_arrays(positions, normals, triangles)?)?)
+    pub fn set_surface(&mut self, mesh: &DrawnMesh, shaded: Option<DrawnShade>) -> Result<(), JsError> {
+        let shade = shaded.map(|shaded| shade(&shaded)).transpose()?;
+        Ok(self.renderer.set_surface(mesh_arrays(mesh)?, shade)?)
     }
 
     /// Replaces the scenery; empty for none.
@@ -37,8 +39,9 @@ impl Viewer {
     /// # Errors
     /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown
     /// stays.
-    pub fn set_scenery(&mut self, positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Result<(), JsError> {
-        Ok(self.renderer.set_scenery(mesh_arrays(positions, normals, triangles)?)?)
+    pub fn set_scenery(&mut self, meshes: Vec<DrawnMesh>) -> Result<(), JsError> {
+        let meshes = meshes.into_iter().map(|mesh| mesh_arrays(&mesh)).collect::<Result<_, _>>()?;
+        Ok(self.renderer.set_scenery(meshes)?)
     }
 
     /// One value a drawn vertex, Infinity = unreachable, and the direction in which it grows, four numbers a drawn vertex,

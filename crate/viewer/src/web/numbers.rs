@@ -1,10 +1,63 @@
 //! From flat numbers to vectors and their arrays.
 
 use glam::Vec3;
+use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
+use js_sys::{Float32Array, Uint8Array, Uint32Array};
+use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::Error;
 use crate::mesh::MeshArrays;
 use crate::style::Finish;
+
+#[wasm_bindgen(typescript_custom_section)]
+const DRAWN: &str = "
+/** Triangles to draw: `#D × 3` positions and unit normals, `#F × 3` indices, and the arrays of their hierarchy. */
+export interface DrawnMesh {
+  positions: Float32Array;
+  normals: Float32Array;
+  triangles: Uint32Array;
+  order: Uint32Array;
+  boxes: Float32Array;
+}
+
+/** What a surface keeps off the light around it. */
+export interface DrawnShade {
+  contact: Uint8Array;
+  occlusion: Uint8Array;
+}
+";
+
+#[wasm_bindgen]
+extern "C" {
+    /// An object of JavaScript's with arrays.
+    #[wasm_bindgen(typescript_type = "DrawnMesh")]
+    pub type DrawnMesh;
+    #[wasm_bindgen(method, getter, structural)]
+    fn positions(this: &DrawnMesh) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn normals(this: &DrawnMesh) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn triangles(this: &DrawnMesh) -> Uint32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn order(this: &DrawnMesh) -> Uint32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn boxes(this: &DrawnMesh) -> Float32Array;
+
+    /// Another one.
+    #[wasm_bindgen(typescript_type = "DrawnShade")]
+    pub type DrawnShade;
+    #[wasm_bindgen(method, getter, structural)]
+    fn contact(this: &DrawnShade) -> Uint8Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn occlusion(this: &DrawnShade) -> Uint8Array;
+}
+
+pub(super) fn shade(given: &DrawnShade) -> Result<Shade, Error> {
+    let (contact, occlusion) = (given.contact().to_vec(), given.occlusion().to_vec());
+    let found = contact.len() + occlusion.len();
+    let expected = CONTACT_SIZE.pow(2) + 4 * OCCLUSION_SIZE.pow(3);
+    Shade::from_arrays(contact, occlusion).ok_or(Error::WrongLength { what: "texels of the shade", expected, found })
+}
 
 pub(super) fn finish(what: &'static str, numbers: &[f32]) -> Result<Finish, Error> {
     let &[metalness, roughness, glow] = numbers else {
@@ -30,16 +83,22 @@ pub(super) fn color(what: &'static str, numbers: &[f32]) -> Result<Vec3, Error> 
     })
 }
 
-/// Takes an array over as triples, without a copy.
-fn triples<N: bytemuck::Pod, T: bytemuck::Pod>(what: &'static str, numbers: Vec<N>) -> Result<Vec<T>, Error> {
-    let found = numbers.len();
-    bytemuck::allocation::try_cast_vec(numbers).map_err(|_| Error::WrongLength { what, expected: found / 3 * 3, found })
+/// Takes an array over in groups of numbers, without a copy.
+fn groups<N: bytemuck::Pod, T: bytemuck::Pod>(what: &'static str, numbers: Vec<N>) -> Result<Vec<T>, Error> {
+    let (found, group) = (numbers.len(), size_of::<T>() / size_of::<N>());
+    let expected = found / group * group;
+    bytemuck::allocation::try_cast_vec(numbers).map_err(|_| Error::WrongLength { what, expected, found })
 }
 
-pub(super) fn mesh_arrays(positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Result<MeshArrays, Error> {
+pub(super) fn mesh_arrays(mesh: &DrawnMesh) -> Result<MeshArrays, Error> {
+    let triangles: Vec<[u32; 3]> = groups("triangle indices", mesh.triangles().to_vec())?;
+    let (order, boxes) = (mesh.order().to_vec(), mesh.boxes().to_vec());
+    let found = order.len();
+    let hierarchy = Hierarchy::from_arrays(order, groups("boxes", boxes)?, triangles.len());
     Ok(MeshArrays {
-        positions: triples("positions", positions)?,
-        normals: triples("normals", normals)?,
-        triangles: triples("triangle indices", triangles)?,
+        positions: groups("positions", mesh.positions().to_vec())?,
+        normals: groups("normals", mesh.normals().to_vec())?,
+        hierarchy: hierarchy.ok_or(Error::WrongLength { what: "hierarchy", expected: triangles.len(), found })?,
+        triangles,
     })
 }

@@ -10,7 +10,7 @@ mod scenes;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use heatwalk_viewer::{Context, Error, MeshArrays, Renderer};
+use heatwalk_viewer::{Context, Error, Hierarchy, MeshArrays, Renderer};
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use self::image::Image;
@@ -89,14 +89,16 @@ fn a_refused_mesh_leaves_the_picture_as_it_is(device: &Context) -> Result<(), Fa
     let mut renderer = shown(device, scene.show)?;
     let before = picture(&mut renderer)?;
     for spoil in [f32::NAN, f32::INFINITY, 1e25] {
-        let MeshArrays { mut positions, normals, triangles } = scenes::sphere().arrays();
-        positions[7].y = spoil;
-        let refused = renderer.set_surface(MeshArrays { positions, normals, triangles });
+        let mut arrays = scenes::sphere().arrays();
+        arrays.positions[7].y = spoil;
+        let refused = renderer.set_surface(arrays, None);
         assert!(refused.is_err(), "a coordinate of {spoil}");
     }
-    let MeshArrays { positions, normals, mut triangles } = scenes::sphere().arrays();
-    triangles[3][1] = u32::MAX;
-    assert!(renderer.set_surface(MeshArrays { positions, normals, triangles }).is_err(), "a vertex that is not there");
+    let mut arrays = scenes::sphere().arrays();
+    arrays.triangles[3][1] = u32::MAX;
+    assert!(renderer.set_surface(arrays, None).is_err(), "a vertex that is not there");
+    let arrays = MeshArrays { hierarchy: Hierarchy::default(), ..scenes::sphere().arrays() };
+    assert!(renderer.set_surface(arrays, None).is_err(), "a hierarchy of other triangles");
     assert_eq!(picture(&mut renderer)?.difference(&before).pixels, 0);
     Ok(())
 }

@@ -3,7 +3,9 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
-use heatwalk_viewer::{CrowdPose, Error, Finish, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style, Surroundings, View};
+use heatwalk_viewer::{
+    CrowdPose, Error, Finish, Hierarchy, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style, Surroundings, View,
+};
 
 /// A picture and how its scene is set up.
 pub struct Scene {
@@ -47,7 +49,8 @@ impl Grid {
 
     pub fn arrays(&self) -> MeshArrays {
         let Self { positions, normals, triangles } = self;
-        MeshArrays { positions: positions.clone(), normals: normals.clone(), triangles: triangles.clone() }
+        let hierarchy = Hierarchy::new(positions, triangles);
+        MeshArrays { positions: positions.clone(), normals: normals.clone(), triangles: triangles.clone(), hierarchy }
     }
 }
 
@@ -83,7 +86,7 @@ fn away(place: Vec3) -> Vec3 {
 fn show_sphere(renderer: &mut Renderer, unit: f64, reach: f32, style: Style) -> Result<(), Error> {
     let sphere = sphere();
     let positions = sphere.positions.clone();
-    renderer.set_surface(sphere.arrays())?;
+    renderer.set_surface(sphere.arrays(), None)?;
     renderer.set_environment(Surroundings::Studio, 0.4);
     renderer.set_background(Vec3::new(0.93, 0.94, 0.96), Vec3::new(0.78, 0.81, 0.85));
     renderer.set_ramps(&ramps())?;
@@ -184,7 +187,7 @@ fn crowd(renderer: &mut Renderer) -> Result<(), Error> {
 
 fn scenery_and_unreachable(renderer: &mut Renderer) -> Result<(), Error> {
     show_sphere(renderer, 1.0, 0.9, BANDS)?;
-    renderer.set_scenery(ring().arrays())?;
+    renderer.set_scenery(vec![ring().arrays()])?;
     renderer.move_camera(|camera| camera.set_view(View { distance: 5.5, ..camera.view() }));
     Ok(())
 }

@@ -1,14 +1,14 @@
 //! Finding the triangle under the pointer, on a bumpy torus of 1.3 million triangles: building the hierarchy, and a ray
 //! from all around.
 //!
-//! `cargo bench -p heatwalk-viewer`
+//! `cargo bench -p heatwalk-bake`
 
 use std::f32::consts::TAU;
 use std::hint::black_box;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
-use heatwalk_viewer::{Picker, Ray};
+use heatwalk_bake::{Hierarchy, Picker, Ray};
 
 /// Squares along either circle, each of two triangles.
 const SIDE: u32 = 810;
@@ -51,13 +51,10 @@ fn picking(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("picking");
     group.sample_size(10);
     group.bench_function("the hierarchy", |bencher| {
-        bencher.iter_batched(
-            || (positions.clone(), triangles.clone()),
-            |(positions, triangles)| Picker::new(positions, triangles),
-            BatchSize::PerIteration,
-        );
+        bencher.iter(|| Hierarchy::new(&positions, &triangles));
     });
-    let picker = Picker::new(positions.clone(), triangles.clone());
+    let hierarchy = Hierarchy::new(&positions, &triangles);
+    let picker = Picker::new(positions, triangles, hierarchy);
     let rays = rays();
     let hits = rays.iter().filter(|ray| picker.cast(**ray).is_some()).count();
     assert!(hits > RAYS / 4, "most of the rays should meet the torus: {hits}");

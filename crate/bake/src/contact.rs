@@ -6,7 +6,7 @@ use crate::bounds::Bounds;
 use crate::scatter::scatter;
 
 /// Cells along a side of the floor.
-pub(crate) const CONTACT_SIZE: usize = 96;
+pub const CONTACT_SIZE: usize = 96;
 /// Half a side of the floor, in bounding radii of the scene.
 const REACH: f32 = 1.7;
 /// Height from which on nothing is kept off, in bounding radii.
@@ -17,16 +17,17 @@ const BLURS: usize = 3;
 
 /// A square of the floor under a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Floor {
+pub struct Floor {
     /// Its middle; world space.
-    pub(crate) center: Vec3,
+    pub center: Vec3,
     /// Half a side; world units.
-    pub(crate) reach: f32,
+    pub reach: f32,
 }
 
 impl Floor {
     /// Under a scene.
-    pub(crate) fn new(scene: Bounds) -> Self {
+    #[must_use]
+    pub fn new(scene: Bounds) -> Self {
         Self { center: scene.center.with_y(scene.lowest), reach: REACH * scene.radius }
     }
 }

@@ -11,7 +11,7 @@ use crate::bounds::Bounds;
 use crate::scatter::scatter;
 
 /// Cells along a side of the grid.
-pub(crate) const OCCLUSION_SIZE: usize = 64;
+pub const OCCLUSION_SIZE: usize = 64;
 /// Cells between the scene and the sides of the grid.
 const MARGIN: f32 = 2.5;
 /// What one layer of surface does: of the light e^−DEPTH comes through.
@@ -25,16 +25,17 @@ const RIMMED: usize = OCCLUSION_SIZE + 2;
 
 /// The cube that the grid fills.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Cube {
+pub struct Cube {
     /// Least corner; world space.
-    pub(crate) low: Vec3,
+    pub low: Vec3,
     /// World units.
-    pub(crate) side: f32,
+    pub side: f32,
 }
 
 impl Cube {
     /// Around a scene.
-    pub(crate) fn around(scene: Bounds) -> Self {
+    #[must_use]
+    pub fn around(scene: Bounds) -> Self {
         let cells = OCCLUSION_SIZE as f32;
         let side = scene.side * cells / (cells - 2.0 * MARGIN);
         Self { low: scene.center - 0.5 * side, side }

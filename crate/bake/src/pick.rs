@@ -1,84 +1,28 @@
-use glam::{DVec3, Vec3, Vec3A};
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::leaf_collapser::collapse;
-use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
-use obvhs::ray::RayHit;
+//! What lies under the pointer.
 
-/// Leaves of a few triangles halve the nodes; the surface-area heuristic decides how many up to this.
-const TRIANGLES_PER_LEAF: u32 = 8;
-/// Boxes reach beyond their triangles by this share of their coordinates: a ray along a side would miss its box, since
-/// depths along a ray are rounded.
-const MARGIN: f32 = 64.0 * f32::EPSILON;
-/// Cost of visiting a node against testing a triangle, the value obvhs's own presets use.
-const TRAVERSAL_COST: f32 = 3.0;
+use glam::{DVec3, Vec3};
 
-/// A half-line in world space.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray {
-    /// Where it starts.
-    pub origin: Vec3,
-    /// Unit length.
-    pub direction: Vec3,
-}
-
-/// Where a ray meets a triangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Index of the triangle.
-    pub triangle: u32,
-    /// Barycentric weights of the triangle's three corners; they sum to one.
-    pub weights: Vec3,
-    /// Distance along the ray; world units.
-    pub depth: f32,
-}
+use crate::hierarchy::Hierarchy;
+use crate::ray::{Hit, Ray};
 
 /// Triangles in a bounding volume hierarchy, for finding what lies under the pointer.
 pub struct Picker {
-    hierarchy: Bvh2,
+    hierarchy: Hierarchy,
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Picker {
-    /// Builds the hierarchy; the indices must be in range and the positions finite.
+    /// The indices must be in range, the positions finite, and the hierarchy that of the triangles.
     #[must_use]
-    pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Self {
-        let boxes: Vec<Aabb> = triangles
-            .iter()
-            .map(|corners| {
-                let [a, b, c] = corners.map(|vertex| Vec3A::from(positions[vertex as usize]));
-                let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-                let margin = MARGIN * low.abs().max(high.abs()).max_element();
-                Aabb::new(low - margin, high + margin)
-            })
-            .collect();
-        // obvhs's ready-made builders read the clock, which panics on wasm32; these are the steps of its fastest one.
-        let order = (0..boxes.len() as u32).collect();
-        let mut hierarchy = PlocBuilder::with_capacity(boxes.len()).build(
-            PlocSearchDistance::Minimum,
-            &boxes,
-            order,
-            SortPrecision::U64,
-            0,
-        );
-        collapse(&mut hierarchy, TRIANGLES_PER_LEAF, TRAVERSAL_COST);
+    pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, hierarchy: Hierarchy) -> Self {
         Self { hierarchy, positions, triangles }
     }
 
     /// The nearest triangle in front of the ray's origin, seen from either side.
     #[must_use]
     pub fn cast(&self, ray: Ray) -> Option<Hit> {
-        if self.triangles.is_empty() {
-            return None;
-        }
-        let mut found = RayHit::none();
-        let walk = obvhs::ray::Ray::new_inf(ray.origin.into(), ray.direction.into());
-        self.hierarchy.ray_traverse(walk, &mut found, |_, slot| {
-            self.meet(ray, self.hierarchy.primitive_indices[slot]).map_or(f32::INFINITY, |hit| hit.depth)
-        });
-        let slot = self.hierarchy.primitive_indices.get(found.primitive_id as usize)?;
-        self.meet(ray, *slot)
+        self.hierarchy.nearest(ray, |triangle| self.meet(ray, triangle))
     }
 
     /// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), in double precision so that
@@ -119,7 +63,7 @@ impl Picker {
     /// The triangles in the order of the hierarchy's leaves: neighbours in it are neighbours in space.
     #[must_use]
     pub fn in_leaf_order(&self) -> &[u32] {
-        &self.hierarchy.primitive_indices
+        self.hierarchy.order()
     }
 
     /// The three corners of a triangle, as vertex indices.
@@ -152,7 +96,12 @@ mod tests {
             let center = random.point();
             positions.extend((0..3).map(|_| center + 0.15 * random.point()));
         }
-        Picker::new(positions, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
+        picker_of(positions, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
+    }
+
+    fn picker_of(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Picker {
+        let hierarchy = Hierarchy::new(&positions, &triangles);
+        Picker::new(positions, triangles, hierarchy)
     }
 
     #[test]
@@ -177,7 +126,7 @@ mod tests {
     #[test]
     fn weights_rebuild_the_point_from_either_side() {
         let corners = vec![Vec3::ZERO, Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 4.0, 0.0)];
-        let picker = Picker::new(corners.clone(), vec![[0, 1, 2]]);
+        let picker = picker_of(corners.clone(), vec![[0, 1, 2]]);
         for side in [1.0, -1.0] {
             let ray = Ray { origin: Vec3::new(1.0, 2.0, 3.0 * side), direction: Vec3::NEG_Z * side };
             let hit = picker.cast(ray).expect("a hit");
@@ -189,9 +138,9 @@ mod tests {
 
     #[test]
     fn nothing_behind_and_nothing_in_an_empty_scene() {
-        let picker = Picker::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]);
+        let picker = picker_of(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]);
         assert_eq!(picker.cast(Ray { origin: Vec3::new(0.2, 0.2, 1.0), direction: Vec3::Z }), None);
-        let empty = Picker::new(vec![], vec![]);
+        let empty = picker_of(vec![], vec![]);
         assert_eq!(empty.cast(Ray { origin: Vec3::Z, direction: Vec3::NEG_Z }), None);
     }
 
@@ -207,7 +156,7 @@ mod tests {
             [[a, b, c], [a, c, d]]
         });
         let vertices = (n + 1) * (n + 1);
-        let picker = Picker::new((0..vertices).map(at).collect(), triangles.collect());
+        let picker = picker_of((0..vertices).map(at).collect(), triangles.collect());
         let mut hits = 0;
         for vertex in 0..vertices {
             let ray = Ray { origin: at(vertex) + Vec3::Z, direction: Vec3::NEG_Z };
