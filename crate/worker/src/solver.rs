@@ -38,8 +38,8 @@ pub struct Solver {
     geometry: Arc<ExactGeometry>,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
-    /// That of the last field by windows with its number of windows, kept for its memory.
-    propagation: Option<(u16, Propagation)>,
+    /// That of the last field by windows, kept for its memory.
+    propagation: Option<Propagation>,
     solved: Option<Solved>,
     /// The exact path that is searched on it, and whence.
     search: Option<(SurfacePoint, PathSearch)>,
@@ -82,21 +82,12 @@ impl Solver {
     }
 
     fn propagated_distance(&mut self, sources: &[Source], windows: u16) -> Result<Distance> {
-        let kept = self.propagation.take().filter(|&(count, _)| count == windows);
-        let mut propagation = match kept {
-            Some((_, mut propagation)) => {
-                propagation.restart(sources)?;
-                propagation
-            }
-            None => {
-                let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
-                let options = PropagationOptions { windows: Windows::AtMost(count), ..PropagationOptions::default() };
-                Propagation::new(Arc::clone(&self.geometry), sources, options)?
-            }
-        };
+        let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
+        let options = PropagationOptions { windows: Windows::AtMost(count), ..PropagationOptions::default() };
+        let mut propagation = Propagation::reusing(self.propagation.take(), &self.geometry, sources, options)?;
         propagation.advance(f64::INFINITY, usize::MAX);
         let distance = propagation.distance();
-        self.propagation = Some((windows, propagation));
+        self.propagation = Some(propagation);
         Ok(distance)
     }
 

@@ -32,6 +32,8 @@ const FACES_PER_EXACT_WINDOW: usize = 8;
 /// Distances that grow outward from their sources; stopped and continued at will, with the same result.
 #[derive(Debug)]
 pub struct Propagation {
+    options: PropagationOptions,
+    geometry: Arc<ExactGeometry>,
     /// Goes first.
     exact: Wavefront,
     /// Windows that it may propagate.
@@ -54,13 +56,33 @@ impl Propagation {
         let faces = geometry.surface().face_count();
         let front = match options.windows {
             Windows::All => None,
-            Windows::AtMost(count) => Some(front(geometry, usize::from(count.get()))?),
+            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), usize::from(count.get()))?),
         };
         let exact_windows = match options.exact {
             ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
             ExactSearch::AtMost(windows) => windows,
         };
-        Ok(Self { exact, exact_windows, front, is_beyond: false })
+        Ok(Self { options, geometry, exact, exact_windows, front, is_beyond: false })
+    }
+
+    /// Starts at sources, in the memory of an earlier one where that has the same geometry and options.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn reusing<S: ToSource>(
+        earlier: Option<Self>,
+        geometry: &Arc<ExactGeometry>,
+        sources: &[S],
+        options: PropagationOptions,
+    ) -> Result<Self> {
+        let is_alike = |earlier: &Self| earlier.options == options && Arc::ptr_eq(&earlier.geometry, geometry);
+        match earlier.filter(is_alike) {
+            Some(mut propagation) => {
+                propagation.restart(sources)?;
+                Ok(propagation)
+            }
+            None => Self::new(Arc::clone(geometry), sources, options),
+        }
     }
 
     /// Starts anew at other sources, in the memory held.

@@ -11,10 +11,10 @@ use crate::progress::{Step, Steps};
 use crate::propagation::{Propagation, PropagationOptions};
 use heatwalk_surface::Source;
 
-/// The last search, restarted for the next question where that is asked in the same way.
+/// The last search, whose memory serves the next one.
 #[derive(Debug, Default)]
 pub(super) struct Search {
-    kept: Option<(PropagationOptions, Propagation)>,
+    kept: Option<Propagation>,
 }
 
 impl Search {
@@ -27,7 +27,8 @@ impl Search {
         (asked, options): (&DistanceOptions, PropagationOptions),
         progress: Steps<'_>,
     ) -> Result<Answer> {
-        let propagation = self.start(geometry, sources, options)?;
+        let propagation = Propagation::reusing(self.kept.take(), geometry, sources, options)?;
+        let propagation = self.kept.insert(propagation);
         // A value of just the maximum distance is final, too.
         let radius = asked.max_distance.next_up();
         while !propagation.advance(radius, WORK_BETWEEN_CALLS) {
@@ -43,23 +44,5 @@ impl Search {
         }
         let method = if propagation.is_exact() { Method::Exact } else { Method::Propagation };
         Ok(Answer { distance, method, windows: propagation.windows() })
-    }
-
-    fn start(
-        &mut self,
-        geometry: &Arc<ExactGeometry>,
-        sources: &[Source],
-        options: PropagationOptions,
-    ) -> Result<&mut Propagation> {
-        let kept = self.kept.take().filter(|(kept, _)| *kept == options);
-        let propagation = match kept {
-            Some((_, mut propagation)) => {
-                propagation.restart(sources)?;
-                propagation
-            }
-            None => Propagation::new(Arc::clone(geometry), sources, options)?,
-        };
-        let (_, propagation) = self.kept.insert((options, propagation));
-        Ok(propagation)
     }
 }
