@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::options::DEFAULT_WINDOWS;
 
 /// Bytes that a surface keeps of each vertex of the input, each welded vertex and each triangle.
-const SURFACE: Bytes = Bytes { input: 12, vertex: 45, triangle: 84 };
+const SURFACE: Bytes = Bytes { input: 8, vertex: 45, triangle: 60 };
 /// What windows need of the surface: triangles in the plane, and how paths bend at vertices.
 const GEOMETRY: Bytes = Bytes { input: 0, vertex: 1, triangle: 96 };
 /// The exact search around the sources, the front beyond it, and the field with its directions.
@@ -51,13 +51,13 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_refused_and_fewer_windows_are_offered_where_they_do() {
-        let (vertices, triangles) = (500_002, 1_000_000);
+        let (vertices, triangles) = (1_000_002, 2_000_000);
         let [one, eight] = [1, 8].map(|windows| footprint(vertices, triangles, windows));
         assert!(require_room(vertices, triangles, 8, eight).is_ok());
         let refused = require_room(vertices, triangles, 8, eight - 1).expect_err("one byte less");
         assert_eq!(refused.code(), "too-many-windows");
         assert!(
-            refused.to_string().starts_with("8 windows of each half-edge of 1000000 triangles take 1."),
+            refused.to_string().starts_with("8 windows of each half-edge of 2000000 triangles take 1."),
             "{refused}"
         );
         assert!(require_room(vertices, triangles, 1, one).is_ok());

@@ -40,7 +40,7 @@ fn a_place_in_a_turned_triangle_keeps_its_weights() {
 #[test]
 fn triangles_count_over_the_chosen_parts() {
     let folder = folder("part_triangles");
-    let near = ["two.obj", "--near", "0", "--source"];
+    let near = ["two.obj", "--near", "0", "--t", "1", "--source"];
     let of_both = distances(&folder, &[&near[..], &["1:0.2,0.3,0.5"]].concat());
     assert!(of_both[..3].iter().all(|value| value.is_infinite()) && of_both[6].is_infinite(), "{of_both:?}");
     let of_far = distances(&folder, &[&near[..], &["0:0.2,0.3,0.5", "--part", "1"]].concat());

@@ -20,10 +20,13 @@ const WINDOWS: f64 = 600.0;
 /// of the rest of a solve.
 const FEW_VERTICES: f64 = 4000.0;
 
+/// Windows that it may propagate on any mesh: some dozen faces around a source, without which the first rings are worthless.
+const LEAST_WINDOWS: f64 = 300.0;
+
 /// Windows that the exact region may propagate where its radius is chosen.
 fn windows(vertices: usize) -> usize {
     let vertices = vertices as f64;
-    (WINDOWS * vertices.powf(0.25) * (vertices / FEW_VERTICES).min(1.0)) as usize
+    (WINDOWS * vertices.powf(0.25) * (vertices / FEW_VERTICES).min(1.0)).max(LEAST_WINDOWS) as usize
 }
 
 /// Exact distances around the sources: those of a wavefront that are below a radius.
