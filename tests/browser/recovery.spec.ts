@@ -49,6 +49,7 @@ async function openGrid(heatwalk: HeatwalkPage): Promise<void> {
 
 test('a mesh that cannot be drawn changes nothing, and the next one opens', async ({ heatwalk, page }) => {
   await openGrid(heatwalk);
+  await heatwalk.rest();
   const before = await everything(heatwalk);
   const picture = await heatwalk.picture();
   await page.evaluate((bytes) => {
