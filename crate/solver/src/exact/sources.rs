@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
-use super::wavefront::Wavefront;
+use super::wavefront::{Leaving, Wavefront};
 use super::window::{Window, length};
 use crate::extremum::{larger, smaller};
 use heatwalk_surface::{Place, VertexId};
@@ -85,13 +85,13 @@ impl Wavefront {
     }
 
     /// Sends a window out of a face, cut by the values at the edge's ends.
-    fn leave(&mut self, halfedge: u32, mut window: Window) {
+    fn leave(&mut self, halfedge: u32, window: Window) {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
         let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
-        if window.is_wide() && window.clip(frame[k].length, ends) {
-            self.deliver(&geometry, halfedge, &[window], window.nearest());
-        }
+        let mut leaving = Leaving::default();
+        leaving.push(window, frame[k].length, ends);
+        self.deliver(&geometry, halfedge, &leaving);
     }
 
     /// Sends windows from a vertex that paths can bend at, into the shadow behind it.

@@ -43,7 +43,7 @@ pub struct Wavefront {
     /// Windows that cross now; kept for its memory.
     crossing: Vec<Window>,
     /// Those that leave by either half-edge; kept for its memory.
-    leaving: [Vec<Window>; 2],
+    leaving: [Leaving; 2],
 }
 
 impl Wavefront {
@@ -280,28 +280,19 @@ impl Wavefront {
 
         let at_c = self.values[VertexId(c)];
         let [mut to_left, mut to_right] = std::mem::take(&mut self.leaving);
-        let [mut nearest_left, mut nearest_right] = [f64::INFINITY; 2];
         for window in &windows {
             let crossing = Crossing::new(window.beam(), opposite);
             if let Some(beam) = crossing.to_left(sides) {
-                let mut window = Window::from(beam);
-                if window.is_wide() && window.clip(sides[2].length, [at_a, at_c]) {
-                    nearest_left = smaller(nearest_left, window.nearest());
-                    to_left.push(window);
-                }
+                to_left.push(beam, sides[2].length, [at_a, at_c]);
             }
             if let Some(beam) = crossing.to_right(sides) {
-                let mut window = Window::from(beam);
-                if window.is_wide() && window.clip(sides[1].length, [at_c, at_b]) {
-                    nearest_right = smaller(nearest_right, window.nearest());
-                    to_right.push(window);
-                }
+                to_right.push(beam, sides[1].length, [at_c, at_b]);
             }
         }
         windows.clear();
         let first = halfedge - k as u32;
-        self.deliver(geometry, first + before(k) as u32, &to_left, nearest_left);
-        self.deliver(geometry, first + after(k) as u32, &to_right, nearest_right);
+        self.deliver(geometry, first + before(k) as u32, &to_left);
+        self.deliver(geometry, first + after(k) as u32, &to_right);
         to_left.clear();
         to_right.clear();
         self.leaving = [to_left, to_right];
@@ -324,20 +315,51 @@ impl Wavefront {
 
     /// Brings windows that leave a face by a half-edge, in order along that edge against the half-edge's direction, to the
     /// half-edges on the other faces of the edge.
-    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &[Window], nearest: f64) {
-        if leaving.is_empty() {
+    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &Leaving) {
+        let Leaving { windows, nearest } = leaving;
+        if windows.is_empty() {
             return;
         }
         let (frame, k) = geometry.frame_of(halfedge);
         for (target, is_mirrored) in geometry.across(halfedge) {
             if is_mirrored {
-                let mirrored = leaving.iter().rev().map(|window| window.mirrored(frame[k].length));
+                let mirrored = windows.iter().rev().map(|window| window.mirrored(frame[k].length));
                 self.waiting.add(target, &mirrored.collect::<Vec<_>>());
             } else {
-                self.waiting.add(target, leaving);
+                self.waiting.add(target, windows);
             }
-            self.queue.push(target, nearest);
+            self.queue.push(target, *nearest);
         }
+    }
+}
+
+/// Windows that leave a face by one half-edge, as the half-edge across sees them, and their least distance.
+#[derive(Debug)]
+pub(super) struct Leaving {
+    windows: Vec<Window>,
+    nearest: f64,
+}
+
+impl Default for Leaving {
+    fn default() -> Self {
+        Self { windows: Vec::new(), nearest: f64::INFINITY }
+    }
+}
+
+impl Leaving {
+    /// Adds what is left of a window that is [cut](Window::clip) by the distances of the half-edge's ends, if anything.
+    #[inline(always)]
+    pub fn push(&mut self, window: impl Into<Window>, length: f64, ends: [f64; 2]) {
+        let mut window = window.into();
+        if window.is_wide() && window.clip(length, ends) {
+            self.nearest = smaller(self.nearest, window.nearest());
+            self.windows.push(window);
+        }
+    }
+
+    fn clear(&mut self) {
+        self.windows.clear();
+        self.nearest = f64::INFINITY;
     }
 }
 
