@@ -51,6 +51,38 @@ impl Pattern {
         Self { column_start, rows }
     }
 
+    /// The same pattern with another number for each row.
+    pub(crate) fn renumbered(&self, number: &[u32]) -> Self {
+        let entries = || {
+            let of_column = |column| self.column(column).map(move |entry| (column, self.rows[entry] as usize));
+            let in_lower = |(column, row)| {
+                let [a, b] = [column, row].map(|index: usize| number[index]);
+                (a.min(b), a.max(b))
+            };
+            (0..self.size()).flat_map(of_column).map(in_lower)
+        };
+        let mut column_start = vec![0; self.size() + 1];
+        for (column, _) in entries() {
+            column_start[column as usize + 1] += 1;
+        }
+        for column in 0..self.size() {
+            column_start[column + 1] += column_start[column];
+        }
+        let mut rows = vec![0; self.rows.len()];
+        let mut next = column_start.clone();
+        for (column, row) in entries() {
+            let place = &mut next[column as usize];
+            rows[*place as usize] = row;
+            *place += 1;
+        }
+        let mut renumbered = Self::from_sorted(column_start, rows);
+        for column in 0..renumbered.size() {
+            let range = renumbered.column(column);
+            renumbered.rows[range].sort_unstable();
+        }
+        renumbered
+    }
+
     /// Number of rows.
     pub fn size(&self) -> usize {
         self.column_start.len() - 1

@@ -12,7 +12,7 @@ use crate::heat::time::{suited_factor, time_factor};
 use crate::operator::Operators;
 use crate::options::{Boundary, FactorOptions, MemoryLimit};
 use crate::progress::{Progress, Stage, report};
-use heatwalk_surface::{Surface, VertexData, memory};
+use heatwalk_surface::{Surface, VertexData, VertexId, memory};
 
 /// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
 /// boundary condition is free: 256 MiB.
@@ -72,7 +72,7 @@ impl Factorization {
         let operators = Operators::new(&surface, options.operator);
         let mean_edge = operators.mean_edge();
         let suited_factor = suited_factor(&operators, extent);
-        let systems = Systems::new(operators, options.solver, progress)?;
+        let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
         let neumann = Condition::Neumann;
         let dirichlet = dirichlet(&surface);
         let factor = time_factor(options.time_step, options.solver, suited_factor, mean_edge, extent);
@@ -255,4 +255,15 @@ fn dirichlet(surface: &Surface) -> Option<Condition> {
     let is_cold: VertexData<bool> = boundary.map(|(&c, &boundary)| boundary && has_inside[c as usize]).collect();
     let is_any_cold = is_cold.iter().any(|&cold| cold);
     is_any_cold.then(|| Condition::Dirichlet(Arc::new(is_cold)))
+}
+
+/// The vertices in the order of the file, where that is another one.
+fn numbering(surface: &Surface) -> Option<Vec<u32>> {
+    let first_input = |vertex: VertexId| surface.inputs_of_vertex(vertex)[0];
+    if surface.vertices().is_sorted_by_key(first_input) {
+        return None;
+    }
+    let mut vertices: Vec<u32> = surface.vertices().map(|vertex| vertex.0).collect();
+    vertices.sort_unstable_by_key(|&vertex| first_input(VertexId(vertex)));
+    Some(vertices)
 }

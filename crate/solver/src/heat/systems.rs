@@ -39,12 +39,26 @@ impl Systems {
     /// # Errors
     /// [`Error::Cancelled`]; [`Error::OutOfMemory`].
     pub fn new(operators: Operators, solver: LinearSolver, progress: Progress<'_>) -> Result<Arc<Self>> {
+        Self::numbered(operators, None, solver, progress)
+    }
+
+    /// The same for the operators of a surface whose vertices came in another order: see
+    /// [`Permutation::fill_reducing_by`].
+    pub(super) fn numbered(
+        operators: Operators,
+        numbering: Option<Vec<u32>>,
+        solver: LinearSolver,
+        progress: Progress<'_>,
+    ) -> Result<Arc<Self>> {
         let symbolic = match solver {
             LinearSolver::Cholesky => {
                 let pattern = operators.laplacian().pattern();
                 let [ordering, analysing] = SHARES;
                 report(progress, Stage::Ordering, ordering)?;
-                let permutation = Permutation::fill_reducing(pattern)?;
+                let permutation = match numbering {
+                    Some(numbering) => Permutation::fill_reducing_by(pattern, numbering)?,
+                    None => Permutation::fill_reducing(pattern)?,
+                };
                 report(progress, Stage::Analysing, analysing)?;
                 Some(Arc::new(Symbolic::analyse(pattern, permutation)?))
             }

@@ -131,3 +131,28 @@ fn an_empty_matrix_is_ordered() {
     let pattern = Pattern::new(vec![0], Vec::new()).expect("a pattern");
     assert!(Permutation::fill_reducing(&pattern).expect("memory").old_of_new.is_empty());
 }
+
+#[test]
+fn an_order_found_in_another_numbering_is_that_of_the_renumbered_pattern() {
+    let pattern = grid(20, 1);
+    // Every seventh row, then the next of each: a permutation, since 7 and 400 have no common divisor.
+    let numbering: Vec<u32> = (0..400).map(|place| place * 7 % 400).collect();
+    let found = Permutation::fill_reducing_by(&pattern, numbering.clone()).expect("an order");
+    let graph = Graph::of_lower_triangle(&pattern);
+    assert!(is_postordered(&graph, &found));
+
+    let mut number = vec![0; 400];
+    for (place, &row) in (0..).zip(&numbering) {
+        number[row as usize] = place;
+    }
+    let renumbered = pattern.renumbered(&number);
+    let pattern_of_renumbered = Pattern::new(renumbered.column_start().to_vec(), renumbered.rows().to_vec());
+    assert_eq!(pattern_of_renumbered.as_ref(), Ok(&renumbered), "it has the form of a pattern");
+    let there = Permutation::fill_reducing(&renumbered).expect("an order");
+    assert_eq!(fill(&graph, &found), fill(&Graph::of_lower_triangle(&renumbered), &there));
+    let here = Permutation::fill_reducing(&pattern).expect("an order");
+    assert_ne!(found, here, "the numbering decides between rows of the same degree");
+
+    let short = Permutation::fill_reducing_by(&pattern, numbering[1..].to_vec());
+    assert_eq!(short, Err(Error::InvalidPermutation { place: 399, size: 400 }));
+}
