@@ -1,7 +1,7 @@
 //! A mesh for `npm run bench`: welded, clean and perhaps subdivided, as binary PLY, so that the same numbers name the
 //! same vertices to all programs. Prints what it is, as JSON.
 //!
-//! `cargo run --release -p heatwalk --example bench_mesh -- MESH|icosphere:K|hemisphere:K OUT.ply [SUBDIVISIONS]`
+//! `cargo run --release -p heatwalk --example bench_mesh -- MESH|preset:SHAPE|icosphere:K|hemisphere:K OUT.ply [SUBDIVISIONS]`
 //!
 //! An icosphere has 20 · 4ᴷ triangles, a hemisphere 4 K²; a subdivision cuts each triangle into four.
 
@@ -52,6 +52,7 @@ fn in_input_order(name: &str, surface: &Surface) -> Soup {
 fn read(input: &str) -> Result<Soup, Box<dyn Error>> {
     Ok(match input.split_once(':') {
         Some(("icosphere", level)) => shapes::icosphere(level.parse()?),
+        Some(("preset", name)) => shapes::by_name(name)?.select(&[0])?,
         // Part 1 is the stand.
         Some(("hemisphere", frequency)) => shapes::hemisphere(frequency.parse()?).select(&[0])?,
         _ => io::read(input, &fs::read(input)?, &|uri| fs::read(Path::new(input).with_file_name(uri)).ok())?,

@@ -1,11 +1,12 @@
-//! What a large surface takes: a torus of so many million triangles, 10 if not given. With `--exact`, exact distances too, which
-//! take minutes.
+//! What a large surface takes: a torus of so many million triangles, 10 if not given. With `--exact`, exact distances, which take
+//! minutes; with `--rough`, on a surface like that of a scan, whose vertices are off by up to a tenth of an edge.
 //!
-//! `cargo run --release -p heatwalk --example large [-- MILLIONS] [--exact]`
+//! `cargo run --release -p heatwalk --example large [-- MILLIONS] [--exact] [--rough]`
 //!
 //! Prints seconds, and the most gigabytes that the process has held until then, where the system tells.
 
 use std::error::Error;
+use std::f64::consts::TAU;
 use std::fs;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -20,7 +21,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (options, numbers): (Vec<_>, Vec<_>) = std::env::args().skip(1).partition(|word| word.starts_with("--"));
     let millions: f64 = numbers.first().map_or(Ok(10.0), |number| number.parse())?;
     let rows = (millions * 1e6 / 4.0).sqrt() as u32;
-    let soup = shapes::torus(2.0, 0.7, 2 * rows, rows);
+    let mut soup = shapes::torus(2.0, 0.7, 2 * rows, rows);
+    if options.iter().any(|option| option == "--rough") {
+        roughen(&mut soup, 0.1 * TAU * 0.7 / f64::from(rows));
+    }
     println!("{} triangles", soup.triangles.len());
 
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
@@ -52,6 +56,16 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// From positions to a surface that can be asked.
 fn built(soup: &Soup, threads: NonZeroUsize) -> heatwalk::Result<Arc<ExactGeometry>> {
     Ok(Arc::new(ExactGeometry::on_threads(Surface::build_on(soup, threads)?, threads)))
+}
+
+/// Moves each vertex by up to `amount` along each axis, always in the same way.
+fn roughen(soup: &mut Soup, amount: f64) {
+    let mut state = 1_u64;
+    for coordinate in soup.positions.iter_mut().flat_map(|position| position.as_mut()) {
+        // A linear congruential generator; its high bits are random enough.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        *coordinate += amount * ((state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0);
+    }
 }
 
 /// The result, after a line on what it took.
