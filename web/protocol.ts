@@ -61,6 +61,8 @@ export interface Timings {
   buildMs: number;
   /** Making the triangles ready to be drawn. */
   drawMs: number;
+  /** Finding where components meet; 0 where that was not asked for. */
+  joinMs: number;
   /** Factoring; 0 where nothing is factored. */
   precomputeMs: number;
 }
@@ -68,6 +70,10 @@ export interface Timings {
 /** What is ready to be asked, and what that cost. */
 export interface Factoring {
   timings: Timings;
+  /** Groups of components that paths lead between; 0 where nothing was joined. */
+  groups: number;
+  /** Pairs of components that meet. */
+  contacts: number;
   /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
   /** Bytes of wasm memory in use. */
@@ -165,6 +171,11 @@ export interface SolverApi {
   prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;
   /** Factors again what the change needs, where anything is factored. The last field is forgotten. */
   configure(parameters: Parameters): Promise<Factoring>;
+  /**
+   * Joins components between which paths are to lead: "auto" those that pierce or nearly touch each other, "off" none, else
+   * those no farther apart than so much, in the unit of the file. The last field is forgotten.
+   */
+  bridge(rule: string): Promise<Factoring>;
   /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
   /** By so many windows of each half-edge, with or without factors. */

@@ -10,13 +10,14 @@ const QUESTION: Question = {
   method: 'heat',
   windows: 2,
   parameters: DEFAULT_PARAMETERS,
+  bridge: 'auto',
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,
 };
 
 /** An engine whose worker notes its calls; a slice lasts until it is let go. */
-function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
+function engine(components = 1): { engine: Engine; calls: string[]; letGo: () => void } {
   const calls: string[] = [];
   const slices: (() => void)[] = [];
   const api = {
@@ -28,6 +29,10 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
     propagate: async (_: Source[], windows: number, request: PathRequest | null) => {
       calls.push(['propagate', windows, ...kinds(request)].join(' '));
       return solved(0);
+    },
+    bridge: async (rule: string) => {
+      calls.push(`bridge ${rule}`);
+      return {};
     },
     refine: (request: PathRequest | null) => {
       calls.push(['refine', ...kinds(request)].join(' '));
@@ -43,7 +48,7 @@ function engine(): { engine: Engine; calls: string[]; letGo: () => void } {
     },
   };
   const worker = { api, call: <T>(answer: Promise<T>) => answer } as unknown as SolverWorker;
-  const made = new Engine(worker, {} as OpenedMesh, {} as Factoring, DEFAULT_PARAMETERS);
+  const made = new Engine(worker, { report: { components } } as OpenedMesh, {} as Factoring, DEFAULT_PARAMETERS);
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 
@@ -58,6 +63,23 @@ test('another path over the same field does not solve again', async () => {
   expect(second?.field).toBe(first?.field);
   await it.ask({ ...QUESTION, parameters: { ...DEFAULT_PARAMETERS, timeStep: 2 } });
   expect(calls.slice(2)).toEqual(['configure', 'solve descent']);
+});
+
+test('components are joined before the first question, and again only by another rule', async () => {
+  const { engine: it, calls } = engine(2);
+  await it.ask(QUESTION);
+  await it.ask({ ...QUESTION, sources: [{ vertex: 3 }] });
+  await it.ask({ ...QUESTION, bridge: 0.5 });
+  await it.ask({ ...QUESTION, bridge: 'off' });
+  expect(calls).toEqual([
+    'bridge auto',
+    'solve descent',
+    'solve descent',
+    'bridge 0.5',
+    'solve descent',
+    'bridge off',
+    'solve descent',
+  ]);
 });
 
 test('a quick field is solved again in full, a full one is kept', async () => {

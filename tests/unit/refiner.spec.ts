@@ -29,12 +29,13 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     method: 'heat' as const,
     windows: STATE.windows,
     parameters: STATE.parameters,
+    bridge: STATE.bridge,
     from: { vertex: 1 },
     pathKind,
     quick: false,
   };
-  const timings = { readMs: 0, buildMs: 0, drawMs: 0, precomputeMs: 0 };
-  const factoring = { timings, factorNonzeros: 0, memoryBytes: 0 };
+  const timings = { readMs: 0, buildMs: 0, drawMs: 0, joinMs: 0, precomputeMs: 0 };
+  const factoring = { timings, groups: 0, contacts: 0, factorNonzeros: 0, memoryBytes: 0 };
   return { question, field, path: PATH, pathKind: pathKind === 'exact' ? 'straight' : pathKind, pathMs: 0, factoring };
 }
 
@@ -79,6 +80,20 @@ test('waits, refines step by step and ends when everything is exact', async () =
   await settled();
   expect(phases).toEqual(['solving', 'resting', 'refining', 'exact']);
   expect(reached(shown)).toEqual([0.2, 0.6, Infinity]);
+});
+
+test('a field by windows waits less than one by heat', async () => {
+  const [byHeat, byWindows] = [refiner(), refiner()];
+  const ended: string[] = [];
+  const begin = async (name: string, { refiner: it, settled }: typeof byHeat, asked: Answer) => {
+    it.rest(engine([Infinity]).engine, asked, STATE);
+    await settled();
+    ended.push(name);
+  };
+  const solved = answer(0);
+  const propagated = { ...solved, field: solved.field && { ...solved.field, windows: 1 } };
+  await Promise.all([begin('heat', byHeat, solved), begin('windows', byWindows, propagated)]);
+  expect(ended).toEqual(['windows', 'heat']);
 });
 
 test('steps that reach less far than the first exact region are not shown', async () => {

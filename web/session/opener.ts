@@ -1,5 +1,5 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
-import type { MeshInput, NamedBytes, OpenedMesh } from '../protocol';
+import type { MeshInput, NamedBytes } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
@@ -16,7 +16,7 @@ export interface Action {
 
 export interface Voice {
   /** A mesh is shown. */
-  opened(mesh: OpenedMesh): void;
+  opened(shown: Shown): void;
   notice(text: string): void;
   fail(text: string, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
@@ -133,7 +133,7 @@ export class Opener {
       if (request.state.sources.length > this.#session.scene.state.sources.length) {
         this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
       }
-      this.#voice.opened(shown.opened);
+      this.#voice.opened(shown);
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {

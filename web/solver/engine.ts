@@ -13,7 +13,7 @@ import type {
   TracedPath,
   PathRequest,
 } from '../protocol';
-import { CROWD_HEIGHT, type Windows } from '../state/scene';
+import { type Bridge, CROWD_HEIGHT, type Windows } from '../state/scene';
 import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
@@ -24,6 +24,8 @@ export interface Question {
   windows: Windows;
   /** Of the heat method. */
   parameters: Parameters;
+  /** Which components are joined. */
+  bridge: Bridge;
   /** Start of the path; null: no path is wanted. */
   from: SurfacePoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
@@ -33,7 +35,7 @@ export interface Question {
 }
 
 /** What a field depends on. */
-type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'quick'>;
+type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'quick'>;
 
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
@@ -43,6 +45,7 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
   const isByHeat = asked.method === 'heat';
   return (
     answered.sources === asked.sources &&
+    answered.bridge === asked.bridge &&
     isByHeat === (answered.method === 'heat') &&
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
@@ -70,6 +73,8 @@ export class Engine {
   /** Whether it can be asked by the heat method. */
   readonly isFactored: boolean;
   #parameters: Parameters | null;
+  /** What the worker has joined. */
+  #bridge: Bridge = 'off';
   #factoring: Factoring;
   /** The field that the worker holds, and what it was asked for. */
   #held: { question: Question; field: DistanceField } | null = null;
@@ -201,6 +206,11 @@ export class Engine {
     if (question.method === 'heat' && parameters !== this.#parameters) {
       this.#factoring = await this.#worker.call(api.configure(parameters));
       this.#parameters = parameters;
+      this.#held = null;
+    }
+    if (this.opened.report.components > 1 && question.bridge !== this.#bridge) {
+      this.#factoring = await this.#worker.call(api.bridge(String(question.bridge)));
+      this.#bridge = question.bridge;
       this.#held = null;
     }
     const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;

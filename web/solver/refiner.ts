@@ -15,8 +15,11 @@ import { isOutOfMemory } from './trap';
 export type Phase =
   'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'idle' | 'memory' | 'late' | 'stuck' | 'failed';
 
-/** Pause before refinement begins. */
-const REST_MS = 300;
+/**
+ * Pause before refinement begins, of a field by windows and of one by heat: each step of the second ends with a solve, by
+ * which the next answer would be late. A key that repeats comes back within the first.
+ */
+const REST_MS = { windows: 50, heat: 300 };
 /** Time and memory of exact distances grow faster than the mesh. */
 export const MOST_SECONDS = 60;
 /** Steps without progress after which refinement stops. */
@@ -82,7 +85,8 @@ export class Refiner {
       return;
     }
     this.phase.value = 'resting';
-    this.#timer = setTimeout(() => void this.#begin(engine, answer, turn, traces, end), REST_MS);
+    const pause = answer.field?.windows === undefined ? REST_MS.heat : REST_MS.windows;
+    this.#timer = setTimeout(() => void this.#begin(engine, answer, turn, traces, end), pause);
   }
 
   async #begin(engine: Engine, answer: Answer, turn: object, traces: boolean, end: Phase | null): Promise<void> {

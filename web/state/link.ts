@@ -17,7 +17,15 @@ import {
 } from '../wasm/contract';
 import type { Finish, Style, MapName } from './styles';
 import { findStyle, isRamp, STYLE_NUMBERS, STYLE_RANGES, MAPS, PATTERNS, SURROUNDINGS } from './styles';
-import { LARGEST_CROWD, type MeshReference, OVERLAYS, type SceneState, type Windows, withOffset } from './scene';
+import {
+  type Bridge,
+  LARGEST_CROWD,
+  type MeshReference,
+  OVERLAYS,
+  type SceneState,
+  type Windows,
+  withOffset,
+} from './scene';
 
 const VERSION = '1';
 
@@ -46,6 +54,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
+  add('bridge', bridge(state.bridge), bridge(start.bridge));
   const { parameters } = state;
   add('t', option(parameters.timeStep), option(start.parameters.timeStep));
   add('b', parameters.boundary, start.parameters.boundary);
@@ -102,6 +111,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
+  read('bridge', parseBridge, (rule) => (state.bridge = rule));
   const { parameters } = state;
   read('t', automaticOr(within(...TIME_STEP_FACTORS)), (factor) => (parameters.timeStep = factor));
   read('b', choiceOf(BOUNDARY), (boundary) => (parameters.boundary = boundary));
@@ -160,6 +170,15 @@ function amount(value: number): string {
 
 function option(value: number | typeof AUTOMATIC): string {
   return value === AUTOMATIC ? value : number(value);
+}
+
+function bridge(rule: Bridge): string {
+  return typeof rule === 'number' ? amount(rule) : rule;
+}
+
+function parseBridge(text: string): Bridge | null {
+  if (text === 'auto' || text === 'off') return text;
+  return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
 }
 
 function flag(value: boolean): string {

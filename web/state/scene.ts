@@ -30,6 +30,12 @@ export const OF_HEAT: { readonly overlays: readonly Overlay[]; readonly colorBy:
 /** Windows of each half-edge, as many as propagation keeps. */
 export type Windows = (typeof WINDOWS)[number];
 
+/**
+ * Which components are joined, so that distance and paths lead from one to the other: those that pierce or nearly touch each
+ * other, none, or those no farther apart than so much, in the unit of the file.
+ */
+export type Bridge = 'auto' | 'off' | number;
+
 export const LARGEST_CROWD = 10_000;
 
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
@@ -52,6 +58,7 @@ export interface SceneState extends Places {
   windows: Windows;
   /** Of the heat method. */
   parameters: Parameters;
+  bridge: Bridge;
   /** The kind of path that the walker takes. */
   pathKind: PathKind;
   /** Whether a field at rest is made exact, where the method leaves it open. */
@@ -80,6 +87,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
+    bridge: 'auto',
     pathKind: PATH_KIND.default,
     refine: true,
     camera: null,

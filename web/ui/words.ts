@@ -1,5 +1,5 @@
 /** Numbers and sentences as the page shows them. */
-import type { BuildReport, DistanceField, FieldError, OpenedMesh } from '../protocol';
+import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import type { SceneState } from '../state/scene';
 
@@ -57,12 +57,20 @@ export function bytes(value: number): string {
 const LEAST_EXACT = 0.01;
 
 /** What was done to the triangles of a file, in one sentence. */
-export function openingSentence({ name, report }: OpenedMesh): string {
+export function openingSentence({ name, report }: OpenedMesh, factoring: Factoring): string {
   const done = repairs(report);
-  const shape = `${counted(report.components, 'component')}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
+  const components = componentWords(report, factoring);
+  const shape = `${components}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
   return done.length > 0
     ? `${name}: ${done.join(', ')}; ${shape}.`
     : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+}
+
+/** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */
+function componentWords({ components }: BuildReport, { groups, contacts }: Factoring): string {
+  const counts = counted(components, 'component');
+  if (contacts === 0) return counts;
+  return `${counts}, ${counted(contacts, 'contact')}, ${groups === 1 ? 'one group' : counted(groups, 'group')}`;
 }
 
 function repairs(report: BuildReport): string[] {

@@ -7,7 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{DistanceOptions, MultiSource};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource};
 
 use crate::method::{Given, Methods};
 use crate::options::{Linear, Options, choice, chosen};
@@ -49,6 +49,15 @@ pub struct Mesh {
     pub json: bool,
 }
 
+/// How the components of a mesh are joined.
+#[derive(Args)]
+pub struct Bridging {
+    /// Components that paths cross between: those that pierce or nearly touch each other (auto), none (off), or those that
+    /// are no farther apart than D
+    #[arg(long = "bridge", value_name = "auto|off|D", default_value_t, allow_negative_numbers = true)]
+    pub rule: BridgeRule,
+}
+
 impl Mesh {
     /// Threads to work on.
     pub fn threads(&self) -> NonZeroUsize {
@@ -61,6 +70,8 @@ impl Mesh {
 pub struct Info {
     #[command(flatten)]
     pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
 }
 
 #[derive(Args)]
@@ -76,6 +87,8 @@ pub struct Distance {
     /// Close each line
     #[arg(long, requires = "lines")]
     pub closed: bool,
+    #[command(flatten)]
+    pub bridging: Bridging,
     #[command(flatten)]
     pub methods: Methods,
     /// The same as --method exact
@@ -114,6 +127,8 @@ pub struct Path {
     /// Where it ends
     #[arg(long, value_name = "S")]
     pub to: Place,
+    #[command(flatten)]
+    pub bridging: Bridging,
     #[command(flatten)]
     pub methods: Methods,
     #[command(flatten)]

@@ -13,7 +13,7 @@ use crate::args::Distance;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
-use crate::timing::{build, go_on, median_solve_ms, prepare, sample};
+use crate::timing::{build, go_on, join, median_solve_ms, prepare, sample};
 
 pub fn distance(arguments: &Distance) -> Result<String> {
     let options = arguments.distance_options()?;
@@ -29,8 +29,10 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
 
     let mut report = Report::default();
+    let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
     report.push_surface(surface.report());
-    let mut prepared = prepare((&surface, built_ms), &options, arguments.mesh.threads())?;
+    report.push_bridges(&bridges);
+    let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }

@@ -13,7 +13,7 @@ use crate::args::Path;
 use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
-use crate::timing::{build, go_on, prepare};
+use crate::timing::{build, go_on, join, prepare};
 
 /// A path, the distance that belongs to it, and what they took.
 struct Found {
@@ -33,7 +33,11 @@ pub fn path(arguments: &Path) -> Result<String> {
     let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
     let from = arguments.from.on(&input.soup, &surface)?;
     let to = arguments.to.on(&input.soup, &surface)?;
-    let mut prepared = prepare((&surface, built_ms), &options, arguments.mesh.threads())?;
+    let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
+    let mut report = Report::default();
+    report.push_surface(surface.report());
+    report.push_bridges(&bridges);
+    let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?
     } else {
@@ -43,8 +47,6 @@ pub fn path(arguments: &Path) -> Result<String> {
         output.write(&found.path)?;
     }
     let points: Vec<_> = found.path.points.iter().map(|point| json!(point.position.to_array())).collect();
-    let mut report = Report::default();
-    report.push_surface(surface.report());
     report.push("method", found.method.name());
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     report.push("distance", found.distance);

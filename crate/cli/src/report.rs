@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::{BuildReport, Soup, Stage};
+use heatwalk::{Bridges, BuildReport, Soup, Stage};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -28,6 +28,12 @@ impl Report {
         self.push("welded_vertices", report.vertices);
         self.push("components", report.components);
         self.push("boundary_loops", report.boundary_loops);
+    }
+
+    /// What joins components.
+    pub fn push_bridges(&mut self, bridges: &Bridges) {
+        self.push("groups", bridges.group_count());
+        self.push("contacts", bridges.contacts().len());
     }
 
     /// What building found and did.

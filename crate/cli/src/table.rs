@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
-use heatwalk::{DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, VertexId};
+use heatwalk::{
+    Bridges, DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, VertexId,
+};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
@@ -63,14 +65,16 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input, ONE).with_context(|| mesh.to_owned())?;
-    let source = VertexId(0);
+    // The first vertex of the file, wherever it is in memory.
+    let source = surface.vertex_of_input(InputVertex(0)).unwrap_or(VertexId(0));
     let exactly = DistanceOptions::by(Method::Exact);
     let exact = || DistanceSolver::new(Arc::clone(&surface)).distance(&[source], &exactly, &mut go_on);
     let exact = arguments.exact.then(exact).transpose()?;
     let figures = |linear_solver, sources| -> Result<Figures> {
         let heat = arguments.options.parameters(linear_solver, MultiSource::default());
         let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
-        let Prepared { mut solver, precompute_ms, .. } = prepare((&surface, build_ms), &options, ONE)?;
+        let Prepared { mut solver, precompute_ms, .. } =
+            prepare((&surface, Bridges::default(), build_ms), &options, ONE)?;
         let mut solve = |source| Ok(solver.distance(&[source], &options, &mut go_on)?.distance.values);
         let solve_ms = median_solve_ms(&sample(&surface, sources), &mut solve)?;
         let error = match &exact {

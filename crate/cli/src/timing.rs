@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId};
+use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId};
 
 use crate::input::Input;
 use crate::report::milliseconds;
@@ -16,6 +16,13 @@ pub fn build(input: &Input, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)
     let start = Instant::now();
     let surface = Surface::build_on(&input.soup, threads)?;
     Ok((Arc::new(surface), milliseconds(start)))
+}
+
+/// What joins the components of a surface, and the milliseconds that finding it took.
+pub fn join(surface: &Surface, rule: BridgeRule) -> (Bridges, f64) {
+    let start = Instant::now();
+    let bridges = Bridges::find(surface, rule);
+    (bridges, milliseconds(start))
 }
 
 /// A surface's solver, ready to be asked, and what that took in milliseconds.
@@ -29,15 +36,15 @@ pub struct Prepared {
     pub stages_ms: Vec<(Stage, f64)>,
 }
 
-/// `surface`: with the milliseconds that building it took.
+/// `surface`: with the milliseconds that building it and finding its bridges took.
 pub fn prepare(
-    (surface, build_ms): (&Arc<Surface>, f64),
+    (surface, bridges, build_ms): (&Arc<Surface>, Bridges, f64),
     options: &DistanceOptions,
     threads: NonZeroUsize,
 ) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    let mut solver = DistanceSolver::on_threads(Arc::clone(surface), threads);
+    let mut solver = DistanceSolver::on_threads(Arc::clone(surface), threads).bridged(bridges);
     solver.prepare(options, &mut |step| {
         if let Step::Precompute(stage, _) = step {
             begun.push((stage, milliseconds(start)));

@@ -17,6 +17,19 @@ pub struct Distance {
     pub sources: Vec<Place>,
     /// Values below this are exact polyhedral distances; infinity when all are.
     pub exact_below: f64,
+    /// Where shortest paths cross from one component to another.
+    pub crossings: Vec<PortalCrossing>,
+}
+
+/// A portal in the direction in which paths to the sources cross it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PortalCrossing {
+    /// Where a path leaves its component.
+    pub from: Place,
+    /// Where it goes on.
+    pub to: Place,
+    /// The distance at `from`, in the file's unit.
+    pub distance: f64,
 }
 
 /// Share of its initial distance by which the distance at a source may miss it for rounding.
@@ -37,7 +50,13 @@ impl Distance {
     /// By lengths of paths, without heat.
     pub(crate) fn of_paths(surface: &Surface, values: VertexData<f64>, sources: &[Source], exact_below: f64) -> Self {
         let sources = places_that_remain(surface, sources, &values);
-        Self { surface: surface.id(), values, heat: None, sources, exact_below }
+        Self { surface: surface.id(), values, heat: None, sources, exact_below, crossings: Vec::new() }
+    }
+
+    /// The same where paths cross these portals.
+    pub(crate) fn crossing(mut self, portals: Vec<PortalCrossing>) -> Self {
+        self.crossings = portals;
+        self
     }
 
     /// The surface that it was solved on.

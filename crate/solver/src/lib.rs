@@ -48,6 +48,7 @@
 //! flow and Poisson see matrices only.
 
 pub mod accuracy;
+mod bridged;
 mod choice;
 mod dijkstra;
 mod distance;
@@ -71,16 +72,17 @@ pub use heatwalk_sparse as sparse;
 pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
+pub use bridged::CarriedSources;
 pub use choice::{Choice, UnknownChoice};
 pub use dijkstra::{edge_path, edge_polyline};
-pub use distance::Distance;
+pub use distance::{Distance, PortalCrossing};
 pub use error::{Error, Result};
 pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
-    BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Path,
-    PathPoint, Place, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, VertexData, VertexId,
-    io,
+    BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle,
+    InputVertex, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint,
+    ToSource, VertexData, VertexId, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

@@ -6,7 +6,7 @@ use crate::distance::Distance;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::smaller;
-use heatwalk_surface::{ToSource, VertexData, VertexId, memory};
+use heatwalk_surface::{ToSource, VertexId, memory};
 
 /// What is being done where memory does not suffice.
 const STAGE: &str = "refining to exact distances";
@@ -46,16 +46,16 @@ pub(crate) fn advance(front: &mut Wavefront, work: usize) -> Result<()> {
 #[derive(Debug)]
 pub struct PropagationRefinement {
     front: Wavefront,
-    /// `#V`, in the file's unit, nowhere below the exact distance.
-    lengths: VertexData<f64>,
+    /// Beyond the exact ones.
+    lengths: Distance,
 }
 
 impl PropagationRefinement {
-    /// Begins to make a distance exact. `lengths` (`#V`, in the file's unit) are those of paths from these sources.
+    /// Begins to make a distance from these sources exact.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); those of [`ToSource::to_source`].
-    pub fn new<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], lengths: VertexData<f64>) -> Result<Self> {
+    pub fn new<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], lengths: Distance) -> Result<Self> {
         Ok(Self { front: start(geometry, sources)?, lengths })
     }
 
@@ -69,10 +69,14 @@ impl PropagationRefinement {
         let (radius, found) = (self.front.radius(), self.front.values());
         let shorter = |vertex: VertexId| {
             let value = found[vertex];
-            if value < radius { value } else { smaller(value, self.lengths[vertex]) }
+            if value < radius { value } else { smaller(value, self.lengths.values[vertex]) }
         };
         let values = self.front.surface().vertices().map(shorter).collect();
-        Ok(Distance::of_paths(self.front.surface(), values, self.front.sources(), radius))
+        let mut crossings = self.front.geometry().portals().crossings(|end| self.front.entered(end));
+        crossings.retain(|crossing| crossing.distance < radius);
+        crossings.extend(self.lengths.crossings.iter().filter(|crossing| crossing.distance >= radius));
+        let distance = Distance::of_paths(self.front.surface(), values, self.front.sources(), radius);
+        Ok(Distance { heat: self.lengths.heat.clone(), ..distance.crossing(crossings) })
     }
 
     /// Whether every distance is exact.

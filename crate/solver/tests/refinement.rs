@@ -49,7 +49,7 @@ fn cases() -> [Case; 4] {
 #[test]
 fn each_step_is_exact_farther_and_beyond_never_longer_than_before() {
     for Case { geometry, sources, propagated } in &cases() {
-        let start = || PropagationRefinement::new(geometry, sources, propagated.values.clone()).expect("sources");
+        let start = || PropagationRefinement::new(geometry, sources, propagated.clone()).expect("sources");
         let exact = start().step(usize::MAX).expect("room");
         assert_eq!(exact.exact_below, f64::INFINITY);
         assert_eq!(exact.sources, propagated.sources);

@@ -2,6 +2,7 @@
 //!
 //! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges).
 
+pub mod bridges;
 pub mod csr;
 pub mod edges;
 pub mod element;
@@ -22,6 +23,7 @@ pub mod triangle;
 pub mod union_find;
 mod weld;
 
+pub use bridges::{BridgeRule, Bridges, Contact, Portal};
 pub use element::{
     CutVertex, CutVertexData, Element, ElementData, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData,
     InputVertex, InputVertexData, VertexData, VertexId,

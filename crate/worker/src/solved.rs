@@ -70,9 +70,12 @@ impl Solved {
 
     fn begin(&self, geometry: &Arc<ExactGeometry>, heat: Option<&HeatSolver>) -> Result<Refining> {
         Ok(match self.origin {
-            Origin::Heat { .. } => Refining::Heat(factored(heat)?.refine(&self.sources)?),
-            Origin::Windows(_) => {
-                let lengths = self.distance.values.clone();
+            // Where paths cross portals, heat knows nothing of the components beyond.
+            Origin::Heat { .. } if self.distance.crossings.is_empty() => {
+                Refining::Heat(factored(heat)?.refine(&self.sources)?)
+            }
+            Origin::Heat { .. } | Origin::Windows(_) => {
+                let lengths = self.distance.clone();
                 Refining::Windows(PropagationRefinement::new(geometry, &self.sources, lengths)?)
             }
         })

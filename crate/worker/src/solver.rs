@@ -7,8 +7,8 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation, PropagationOptions,
-    Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
+    Bridges, CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
+    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
 use js_sys::{Array, Function, Object};
@@ -36,6 +36,7 @@ const CROWD_SEED: u64 = 1;
 pub struct Solver {
     drawn: Arc<Drawn>,
     geometry: Arc<ExactGeometry>,
+    bridges: Bridges,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
     /// That of the last field by windows, kept for its memory.
@@ -63,7 +64,16 @@ impl Solver {
     }
 
     fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, heat: Option<HeatSolver>) -> Self {
-        Self { drawn: Arc::clone(drawn), geometry, heat, propagation: None, solved: None, search: None, crowd: None }
+        Self {
+            drawn: Arc::clone(drawn),
+            geometry,
+            bridges: Bridges::default(),
+            heat,
+            propagation: None,
+            solved: None,
+            search: None,
+            crowd: None,
+        }
     }
 
     fn sources(&self, given: &Array) -> Result<Vec<Source>> {
@@ -72,13 +82,14 @@ impl Solver {
 
     fn heat_distance(&self, sources: &[Source], quick: bool) -> Result<Distance> {
         let heat = factored(self.heat.as_ref())?;
-        let query = heat.query(sources)?;
+        let carried = CarriedSources::new(&self.geometry, sources)?;
+        let query = heat.query(carried.sources())?;
         let exact_radius = match query.exact_radius {
             radius if !quick => radius,
             ExactRadius::Edges(edges) => ExactRadius::Edges(edges.min(QUICK_EDGES)),
             ExactRadius::Automatic => ExactRadius::Edges(QUICK_EDGES),
         };
-        Ok(heat.factorization().distance(&Query { exact_radius, ..query })?)
+        Ok(carried.distance(heat.factorization().distance(&Query { exact_radius, ..query })?))
     }
 
     fn propagated_distance(&mut self, sources: &[Source], windows: u16) -> Result<Distance> {
@@ -126,6 +137,30 @@ impl Solver {
         self.solved = None;
         self.search = None;
         Ok(())
+    }
+
+    /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and forgets the field.
+    pub fn bridge(&mut self, rule: &str) -> Result<()> {
+        let bridges = Bridges::find(self.geometry.surface(), rule.parse()?);
+        self.propagation = None;
+        self.solved = None;
+        self.search = None;
+        if bridges.portals() != self.bridges.portals() {
+            let geometry = ExactGeometry::clone(&self.geometry);
+            self.geometry = Arc::new(geometry.bridged(&bridges));
+        }
+        self.bridges = bridges;
+        Ok(())
+    }
+
+    /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
+    pub fn groups(&self) -> u32 {
+        self.bridges.group_count() as u32
+    }
+
+    /// Pairs of components that meet.
+    pub fn contacts(&self) -> u32 {
+        self.bridges.contacts().len() as u32
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.

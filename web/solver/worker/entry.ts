@@ -119,7 +119,7 @@ const api: SolverApi = {
       meanEdge: surface.mean_edge(),
     };
     surface.free();
-    opened = { drawing, timings: { readMs, buildMs, drawMs: clock(), precomputeMs: 0 }, vertices };
+    opened = { drawing, timings: { readMs, buildMs, drawMs: clock(), joinMs: 0, precomputeMs: 0 }, vertices };
     return transfer(mesh, [
       ...buffersOf(mesh.surface),
       ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
@@ -153,6 +153,15 @@ const api: SolverApi = {
     const clock = stopwatch();
     mesh.solver.configure(parameters, () => undefined);
     mesh.timings = { ...mesh.timings, precomputeMs: clock() };
+    return factoringOf(mesh, memory);
+  },
+
+  async bridge(rule: string): Promise<Factoring> {
+    const { memory } = await ready;
+    const mesh = openMesh();
+    const clock = stopwatch();
+    mesh.solver.bridge(rule);
+    mesh.timings = { ...mesh.timings, joinMs: clock() };
     return factoringOf(mesh, memory);
   },
 
@@ -239,7 +248,13 @@ function openMesh(): Current {
 }
 
 function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): Factoring {
-  return { timings, factorNonzeros: solver.factor_nonzeros(), memoryBytes: memory.buffer.byteLength };
+  return {
+    timings,
+    groups: solver.groups(),
+    contacts: solver.contacts(),
+    factorNonzeros: solver.factor_nonzeros(),
+    memoryBytes: memory.buffer.byteLength,
+  };
 }
 
 /** What a field is before any refinement. */

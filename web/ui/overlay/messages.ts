@@ -1,6 +1,6 @@
 /** Messages at the bottom left. Errors stay until closed and can be copied. */
-import type { OpenedMesh } from '../../protocol';
 import type { Action, Voice } from '../../session/opener';
+import type { Shown } from '../../session/prepare';
 import { h } from '../dom';
 import { openingSentence } from '../words';
 
@@ -22,10 +22,10 @@ export class Messages implements Voice {
   }
 
   /** Tells what was done; replaces the last such message and the last error. */
-  opened(mesh: OpenedMesh): void {
+  opened({ opened, answer }: Shown): void {
     this.#told?.remove();
     this.#failed?.remove();
-    this.#told = this.#say(this.#polite, 'told', openingSentence(mesh), []);
+    this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring), []);
     this.#fade(this.#told);
   }
 

@@ -1,4 +1,5 @@
 import type { Session } from '../../session/session';
+import type { Bridge } from '../../state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -38,6 +39,12 @@ const PATHS: Record<PathKind, string> = {
   straight: 'Straightened',
   exact: 'Exact',
 };
+/** Any other distance is given by the link. */
+const BRIDGES: readonly (readonly [Bridge, string])[] = [
+  ['auto', 'Touching or near'],
+  [0, 'Touching'],
+  ['off', 'None'],
+];
 const BOUNDARIES: Record<Boundary, string> = {
   neumann: 'Insulated (Neumann)',
   dirichlet: 'Cold (Dirichlet)',
@@ -96,6 +103,7 @@ export function solverSection(session: Session): HTMLElement {
     WINDOWS.map((number) => [number, count(number)] as const),
     (value) => scene.set({ windows: value }),
   );
+  const bridge = select('Join components', BRIDGES, (value) => scene.set({ bridge: value }));
   const ofHeat = [
     factor.element,
     quiet('Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.'),
@@ -124,6 +132,8 @@ export function solverSection(session: Session): HTMLElement {
     refine.element.hidden = !(isByHeat || state.method === 'auto');
     refine.show(state.refine);
     path.show(state.pathKind);
+    bridge.element.hidden = (session.shown.value?.opened.report.components ?? 1) < 2;
+    bridge.show(state.bridge);
     factor.show(
       parameters.timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(parameters.timeStep),
       Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
@@ -138,6 +148,7 @@ export function solverSection(session: Session): HTMLElement {
     if (
       state.method !== previous.method ||
       state.windows !== previous.windows ||
+      state.bridge !== previous.bridge ||
       state.parameters !== previous.parameters ||
       state.pathKind !== previous.pathKind ||
       state.refine !== previous.refine
@@ -164,6 +175,7 @@ export function solverSection(session: Session): HTMLElement {
     refine.element,
     refiningStatus(session),
     path.element,
+    bridge.element,
     ...ofHeat,
     h(
       'details',

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::homes::Homes;
+use super::homes::{Arrival, Homes};
 use heatwalk::Distance;
 use heatwalk::SNAP;
 use heatwalk::Surface;
@@ -38,11 +38,13 @@ pub(super) struct Leg {
     pub length: f64,
     /// Whether a source is at its end.
     pub is_last: bool,
+    /// Where a portal at its end leads.
+    leads_to: Option<Place>,
 }
 
 impl Leg {
     fn to_point(surface: &Surface, from: Place, to: [f64; 3], is_last: bool) -> Self {
-        let leg = Self { from, to, length: 0.0, is_last };
+        let leg = Self { from, to, length: 0.0, is_last, leads_to: None };
         Self { length: triangle::length(leg.vector(surface)), ..leg }
     }
 
@@ -52,8 +54,9 @@ impl Leg {
         combined(surface.corners(self.from.face), change)
     }
 
+    /// Where the next one begins.
     pub fn end(&self) -> Place {
-        Place { weights: self.to, ..self.from }
+        self.leads_to.unwrap_or(Place { weights: self.to, ..self.from })
     }
 
     /// The point at a share of the way.
@@ -85,7 +88,7 @@ impl Flow {
     }
 
     pub fn follow(&mut self, surface: &Surface, distance: &Distance) {
-        self.homes.follow(surface, &distance.sources);
+        self.homes.follow(surface, distance);
         self.values.clone_from(&distance.values);
         self.rates = surface.mesh().faces().map(|face| self.descent(surface, face).rates_by_length()).collect();
     }
@@ -98,17 +101,24 @@ impl Flow {
         surface.faces()[face].map(|vertex| self.values[vertex])
     }
 
-    /// Straight to the nearest source on the faces around, else where the linear interpolation falls most steeply: into
+    /// Straight to the source or portal on the faces around by which the nearest source is reached soonest, else where the linear interpolation falls most steeply: into
     /// one of those faces or along their sides, to where the face is left. `None` at a minimum that is no source, and
     /// where no source can be reached: there is nothing lower than infinity among infinities.
     pub fn leg(&self, surface: &Surface, place: Place) -> Option<Leg> {
-        let mut home: Option<Leg> = None;
+        let mut home: Option<(f64, Leg)> = None;
         let mut best: Option<Place> = None;
+        let values = self.corner_values(surface, place.face);
+        let value: f64 = (0..3).map(|k| place.weights[k] * values[k]).sum();
         for_each_side(surface, place, |side| {
-            for weights in self.homes.in_face(side.face) {
-                let leg = Leg::to_point(surface, side, weights, true);
-                if home.is_none_or(|nearest| leg.length < nearest.length) {
-                    home = Some(leg);
+            for Arrival { weights, distance, leads_to } in self.homes.in_face(side.face) {
+                // A portal is on the way down only where it is lower: nobody comes back through one.
+                if leads_to.is_some() && distance >= value {
+                    continue;
+                }
+                let leads_to = leads_to.map(|(face, weights)| Place { face, weights });
+                let leg = Leg { leads_to, ..Leg::to_point(surface, side, weights, leads_to.is_none()) };
+                if home.is_none_or(|(nearest, _)| leg.length + distance < nearest) {
+                    home = Some((leg.length + distance, leg));
                 }
             }
             // Most places have one way down, whose slope need not be known.
@@ -120,8 +130,8 @@ impl Flow {
                 best = Some(side);
             }
         });
-        if home.is_some() {
-            return home;
+        if let Some((_, leg)) = home {
+            return Some(leg);
         }
         // From a vertex an edge may fall more steeply than any face. From elsewhere it does not; there, sides and corners
         // are for where faces point back at each other, where the surface ends, and for faces without a gradient.
@@ -136,7 +146,7 @@ impl Flow {
         let (exit, length) = leaves(from.weights, rates)?;
         let mut to = [0, 1, 2].map(|k| from.weights[k] + length * rates[k]);
         to[exit] = 0.0;
-        Some(Leg { from, to: settled(to), length, is_last: false })
+        Some(Leg { from, to: settled(to), length, is_last: false, leads_to: None })
     }
 
     /// Whether the steepest descent of a face leads from a place on it into it.

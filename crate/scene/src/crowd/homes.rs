@@ -1,15 +1,17 @@
 //! Where walkers arrive, and where they start.
 
+use heatwalk::Distance;
 use heatwalk::Element;
 use heatwalk::FaceId;
 use heatwalk::Place;
+use heatwalk::PortalCrossing;
 use heatwalk::Surface;
 use heatwalk::surface::csr::Csr;
 use heatwalk::surface::parallel;
 use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::Rng;
 
-/// A place in the list of weights.
+/// A place in the list of arrivals.
 #[derive(Debug, Clone, Copy, bytemuck::Zeroable)]
 struct Home(u32);
 
@@ -23,13 +25,25 @@ impl Element for Home {
     }
 }
 
-/// The sources of a distance in the faces that they lie on, and the area that they can be reached from.
+/// A source, or a portal, in one of the faces that it lies on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arrival {
+    /// Barycentric.
+    pub weights: [f64; 3],
+    /// The distance of a portal, less than any before it; 0 for a source.
+    pub distance: f64,
+    /// Where a portal leads: a face and the weights there.
+    pub leads_to: Option<(FaceId, [f64; 3])>,
+}
+
+/// The sources of a distance, and the portals on the way to them, in the faces that they lie on, and the area that they can
+/// be reached from.
 #[derive(Debug, Clone)]
 pub(super) struct Homes {
     sources: Vec<Place>,
-    /// Barycentric weights of each source in each of its faces.
-    weights: Vec<[f64; 3]>,
-    /// `#F`, indices into `weights`.
+    crossings: Vec<PortalCrossing>,
+    arrivals: Vec<Arrival>,
+    /// `#F`, indices into `arrivals`.
     of_face: Csr<FaceId, Home>,
     /// Per connected component whether it has a source.
     is_reached: Vec<bool>,
@@ -41,29 +55,36 @@ impl Homes {
     pub fn new(surface: &Surface) -> Self {
         Self {
             sources: Vec::new(),
-            weights: Vec::new(),
+            crossings: Vec::new(),
+            arrivals: Vec::new(),
             of_face: Csr::group::<FaceId>(surface.face_count(), &[], parallel::ONE),
             is_reached: Vec::new(),
             areas: Vec::new(),
         }
     }
 
-    /// Takes over the sources of a distance, which must have one at least.
-    pub fn follow(&mut self, surface: &Surface, sources: &[Place]) {
-        if self.sources == sources {
+    /// Takes over the sources of a distance, which must have one at least, and the portals.
+    pub fn follow(&mut self, surface: &Surface, Distance { sources, crossings, .. }: &Distance) {
+        if self.sources == *sources && self.crossings == *crossings {
             return;
         }
-        self.sources = sources.to_vec();
-        self.weights.clear();
+        self.sources.clone_from(sources);
+        self.crossings.clone_from(crossings);
+        self.arrivals.clear();
         let mut faces = Vec::new();
         let mut is_reached = vec![false; surface.report().components];
-        for &source in sources {
-            is_reached[source.component(surface) as usize] = true;
-            let source = source.snapped(surface);
-            for face in source.faces(surface) {
+        let mut add = |place: Place, distance, leads_to| {
+            is_reached[place.component(surface) as usize] = true;
+            let place = place.snapped(surface);
+            for face in place.faces(surface) {
                 faces.push(face);
-                self.weights.push(source.weights_in(surface, face));
+                self.arrivals.push(Arrival { weights: place.weights_in(surface, face), distance, leads_to });
             }
+        };
+        sources.iter().for_each(|&source| add(source, 0.0, None));
+        for crossing in crossings {
+            let face = crossing.to.faces(surface)[0];
+            add(crossing.from, crossing.distance, Some((face, crossing.to.weights_in(surface, face))));
         }
         self.of_face = Csr::group(surface.face_count(), &faces, parallel::ONE);
         if self.is_reached != is_reached {
@@ -80,9 +101,9 @@ impl Homes {
         }
     }
 
-    /// Barycentric weights of the sources on a face.
-    pub fn in_face(&self, face: FaceId) -> impl Iterator<Item = [f64; 3]> + '_ {
-        self.of_face.row(face).iter().map(|home| self.weights[home.index()])
+    /// The sources and portals on a face.
+    pub fn in_face(&self, face: FaceId) -> impl Iterator<Item = Arrival> + '_ {
+        self.of_face.row(face).iter().map(|home| self.arrivals[home.index()])
     }
 
     /// A random point, by area, that a source can be reached from: its face and barycentric weights.

@@ -7,9 +7,10 @@ use std::sync::Arc;
 
 use bytemuck::Zeroable;
 
+use super::portals::Portals;
 use super::window::GRAZE;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{CutVertex, Element, FaceId, Place, VertexId};
+use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
 use heatwalk_surface::{parallel, triangle};
 
 #[cfg(test)]
@@ -185,6 +186,7 @@ pub struct ExactGeometry {
     pub(super) frames: Vec<Frame>,
     /// `#V`.
     pub(super) bends: Vec<Bend>,
+    portals: Portals,
 }
 
 impl ExactGeometry {
@@ -206,7 +208,8 @@ impl ExactGeometry {
         for copy in mesh.vertices().skip(surface.vertex_count()) {
             is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
-        let mut geometry = Self { surface: Arc::clone(&surface), threads, frames, bends: Vec::new() };
+        let mut geometry =
+            Self { surface: Arc::clone(&surface), threads, frames, bends: Vec::new(), portals: Portals::default() };
         let bend = |number| {
             let vertex = VertexId::from_index(number);
             let mut angle = AngleSum::default();
@@ -224,6 +227,18 @@ impl ExactGeometry {
         };
         geometry.bends = parallel::collect(surface.vertex_count(), threads, bend);
         geometry
+    }
+
+    /// The same with paths that cross these bridges between components.
+    #[must_use]
+    pub fn bridged(mut self, bridges: &Bridges) -> Self {
+        self.portals = Portals::new(bridges, |place| self.faces_at(&self.surface, place));
+        self
+    }
+
+    /// The portals that paths cross.
+    pub(crate) fn portals(&self) -> &Portals {
+        &self.portals
     }
 
     /// The surface that it was made of.
@@ -304,7 +319,7 @@ impl ExactGeometry {
     }
 
     /// The faces that a surface point lies on, with its weights in each.
-    pub(super) fn faces_at(&self, surface: &Surface, location: Place) -> Vec<(u32, [f64; 3])> {
+    pub(crate) fn faces_at(&self, surface: &Surface, location: Place) -> Vec<(u32, [f64; 3])> {
         let support: Vec<(VertexId, f64)> = location.support(surface).filter(|&(_, weight)| weight > ON_EDGE).collect();
         let &[(first, _), ref rest @ ..] = support.as_slice() else { return Vec::new() };
         surface

@@ -17,6 +17,8 @@ mod geometry;
 mod lists;
 mod origin;
 mod overlap;
+mod points;
+mod portals;
 mod queue;
 #[cfg(test)]
 mod samples;
@@ -32,6 +34,7 @@ use std::sync::Arc;
 pub(crate) use crossing::Crossing;
 pub use geometry::ExactGeometry;
 pub(crate) use geometry::{Side, after, before};
+pub(crate) use portals::Portals;
 pub(crate) use queue::Ring;
 pub use wavefront::Wavefront;
 pub(crate) use window::{Beam, Window, length};

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
-use super::wavefront::{Leaving, Wavefront};
+use super::portals::Portals;
+use super::wavefront::{Leaving, Root, Wavefront};
 use super::window::{Window, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{Place, VertexId};
+use heatwalk_surface::VertexId;
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
@@ -81,7 +82,30 @@ impl Wavefront {
                 self.leave(face * 3 + k as u32, all);
             }
         }
-        self.targets.see_straight(frame, face, weights, value, root);
+        self.see_straight(frame, face, weights, (value, root));
+    }
+
+    /// Offers the targets and the ends of portals in a face straight lines from a root there.
+    fn see_straight(&mut self, frame: &Frame, face: u32, weights: [f64; 3], root: (f64, u32)) {
+        self.targets.see_straight(frame, (face, weights), root, |_, _| ());
+        let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
+        self.ends.see_straight(frame, (face, weights), root, |end, value| queue.push(first + end, value));
+    }
+
+    /// Lets what has reached an end of a portal start anew at the other one, unless that is nearer by itself.
+    pub(super) fn emerge(&mut self, geometry: &ExactGeometry, end: u32) {
+        let portals = geometry.portals();
+        let other = Portals::across(end);
+        let value = self.ends.values[end as usize] + portals.gap(end);
+        if value >= self.ends.values[other as usize] {
+            return;
+        }
+        self.ends.values[other as usize] = value;
+        self.ends.origins[other as usize] = Origin::Portal;
+        let root = self.root_of_end(other);
+        for (face, weights) in geometry.faces_at(&self.surface, portals.places()[other as usize]) {
+            self.light_from_inside(face, weights, value, root);
+        }
     }
 
     /// Sends a window out of a face, cut by the values at the edge's ends.
@@ -126,12 +150,12 @@ impl Wavefront {
         }
     }
 
-    /// Whether a vertex is a source itself, which has sent windows everywhere.
+    /// Whether a vertex is a source itself, or the end of a portal, which have sent windows everywhere.
     fn is_source(&self, vertex: u32) -> bool {
         match self.origins[vertex as usize] {
-            Origin::Straight { root, .. } => (root as usize)
-                .checked_sub(self.values.len())
-                .is_some_and(|number| self.values[VertexId(vertex)] <= self.sources[number].initial_distance()),
+            Origin::Straight { root, .. } if !matches!(self.root(root), Root::Vertex(_)) => {
+                self.values[VertexId(vertex)] <= self.value_of_root(root)
+            }
             _ => false,
         }
     }
@@ -145,7 +169,7 @@ impl Wavefront {
             Some((frame, Turn { face, corner, is_reversed: false }))
         };
         match self.origins[vertex as usize] {
-            Origin::None => None,
+            Origin::None | Origin::Portal => None,
             Origin::Straight { face, root } => {
                 let (frame, start) = at_corner(face)?;
                 Some((start, frame.place(start.corner, self.weights_of_root(root, face)?)))
@@ -160,11 +184,7 @@ impl Wavefront {
 
     /// Barycentric weights in a face of a vertex or source that windows start from.
     pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
-        let location = match (root as usize).checked_sub(self.values.len()) {
-            Some(number) => self.sources[number].place(),
-            None => Place::Vertex(VertexId(root)),
-        };
-        let faces = self.geometry.faces_at(&self.surface, location);
+        let faces = self.geometry.faces_at(&self.surface, self.place_of_root(root));
         faces.into_iter().find(|&(found, _)| found == face).map(|(_, weights)| weights)
     }
 
@@ -195,7 +215,7 @@ impl Wavefront {
         self.offer(frame[last].vertex, value + frame[last].length, Origin::Straight { face, root });
         let mut weights = [0.0; 3];
         weights[k] = 1.0;
-        self.targets.see_straight(frame, face, weights, value, root);
+        self.see_straight(frame, face, weights, (value, root));
 
         let along = frame[out].length;
         // By the law of sines, measured from the edge's end, as the half-edge across runs.

@@ -2,7 +2,8 @@
 
 use super::geometry::{after, before};
 use super::origin::Origin;
-use super::wavefront::Wavefront;
+use super::portals::Portals;
+use super::wavefront::{Root, Wavefront};
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
@@ -76,7 +77,8 @@ impl Wavefront {
         // Values of vertices on the way fall strictly, so that each is passed once.
         loop {
             let (root, last_face) = match stop.origin {
-                Origin::None => return Err(Error::Unreachable),
+                // No path goes on from one portal to the next without a way between.
+                Origin::None | Origin::Portal => return Err(Error::Unreachable),
                 Origin::Straight { face, root } => (root, face),
                 Origin::Window { halfedge, root, at, x, depth } => {
                     let ray = Ray { halfedge, at, x, depth };
@@ -91,23 +93,27 @@ impl Wavefront {
                     }
                 }
             };
-            let location = self.location_of_root(root);
+            let location = self.place_of_root(root);
             if last_face != NONE {
                 trace.go(location, last_face);
             }
-            if root as usize >= self.values.len() {
-                break;
-            }
-            stop = self.at_vertex(root);
+            stop = match self.root(root) {
+                Root::Source(_) => break,
+                Root::Vertex(vertex) => self.at_vertex(vertex.0),
+                Root::End(end) => {
+                    let stop = self.at_end(Portals::across(end));
+                    let faces = self.geometry.faces_at(&self.surface, stop.location);
+                    trace.hop(stop.location, faces.first().map_or(0, |&(face, _)| face));
+                    stop
+                }
+            };
         }
         Ok(Path::new(&self.surface, trace.points))
     }
 
-    fn location_of_root(&self, root: u32) -> Place {
-        match (root as usize).checked_sub(self.values.len()) {
-            Some(number) => self.sources[number].place(),
-            None => Place::Vertex(VertexId(root)),
-        }
+    fn at_end(&self, end: u32) -> Stop {
+        let (ends, end) = (&self.ends, end as usize);
+        Stop { location: ends.locations[end], value: ends.values[end], origin: ends.origins[end] }
     }
 
     /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
@@ -175,6 +181,12 @@ impl Trace<'_> {
         self.points.push(PathPoint { position, location, face });
     }
 
+    /// Appends a point of another component, which begins in `face`.
+    fn hop(&mut self, location: Place, face: u32) {
+        let position = location.position(&self.front.surface);
+        self.points.push(PathPoint { position, location, face: FaceId(face) });
+    }
+
     /// Follows the straight line from a place back to a root, or to a vertex on it; `None` where it is lost.
     ///
     /// Where several faces lie across an edge the line is in one of them; the others do not meet the root at its
@@ -228,17 +240,14 @@ impl Trace<'_> {
         let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
         let value = front.values[VertexId(vertex)];
         let Origin::Window { root, .. } = start.origin else { return None };
-        let offset = match (root as usize).checked_sub(front.values.len()) {
-            Some(number) => front.sources[number].initial_distance(),
-            None => front.values[VertexId(root)],
-        };
+        let offset = front.value_of_root(root);
         (value < start.value && value <= offset + left + 2.0 * near).then_some(vertex)
     }
 
     /// Goes along edges to a root's nearest corner instead: where rounding lost the line. Returns the root.
     fn take_edges(&mut self, start: &Stop, root: u32) -> u32 {
         let front = self.front;
-        let goal = front.location_of_root(root).nearest_vertex(&front.surface);
+        let goal = front.place_of_root(root).nearest_vertex(&front.surface);
         let from = start.location.nearest_vertex(&front.surface);
         let path = dijkstra::nearest_goal(&front.surface, from, |vertex| vertex == goal).unwrap_or_default();
         for vertex in path {
@@ -247,7 +256,7 @@ impl Trace<'_> {
             let face = self.shared_face(last, next);
             self.go(next, face);
         }
-        let location = front.location_of_root(root);
+        let location = front.place_of_root(root);
         let face = self.shared_face(Place::Vertex(goal), location);
         self.go(location, face);
         root

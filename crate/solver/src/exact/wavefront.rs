@@ -4,9 +4,11 @@ use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
 use super::crossing::Crossing;
-use super::geometry::{ExactGeometry, after, before};
+use super::geometry::{ExactGeometry, Frame, after, before};
 use super::lists::Lists;
 use super::origin::Origin;
+use super::points::PointsInFaces;
+use super::portals::Portals;
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{Beam, Window, length};
@@ -27,6 +29,8 @@ pub struct Wavefront {
     pub(super) geometry: Arc<ExactGeometry>,
     pub(super) sources: Vec<Source>,
     pub(super) targets: Targets,
+    /// The ends of the portals.
+    pub(super) ends: Targets,
     /// `#V`.
     pub(super) values: VertexData<f64>,
     /// `#V`.
@@ -35,7 +39,7 @@ pub struct Wavefront {
     reached: Vec<VertexId>,
     /// Windows that wait to enter a face by each of its half-edges.
     pub(super) waiting: Lists,
-    /// Half-edges, then vertices that paths can bend at.
+    /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
     propagated: usize,
     /// Items of the queue that are processed now; kept for its memory.
@@ -75,14 +79,18 @@ impl Wavefront {
         let surface = Arc::clone(&geometry.surface);
         let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
         let base = base(&sources);
+        let portals = geometry.portals();
+        let ends = Targets::new(portals.places(), Arc::clone(portals.in_faces()));
+        let items = halfedges + vertices + portals.places().len();
         let mut wavefront = Self {
-            targets: Targets::new(&surface, &geometry, targets),
+            targets: targets_at(&geometry, targets),
+            ends,
             sources,
             values: vec![f64::INFINITY; vertices].into(),
             origins: vec![Origin::None; vertices],
             reached: Vec::new(),
             waiting: Lists::new(halfedges),
-            queue: Buckets::new(halfedges + vertices, base, BUCKET * surface.mean_edge()),
+            queue: Buckets::new(items, base, BUCKET * surface.mean_edge()),
             propagated: 0,
             batch: Vec::new(),
             crossing: Vec::new(),
@@ -105,7 +113,8 @@ impl Wavefront {
     }
 
     pub(crate) fn restart_checked(&mut self, sources: Vec<Source>) {
-        self.targets = Targets::new(&self.surface, &self.geometry, &[]);
+        self.targets = targets_at(&self.geometry, &[]);
+        self.ends.clear();
         for vertex in self.reached.drain(..) {
             self.values[vertex] = f64::INFINITY;
             self.origins[vertex.index()] = Origin::None;
@@ -126,7 +135,7 @@ impl Wavefront {
     /// the radius was reached.
     pub fn advance(&mut self, radius: f64, work: usize) -> bool {
         let enough = self.propagated.saturating_add(work);
-        let halfedges = self.waiting.len() as u32;
+        let [halfedges, vertices] = [self.waiting.len(), self.values.len()].map(|count| count as u32);
         let geometry = Arc::clone(&self.geometry);
         let mut batch = std::mem::take(&mut self.batch);
         while self.propagated < enough {
@@ -138,7 +147,10 @@ impl Wavefront {
             for &item in &batch {
                 match item.checked_sub(halfedges) {
                     None => self.cross(&geometry, item),
-                    Some(vertex) => self.bend_at(vertex),
+                    Some(other) => match other.checked_sub(vertices) {
+                        None => self.bend_at(other),
+                        Some(end) => self.emerge(&geometry, end),
+                    },
                 }
             }
         }
@@ -163,6 +175,11 @@ impl Wavefront {
     /// The surface that it grows on.
     pub fn surface(&self) -> &Arc<Surface> {
         &self.surface
+    }
+
+    /// The unfolded triangles that it crosses.
+    pub(crate) fn geometry(&self) -> &Arc<ExactGeometry> {
+        &self.geometry
     }
 
     /// Every value below this is final; infinity when all is done.
@@ -198,13 +215,68 @@ impl Wavefront {
     /// The number of the source that a root's distance comes from.
     pub(crate) fn source_of(&self, mut root: u32) -> u32 {
         loop {
-            if let Some(number) = (root as usize).checked_sub(self.values.len()) {
-                return number as u32;
-            }
-            root = match self.origins[root as usize] {
-                Origin::None => return u32::MAX,
-                Origin::Straight { root, .. } | Origin::Window { root, .. } => root,
+            let origin = match self.root(root) {
+                Root::Source(number) => return number as u32,
+                Root::Vertex(vertex) => self.origins[vertex.index()],
+                Root::End(end) => self.ends.origins[Portals::across(end) as usize],
             };
+            root = match origin {
+                Origin::Straight { root, .. } | Origin::Window { root, .. } => root,
+                Origin::None | Origin::Portal => return u32::MAX,
+            };
+        }
+    }
+
+    /// The number of the source that the distance of an end of a portal comes from.
+    pub(crate) fn source_of_end(&self, end: u32) -> u32 {
+        match self.ends.origins[end as usize] {
+            Origin::None => u32::MAX,
+            Origin::Portal => self.source_of(self.root_of_end(end)),
+            Origin::Straight { root, .. } | Origin::Window { root, .. } => self.source_of(root),
+        }
+    }
+
+    /// Distances at the ends of the portals; infinite where none has been found.
+    pub(crate) fn end_values(&self) -> &[f64] {
+        &self.ends.values
+    }
+
+    /// The distance at an end of a portal that the shortest path reaches through it.
+    pub(crate) fn entered(&self, end: u32) -> Option<f64> {
+        let Targets { values, origins, .. } = &self.ends;
+        (origins[end as usize] == Origin::Portal).then(|| values[end as usize])
+    }
+
+    /// What a root is the number of.
+    pub(super) fn root(&self, root: u32) -> Root {
+        let (vertices, sources) = (self.values.len() as u32, self.sources.len() as u32);
+        match root.checked_sub(vertices) {
+            None => Root::Vertex(VertexId(root)),
+            Some(number) if number < sources => Root::Source(number as usize),
+            Some(number) => Root::End(number - sources),
+        }
+    }
+
+    pub(super) fn root_of_end(&self, end: u32) -> u32 {
+        (self.values.len() + self.sources.len()) as u32 + end
+    }
+
+    /// The distance at a root.
+    #[cold]
+    pub(super) fn value_of_root(&self, root: u32) -> f64 {
+        match self.root(root) {
+            Root::Vertex(vertex) => self.values[vertex],
+            Root::Source(number) => self.sources[number].initial_distance(),
+            Root::End(end) => self.ends.values[end as usize],
+        }
+    }
+
+    /// Where a root is.
+    pub(super) fn place_of_root(&self, root: u32) -> Place {
+        match self.root(root) {
+            Root::Vertex(vertex) => Place::Vertex(vertex),
+            Root::Source(number) => self.sources[number].place(),
+            Root::End(end) => self.ends.locations[end as usize],
         }
     }
 
@@ -263,19 +335,21 @@ impl Wavefront {
 
         let mut windows = std::mem::take(&mut self.crossing);
         self.waiting.take(halfedge, &mut windows);
-        windows.retain_mut(|window| {
-            let is_current = self.values.get(VertexId(window.root)).is_none_or(|&value| value >= window.offset);
-            let crosses = is_current && window.clip(sides[0].length, [at_a, at_b]);
-            if crosses {
-                self.reach(halfedge, c, opposite, window);
+        let mut kept = 0;
+        for place in 0..windows.len() {
+            let mut window = windows[place];
+            let at_root = self.values.get(VertexId(window.root)).copied();
+            let is_current = at_root.unwrap_or_else(|| self.value_of_root(window.root)) >= window.offset;
+            if is_current && window.clip(sides[0].length, [at_a, at_b]) {
+                self.reach(halfedge, c, opposite, &window);
+                windows[kept] = window;
+                kept += 1;
             }
-            crosses
-        });
+        }
+        windows.truncate(kept);
         self.propagated += windows.len();
-        if self.targets.are_in(halfedge / 3) {
-            for window in &windows {
-                self.targets.see(frame, halfedge, &window.beam());
-            }
+        if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
+            self.see(frame, halfedge, &windows);
         }
 
         let at_c = self.values[VertexId(c)];
@@ -297,6 +371,16 @@ impl Wavefront {
         to_right.clear();
         self.leaving = [to_left, to_right];
         self.crossing = windows;
+    }
+
+    /// Offers the targets and the ends of portals in a half-edge's face the windows that enter there.
+    #[cold]
+    fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Window]) {
+        let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
+        for window in windows.iter().map(Window::beam) {
+            self.targets.see(frame, halfedge, &window, |_, _| ());
+            self.ends.see(frame, halfedge, &window, |end, value| queue.push(first + end, value));
+        }
     }
 
     /// Offers the corner opposite a half-edge the path through a window that enters there.
@@ -361,6 +445,22 @@ impl Leaving {
         self.windows.clear();
         self.nearest = f64::INFINITY;
     }
+}
+
+/// What windows start from, and straight lines.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Root {
+    /// One that paths bend at.
+    Vertex(VertexId),
+    /// The number of a source.
+    Source(usize),
+    /// An end of a portal, reached through the portal.
+    End(u32),
+}
+
+fn targets_at(geometry: &ExactGeometry, places: &[Place]) -> Targets {
+    let in_faces = PointsInFaces::new(places, |place| geometry.faces_at(geometry.surface(), place));
+    Targets::new(places, Arc::new(in_faces))
 }
 
 /// Where the queue begins.

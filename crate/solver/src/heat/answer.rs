@@ -129,6 +129,7 @@ impl Factorization {
             heat: Some(heat.clone().into()),
             sources,
             exact_below: region.radius,
+            crossings: Vec::new(),
         })
     }
 }

@@ -1,7 +1,8 @@
 //! Paths down the distance to the nearest source: face by face, along edges where gradients oppose, through vertices.
 //!
 //! The distance must fall at every step. Where no direction falls (a cut locus, a badly shaped triangle) the path
-//! takes edges to the nearest lower vertex, so that it always arrives.
+//! takes edges to the nearest lower vertex, so that it always arrives. Where the shortest path crosses a portal to another
+//! component, so does this one.
 
 use std::collections::HashMap;
 
@@ -30,7 +31,7 @@ pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Re
     // Each crossing is lower than the last. A path that still has not arrived after visiting every face this often is
     // among rounding errors, and edges take it the rest of the way.
     let mut crossings_left = 4 * surface.face_count();
-    while !descent.arrive() {
+    while !descent.has_arrived() {
         let next = if crossings_left > 0 { descent.steepest().or_else(|| descent.lowest_corner()) } else { None };
         match next {
             Some((location, face)) => descent.go(location, face),
@@ -41,27 +42,43 @@ pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Re
     Ok(Path::new(surface, descent.points))
 }
 
+/// A source, or a place where paths leave for another component.
+#[derive(Debug, Clone, Copy)]
+struct Goal {
+    place: Place,
+    /// The distance there.
+    distance: f64,
+    /// Where paths go on; `None` for a source.
+    leads_to: Option<Place>,
+}
+
 struct Descent<'a> {
     surface: &'a Surface,
     values: &'a VertexData<f64>,
-    /// Sources on each face from which they are seen along a straight line.
-    sources_of_face: HashMap<FaceId, Vec<Place>>,
+    /// Goals on each face from which they are seen along a straight line.
+    goals_of_face: HashMap<FaceId, Vec<Goal>>,
     location: Place,
     points: Vec<PathPoint>,
 }
 
 impl<'a> Descent<'a> {
     fn new(surface: &'a Surface, distance: &'a Distance, location: Place) -> Self {
-        let mut sources_of_face: HashMap<FaceId, Vec<Place>> = HashMap::new();
-        for &source in &distance.sources {
-            let source = source.snapped(surface);
-            for face in source.faces(surface) {
-                sources_of_face.entry(face).or_default().push(source);
+        let sources = distance.sources.iter().map(|&place| Goal { place, distance: 0.0, leads_to: None });
+        let crossings = distance.crossings.iter().map(|crossing| Goal {
+            place: crossing.from,
+            distance: crossing.distance,
+            leads_to: Some(crossing.to),
+        });
+        let mut goals_of_face: HashMap<FaceId, Vec<Goal>> = HashMap::new();
+        for goal in sources.chain(crossings) {
+            let place = goal.place.snapped(surface);
+            for face in place.faces(surface) {
+                goals_of_face.entry(face).or_default().push(Goal { place, ..goal });
             }
         }
         let face = location.faces(surface).first().copied().unwrap_or(FaceId(0));
         let points = vec![PathPoint { position: location.position(surface), location, face }];
-        Self { surface, values: &distance.values, sources_of_face, location, points }
+        Self { surface, values: &distance.values, goals_of_face, location, points }
     }
 
     fn value(&self) -> f64 {
@@ -78,23 +95,35 @@ impl<'a> Descent<'a> {
         self.location = location;
     }
 
-    /// Ends the path straight at the nearest source where one is in sight.
-    fn arrive(&mut self) -> bool {
+    /// Goes straight to goals while any is in sight. Whether the last was a source.
+    fn has_arrived(&mut self) -> bool {
+        while let Some((length, goal, face)) = self.nearest_goal() {
+            if length > 0.0 {
+                self.go(goal.place, face);
+            }
+            let Some(place) = goal.leads_to else { return true };
+            // Its distance is less than any here, so that no path comes back; but rounding shall not keep one.
+            self.goals_of_face.values_mut().for_each(|goals| goals.retain(|other| other.leads_to != Some(place)));
+            let face = place.faces(self.surface).first().copied().unwrap_or(face);
+            self.points.push(PathPoint { position: place.position(self.surface), location: place, face });
+            self.location = place;
+        }
+        false
+    }
+
+    /// The goal in sight that is nearest to its source by way of a straight line, the line's length, and a face that it is in.
+    fn nearest_goal(&self) -> Option<(f64, Goal, FaceId)> {
         let here = self.location.position(self.surface);
-        let mut nearest: Option<(f64, Place, FaceId)> = None;
+        let mut nearest: Option<(f64, Goal, FaceId)> = None;
         for face in self.location.faces(self.surface) {
-            for &source in self.sources_of_face.get(&face).into_iter().flatten() {
-                let distance = triangle::length(source.position(self.surface) - here);
-                if nearest.is_none_or(|(best, ..)| distance < best) {
-                    nearest = Some((distance, source, face));
+            for &goal in self.goals_of_face.get(&face).into_iter().flatten() {
+                let length = triangle::length(goal.place.position(self.surface) - here);
+                if nearest.is_none_or(|(best, other, _)| length + goal.distance < best + other.distance) {
+                    nearest = Some((length, goal, face));
                 }
             }
         }
-        let Some((distance, source, face)) = nearest else { return false };
-        if distance > 0.0 {
-            self.go(source, face);
-        }
-        true
+        nearest
     }
 
     /// The next crossing along the steepest direction, where it is lower than here.
@@ -161,17 +190,20 @@ impl<'a> Descent<'a> {
         (self.values[vertex] < self.value()).then_some((Place::Vertex(vertex), face))
     }
 
-    /// Follows edges to the nearest vertex that is lower than here, or that sees a source: any component with a finite
+    /// Follows edges to the nearest vertex that is lower than here, or that sees a goal: any component with a finite
     /// distance has one. With `to_lower` false, only the latter will do.
     fn escape(&mut self, to_lower: bool) {
         let value = self.value();
         let start = self.location.nearest_vertex(self.surface);
         let goal = |vertex: VertexId| {
             to_lower && self.values[vertex] < value
-                || self.surface.corners_of_vertex(vertex).any(|(face, _)| self.sources_of_face.contains_key(&face))
+                || self
+                    .surface
+                    .corners_of_vertex(vertex)
+                    .any(|(face, _)| self.goals_of_face.get(&face).is_some_and(|goals| !goals.is_empty()))
         };
         let path = dijkstra::nearest_goal(self.surface, start, goal)
-            .expect("a finite distance means a source on the same connected component");
+            .expect("a finite distance means a source or a portal on the same connected component");
         for vertex in path {
             let shared = self
                 .location

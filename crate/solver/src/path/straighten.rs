@@ -31,18 +31,25 @@ const LONGEST_WORK: usize = 1000;
 
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
 ///
-/// Every segment of the result is straight once the faces that it goes through are unfolded, and at every vertex between
+/// Where it crosses portals, it still does. Every segment of the result is straight once the faces that it goes through are unfolded, and at every vertex between
 /// its ends all turns around it within the surface are π at least.
 ///
 /// # Errors
 /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a path on another surface.
 pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
-    let Some(mut chain) = Chain::new(surface, path) else { return Ok(path.clone()) };
+    let pieces = path.points.chunk_by(|a, b| b.location.faces(surface).contains(&a.face));
+    let straight = pieces.map(|piece| straightened(surface, &Path::new(surface, piece.to_vec())).points);
+    Ok(Path::new(surface, straight.flatten().collect()))
+}
+
+/// The same for a path on one component.
+fn straightened(surface: &Surface, path: &Path) -> Path {
+    let Some(mut chain) = Chain::new(surface, path) else { return path.clone() };
     chain.shorten(LONGEST_WORK * path.points.len());
     let straight = Path::new(surface, chain.points());
     // Where it was straight already, rounding may make it longer.
-    Ok(if straight.length() <= path.length() { straight } else { path.clone() })
+    if straight.length() <= path.length() { straight } else { path.clone() }
 }
 
 /// A vertex that the path goes through, or one of its ends.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::labels::{Bar, Count, Fixed, Labels};
 use crate::error::Result;
-use crate::exact::{Beam, Crossing, ExactGeometry, Ring, Side, Wavefront, after, before, length};
+use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
 use heatwalk_surface::{Surface, VertexData, VertexId};
 
@@ -36,6 +36,9 @@ pub(super) trait Grow: Debug + Send + Sync {
     /// Number of the source that a vertex's value comes from, [`NOWHERE`] where it has not been reached.
     fn nearest(&self, vertex: VertexId) -> u32;
 
+    /// The distance at an end of a portal that paths reach through it.
+    fn entered(&self, end: u32) -> Option<f64>;
+
     /// Windows that have crossed a face.
     fn crossed(&self) -> usize;
 }
@@ -63,8 +66,10 @@ struct Front<C> {
     labels: Labels<C>,
     /// Half-edges where windows wait. What is pushed twice waits twice, and the second time finds nothing to do.
     crossing: Ring,
-    /// Vertices that have to send windows; likewise.
+    /// Vertices that have to send windows, and after them ends of portals; likewise.
     sending: Ring,
+    /// The ends of the portals.
+    ends: Vec<End>,
     /// `#V`, whether a vertex has still to send windows.
     waits: Vec<bool>,
     crossed: usize,
@@ -81,6 +86,7 @@ impl<C: Count> Front<C> {
             labels: Labels::new(3 * surface.face_count(), stretches, surface.mean_edge(), geometry.threads)?,
             crossing: Ring::new(0.0, BUCKET * surface.mean_edge()),
             sending: Ring::new(0.0, BUCKET * surface.mean_edge()),
+            ends: Vec::new(),
             waits: Vec::new(),
             crossed: 0,
             batch: Vec::new(),
@@ -146,6 +152,9 @@ impl<C: Count> Front<C> {
             let crossing = Crossing::new(beam, opposite);
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
             self.offer(c, beam.at(at) + length(opposite[0] - at, opposite[1]), beam.root);
+            if !self.ends.is_empty() {
+                self.see(geometry, halfedge, &beam);
+            }
             let at_c = self.values[VertexId(c)];
             let first = halfedge - k as u32;
             if let Some(beam) = crossing.to_left(sides) {
@@ -167,6 +176,11 @@ impl<C: Count> Front<C> {
         }
         let (value, source) = (self.values[VertexId(vertex)], self.nearest[VertexId(vertex)]);
         for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
+            if !self.ends.is_empty() {
+                let mut weights = [0.0; 3];
+                weights[k] = 1.0;
+                self.see_straight(geometry, (face.0, weights), value, source);
+            }
             let [from, out, last] = geometry.frame(face.0).seen_from(k);
             self.offer(out.vertex, value + from.length, source);
             // Where another face lies there, it has offered that.
@@ -181,6 +195,62 @@ impl<C: Count> Front<C> {
             let (x, depth) = (last.length * last.cos, from.length * out.sin);
             let beam = Beam { begin: 0.0, end: out.length, x, depth, offset: value, root: source };
             self.leave(geometry, 3 * face.0 + after(k) as u32, out, &beam, ends);
+        }
+    }
+
+    /// Offers the ends of portals in a half-edge's face the path through a window that enters there.
+    #[cold]
+    fn see(&mut self, geometry: &ExactGeometry, halfedge: u32, beam: &Beam) {
+        let (frame, k) = geometry.frame_of(halfedge);
+        for point in geometry.portals().in_faces().in_face(halfedge / 3) {
+            let [x, y] = frame.place(k, point.weights);
+            let crosses = beam.x + (x - beam.x) * beam.depth / (beam.depth + y);
+            let at = smaller(larger(crosses, beam.begin), beam.end);
+            self.offer_end(point.point as u32, beam.at(at) + length(x - at, y), beam.root);
+        }
+    }
+
+    /// Offers the ends of portals in a face straight lines from a place there.
+    #[cold]
+    fn see_straight(&mut self, geometry: &ExactGeometry, (face, from): (u32, [f64; 3]), value: f64, source: u32) {
+        let frame = geometry.frame(face);
+        for point in geometry.portals().in_faces().in_face(face) {
+            let [a, b] = [from, point.weights].map(|weights| frame.place(0, weights));
+            self.offer_end(point.point as u32, value + length(a[0] - b[0], a[1] - b[1]), source);
+        }
+    }
+
+    fn offer_end(&mut self, end: u32, value: f64, source: u32) {
+        let known = &mut self.ends[end as usize];
+        if value < known.value {
+            *known = End { value, source, is_entered: false };
+            self.sending.push(self.waits.len() as u32 + end, value);
+        }
+    }
+
+    /// Lets what has reached an end of a portal start anew at the other one, unless that is nearer by itself.
+    fn emerge(&mut self, geometry: &ExactGeometry, surface: &Surface, end: u32) {
+        let (portals, other) = (geometry.portals(), Portals::across(end));
+        let End { value, source, .. } = self.ends[end as usize];
+        let value = value + portals.gap(end);
+        if value >= self.ends[other as usize].value {
+            return;
+        }
+        self.ends[other as usize] = End { value, source, is_entered: true };
+        for (face, weights) in geometry.faces_at(surface, portals.places()[other as usize]) {
+            let frame = geometry.frame(face);
+            for k in 0..3 {
+                let [x, depth] = frame.place(k, weights);
+                self.offer(frame[k].vertex, value + length(x, depth), source);
+                if depth > 0.0 {
+                    let side = &frame[k];
+                    let ends = self.distances([frame[after(k)].vertex, side.vertex]);
+                    let beam =
+                        Beam { begin: 0.0, end: side.length, x: side.length - x, depth, offset: value, root: source };
+                    self.leave(geometry, 3 * face + k as u32, side, &beam, ends);
+                }
+            }
+            self.see_straight(geometry, (face, weights), value, source);
         }
     }
 
@@ -227,6 +297,19 @@ impl<C: Count> Grow for Front<C> {
         self.crossing.clear(exact.base(), |_| ());
         self.sending.clear(exact.base(), |_| ());
         self.crossed = 0;
+        let found = (0..).zip(exact.end_values());
+        self.ends = found
+            .map(|(end, &value)| End {
+                value,
+                source: exact.source_of_end(end),
+                is_entered: exact.entered(end).is_some(),
+            })
+            .collect();
+        for (end, &value) in (0..).zip(exact.end_values()) {
+            if value < f64::INFINITY && value >= exact.radius() {
+                self.sending.push(vertices as u32 + end, value);
+            }
+        }
         for &vertex in exact.reached() {
             let value = exact.values()[vertex];
             self.values[vertex] = value;
@@ -247,6 +330,7 @@ impl<C: Count> Grow for Front<C> {
     fn advance(&mut self, radius: f64, work: usize) {
         let enough = self.crossed.saturating_add(work);
         let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
+        let vertices = self.waits.len() as u32;
         let mut batch = std::mem::take(&mut self.batch);
         while self.crossed < enough && self.radius() < radius {
             // Vertices wait for the windows of their bucket, which may bring them shorter paths.
@@ -257,8 +341,11 @@ impl<C: Count> Grow for Front<C> {
             }
             if batch.is_empty() {
                 self.sending.pop_some(smaller(radius, self.crossing.ceiling()), BATCH, &mut batch);
-                for &vertex in &batch {
-                    self.emit(&geometry, &surface, vertex);
+                for &item in &batch {
+                    match item.checked_sub(vertices) {
+                        None => self.emit(&geometry, &surface, item),
+                        Some(end) => self.emerge(&geometry, &surface, end),
+                    }
                 }
             }
         }
@@ -277,9 +364,23 @@ impl<C: Count> Grow for Front<C> {
         self.nearest[vertex]
     }
 
+    fn entered(&self, end: u32) -> Option<f64> {
+        Some(self.ends[end as usize]).filter(|end| end.is_entered).map(|end| end.value)
+    }
+
     fn crossed(&self) -> usize {
         self.crossed
     }
+}
+
+/// What is known of an end of a portal.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    value: f64,
+    /// Number of the source that it comes from.
+    source: u32,
+    /// Whether it was reached through the portal.
+    is_entered: bool,
 }
 
 /// So many copies of a value, in memory that is there already.

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 pub use options::{ALL, ExactSearch, PropagationOptions, Windows};
 
-use crate::distance::Distance;
+use crate::distance::{Distance, PortalCrossing};
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront};
 use front::{Grow, NOWHERE, front};
@@ -173,6 +173,16 @@ impl Propagation {
     /// The distance, as it is now.
     pub fn distance(&self) -> Distance {
         Distance::of_paths(self.surface(), self.values().clone(), self.exact.sources(), self.exact_below())
+            .crossing(self.crossings())
+    }
+
+    /// The portals that shortest paths cross.
+    fn crossings(&self) -> Vec<PortalCrossing> {
+        let front = self.beyond();
+        self.geometry.portals().crossings(|end| match front {
+            Some(front) => front.entered(end),
+            None => self.exact.entered(end),
+        })
     }
 }
 

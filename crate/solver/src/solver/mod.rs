@@ -15,12 +15,13 @@ use std::sync::Arc;
 pub use answer::Answer;
 pub use options::DistanceOptions;
 
+use crate::bridged::CarriedSources;
 use crate::error::{Error, Result};
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::progress::{Step, Steps};
-use heatwalk_surface::{Source, Surface, ToSource, parallel};
+use heatwalk_surface::{Bridges, Source, Surface, ToSource, parallel};
 use search::Search;
 
 /// Distances on a surface by any [`Method`].
@@ -29,6 +30,8 @@ pub struct DistanceSolver {
     surface: Arc<Surface>,
     /// Those that make the geometry.
     threads: NonZeroUsize,
+    /// What paths cross from one component to another.
+    bridges: Bridges,
     geometry: Option<Arc<ExactGeometry>>,
     heat: Option<HeatSolver>,
     /// One for each thread that has answered.
@@ -43,7 +46,20 @@ impl DistanceSolver {
 
     /// The same, to unfold triangles on so many threads. It makes no difference to the answers how many.
     pub fn on_threads(surface: impl Into<Arc<Surface>>, threads: NonZeroUsize) -> Self {
-        Self { surface: surface.into(), threads, geometry: None, heat: None, searches: Vec::new() }
+        Self {
+            surface: surface.into(),
+            threads,
+            bridges: Bridges::default(),
+            geometry: None,
+            heat: None,
+            searches: Vec::new(),
+        }
+    }
+
+    /// The same with distances and paths that cross these bridges of the surface.
+    #[must_use]
+    pub fn bridged(self, bridges: Bridges) -> Self {
+        Self { bridges, geometry: None, ..self }
     }
 
     /// Makes what a method needs before its first question: factors for [`Method::Heat`], the unfolded triangles for the
@@ -75,7 +91,8 @@ impl DistanceSolver {
         options.check()?;
         let sources = self.checked(sources)?;
         let Some(propagation) = options.propagation(self.surface.face_count()) else {
-            return by_heat(self.factored(options.heat, progress)?, &sources);
+            let carried = self.carried(&sources)?;
+            return by_heat(self.factored(options.heat, progress)?, &carried);
         };
         let geometry = Arc::clone(self.exact_geometry());
         self.searches(1)[0].answer(&geometry, &sources, (options, propagation), progress)
@@ -100,8 +117,9 @@ impl DistanceSolver {
         let sources = self.checked(sources)?;
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
         let Some(propagation) = options.propagation(self.surface.face_count()) else {
+            let carried = sources.iter().map(|&source| self.carried(&[source])).collect::<Result<Vec<_>>>()?;
             let mut solvers = vec![self.factored(options.heat, progress)?; threads];
-            let answer = |solver: &mut &HeatSolver, question: usize| by_heat(solver, &[sources[question]]);
+            let answer = |solver: &mut &HeatSolver, question: usize| by_heat(solver, &carried[question]);
             return questions::answers(&mut solvers, count, answer, progress);
         };
         let geometry = Arc::clone(self.exact_geometry());
@@ -119,11 +137,17 @@ impl DistanceSolver {
 
     /// What exact distances and paths need of the surface, made here unless it was before.
     pub fn exact_geometry(&mut self) -> &Arc<ExactGeometry> {
-        let (surface, heat, threads) = (&self.surface, &self.heat, self.threads);
+        let Self { surface, heat, bridges, threads, .. } = self;
         self.geometry.get_or_insert_with(|| match heat {
-            Some(heat) => Arc::clone(heat.exact_geometry()),
-            None => Arc::new(ExactGeometry::on_threads(Arc::clone(surface), threads)),
+            Some(heat) if bridges.portals().is_empty() => Arc::clone(heat.exact_geometry()),
+            _ => Arc::new(ExactGeometry::on_threads(Arc::clone(surface), *threads).bridged(bridges)),
         })
+    }
+
+    /// The sources that heat flows from. Without bridges they are those given.
+    fn carried(&mut self, sources: &[Source]) -> Result<CarriedSources> {
+        let geometry = Arc::clone(self.exact_geometry());
+        CarriedSources::new(&geometry, sources)
     }
 
     /// The solver of [`Method::Heat`], with the parameters of its last question; `None` before the first.
@@ -158,6 +182,7 @@ impl DistanceSolver {
     }
 }
 
-fn by_heat(solver: &HeatSolver, sources: &[Source]) -> Result<Answer> {
-    Ok(Answer { distance: solver.distance(sources)?, method: Method::Heat, windows: 0 })
+fn by_heat(solver: &HeatSolver, carried: &CarriedSources) -> Result<Answer> {
+    let distance = carried.distance(solver.distance(carried.sources())?);
+    Ok(Answer { distance, method: Method::Heat, windows: 0 })
 }

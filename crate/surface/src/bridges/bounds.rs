@@ -1,0 +1,72 @@
+//! Axis-aligned boxes.
+
+use glam::DVec3;
+
+/// Least and greatest corner of an axis-aligned box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    pub low: DVec3,
+    pub high: DVec3,
+}
+
+impl Bounds {
+    /// The box of nothing.
+    pub const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+
+    /// The least box that holds these points.
+    #[inline]
+    pub fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let with = |bounds: Self, point| Self { low: bounds.low.min(point), high: bounds.high.max(point) };
+        points.into_iter().fold(Self::EMPTY, with)
+    }
+
+    /// The least box that holds both.
+    #[must_use]
+    #[inline]
+    pub fn around(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The box that reaches farther by this much to every side.
+    #[must_use]
+    #[inline]
+    pub fn grown(self, margin: f64) -> Self {
+        Self { low: self.low - margin, high: self.high + margin }
+    }
+
+    /// Length of its diagonal.
+    #[inline]
+    pub fn diagonal(self) -> f64 {
+        (self.high - self.low).length()
+    }
+
+    /// Whether a point is in it.
+    #[inline]
+    pub fn holds(self, point: DVec3) -> bool {
+        point.cmpge(self.low).all() && point.cmple(self.high).all()
+    }
+
+    /// Square of the least distance between points of both.
+    #[inline]
+    pub fn squared_distance(self, other: Self) -> f64 {
+        (other.low - self.high).max(self.low - other.high).max(DVec3::ZERO).length_squared()
+    }
+
+    /// The shares of the way from `start` to `end` between which the segment is in it.
+    pub fn clip(self, [start, end]: [DVec3; 2]) -> Option<[f64; 2]> {
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for axis in 0..3 {
+            let along = end[axis] - start[axis];
+            let [low, high] = [self.low[axis] - start[axis], self.high[axis] - start[axis]];
+            if along == 0.0 {
+                if low > 0.0 || high < 0.0 {
+                    return None;
+                }
+            } else {
+                enters = enters.max((low / along).min(high / along));
+                leaves = leaves.min((low / along).max(high / along));
+            }
+        }
+        (enters <= leaves).then_some([enters, leaves])
+    }
+}

@@ -1,0 +1,101 @@
+//! Which components are joined.
+
+use std::collections::HashMap;
+
+use super::bounds::Bounds;
+use super::hierarchy::Hierarchy;
+use super::portals::portals;
+use super::scene::Scene;
+use super::search::{Candidate, Tolerance, distances, search};
+use super::{BridgeRule, Bridges, Portal};
+use crate::surface::Surface;
+use crate::union_find::UnionFind;
+
+/// Components may be apart by this share of the diagonal of the scene; groups that are separate still, by the second one.
+const OF_SCENE: [f64; 2] = [1e-3, 3e-3];
+
+/// And by this share of the diagonal of the smaller one.
+const OF_SMALLER: f64 = 0.05;
+
+/// Where a distance is given, portals of a contact are wider than its narrowest place by this share of the diagonal of the
+/// scene at most: of components that are far apart, hardly any place is of use.
+const SLACK: f64 = 0.01;
+
+/// No distance that is given counts for more than this share of the diagonal of the scene: time and memory grow with the
+/// number of pairs of components within it.
+const WIDEST: f64 = 0.05;
+
+impl Bridges {
+    /// Finds where components of a surface pierce each other, touch or come near, and the portals there.
+    ///
+    /// [`BridgeRule::Automatic`] joins components that pierce each other or are apart by no more than 0.1 % of the diagonal of
+    /// the surface's bounding box and 5 % of that of the smaller component; then groups that are still separate, by no more
+    /// than 0.3 % and 5 % of the smaller group. One larger tolerance would join what is meant to be apart.
+    ///
+    /// With [`BridgeRule::Within`], portals of a contact are wider than its narrowest one by no more than 1 % of the diagonal of
+    /// the bounding box, and a distance of more than 5 % of that diagonal counts as 5 %: time and memory grow with the number
+    /// of pairs of components within it.
+    ///
+    /// Portals of a contact are a mean edge of the finer component apart, but at most 0.75 % of the diagonal of the surface's
+    /// bounding box. What rounding of the positions may have moved apart touches.
+    #[must_use]
+    pub fn find(surface: &Surface, rule: BridgeRule) -> Self {
+        if rule == BridgeRule::Off || surface.report().components < 2 {
+            return Self::new(surface, Vec::new());
+        }
+        let scene = Scene::new(surface);
+        let hierarchy = Hierarchy::new(&scene);
+        let alone = (0..scene.bounds.len() as u32).collect();
+        let mut candidates = match rule {
+            BridgeRule::Within(distance) => {
+                let most = scene.in_scene_unit(distance.max(0.0)).min(WIDEST);
+                let mut within = tolerance(&scene, alone, f64::INFINITY, most, SLACK);
+                if most > SLACK {
+                    within.least = distances(&scene, &hierarchy, &within);
+                }
+                // Where no component is near another, there is nothing to look for.
+                if most > SLACK && within.least.is_empty() { Vec::new() } else { search(&scene, &hierarchy, &within) }
+            }
+            _ => {
+                let [near, farther] = OF_SCENE;
+                let first = tolerance(&scene, alone, OF_SMALLER, near, near);
+                let mut candidates = search(&scene, &hierarchy, &first);
+                let groups = groups(first.set, &candidates);
+                if groups.iter().any(|&group| group != 0) {
+                    let second = tolerance(&scene, groups, OF_SMALLER, farther, farther);
+                    candidates.extend(search(&scene, &hierarchy, &second));
+                }
+                candidates
+            }
+        };
+        // Gaps that differ by rounding alone are equal.
+        let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
+        candidates.sort_by(|a, b| {
+            let by_gap = gap(a).total_cmp(&gap(b));
+            a.components.cmp(&b.components).then(by_gap).then(a.faces.cmp(&b.faces))
+        });
+        let contacts = candidates.chunk_by(|a, b| a.components == b.components);
+        let contact = |own: &[Candidate]| -> ([u32; 2], Vec<Portal>) { (own[0].components, portals(&scene, own)) };
+        Self::new(surface, contacts.map(contact).collect())
+    }
+}
+
+/// How far apart sets of components may be, given as shares of the diagonals of the smaller one and of the scene.
+fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64, slack: f64) -> Tolerance {
+    let mut bounds = vec![Bounds::EMPTY; set.len()];
+    for (&set, &own) in set.iter().zip(&scene.bounds) {
+        bounds[set as usize] = bounds[set as usize].around(own);
+    }
+    let diagonals = bounds.into_iter().map(Bounds::diagonal).collect();
+    let rounding = scene.rounding;
+    Tolerance { set, diagonals, share, most, slack: slack + rounding, least: HashMap::new(), rounding }
+}
+
+/// The sets that become one by what was found, each named by its least one.
+fn groups(sets: Vec<u32>, found: &[Candidate]) -> Vec<u32> {
+    let joined = UnionFind::new(sets.len());
+    for candidate in found {
+        joined.join(candidate.components[0], candidate.components[1]);
+    }
+    sets.into_iter().map(|set| joined.least(set)).collect()
+}

@@ -1,0 +1,106 @@
+//! A bounding volume hierarchy over the triangles of all components: component after component along a Morton curve, the
+//! triangles of each along one of their own, in leaves of a few, under a complete binary tree (Lauterbach and others, "Fast
+//! BVH construction on GPUs", 2009). Nearly every box holds a single component.
+
+use super::bounds::Bounds;
+use super::scene::Scene;
+use super::triangles::longest_side;
+use crate::order::along_curve;
+use crate::parallel;
+
+/// Triangles of a leaf, but for the last one.
+const LEAF: usize = 4;
+
+/// A triangle of the hierarchy.
+#[derive(Clone, Copy)]
+pub struct Item {
+    /// Length of its longest side.
+    pub longest: f64,
+    pub face: u32,
+    pub component: u32,
+}
+
+/// A box of the hierarchy.
+#[derive(Clone, Copy)]
+pub struct Node {
+    pub bounds: Bounds,
+    /// The greatest length of a triangle's longest side.
+    pub longest: f64,
+    /// The component of all its triangles, if they are of one.
+    pub component: Option<u32>,
+}
+
+impl Node {
+    fn around(self, other: Self) -> Self {
+        Self {
+            bounds: self.bounds.around(other.bounds),
+            longest: self.longest.max(other.longest),
+            component: self.component.filter(|_| self.component == other.component),
+        }
+    }
+}
+
+/// What is below a node.
+pub enum Below<'a> {
+    Nodes([usize; 2]),
+    Items(&'a [Item]),
+}
+
+/// The triangles of a scene in boxes.
+pub struct Hierarchy {
+    items: Vec<Item>,
+    /// The root, then the children of node `i` at `2 i + 1` and `2 i + 2`; the leaves come last.
+    nodes: Vec<Node>,
+}
+
+impl Hierarchy {
+    /// Of a scene that has triangles.
+    pub fn new(scene: &Scene) -> Self {
+        let centre = |component: usize| 0.5 * (scene.bounds[component].low + scene.bounds[component].high);
+        let mut items = Vec::with_capacity(scene.surface.face_count());
+        for component in along_curve(scene.bounds.len(), centre, parallel::ONE) {
+            let faces = scene.faces_of(component as usize);
+            let middle = |index: usize| scene.triangle(faces[index]).iter().sum();
+            for index in along_curve(faces.len(), middle, parallel::ONE) {
+                let face = faces[index as usize];
+                items.push(Item { longest: longest_side(&scene.triangle(face)), face, component });
+            }
+        }
+        let of_item = |item: &Item| Node {
+            bounds: Bounds::of_points(scene.triangle(item.face)),
+            longest: item.longest,
+            component: Some(item.component),
+        };
+        let leaves = items.chunks(LEAF).filter_map(|leaf| leaf.iter().map(of_item).reduce(Node::around));
+        let inner = items.len().div_ceil(LEAF) - 1;
+        let empty = Node { bounds: Bounds::EMPTY, longest: 0.0, component: None };
+        let mut nodes = vec![empty; inner];
+        nodes.extend(leaves);
+        for node in (0..inner).rev() {
+            nodes[node] = nodes[2 * node + 1].around(nodes[2 * node + 2]);
+        }
+        Self { items, nodes }
+    }
+
+    /// All triangles: neighbours in it are neighbours in space.
+    pub fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// A node; 0 is the root.
+    #[inline]
+    pub fn node(&self, node: usize) -> &Node {
+        &self.nodes[node]
+    }
+
+    /// What is below it.
+    #[inline]
+    pub fn below(&self, node: usize) -> Below<'_> {
+        let inner = self.nodes.len() / 2;
+        if node < inner {
+            return Below::Nodes([2 * node + 1, 2 * node + 2]);
+        }
+        let first = LEAF * (node - inner);
+        Below::Items(&self.items[first..self.items.len().min(first + LEAF)])
+    }
+}

@@ -1,0 +1,95 @@
+//! Bridges between connected components that touch, pierce or nearly touch each other.
+//!
+//! Models are assembled of parts that share no vertex: each is a component of its own, and no path on the surface leads from one
+//! to another. Portals let distance and paths across.
+
+mod bounds;
+mod find;
+mod hierarchy;
+mod portals;
+mod rule;
+mod scene;
+mod search;
+#[cfg(test)]
+mod tests;
+mod triangles;
+
+pub use rule::BridgeRule;
+
+use crate::point::Place;
+use crate::surface::Surface;
+use crate::union_find::UnionFind;
+
+/// A place to cross from one component to another, either way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Portal {
+    /// Points of two components.
+    pub ends: [Place; 2],
+    /// Distance between them in space, in the file's unit: what crossing costs.
+    pub gap: f64,
+}
+
+/// Where two components meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Contact {
+    /// The components, the lower number first.
+    pub components: [u32; 2],
+    /// The first of the contact's portals.
+    pub first: u32,
+    /// How many it has.
+    pub count: u32,
+}
+
+/// What joins the components of a surface.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Bridges {
+    /// Contact after contact.
+    portals: Vec<Portal>,
+    contacts: Vec<Contact>,
+    /// `#components`, the number of the group of each, from 0; empty for no surface in particular.
+    groups: Vec<u32>,
+}
+
+impl Bridges {
+    /// Of a surface's contacts: two components, the lower number first, and their portals.
+    pub fn new(surface: &Surface, contacts: Vec<([u32; 2], Vec<Portal>)>) -> Self {
+        let components = surface.report().components;
+        let sets = UnionFind::new(components);
+        let mut bridges = Self::default();
+        for (components, portals) in contacts {
+            let [first, count] = [bridges.portals.len(), portals.len()].map(|number| number as u32);
+            sets.join(components[0], components[1]);
+            bridges.contacts.push(Contact { components, first, count });
+            bridges.portals.extend(portals);
+        }
+        let mut groups = 0;
+        for component in 0..components as u32 {
+            // The least component of a group comes first.
+            let least = sets.least(component);
+            let group = bridges.groups.get(least as usize).copied().unwrap_or(groups);
+            groups += u32::from(least == component);
+            bridges.groups.push(group);
+        }
+        bridges
+    }
+
+    /// Components that are joined count once.
+    pub fn group_count(&self) -> usize {
+        self.groups.iter().max().map_or(0, |&last| last as usize + 1)
+    }
+
+    /// Contact after contact.
+    pub fn portals(&self) -> &[Portal] {
+        &self.portals
+    }
+
+    /// Pairs of components that meet.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// The group of a component: components of one group are reached from each other.
+    pub fn group(&self, component: u32) -> u32 {
+        self.groups.get(component as usize).copied().unwrap_or(component)
+    }
+}

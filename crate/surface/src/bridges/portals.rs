@@ -1,0 +1,131 @@
+//! The portals of a contact: few of the places that were found, but everywhere.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::Portal;
+use super::scene::Scene;
+use super::search::Candidate;
+use super::triangles;
+use crate::element::FaceId;
+use crate::point::Place;
+use crate::triangle::{area_vector, unit};
+
+/// Faces whose normals have less than this cosine look away from each other: the two sides of a plate. However near they are,
+/// a portal on one of them leads to nowhere on the other.
+const OPPOSITE: f64 = -0.5;
+
+/// Portals that are nearer to each other than this share of the spacing are the same.
+const SAME: f64 = 0.05;
+
+/// A contact has so many portals, where there are places for them.
+const LEAST: usize = 3;
+
+/// What tells two candidates of a contact apart.
+#[derive(Clone, Copy)]
+struct Spot {
+    point: DVec3,
+    /// Of the faces of both components.
+    normals: [DVec3; 2],
+    gap: f64,
+}
+
+impl Spot {
+    fn new(scene: &Scene, candidate: &Candidate) -> Self {
+        let corners = candidate.faces.map(|face| scene.triangle(face));
+        let [first, second] = [0, 1].map(|of| triangles::point(&corners[of], candidate.weights[of]));
+        let normals = corners.map(|corners| unit(area_vector(corners)));
+        Self { point: 0.5 * (first + second), normals, gap: candidate.gap }
+    }
+
+    /// Whether a portal at the one does what one at the other would.
+    fn stands_for(&self, other: &Self, spacing: f64) -> bool {
+        let is_same_side = |of: usize| self.normals[of].dot(other.normals[of]) > OPPOSITE;
+        self.point.distance_squared(other.point) < spacing * spacing && is_same_side(0) && is_same_side(1)
+    }
+}
+
+/// The portals of one contact. The candidates come in order of their gaps.
+pub fn portals(scene: &Scene, candidates: &[Candidate]) -> Vec<Portal> {
+    let spots: Vec<Spot> = candidates.iter().map(|candidate| Spot::new(scene, candidate)).collect();
+    let spacing = scene.spacing(candidates[0].components);
+    thinned(&spots, spacing).into_iter().map(|index| portal(scene, &candidates[index])).collect()
+}
+
+/// A portal at a candidate.
+fn portal(scene: &Scene, candidate: &Candidate) -> Portal {
+    let end = |of: usize| {
+        let weights = candidate.weights[of].map(|weight| weight.max(0.0));
+        let sum: f64 = weights.iter().sum();
+        let weights = weights.map(|weight| weight / sum);
+        Place::Face { face: FaceId(candidate.faces[of]), weights }.snapped(scene.surface)
+    };
+    let ends = [end(0), end(1)];
+    let gap = scene.in_file_unit(scene.point(ends[0]).distance(scene.point(ends[1])));
+    Portal { ends, gap }
+}
+
+/// The numbers of the spots that are kept: the first one, the ends of the places that are as near as it, and whatever none of
+/// those kept before stands for, in order; more where these are too few. The spots come in order of their gaps.
+fn thinned(spots: &[Spot], spacing: f64) -> Vec<usize> {
+    let nearest = spots.partition_point(|spot| spot.gap <= spots[0].gap + SAME * spacing);
+    let mut kept = vec![0];
+    if let Some(end) = farthest(&spots[..nearest], &[0], SAME * spacing) {
+        kept.push(end);
+        // The farthest from one end is the other; the first one may be it.
+        kept.extend(farthest(&spots[..nearest], &[end], SAME * spacing).filter(|&other| other != 0));
+    }
+    let mut grid = Grid { spots, spacing, cells: HashMap::new() };
+    for &index in &kept {
+        grid.insert(index);
+    }
+    for index in 0..spots.len() {
+        if !grid.has_one_for(index) {
+            grid.insert(index);
+            kept.push(index);
+        }
+    }
+    while kept.len() < LEAST {
+        let Some(more) = farthest(spots, &kept, SAME * spacing) else { break };
+        kept.push(more);
+    }
+    kept
+}
+
+/// The number of the spot that is farthest from those kept, if it is farther than this; of equally far ones the first.
+fn farthest(spots: &[Spot], kept: &[usize], least: f64) -> Option<usize> {
+    let squared = |spot: &Spot| {
+        let to_kept = kept.iter().map(|&other| spot.point.distance_squared(spots[other].point));
+        to_kept.fold(f64::INFINITY, f64::min)
+    };
+    let farther = |a: (usize, f64), b: (usize, f64)| if b.1 > a.1 { b } else { a };
+    let (index, squared) = spots.iter().map(squared).enumerate().reduce(farther)?;
+    (squared > least * least).then_some(index)
+}
+
+/// Kept spots by cells as large as the spacing.
+struct Grid<'a> {
+    spots: &'a [Spot],
+    spacing: f64,
+    cells: HashMap<[i64; 3], Vec<usize>>,
+}
+
+impl Grid<'_> {
+    fn cell(&self, index: usize) -> [i64; 3] {
+        (self.spots[index].point / self.spacing).to_array().map(|along| along.floor() as i64)
+    }
+
+    fn insert(&mut self, index: usize) {
+        self.cells.entry(self.cell(index)).or_default().push(index);
+    }
+
+    fn has_one_for(&self, index: usize) -> bool {
+        let [x, y, z] = self.cell(index);
+        let stands_in = |cell: [i64; 3]| {
+            let kept = self.cells.get(&cell).map(Vec::as_slice).unwrap_or_default();
+            kept.iter().any(|&other| self.spots[other].stands_for(&self.spots[index], self.spacing))
+        };
+        stands_in([x, y, z]) || (-1..=1).any(|i| (-1..=1).any(|j| (-1..=1).any(|k| stands_in([x + i, y + j, z + k]))))
+    }
+}

@@ -1,0 +1,254 @@
+//! Two triangles in space: their nearest points, where they cross, and points spread over the places where they are near.
+//!
+//! The nearest points of two triangles that do not cross are those of a corner and a triangle or of two sides (Ericson,
+//! "Real-Time Collision Detection", 2005, section 5.1.10). Everything is told by barycentric weights, so that a point on an edge or at a corner has weights of exactly 0.
+
+use glam::DVec3;
+
+use super::bounds::Bounds;
+use crate::triangle::{area_vector, unit};
+
+#[cfg(test)]
+mod tests;
+
+/// Parts that a side is cut into at most, where points are spread.
+const MOST_CUTS: f64 = 256.0;
+
+/// The same inside a triangle, where points may be this many times as far apart as on the rim of an overlap: what goes from
+/// one triangle to the other and comes from outside the overlap crosses its rim.
+const MOST_INNER_CUTS: f64 = 32.0;
+const INNER_SPACING: f64 = 6.0;
+
+/// Cosine of the angle from which on planes are steep to each other: 30°.
+const STEEP: f64 = 0.866;
+
+/// Corners.
+pub type Triangle = [DVec3; 3];
+
+/// Barycentric weights of a point of each of two triangles.
+pub type Weights = [[f64; 3]; 2];
+
+/// A point of each of two triangles, and the distance of these points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    pub weights: Weights,
+    pub distance: f64,
+}
+
+impl Pair {
+    #[inline]
+    fn new(triangles: &[Triangle; 2], weights: Weights) -> Self {
+        let distance = point(&triangles[0], weights[0]).distance(point(&triangles[1], weights[1]));
+        Self { weights, distance }
+    }
+}
+
+/// The point with these weights.
+#[inline]
+pub fn point(triangle: &Triangle, weights: [f64; 3]) -> DVec3 {
+    triangle[0] * weights[0] + triangle[1] * weights[1] + triangle[2] * weights[2]
+}
+
+/// Length of the longest side.
+pub fn longest_side([p, q, r]: &Triangle) -> f64 {
+    p.distance_squared(*q).max(q.distance_squared(*r)).max(r.distance_squared(*p)).sqrt()
+}
+
+/// Weights of a point on the side from corner `k` to the next.
+#[inline]
+fn on_side(k: usize, share: f64) -> [f64; 3] {
+    let mut weights = [0.0; 3];
+    weights[k] = 1.0 - share;
+    weights[(k + 1) % 3] = share;
+    weights
+}
+
+/// The side from corner `k` to the next.
+#[inline]
+fn side(triangle: &Triangle, k: usize) -> [DVec3; 2] {
+    [triangle[k], triangle[(k + 1) % 3]]
+}
+
+/// The share of the way along a segment of positive length where it is nearest to a point.
+#[inline]
+fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
+    let along = end - start;
+    ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0)
+}
+
+/// The point of a triangle that is nearest to a point: below it, or else on a side.
+#[inline]
+pub fn nearest_on_triangle(from: DVec3, triangle: &Triangle) -> [f64; 3] {
+    if let Some(weights) = weights_inside(from, triangle, area_vector(*triangle)) {
+        return weights;
+    }
+    let on_sides = [0, 1, 2].map(|k| on_side(k, nearest_on_segment(from, side(triangle, k))));
+    let distance = |weights: [f64; 3]| from.distance_squared(point(triangle, weights));
+    on_sides.into_iter().fold(on_sides[0], |best, other| if distance(other) < distance(best) { other } else { best })
+}
+
+/// The shares of the way along two segments of positive length where they are nearest to each other: inside both, where
+/// the line between is at right angles to them, or else at an end of one.
+#[inline]
+pub fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
+    let (along, across, between) = (first[1] - first[0], second[1] - second[0], second[0] - first[0]);
+    let normal = along.cross(across);
+    let squared = normal.length_squared();
+    let inside = [between.cross(across), between.cross(along)].map(|side| side.dot(normal) / squared);
+    let inside = Some(inside).filter(|shares| shares.iter().all(|share| (0.0..=1.0).contains(share)));
+    let at = |[start, end]: [DVec3; 2], share: f64| start + (end - start) * share;
+    let ends = [0, 1].map(|end| [f64::from(end), nearest_on_segment(first[end as usize], second)]);
+    let others = [0, 1].map(|end| [nearest_on_segment(second[end as usize], first), f64::from(end)]);
+    let distance = |[one, other]: [f64; 2]| at(first, one).distance_squared(at(second, other));
+    // Where segments are parallel but for rounding, the line between tells nothing, and ends are as near.
+    let all = ends.into_iter().chain(others).chain(inside);
+    all.fold(ends[0], |best, other| if distance(other) < distance(best) { other } else { best })
+}
+
+/// A lower bound of the distance of two triangles: that of one to the plane of the other.
+#[inline]
+pub fn plane_distance(triangles: &[Triangle; 2]) -> f64 {
+    let to_plane = |[of, other]: [&Triangle; 2]| {
+        let normal = area_vector(*of).normalize_or_zero();
+        let heights = other.map(|corner| normal.dot(corner - of[0]));
+        let (least, most) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
+        least.max(-most)
+    };
+    let [first, second] = triangles;
+    to_plane([first, second]).max(to_plane([second, first])).max(0.0)
+}
+
+/// Whether the planes of two triangles are at an angle of more than 30°.
+pub fn are_steep(triangles: &[Triangle; 2]) -> bool {
+    let [first, second] = triangles.map(|triangle| unit(area_vector(triangle)));
+    first.dot(second).abs() < STEEP
+}
+
+/// The nearest points of two triangles that do not cross.
+pub fn nearest(triangles: &[Triangle; 2]) -> Pair {
+    let mut best = Pair { weights: [[1.0, 0.0, 0.0]; 2], distance: f64::INFINITY };
+    let mut take = |pair: Pair| {
+        if pair.distance < best.distance {
+            best = pair;
+        }
+    };
+    for_corners(triangles, &mut take);
+    for_sides(triangles, &mut take);
+    best
+}
+
+/// Each corner of one with the nearest point of the other.
+fn for_corners(triangles: &[Triangle; 2], found: &mut impl FnMut(Pair)) {
+    for (k, (first, second)) in triangles[0].iter().zip(triangles[1]).enumerate() {
+        let mut corner = [0.0; 3];
+        corner[k] = 1.0;
+        found(Pair::new(triangles, [corner, nearest_on_triangle(*first, &triangles[1])]));
+        found(Pair::new(triangles, [nearest_on_triangle(second, &triangles[0]), corner]));
+    }
+}
+
+/// The nearest points of each side of one and each side of the other.
+fn for_sides(triangles: &[Triangle; 2], found: &mut impl FnMut(Pair)) {
+    for i in 0..3 {
+        for j in 0..3 {
+            let [first, second] = nearest_on_segments(side(&triangles[0], i), side(&triangles[1], j));
+            found(Pair::new(triangles, [on_side(i, first), on_side(j, second)]));
+        }
+    }
+}
+
+/// The ends of the segment in which two triangles cross; `None` where they do not, or lie in one plane.
+pub fn crossing(triangles: &[Triangle; 2]) -> Option<[Weights; 2]> {
+    let mut first: Option<Weights> = None;
+    let mut ends: Option<[Weights; 2]> = None;
+    let mut longest = -1.0;
+    for of in 0..2 {
+        let (triangle, other) = (&triangles[of], &triangles[1 - of]);
+        let normal = area_vector(*other);
+        let heights = triangle.map(|corner| normal.dot(corner - other[0]));
+        for k in 0..3 {
+            let [start, end] = [heights[k], heights[(k + 1) % 3]];
+            if (start > 0.0) == (end > 0.0) {
+                continue;
+            }
+            let own = on_side(k, start / (start - end));
+            let Some(others) = weights_inside(point(triangle, own), other, normal) else { continue };
+            let weights = if of == 0 { [own, others] } else { [others, own] };
+            let from = *first.get_or_insert(weights);
+            let length = point(&triangles[0], from[0]).distance_squared(point(&triangles[0], weights[0]));
+            // All ends lie on one line, and there are two of them: the one that is farthest from the first is the other.
+            if length > longest {
+                longest = length;
+                ends = Some([from, weights]);
+            }
+        }
+    }
+    ends
+}
+
+/// Weights of a point of the plane of a triangle, where it is inside. `normal`: twice the area, along the unit normal.
+fn weights_inside(point: DVec3, [a, b, c]: &Triangle, normal: DVec3) -> Option<[f64; 3]> {
+    let part = |p: DVec3, q: DVec3| normal.dot((p - point).cross(q - point));
+    let areas = [part(*b, *c), part(*c, *a), part(*a, *b)];
+    let sum: f64 = areas.iter().sum();
+    (sum > 0.0 && areas.iter().all(|&area| area >= 0.0)).then(|| areas.map(|area| area / sum))
+}
+
+/// The point at this share of the way between two points of the triangles.
+pub fn between([start, end]: &[Weights; 2], share: f64) -> Weights {
+    let mix = |of: usize, k: usize| start[of][k] * (1.0 - share) + end[of][k] * share;
+    [0, 1].map(|of| [0, 1, 2].map(|k| mix(of, k)))
+}
+
+/// Points spread over the places where two triangles, the smaller first, are no farther apart than a tolerance: corners and
+/// crossings of sides, points at the spacing on sides where a surface ends or bends (`is_rim`, of the sides from each corner to
+/// the next), and points inside.
+pub fn spread(
+    triangles: &[Triangle; 2],
+    is_rim: [[bool; 3]; 2],
+    tolerance: f64,
+    spacing: f64,
+    found: &mut impl FnMut(Pair),
+) {
+    let mut take = |pair: Pair| {
+        if pair.distance <= tolerance {
+            found(pair);
+        }
+    };
+    for_corners(triangles, &mut take);
+    for_sides(triangles, &mut |pair| {
+        // At the end of a side the corner tells the same.
+        if pair.weights.iter().all(|weights| weights.iter().all(|&weight| weight < 1.0)) {
+            take(pair);
+        }
+    });
+    for of in 0..2 {
+        let (triangle, other) = (&triangles[of], &triangles[1 - of]);
+        let near = Bounds::of_points(*other).grown(tolerance);
+        let mut take_own = |own: [f64; 3]| {
+            let place = point(triangle, own);
+            if near.holds(place) {
+                let others = nearest_on_triangle(place, other);
+                take(Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] }));
+            }
+        };
+        for k in (0..3).filter(|&k| is_rim[of][k]) {
+            let [start, end] = side(triangle, k);
+            let Some([enters, leaves]) = near.clip([start, end]) else { continue };
+            let length = start.distance(end) * (leaves - enters);
+            let cuts = (length / spacing).ceil().clamp(1.0, MOST_CUTS) as u32;
+            for cut in 0..=cuts {
+                take_own(on_side(k, enters + (leaves - enters) * f64::from(cut) / f64::from(cuts)));
+            }
+        }
+        if of == 0 {
+            let cuts = (longest_side(triangle) / (INNER_SPACING * spacing)).ceil().min(MOST_INNER_CUTS) as u32;
+            for i in 0..cuts {
+                // The corners are taken already.
+                for j in u32::from(i == 0)..(cuts - i + u32::from(i > 0)).min(cuts) {
+                    take_own([i, j, cuts - i - j].map(|part| f64::from(part) / f64::from(cuts)));
+                }
+            }
+        }
+    }
+}
