@@ -105,6 +105,11 @@ export function gltf(mesh: Mesh, uri?: string): { json: string; bin: Buffer } {
 
 export function glb(mesh: Mesh): Buffer {
   const { json, bin } = gltf(mesh);
+  return pack(json, bin);
+}
+
+/** A GLB file of a document and its buffer, of whole words. */
+export function pack(json: string, bin: Buffer): Buffer {
   const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4));
   const chunks = [word(text.length, 0x4e4f534a), text, word(bin.length, 0x004e4942), bin];
   const length = 12 + chunks.reduce((sum, chunk) => sum + chunk.length, 0);

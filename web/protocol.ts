@@ -52,6 +52,7 @@ export interface DrawTransform {
 
 export type DrawMesh = Plain<wasm.DrawMesh>;
 export type Shade = Plain<wasm.Shade>;
+export type Material = Plain<wasm.Material>;
 export type BuildReport = Plain<wasm.BuildReport>;
 export type SurfacePath = Plain<wasm.SurfacePath>;
 
@@ -86,6 +87,14 @@ export interface SceneryPart {
   mesh: DrawMesh;
 }
 
+/** How a file wants its surface to look. */
+export interface Appearance {
+  /** What the runs of drawn meshes name. */
+  materials: Material[];
+  /** What the textures of materials name; null for an image that cannot be decoded. */
+  images: (ImageBitmap | null)[];
+}
+
 /** What is known of a mesh before anything is solved on it: enough to draw it. */
 export interface OpenedMesh {
   name: string;
@@ -97,6 +106,8 @@ export interface OpenedMesh {
   surface: DrawMesh;
   /** Of the surface alone; null where there are other parts. */
   shade: Shade | null;
+  /** Null where the file says nothing. */
+  appearance: Appearance | null;
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */

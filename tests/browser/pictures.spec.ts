@@ -5,6 +5,7 @@ import { PNG } from 'pngjs';
 import { STYLES } from '../../web/state/styles';
 import { grid, type Mesh, obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
+import { texturedGlb } from '../textured';
 
 const REFERENCES = path.join(import.meta.dirname, '../pictures');
 /** Writes the reference images instead of comparing with them. */
@@ -106,6 +107,24 @@ test('styles and overlays look like the reference images', async ({ heatwalk, pa
     }
   }
   expect(off).toEqual([]);
+});
+
+test('the materials of a file look like the reference image, stripes over them and multiplied with them', async ({
+  heatwalk,
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  for (const blend of ['over', 'multiply']) {
+    await heatwalk.open(`#v=1&m=file&name=balls.glb&s=0&look=model&blend=${blend}&stripes=0,0.2,0&${VIEW}&kiosk=1`);
+    await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
+    const drawn = await heatwalk.drawing(0.5, false);
+    const file = path.join(REFERENCES, `materials-${blend}.png`);
+    if (WRITES) fs.writeFileSync(file, PNG.sync.write(drawn));
+    const { clearly, mean, block } = compare(drawn, PNG.sync.read(fs.readFileSync(file)));
+    expect(clearly).toBeLessThan(CLEARLY_DIFFERENT);
+    expect(mean).toBeLessThan(MEAN_DIFFERENCE);
+    expect(block).toBeLessThan(BLOCK_DIFFERENCE);
+  }
 });
 
 test('an image without background is transparent around the model and opaque on it', async ({ heatwalk }) => {

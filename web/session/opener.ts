@@ -73,7 +73,8 @@ export class Opener {
     const load = () => readFiles([main, ...companions]);
     const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
     const state = awaited ?? { ...emptyScene({ kind: 'file', name: main.name, hash: '' }), method: 'auto' };
-    const request = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
+    const request: OpenRequest = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
+    if (!awaited) request.inMaterialsOfFile = true;
     await this.#open(request, ({ opened }) => {
       const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
       this.#forget();

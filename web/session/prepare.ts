@@ -5,6 +5,7 @@ import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { Places } from '../state/places';
 import type { SceneState } from '../state/scene';
+import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC } from '../wasm/contract';
 
 export interface Shown {
@@ -19,8 +20,16 @@ export interface OpenRequest {
   state: SceneState;
   /** Puts a source and a walker where the state has none. */
   choosePlaces: boolean;
+  /** Shows the materials of the file where it has some. */
+  inMaterialsOfFile?: true;
   /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
   view: readonly [number, number] | null;
+}
+
+/** The request for a mesh that was opened, in the style that suits it. */
+export function styled(request: OpenRequest, { appearance }: OpenedMesh): OpenRequest {
+  const { inMaterialsOfFile, ...rest } = request;
+  return inMaterialsOfFile && appearance ? { ...rest, state: { ...rest.state, style: MODEL_STYLE } } : rest;
 }
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */

@@ -120,8 +120,8 @@ export class Presenter {
     }
   }
 
-  #showMesh({ surface, shade, scenery, drawTransform }: OpenedMesh, state: SceneState): void {
-    this.#view.setMesh(surface, shade, visible(scenery, state), drawTransform);
+  #showMesh({ surface, shade, scenery, appearance, drawTransform }: OpenedMesh, state: SceneState): void {
+    this.#view.setMesh(surface, shade, visible(scenery, state), appearance, drawTransform);
   }
 
   #showRest(shown: Shown, state: SceneState, facing: number, arc: number): void {

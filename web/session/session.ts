@@ -12,7 +12,7 @@ import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { type Loading, whileLoading } from './loading';
-import { type OpenRequest, prepare, questionOf, type Shown, wantedOf } from './prepare';
+import { type OpenRequest, prepare, questionOf, type Shown, styled, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
 /** A path that takes longer is traced only when the pointer rests. */
@@ -102,9 +102,10 @@ export class Session {
         const engine = await this.#start(request, request.state, progress, built);
         this.#answering = engine;
         try {
-          const { state, shown } = await prepare(engine, request);
+          const wanted = styled(request, engine.opened);
+          const { state, shown } = await prepare(engine, wanted);
           check();
-          this.#adopt(engine, state, shown, request);
+          this.#adopt(engine, state, shown, wanted);
           return shown;
         } catch (error) {
           engine.dispose();
@@ -180,7 +181,7 @@ export class Session {
   #preview(opened: OpenedMesh, request: OpenRequest): void {
     const triangles = opened.report.faces;
     if (triangles < LEAST_PREVIEWED) return;
-    this.#presenter.preview(opened, request);
+    this.#presenter.preview(opened, styled(request, opened));
     this.preview.value = { title: request.title, opened };
   }
 

@@ -16,7 +16,17 @@ import {
   WINDOWS,
 } from '../wasm/contract';
 import type { Finish, Style, MapName } from './styles';
-import { findStyle, isRamp, STYLE_NUMBERS, STYLE_RANGES, MAPS, PATTERNS, SURROUNDINGS } from './styles';
+import {
+  findStyle,
+  isRamp,
+  STYLE_NUMBERS,
+  STYLE_RANGES,
+  BLENDS,
+  MAPS,
+  PATTERNS,
+  SURFACE_SOURCES,
+  SURROUNDINGS,
+} from './styles';
 import {
   type Bridge,
   LARGEST_CROWD,
@@ -73,6 +83,8 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('crowd', number(state.crowd), number(start.crowd));
   add('ramp', state.style.ramp, style.ramp);
   add('stripe', state.style.stripe.replace('#', ''), style.stripe.replace('#', ''));
+  add('of', state.style.surfaceOf, style.surfaceOf);
+  add('blend', state.style.blend, style.blend);
   add('style', state.style.pattern, style.pattern);
   for (const key of STYLE_NUMBERS) add(key, number(state.style[key]), number(style[key]));
   add('surface', encodeFinish(state.style.surface), encodeFinish(style.surface));
@@ -142,6 +154,8 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
     (text) => (isRamp(text) ? text : /^[\da-f]{6}$/i.test(text) ? `#${text.toLowerCase()}` : null),
     (stripe) => change({ stripe }),
   );
+  read('of', oneOf(SURFACE_SOURCES), (surfaceOf) => change({ surfaceOf }));
+  read('blend', oneOf(BLENDS), (blend) => change({ blend }));
   read('style', oneOf(PATTERNS), (pattern) => change({ pattern }));
   for (const key of STYLE_NUMBERS) {
     const [low, high] = STYLE_RANGES[key];

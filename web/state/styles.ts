@@ -52,9 +52,17 @@ export interface Finish {
   glow: number;
 }
 
-export const PATTERNS = ['bands', 'lines'] as const;
-/** Stripes that cover a share of the period, or thin lines with thinner ones between them. */
+export const PATTERNS = ['bands', 'lines', 'none'] as const;
+/** Stripes that cover a share of the period, thin lines with thinner ones between them, or nothing. */
 export type Pattern = (typeof PATTERNS)[number];
+
+export const SURFACE_SOURCES = ['style', 'file'] as const;
+/** Whose material the surface has; that of the style where the file has none. */
+export type SurfaceSource = (typeof SURFACE_SOURCES)[number];
+
+export const BLENDS = ['over', 'multiply'] as const;
+/** Whether stripes cover the material of the file, or their colour is a factor on its. */
+export type Blend = (typeof BLENDS)[number];
 
 export const SURROUNDINGS = ['studio', 'sky', 'night'] as const satisfies readonly Surroundings[];
 
@@ -64,6 +72,8 @@ export type MapName = (typeof MAPS)[number];
 
 export interface Style {
   name: string;
+  surfaceOf: SurfaceSource;
+  blend: Blend;
   /** Colours of the surface over the distance. */
   ramp: RampName;
   /** Colour of the stripes, `#rrggbb`, or the name of a ramp. */
@@ -108,6 +118,8 @@ export const WIDEST_LINE = 8;
 const finish = (metalness: number, roughness: number, glow = 0): Finish => ({ metalness, roughness, glow });
 
 const BASE: Omit<Style, 'name'> = {
+  surfaceOf: 'style',
+  blend: 'over',
   ramp: 'chalk',
   stripe: '#1c1d20',
   pattern: 'bands',
@@ -140,8 +152,15 @@ const profile = (width: number, period: number, relief: number, sharpness = 0.45
   sharpness,
 });
 
+/** The file's own materials under thin stripes. */
+export const MODEL_STYLE = preset('model', 'chalk', '#14161a', {
+  ...profile(0.16, 0.05, 0, 0.9),
+  surfaceOf: 'file',
+});
+
 export const STYLES: readonly Style[] = [
   preset('zebra', 'chalk', '#17181b', {}),
+  MODEL_STYLE,
   preset('gold', 'gold', '#5a3a0e', {
     ...profile(0.16, 0.05, -0.05),
     surface: finish(1, 0.2),

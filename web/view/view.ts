@@ -1,5 +1,5 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { DistanceField, DrawMesh, DrawTransform, Shade, SurfacePath, SurfacePoint } from '../protocol';
+import type { Appearance, DistanceField, DrawMesh, DrawTransform, Shade, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
@@ -27,6 +27,7 @@ export interface Edges {
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 const ORDER = [
   'background',
+  'materials',
   'surface',
   'scenery',
   'surroundings',
@@ -73,7 +74,11 @@ const NO_MESH = {
   triangles: new Uint32Array(),
   order: new Uint32Array(),
   boxes: new Float32Array(),
+  texcoords: new Float32Array(),
+  colors: new Uint16Array(),
+  runs: new Uint32Array(),
 };
+const NO_APPEARANCE: Appearance = { materials: [], images: [] };
 const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
@@ -185,10 +190,18 @@ export class View {
   }
 
   /** `shade`: of the surface alone. If this throws, everything is shown as before. */
-  setMesh(surface: DrawMesh, shade: Shade | null, scenery: readonly DrawMesh[], { scale }: DrawTransform): void {
+  setMesh(
+    surface: DrawMesh,
+    shade: Shade | null,
+    scenery: readonly DrawMesh[],
+    appearance: Appearance | null,
+    { scale }: DrawTransform,
+  ): void {
     const picture = this.#picture;
     const before = new Map(picture.layers);
+    const { materials, images } = appearance ?? NO_APPEARANCE;
     try {
+      this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
       this.setScenery(scenery);
@@ -260,7 +273,9 @@ export class View {
     this.#show('style', (viewer) => {
       viewer.set_ramps(rampBytes(style));
       viewer.set_finish(uses('colour') ? 1 : 0, finishOf(style.surface), finishOf({ metalness, roughness, glow }));
-      if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
+      viewer.set_materials_of_file(style.surfaceOf === 'file', style.blend === 'multiply');
+      if (style.pattern === 'none') viewer.set_bands(0, 0, 1, 0);
+      else if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
       else viewer.set_bands(period, style.width, style.sharpness, uses('normal') ? style.relief : 0);
     });
   }

@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
+use heatwalk::surface::appearance::Run;
 use heatwalk::surface::triangle;
 use heatwalk::surface::union_find::UnionFind;
-use heatwalk::{FaceData, FaceId, HalfedgeId, InputVertex, Surface, VertexData, VertexId};
+use heatwalk::{Appearance, FaceData, FaceId, HalfedgeId, InputVertex, Surface, VertexData, VertexId};
 
 use crate::transform::DrawTransform;
 
@@ -15,7 +16,7 @@ use crate::transform::DrawTransform;
 pub struct DrawMesh {
     /// `#D × 3`, as the transform places them.
     pub positions: Vec<f32>,
-    /// `#D × 3`, unit length: face normals around the vertex, weighted by angle, up to the creases.
+    /// `#D × 3`, unit length: those of the file, or else face normals around the vertex, weighted by angle, up to the creases.
     pub normals: Vec<f32>,
     /// `#F × 3` drawn vertices, in the orientation of the surface's faces and in the order of the input's.
     pub triangles: Vec<u32>,
@@ -23,12 +24,18 @@ pub struct DrawMesh {
     pub vertex_of_drawn: Vec<VertexId>,
     /// `#D`, the input vertex of each drawn vertex, with its texture coordinates.
     pub input_of_drawn: Vec<InputVertex>,
+    /// `#D × 4`, two sets of texture coordinates; empty where the file has none.
+    pub texcoords: Vec<f32>,
+    /// `#D × 4`, linear RGBA, 65535 for 1; empty where the file has none.
+    pub colors: Vec<u16>,
+    /// Consecutive triangles of one material; empty where the file has none.
+    pub runs: Vec<Run>,
 }
 
-/// Makes the vertices to draw. An edge is a crease where the normals of its faces differ by more than `crease_angle`
-/// (radians, 0 to π), and where the surface is cut or ends.
-pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform) -> DrawMesh {
-    let shading = Shading::new(surface, crease_angle.cos());
+/// Makes the vertices to draw, with the `appearance` of the soup that the surface was built from. Without normals of the file, an edge is a crease where the normals of its faces differ by more
+/// than `crease_angle` (radians, 0 to π), and where the surface is cut or ends.
+pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, transform: &DrawTransform) -> DrawMesh {
+    let shading = Shading::new(surface, &appearance.normals, crease_angle.cos());
     let vertices = surface.vertex_count();
     let mut drawing = DrawMesh {
         positions: Vec::with_capacity(3 * vertices),
@@ -36,6 +43,7 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
         triangles: Vec::with_capacity(3 * surface.face_count()),
         vertex_of_drawn: Vec::with_capacity(vertices),
         input_of_drawn: Vec::with_capacity(vertices),
+        ..DrawMesh::default()
     };
     let mut first_drawn: VertexData<u32> = vec![0; vertices].into();
     // Corners of vertices that are drawn more than once, with their drawn vertex.
@@ -45,7 +53,7 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
         let mut draw = |normal: DVec3, input| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
             drawing.positions.extend(position);
-            drawing.normals.extend(normal.as_vec3().to_array());
+            drawing.normals.extend(shading.normal_of_file(input, normal).unwrap_or(normal.as_vec3()).to_array());
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
             drawn
@@ -73,11 +81,22 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
     }
     let (corners, _) = drawn_corners.as_chunks::<3>();
     drawing.triangles.extend(surface.faces_in_input_order().flat_map(|face| corners[face.0 as usize]));
+    let inputs = || drawing.input_of_drawn.iter().map(|input| input.0 as usize);
+    if !appearance.texcoords.is_empty() {
+        drawing.texcoords = inputs().flat_map(|input| appearance.texcoords[input]).collect();
+    }
+    if !appearance.colors.is_empty() {
+        drawing.colors = inputs().flat_map(|input| appearance.colors[input]).collect();
+    }
+    let triangles = surface.faces_in_input_order().map(|face| surface.triangle_of_face(face).0 as usize);
+    drawing.runs = appearance.runs_of(triangles);
     drawing
 }
 
 /// What normals of drawn vertices are made of.
-struct Shading {
+struct Shading<'a> {
+    /// For each input vertex that of the file, zero for none; empty where it has none at all.
+    normals_of_file: &'a [Vec3],
     face_normals: FaceData<DVec3>,
     /// Of the face normals around each vertex, weighted by angle.
     sums: VertexData<DVec3>,
@@ -86,9 +105,9 @@ struct Shading {
     least_cosine: f64,
 }
 
-impl Shading {
+impl<'a> Shading<'a> {
     /// `least_cosine`: of the normals on both sides of an edge that is no crease.
-    fn new(surface: &Surface, least_cosine: f64) -> Self {
+    fn new(surface: &Surface, normals_of_file: &'a [Vec3], least_cosine: f64) -> Self {
         let mesh = surface.mesh();
         let mut face_normals = Vec::with_capacity(surface.face_count());
         let mut sums: VertexData<DVec3> = vec![DVec3::ZERO; surface.vertex_count()].into();
@@ -104,6 +123,7 @@ impl Shading {
             face_normals.push(normal);
         }
         let mut shading = Self {
+            normals_of_file,
             face_normals: face_normals.into(),
             sums,
             is_smooth: vec![true; surface.vertex_count()].into(),
@@ -145,11 +165,26 @@ impl Shading {
             }
         }
         let sector = |(index, &corner): (u32, &HalfedgeId)| {
-            (sets.least(index), surface.inputs_of_face(corner.triangle())[corner.corner()], corner)
+            let input = surface.inputs_of_face(corner.triangle())[corner.corner()];
+            // The file has split its vertices where its normals jump.
+            let least = if self.has_normal(input) { 0 } else { sets.least(index) };
+            (least, input, corner)
         };
         let mut sectors: Vec<_> = (0..).zip(&corners).map(sector).collect();
         sectors.sort_unstable();
         sectors
+    }
+
+    fn has_normal(&self, input: InputVertex) -> bool {
+        self.normals_of_file.get(input.0 as usize).is_some_and(|&normal| normal != Vec3::ZERO)
+    }
+
+    /// The file's normal of an input vertex, on the side of that of its triangles: where these were turned round, or the
+    /// file is wrong, it would be dark.
+    fn normal_of_file(&self, input: InputVertex, of_triangles: DVec3) -> Option<Vec3> {
+        let &normal = self.normals_of_file.get(input.0 as usize)?;
+        let side = if normal.dot(of_triangles.as_vec3()) < 0.0 { -1.0 } else { 1.0 };
+        self.has_normal(input).then_some(side * normal)
     }
 
     /// The normal of a corner's face, weighted by the corner's angle.

@@ -134,7 +134,7 @@ fn rectangle(x: f64, z: f64, nx: u32, nz: u32) -> Soup {
             positions.push(DVec3::new(x * f64::from(i) / f64::from(nx), 0.0, -z * f64::from(j) / f64::from(nz)));
         }
     }
-    Soup { positions, triangles: lattice(nx, nz, |i, j| i * (nz + 1) + j), parts: Vec::new() }
+    Soup { positions, triangles: lattice(nx, nz, |i, j| i * (nz + 1) + j), ..Soup::default() }
 }
 
 /// Open cylinder of unit radius around the y axis, from y = 0 to `height`: two boundary loops.

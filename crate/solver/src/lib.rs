@@ -80,9 +80,9 @@ pub use error::{Error, Result};
 pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
-    BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle,
-    InputVertex, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint, ToPoint,
-    ToSource, VertexData, VertexId, io,
+    Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
+    InputTriangle, InputVertex, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId, SurfacePoint,
+    ToPoint, ToSource, VertexData, VertexId, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

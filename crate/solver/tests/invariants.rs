@@ -12,8 +12,8 @@ use glam::{DQuat, DVec3};
 use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage, VertexData,
-    VertexId,
+    Appearance, Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage,
+    VertexData, VertexId,
 };
 use heatwalk_scene::{DrawTransform, draw_mesh};
 use heatwalk_shapes as shapes;
@@ -290,7 +290,7 @@ fn drawing_keeps_faces_and_splits_creases() {
         surface(&soup((0..8).map(corner).collect(), triangles))
     };
     for (crease, expected) in [(0.5, 24), (3.2, 8)] {
-        let drawing = draw_mesh(&cube, crease, &DrawTransform::IDENTITY);
+        let drawing = draw_mesh(&cube, &Appearance::default(), crease, &DrawTransform::IDENTITY);
         assert_eq!(drawing.vertex_of_drawn.len(), expected);
         assert_eq!(drawing.positions.len(), 3 * expected);
         for face in cube.mesh().faces() {

@@ -2,6 +2,7 @@
 //!
 //! The way of the data: file bytes → [`Soup`] → [`Surface`] (welded, clean, oriented, with half-edges).
 
+pub mod appearance;
 pub mod bridges;
 pub mod csr;
 pub mod edges;
@@ -23,6 +24,7 @@ pub mod triangle;
 pub mod union_find;
 mod weld;
 
+pub use appearance::Appearance;
 pub use bridges::{BridgeRule, Bridges, Contact, Portal};
 pub use element::{
     CutVertex, CutVertexData, Element, ElementData, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData,

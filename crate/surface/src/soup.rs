@@ -1,7 +1,10 @@
 //! Triangle soup: what a file holds, before any connectivity.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
+use crate::appearance::Appearance;
 use crate::error::{Error, Result};
 
 /// Triangles over shared vertices, in the order of the file.
@@ -13,6 +16,8 @@ pub struct Soup {
     pub triangles: Vec<[u32; 3]>,
     /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
     pub parts: Vec<Part>,
+    /// How the file wants it to look.
+    pub appearance: Arc<Appearance>,
 }
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, a whole OFF, PLY or STL file.
@@ -28,7 +33,7 @@ impl Soup {
     /// A soup of one part.
     pub fn single(name: &str, positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         let parts = vec![Part { name: name.to_owned(), triangles: 0..triangles.len() }];
-        Self { positions, triangles, parts }
+        Self { positions, triangles, parts, ..Self::default() }
     }
 
     /// Makes one more part of the triangles that have come since the last one; of none, nothing.
@@ -69,6 +74,12 @@ impl Soup {
                 selection.triangles.push(triangle);
             }
             selection.parts.push(Part { name: part.name.clone(), triangles: start..selection.triangles.len() });
+        }
+        if !self.appearance.is_empty() {
+            let triangles = self.parts.iter().enumerate().filter(|&(index, _)| chosen(index));
+            let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
+            let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
+            selection.appearance = Arc::new(self.appearance.select(triangles, vertices));
         }
         let mut renumbered = vec![u32::MAX; self.positions.len()];
         for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {

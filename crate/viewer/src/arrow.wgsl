@@ -24,7 +24,7 @@ fn vs_arrow(
 
 @fragment
 fn fs_arrow(fragment: Fragment) -> @location(0) vec4f {
-    let material = Material(AMBER, 0.0, 0.45, 0.15 * AMBER);
+    let material = Material(AMBER, 0.0, 0.45, 0.15 * AMBER, 1.0);
     let normal = normalize(fragment.normal);
     return encode(shade(material, fragment.position, normal, normal));
 }

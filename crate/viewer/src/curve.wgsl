@@ -60,6 +60,6 @@ fn fs_curve(fragment: Fragment) -> @location(0) vec4f {
     let feather = fwidth(fragment.across);
     // The dark edge sets the cord off from stripes of any colour.
     let edge = smoothstep(0.66 - feather, 0.66 + feather, abs(across));
-    let cord = Material(mix(CORD, EDGE, edge), 0.0, 0.45, 0.12 * mix(CORD, EDGE, edge));
+    let cord = Material(mix(CORD, EDGE, edge), 0.0, 0.45, 0.12 * mix(CORD, EDGE, edge), 1.0);
     return encode(shade(cord, fragment.position, normal, normal));
 }

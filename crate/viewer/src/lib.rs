@@ -20,8 +20,11 @@ mod environment;
 mod error;
 mod gait;
 mod ground;
+mod image;
 mod lighting;
+mod material;
 mod mesh;
+mod model;
 mod pin;
 mod pipeline;
 mod pose;
@@ -46,7 +49,9 @@ pub use context::{Backend, Context};
 pub use environment::Surroundings;
 pub use error::Error;
 pub use heatwalk_bake::{Bounds, Hierarchy, Ray, Shade};
-pub use mesh::MeshArrays;
+pub use image::Image;
+pub use material::{CHANNELS, Material, TextureUse};
+pub use mesh::{MeshAppearance, MeshArrays, MeshRun};
 pub use pose::{CrowdPose, Pose, Track};
 pub use renderer::{Renderer, SurfaceHit};
 pub use style::{Finish, Pattern, RAMP_SIZE, Style};
@@ -66,6 +71,7 @@ mod shader_tests {
             ("background", include_str!("background.wgsl")),
             ("ground", include_str!("ground.wgsl")),
             ("surface", include_str!("surface.wgsl")),
+            ("model", concat!(include_str!("surface.wgsl"), include_str!("model.wgsl"))),
             ("curve", include_str!("curve.wgsl")),
             ("pin", include_str!("pin.wgsl")),
             ("walker", include_str!("walker.wgsl")),

@@ -39,7 +39,7 @@ fn vs_pin(
 fn fs_pin(fragment: Fragment) -> @location(0) vec4f {
     let green = mix(GREEN, GREEN_SELECTED, fragment.selected);
     let glow = 0.08 * green * fragment.ball;
-    let material = Material(mix(STEEL, green, fragment.ball), 1.0 - fragment.ball, mix(0.35, 0.22, fragment.ball), glow);
+    let material = Material(mix(STEEL, green, fragment.ball), 1.0 - fragment.ball, mix(0.35, 0.22, fragment.ball), glow, 1.0);
     let normal = normalize(fragment.normal);
     return encode(shade(material, fragment.position, normal, normal));
 }

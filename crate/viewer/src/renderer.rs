@@ -13,6 +13,7 @@ use crate::environment::Environment;
 use crate::error::Error;
 use crate::ground::Ground;
 use crate::mesh::Mesh;
+use crate::model::ModelRenderer;
 use crate::pin::Pins;
 use crate::pose::Track;
 use crate::shared::Shared;
@@ -43,6 +44,8 @@ pub struct Renderer {
     background: Background,
     ground: Ground,
     surfaces: SurfaceRenderer,
+    /// Once a file with materials was shown.
+    models: Option<ModelRenderer>,
     curve: Curve,
     pins: Pins,
     walkers: Walkers,
@@ -79,6 +82,7 @@ impl Renderer {
             background: Background::new(&context, &shared),
             ground: Ground::new(&context, &shared),
             surfaces: SurfaceRenderer::new(&context, &shared),
+            models: None,
             curve: Curve::new(&context, &shared),
             pins: Pins::new(&context, &shared)?,
             walkers: Walkers::new(&context, &shared)?,

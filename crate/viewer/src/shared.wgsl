@@ -65,6 +65,8 @@ struct Material {
     // 0 is a mirror, 1 is matt.
     roughness: f32,
     emission: vec3f,
+    // Share of the light from all around that arrives.
+    openness: f32,
 }
 
 // World size of a CSS pixel at a world position.
@@ -227,8 +229,8 @@ fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -
     let whole = 0.5 + 0.75 * max(dot(geometric, mirrored), 0.0);
     let beside = clamp((open.w + 3.0 * dot(open.xyz, mirrored)) / whole, 0.0, 1.0);
     let key = key_visibility(position, geometric);
-    diffuse = diffuse * gathered(above, body) + key * lit[0].diffuse;
-    specular = specular * gathered(beside, straight_on) + key * lit[0].specular;
+    diffuse = diffuse * gathered(above, body) * material.openness + key * lit[0].diffuse;
+    specular = specular * gathered(beside, straight_on) * material.openness + key * lit[0].specular;
     // Karis, "Physically based shading on mobile" (2014): the reflection's share of a rough surface, fitted.
     let fit = material.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
     let rim = min(fit.x * fit.x, exp2(-9.28 * facing)) * fit.x + fit.y;

@@ -47,6 +47,10 @@ pub struct Style {
     pub pattern: Pattern,
     /// Opacity of the stripes' own colour: 0 leaves the surface's.
     pub stripe_opacity: f32,
+    /// Whether a surface whose file has materials is seen in these, and in the ramp's colours otherwise.
+    pub has_materials_of_file: bool,
+    /// Whether the stripes' colour is a factor on that of the file's material instead of covering it.
+    pub is_multiplied: bool,
     /// Between the stripes.
     pub surface: Finish,
     /// On the stripes.
@@ -57,7 +61,16 @@ impl Default for Style {
     fn default() -> Self {
         let finish = Finish { metalness: 0.0, roughness: 0.5, glow: 0.0 };
         let pattern = Pattern::Bands { width: 0.0, sharpness: 1.0, relief: 0.0 };
-        Self { period: 0.0, offset: 0.0, pattern, stripe_opacity: 1.0, surface: finish, stripe: finish }
+        Self {
+            period: 0.0,
+            offset: 0.0,
+            pattern,
+            stripe_opacity: 1.0,
+            has_materials_of_file: false,
+            is_multiplied: false,
+            surface: finish,
+            stripe: finish,
+        }
     }
 }
 
@@ -75,6 +88,7 @@ pub(crate) struct StyleUniform {
     periods: f32,
     offset: f32,
     stripe_opacity: f32,
+    multiplied: f32,
     line_half_width: f32,
     width: f32,
     flank: f32,
@@ -99,6 +113,7 @@ impl Style {
             periods: 0.0,
             offset: self.offset,
             stripe_opacity: self.stripe_opacity,
+            multiplied: if self.is_multiplied { 1.0 } else { 0.0 },
             line_half_width: 0.0,
             width: 0.0,
             flank: LEAST_FLANK,

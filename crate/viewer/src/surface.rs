@@ -10,17 +10,20 @@ use crate::style::{RAMP_SIZE, Style, StyleUniform};
 use crate::uniform::Uniform;
 use crate::vertex::{Snorm8x4, attribute, single};
 
+/// The surface's shader, on which that of models builds.
+pub(crate) const SURFACE_WGSL: &str = include_str!("surface.wgsl");
 /// Bytes of the ramp of the surface and that of the stripes: RGBA.
 pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
 /// Stands for "unreachable" in a vertex buffer, whose values are shares of the largest one: interpolating an infinity gives
 /// NaN on some devices.
 const UNREACHABLE: f32 = 2.0;
 
-const POSITION: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(0)]);
-const NORMAL: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(1)]);
-const DISTANCE: wgpu::VertexBufferLayout<'static> = single::<f32>(PER_VERTEX, &[attribute::<f32>(2)]);
-const TANGENT: wgpu::VertexBufferLayout<'static> = single::<Snorm8x4>(PER_VERTEX, &[attribute::<Snorm8x4>(3)]);
-const PER_VERTEX: wgpu::VertexStepMode = wgpu::VertexStepMode::Vertex;
+pub(crate) const POSITION: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(0)]);
+pub(crate) const NORMAL: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(1)]);
+pub(crate) const DISTANCE: wgpu::VertexBufferLayout<'static> = single::<f32>(PER_VERTEX, &[attribute::<f32>(2)]);
+pub(crate) const TANGENT: wgpu::VertexBufferLayout<'static> =
+    single::<Snorm8x4>(PER_VERTEX, &[attribute::<Snorm8x4>(3)]);
+pub(crate) const PER_VERTEX: wgpu::VertexStepMode = wgpu::VertexStepMode::Vertex;
 
 /// A triangle mesh on the device.
 pub(crate) struct MeshBuffers {
@@ -56,13 +59,23 @@ impl MeshBuffers {
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.bind(pass);
+        pass.draw_indexed(0..self.index_count, 0, 0..1);
+    }
+
+    /// Binds positions, normals and triangles.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_vertex_buffer(1, self.normals.slice(..));
-        self.draw_positions(pass);
+        self.bind_positions(pass);
+    }
+
+    fn bind_positions(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.positions.slice(..));
+        pass.set_index_buffer(self.triangles.slice(..), wgpu::IndexFormat::Uint32);
     }
 
     fn draw_positions(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_vertex_buffer(0, self.positions.slice(..));
-        pass.set_index_buffer(self.triangles.slice(..), wgpu::IndexFormat::Uint32);
+        self.bind_positions(pass);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
 }
@@ -86,6 +99,15 @@ impl FieldBuffers {
         let distances = mesh_buffer(context, "vertex distances", bytemuck::cast_slice(&values), usage)?;
         let tangents = mesh_buffer(context, "vertex tangents", bytemuck::cast_slice(&directions), usage)?;
         Ok(Self { distances, tangents, values, directions, has_field: false })
+    }
+
+    /// Binds distances and directions; false where no field was written.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) -> bool {
+        if self.has_field {
+            pass.set_vertex_buffer(2, self.distances.slice(..));
+            pass.set_vertex_buffer(3, self.tangents.slice(..));
+        }
+        self.has_field
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
@@ -116,7 +138,9 @@ pub(crate) struct SurfaceRenderer {
     plain: wgpu::RenderPipeline,
     scenery: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
-    group: wgpu::BindGroup,
+    /// Style and ramps.
+    pub(crate) group: wgpu::BindGroup,
+    pub(crate) style_layout: wgpu::BindGroupLayout,
     style: Uniform<StyleUniform>,
     ramps: wgpu::Texture,
 }
@@ -146,7 +170,7 @@ impl SurfaceRenderer {
                 wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
         });
-        let module = shader(context, "surface.wgsl", include_str!("surface.wgsl"));
+        let module = shader(context, "surface.wgsl", SURFACE_WGSL);
         let layouts = [Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)];
         let pipeline = |label, vertex, fragment, buffers| PipelineRecipe {
             label,
@@ -170,6 +194,7 @@ impl SurfaceRenderer {
             }
             .build_shadow(context),
             group,
+            style_layout: layout,
             style,
             ramps,
         };
@@ -191,13 +216,8 @@ impl SurfaceRenderer {
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers, field: &FieldBuffers) {
         pass.set_bind_group(2, &self.group, &[]);
-        if field.has_field {
-            pass.set_pipeline(&self.field);
-            pass.set_vertex_buffer(2, field.distances.slice(..));
-            pass.set_vertex_buffer(3, field.tangents.slice(..));
-        } else {
-            pass.set_pipeline(&self.plain);
-        }
+        let pipeline = if field.bind(pass) { &self.field } else { &self.plain };
+        pass.set_pipeline(pipeline);
         mesh.draw(pass);
     }
 

@@ -14,6 +14,8 @@ struct Style {
     offset: f32,
     // Opacity of the stripes' own colour.
     stripe_opacity: f32,
+    // 1 where the colour of the stripes is a factor on that of the file's material, 0 where it covers it.
+    multiplied: f32,
     // Half the width of lines, CSS pixels; 0 for bands.
     line_half_width: f32,
     // Of bands: share of the period covered, half the width of a flank and height, both in periods.
@@ -30,8 +32,8 @@ struct Style {
 @group(2) @binding(1) var ramps: texture_2d<f32>;
 @group(2) @binding(2) var ramp_sampler: sampler;
 
-const PLAIN = Material(vec3f(0.62, 0.61, 0.59), 0.0, 0.45, vec3f(0.0));
-const SCENERY = Material(vec3f(0.045, 0.05, 0.064), 0.0, 0.3, vec3f(0.0));
+const PLAIN = Material(vec3f(0.62, 0.61, 0.59), 0.0, 0.45, vec3f(0.0), 1.0);
+const SCENERY = Material(vec3f(0.045, 0.05, 0.064), 0.0, 0.3, vec3f(0.0), 1.0);
 const UNREACHABLE = vec3f(0.40, 0.41, 0.42);
 // Ramp texels across.
 const RAMP_SIZE = 256.0;
@@ -155,45 +157,77 @@ fn finish(given: Material, position: vec3f, normal: vec3f, geometric: vec4f) -> 
     return encode(shade(material, position, normal, geometric.xyz));
 }
 
+// What the pattern makes of a place on the surface.
+struct Mark {
+    // Share of the pixel that stripes or lines cover.
+    share: f32,
+    // Of the relief.
+    normal: vec3f,
+    // How much the normal turns within the pixel, in the mean square.
+    turned: f32,
+}
+
+// The pattern at a distance, a share of the largest; `tangent` is where distance grows. Every pixel of a quad has to come along.
+fn mark(distance: f32, tangent: vec3f, normal: vec3f) -> Mark {
+    let phase = distance * style.periods - style.offset;
+    let span = length(vec2f(dpdx(phase), dpdy(phase)));
+    if style.line_half_width > 0.0 {
+        let half = style.line_half_width * frame.pixel_ratio;
+        let thin = lines(phase * SUBDIVISIONS, span * SUBDIVISIONS, 0.55 * half);
+        return Mark(max(lines(phase, span, half), 0.45 * thin), normal, 0.0);
+    }
+    let pattern = bands(phase, span, style.width, style.flank);
+    let uphill = tangent - normal * dot(normal, tangent);
+    let turned = style.relief * style.relief * dot(uphill, uphill) * pattern.z;
+    return Mark(pattern.x, normalize(normal - uphill * (style.relief * pattern.y)), turned);
+}
+
+// Colors of the surface and of the stripes at a distance, a share of the largest.
+fn surface_color(distance: f32) -> vec3f {
+    return ramp_color(distance, 0.25);
+}
+
+fn stripe_color(distance: f32) -> vec3f {
+    return ramp_color(distance, 0.75);
+}
+
+fn ramp_color(distance: f32, row: f32) -> vec3f {
+    let u = (clamp(distance, 0.0, 1.0) * (RAMP_SIZE - 1.0) + 0.5) / RAMP_SIZE;
+    return textureSampleLevel(ramps, ramp_sampler, vec2f(u, row), 0.0).rgb;
+}
+
+// How much a normal turns within the pixel, in the mean square.
+fn turning(normal: vec3f) -> f32 {
+    let across = dpdx(normal);
+    let down = dpdy(normal);
+    return 0.5 * (dot(across, across) + dot(down, down));
+}
+
+// What no source reaches.
+fn unreached(clip: vec4f) -> Material {
+    let diagonal = (clip.x + clip.y) / (HATCH_PERIOD * frame.pixel_ratio);
+    let hatch = bands(diagonal, 1.0 / (HATCH_PERIOD * frame.pixel_ratio), HATCH_WIDTH, 0.05);
+    return Material(UNREACHABLE * (1.0 - 0.22 * hatch.x), 0.0, 0.6, vec3f(0.0), 1.0);
+}
+
 @fragment
 fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
-    let phase = fragment.distance * style.periods - style.offset;
-    let span = length(vec2f(dpdx(phase), dpdy(phase)));
-
-    let along = clamp(fragment.distance, 0.0, 1.0);
-    let u = (along * (RAMP_SIZE - 1.0) + 0.5) / RAMP_SIZE;
-    let surface_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.25), 0.0).rgb;
-    let stripe_color = textureSampleLevel(ramps, ramp_sampler, vec2f(u, 0.75), 0.0).rgb;
-
-    let across = dpdx(fragment.normal);
-    let down = dpdy(fragment.normal);
-    var turned = 0.5 * (dot(across, across) + dot(down, down));
-
-    var share = 0.0;
-    var normal = geometric.xyz;
-    if style.line_half_width > 0.0 {
-        let half = style.line_half_width * frame.pixel_ratio;
-        let thin = lines(phase * SUBDIVISIONS, span * SUBDIVISIONS, 0.55 * half);
-        share = max(lines(phase, span, half), 0.45 * thin);
-    } else {
-        let pattern = bands(phase, span, style.width, style.flank);
-        share = pattern.x;
-        let uphill = fragment.tangent - normal * dot(normal, fragment.tangent);
-        normal = normalize(normal - uphill * (style.relief * pattern.y));
-        turned += style.relief * style.relief * dot(uphill, uphill) * pattern.z;
-    }
+    let mark = mark(fragment.distance, fragment.tangent, geometric.xyz);
+    let turned = turning(fragment.normal) + mark.turned;
+    let between = surface_color(fragment.distance);
+    let stripe = stripe_color(fragment.distance);
     var material = Material(
-        mix(surface_color, stripe_color, share * style.stripe_opacity),
-        mix(style.surface.metalness, style.stripe.metalness, share),
-        roughened(mix(style.surface.roughness, style.stripe.roughness, share), turned),
-        surface_color * (style.surface.glow * (1.0 - share)) + stripe_color * (style.stripe.glow * share),
+        mix(between, stripe, mark.share * style.stripe_opacity),
+        mix(style.surface.metalness, style.stripe.metalness, mark.share),
+        roughened(mix(style.surface.roughness, style.stripe.roughness, mark.share), turned),
+        between * (style.surface.glow * (1.0 - mark.share)) + stripe * (style.stripe.glow * mark.share),
+        1.0,
     );
+    var normal = mark.normal;
     if fragment.reached < 0.999 {
-        let diagonal = (fragment.clip.x + fragment.clip.y) / (HATCH_PERIOD * frame.pixel_ratio);
-        let hatch = bands(diagonal, 1.0 / (HATCH_PERIOD * frame.pixel_ratio), HATCH_WIDTH, 0.05);
-        material = Material(UNREACHABLE * (1.0 - 0.22 * hatch.x), 0.0, 0.6, vec3f(0.0));
+        material = unreached(fragment.clip);
         normal = geometric.xyz;
     }
     return finish(material, fragment.position, normal, geometric);

@@ -119,6 +119,6 @@ fn vs_walker(
 @fragment
 fn fs_walker(fragment: Fragment) -> @location(0) vec4f {
     let normal = normalize(fragment.normal);
-    let material = Material(fragment.color, 0.0, 0.5, vec3f(0.0));
+    let material = Material(fragment.color, 0.0, 0.5, vec3f(0.0), 1.0);
     return encode(shade(material, fragment.position, normal, normal));
 }

@@ -2,6 +2,7 @@
 
 mod camera;
 mod content;
+mod materials;
 mod numbers;
 mod results;
 

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData, VertexId};
-use heatwalk_scene::{DrawMesh as Mesh, DrawTransform, draw_mesh};
+use heatwalk::{Appearance, FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData, VertexId};
+use heatwalk_scene::{DrawTransform, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -39,12 +39,11 @@ pub struct Drawn {
 
 impl Drawn {
     /// With the triangles themselves, which only the page needs.
-    pub fn new(surface: &Surface, transform: DrawTransform) -> (Self, DrawMesh) {
+    pub fn new(surface: &Surface, appearance: &Appearance, transform: DrawTransform) -> (Self, DrawMesh) {
         let faces = surface.faces_in_input_order().collect();
-        let Mesh { positions, normals, triangles, vertex_of_drawn, input_of_drawn } =
-            draw_mesh(surface, CREASE_ANGLE, &transform);
-        let drawn = Self { vertices: vertex_of_drawn, inputs: input_of_drawn, faces, transform };
-        (drawn, DrawMesh::new(positions, normals, triangles))
+        let mut mesh = draw_mesh(surface, appearance, CREASE_ANGLE, &transform);
+        let (vertices, inputs) = (std::mem::take(&mut mesh.vertex_of_drawn), std::mem::take(&mut mesh.input_of_drawn));
+        (Self { vertices, inputs, faces, transform }, DrawMesh::new(mesh))
     }
 
     pub fn input_vertices(&self) -> Vec<u32> {

@@ -5,6 +5,7 @@
 
 #![cfg(target_arch = "wasm32")]
 
+mod appearance;
 mod drawn;
 mod failure;
 mod field;
@@ -16,12 +17,13 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{MemoryLimit, Soup, Surface, io};
+use heatwalk::{Appearance, MemoryLimit, Soup, Surface, io};
 use heatwalk_scene::DrawTransform;
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 
+use crate::appearance::{EncodedImage, Material};
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::results::{BuildReport, DrawMesh, Shade};
@@ -93,6 +95,21 @@ impl MeshFile {
         self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
     }
 
+    /// Whether it says how its triangles look.
+    pub fn has_appearance(&self) -> bool {
+        !self.soup.appearance.runs.is_empty() || !self.soup.appearance.colors.is_empty()
+    }
+
+    /// The materials that triangles have.
+    pub fn materials(&self) -> Vec<Material> {
+        self.soup.appearance.materials.iter().map(Material::new).collect()
+    }
+
+    /// The images that materials use.
+    pub fn images(&self) -> Vec<EncodedImage> {
+        self.soup.appearance.images.iter().map(EncodedImage::new).collect()
+    }
+
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
     /// or in so many MiB; 0 windows: for what is factored, before its factors.
     pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
@@ -109,20 +126,23 @@ impl MeshFile {
     /// The surface formed by the parts `active`.
     pub fn surface(&self, active: &[u32]) -> Result<ActiveSurface> {
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
-        let surface = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
-            Surface::build(&self.soup)?
+        let selection;
+        let soup = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
+            &self.soup
         } else {
-            Surface::build(&self.soup.select(&chosen)?)?
+            selection = self.soup.select(&chosen)?;
+            &selection
         };
+        let surface = Surface::build(soup)?;
         let transform = DrawTransform::around(&surface, &self.soup);
-        Ok(ActiveSurface { transform, surface: Arc::new(surface) })
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance: Arc::clone(&soup.appearance) })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
     pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<DrawMesh> {
         let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
-            Ok(surface) => Ok(Drawn::new(&surface, beside.transform).1),
+            Ok(surface) => Ok(Drawn::new(&surface, &soup.appearance, beside.transform).1),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
             Err(heatwalk::surface::Error::Empty { .. }) => Ok(DrawMesh::default()),
             Err(error) => Err(error.into()),
@@ -134,6 +154,7 @@ impl MeshFile {
 #[wasm_bindgen]
 pub struct ActiveSurface {
     surface: Arc<Surface>,
+    appearance: Arc<Appearance>,
     transform: DrawTransform,
 }
 
@@ -157,7 +178,7 @@ impl ActiveSurface {
 
     /// Makes its triangles ready to be drawn.
     pub fn draw(&self) -> Drawing {
-        let (drawn, mesh) = Drawn::new(&self.surface, self.transform);
+        let (drawn, mesh) = Drawn::new(&self.surface, &self.appearance, self.transform);
         Drawing { surface: Arc::clone(&self.surface), drawn: Arc::new(drawn), mesh }
     }
 }

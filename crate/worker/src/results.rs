@@ -3,32 +3,31 @@
 
 use glam::Vec3;
 use heatwalk::Path;
+use heatwalk::surface::appearance::Run;
 use heatwalk_bake::{Bounds, Hierarchy};
 use heatwalk_scene::DrawTransform;
-use js_sys::{Float32Array, Uint8Array, Uint32Array};
+use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 /// Triangles to draw, with vertices split where the normal jumps, and their bounding volume hierarchy.
 #[wasm_bindgen(inspectable)]
 #[derive(Default)]
 pub struct DrawMesh {
-    positions: Vec<f32>,
-    normals: Vec<f32>,
-    triangles: Vec<u32>,
+    mesh: heatwalk_scene::DrawMesh,
     hierarchy: Hierarchy,
 }
 
 impl DrawMesh {
-    pub(crate) fn new(positions: Vec<f32>, normals: Vec<f32>, triangles: Vec<u32>) -> Self {
-        let hierarchy = Hierarchy::new(bytemuck::cast_slice(&positions), bytemuck::cast_slice(&triangles));
-        Self { positions, normals, triangles, hierarchy }
+    pub(crate) fn new(mesh: heatwalk_scene::DrawMesh) -> Self {
+        let hierarchy = Hierarchy::new(bytemuck::cast_slice(&mesh.positions), bytemuck::cast_slice(&mesh.triangles));
+        Self { mesh, hierarchy }
     }
 
     /// What the triangles keep off the light around them.
     pub(crate) fn shade(&self) -> Shade {
-        let positions: &[Vec3] = bytemuck::cast_slice(&self.positions);
+        let positions: &[Vec3] = bytemuck::cast_slice(&self.mesh.positions);
         let bounds = Bounds::of_points(positions.iter()).unwrap_or(Bounds::UNIT);
-        Shade(heatwalk_bake::Shade::new(bounds, [(positions, bytemuck::cast_slice(&self.triangles))].into_iter()))
+        Shade(heatwalk_bake::Shade::new(bounds, [(positions, bytemuck::cast_slice(&self.mesh.triangles))].into_iter()))
     }
 }
 
@@ -37,19 +36,42 @@ impl DrawMesh {
     /// `#D × 3`, as they are drawn.
     #[wasm_bindgen(getter)]
     pub fn positions(&self) -> Float32Array {
-        self.positions.as_slice().into()
+        self.mesh.positions.as_slice().into()
     }
 
     /// `#D × 3`, unit length.
     #[wasm_bindgen(getter)]
     pub fn normals(&self) -> Float32Array {
-        self.normals.as_slice().into()
+        self.mesh.normals.as_slice().into()
     }
 
     /// `#F × 3`, indices of drawn vertices, counter-clockwise seen from outside.
     #[wasm_bindgen(getter)]
     pub fn triangles(&self) -> Uint32Array {
-        self.triangles.as_slice().into()
+        self.mesh.triangles.as_slice().into()
+    }
+
+    /// `#D × 4`, two sets of texture coordinates; empty where the file has none.
+    #[wasm_bindgen(getter)]
+    pub fn texcoords(&self) -> Float32Array {
+        self.mesh.texcoords.as_slice().into()
+    }
+
+    /// `#D × 4`, linear RGBA, 65535 for 1; empty where the file has none.
+    #[wasm_bindgen(getter)]
+    pub fn colors(&self) -> Uint16Array {
+        self.mesh.colors.as_slice().into()
+    }
+
+    /// Three numbers a run of triangles of one material: its first triangle, the one after its last, and the material's
+    /// index, the largest number for the default one. Empty where the file has no materials.
+    #[wasm_bindgen(getter)]
+    pub fn runs(&self) -> Uint32Array {
+        let numbers = |run: &Run| {
+            let material = run.material.map_or(u32::MAX, |material| material as u32);
+            [run.triangles.start as u32, run.triangles.end as u32, material]
+        };
+        self.mesh.runs.iter().flat_map(numbers).collect::<Vec<u32>>().as_slice().into()
     }
 
     /// `#F`, triangles in the order of the hierarchy's leaves.

@@ -1,6 +1,7 @@
 /** The worker: the solver's wasm module behind the interface of protocol.ts. */
 import { expose, transfer } from 'comlink';
 import type {
+  Appearance,
   DistanceField,
   DrawMesh,
   DrawTransform,
@@ -23,6 +24,7 @@ import type {
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
+import { decodeImage } from './images';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
@@ -88,6 +90,7 @@ const api: SolverApi = {
     const clock = stopwatch();
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
     const file = read(input);
+    const appearance = appearanceOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
     const names = file.part_names();
@@ -112,6 +115,7 @@ const api: SolverApi = {
       active: [...active],
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
+      appearance: await appearance,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface),
       scenery,
@@ -124,6 +128,7 @@ const api: SolverApi = {
       ...buffersOf(mesh.surface),
       ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
       mesh.inputVertices.buffer,
+      ...(mesh.appearance?.images.filter((image) => image !== null) ?? []),
     ]);
   },
 
@@ -344,13 +349,21 @@ function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T>
   return message;
 }
 
+/** What a file says of its looks; its images are decoded while the surface is built. */
+async function appearanceOf(file: wasm.MeshFile): Promise<Appearance | null> {
+  if (!file.has_appearance()) return null;
+  const materials = file.materials().map(plain);
+  const images = await Promise.all(file.images().map((image) => decodeImage(plain(image))));
+  return { materials, images };
+}
+
 function drawTransformOf(surface: wasm.ActiveSurface): DrawTransform {
   const [x, y, z, scale] = surface.draw_transform();
   return { center: [x, y, z], scale };
 }
 
-function buffersOf({ positions, normals, triangles, order, boxes }: DrawMesh): Transferable[] {
-  return [positions, normals, triangles, order, boxes].map(({ buffer }) => buffer);
+function buffersOf({ positions, normals, triangles, order, boxes, texcoords, colors, runs }: DrawMesh): Transferable[] {
+  return [positions, normals, triangles, order, boxes, texcoords, colors, runs].map(({ buffer }) => buffer);
 }
 
 /** Milliseconds since the last call. */

@@ -1,5 +1,6 @@
 import type { Session } from '../../session/session';
 import {
+  BLENDS,
   isRamp,
   STYLE_RANGES,
   styleGradient,
@@ -9,15 +10,17 @@ import {
   PATTERNS,
   SURROUNDINGS,
   WIDEST_LINE,
+  type Blend,
   type Finish,
   type Style,
   type MapName,
   type RampName,
 } from '../../state/styles';
-import { h, select, slider, toggle } from '../dom';
+import { h, labelled, select, slider, toggle } from '../dom';
 import { length, percent } from '../words';
 
 const SINGLE_COLOR = 'single color';
+const OF_FILE = "the file's materials";
 
 /** A group of controls that shows a style. */
 interface Part {
@@ -32,7 +35,7 @@ export function styleSection(session: Session): HTMLElement {
   const parts: Part[] = [
     gallery((style) => scene.set({ style })),
     patternControls(session, change),
-    colours(change),
+    colours(session, change),
     materials(() => scene.state.style, change),
     light(change),
   ];
@@ -108,6 +111,7 @@ function patternControls(session: Session, change: Change): Part {
   const relief = number('Relief', 'relief', 0.01, (value) => (value < 0 ? 'groove ' : '') + percent(Math.abs(value)));
   const flow = number('Flow', 'flow', 0.1, (value) => (value === 0 ? 'still' : `${value.toFixed(1)} / s`));
   const bandsOnly = [sharpness.element, relief.element];
+  const patterned = [period.element, width.element, offset.element, flow.element];
   return {
     element: h(
       'div',
@@ -125,17 +129,19 @@ function patternControls(session: Session, change: Change): Part {
       period.show(style.period);
       width.show(style.width);
       for (const { key, show } of [offset, sharpness, relief, flow]) show(style[key]);
-      for (const element of bandsOnly) element.hidden = lines;
+      for (const element of bandsOnly) element.hidden = style.pattern !== 'bands';
+      for (const element of patterned) element.hidden = style.pattern === 'none';
     },
   };
 }
 
-function colours(change: Change): Part {
-  const surface = select<RampName>(
+function colours(session: Session, change: Change): Part {
+  const surface = select<RampName | typeof OF_FILE>(
     'Surface',
-    RAMP_NAMES.map((name) => [name, name] as const),
-    (value) => change({ ramp: value }),
+    ([OF_FILE, ...RAMP_NAMES] as const).map((name) => [name, name] as const),
+    (value) => change(value === OF_FILE ? { surfaceOf: 'file' } : { surfaceOf: 'style', ramp: value }),
   );
+  const blend = select('Stripes lie', labelled(BLENDS, BLEND_WORDS), (value) => change({ blend: value }));
   const colour = h('input', { type: 'color', oninput: () => change({ stripe: colour.value }) });
   const stripes = select<string>(
     'Stripes',
@@ -144,15 +150,25 @@ function colours(change: Change): Part {
   );
   const own = h('label', { class: 'field' }, h('span', {}, 'Stripe color'), colour);
   return {
-    element: h('div', { class: 'stack' }, surface.element, stripes.element, own),
-    show: ({ ramp, stripe }) => {
-      surface.show(ramp);
+    element: h('div', { class: 'stack' }, surface.element, blend.element, stripes.element, own),
+    show: ({ surfaceOf, blend: chosen, ramp, stripe }) => {
+      const hasMaterials = Boolean(session.shown.value?.opened.appearance);
+      const isOfFile = surfaceOf === 'file' && hasMaterials;
+      surface.show(isOfFile ? OF_FILE : ramp);
+      surface.allow((value) => value !== OF_FILE || hasMaterials);
+      blend.show(chosen);
+      blend.element.hidden = !isOfFile;
       stripes.show(isRamp(stripe) ? stripe : SINGLE_COLOR);
       own.hidden = isRamp(stripe);
       if (!isRamp(stripe)) colour.value = stripe;
     },
   };
 }
+
+const BLEND_WORDS: Record<Blend, string> = {
+  over: 'over the materials',
+  multiply: 'multiplied with them',
+};
 
 const MAP_WORDS: Record<MapName, string> = {
   colour: 'Color',

@@ -7,7 +7,10 @@ use super::Renderer;
 use crate::check;
 use crate::environment::{Environment, Surroundings};
 use crate::error::Error;
+use crate::image::Image;
+use crate::material::Material;
 use crate::mesh::{Mesh, MeshArrays};
+use crate::model::ModelRenderer;
 use crate::pose::{CrowdPose, Track};
 use crate::style::Style;
 use crate::surface::{FieldBuffers, RAMP_BYTES};
@@ -31,8 +34,18 @@ impl Renderer {
         self.walkers.clear();
         self.arrows.clear();
         self.wires.clear();
-        self.update_bounds();
+        self.adopt_meshes();
         Ok(())
+    }
+
+    /// Replaces the materials that meshes with an appearance are drawn in, and the images that these use.
+    pub fn set_materials(&mut self, materials: &[Material], images: &[Image]) {
+        // Most files have none, and its pipelines take their time.
+        if self.models.is_some() || !materials.is_empty() {
+            let make = || ModelRenderer::new(&self.context, &self.shared, &self.surfaces);
+            self.models.get_or_insert_with(make).set_materials(&self.context, materials, images);
+            self.dirty = true;
+        }
     }
 
     /// Replaces the scenery.
@@ -42,11 +55,14 @@ impl Renderer {
     pub fn set_scenery(&mut self, meshes: Vec<MeshArrays>) -> Result<(), Error> {
         let made = meshes.into_iter().filter_map(|arrays| Mesh::new(&self.context, arrays).transpose());
         self.scenery = made.collect::<Result<_, _>>()?;
-        self.update_bounds();
+        self.adopt_meshes();
         Ok(())
     }
 
-    fn update_bounds(&mut self) {
+    fn adopt_meshes(&mut self) {
+        if self.models.is_none() && self.meshes().any(|mesh| mesh.model.is_some()) {
+            self.models = Some(ModelRenderer::new(&self.context, &self.shared, &self.surfaces));
+        }
         let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
         let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
         let all = if self.scenery.is_empty() { None } else { all() };

@@ -9,8 +9,11 @@ use crate::camera::{Camera, Eye};
 use crate::canvas::NextFrame;
 use crate::capture::Capture;
 use crate::error::Error;
+use crate::mesh::Mesh;
+use crate::model::Pass;
 use crate::shadow::{Casters, ShadowView};
 use crate::shared::Frame;
+use crate::surface::FieldBuffers;
 
 impl Renderer {
     /// True when the last frame is out of date, the camera moves, or the device was lost or refused a step (which
@@ -108,17 +111,39 @@ impl Renderer {
             self.background.draw(pass);
         }
         self.ground.draw(pass, eye.position.y as f32);
-        if let Some((mesh, field)) = &self.surface {
+        if let Some((mesh, field)) = &self.surface
+            && !self.draw_model(pass, mesh, Some(field), Pass::Solid)
+        {
             self.surfaces.draw(pass, &mesh.buffers, field);
         }
         for mesh in &self.scenery {
-            self.surfaces.draw_scenery(pass, &mesh.buffers);
+            if !self.draw_model(pass, mesh, None, Pass::Solid) {
+                self.surfaces.draw_scenery(pass, &mesh.buffers);
+            }
         }
         self.walkers.draw(pass);
         self.pins.draw(pass);
+        if let Some((mesh, field)) = &self.surface {
+            self.draw_model(pass, mesh, Some(field), Pass::Blended);
+        }
+        for mesh in &self.scenery {
+            self.draw_model(pass, mesh, None, Pass::Blended);
+        }
         self.arrows.draw(pass);
         self.curve.draw(pass);
         self.wires.draw(pass);
+    }
+
+    /// Draws a mesh in the materials of its file; false where it has none or the style does not want them.
+    fn draw_model(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        mesh: &Mesh,
+        field: Option<&FieldBuffers>,
+        which: Pass,
+    ) -> bool {
+        let models = self.models.as_ref().filter(|_| self.style.has_materials_of_file);
+        models.is_some_and(|models| models.draw(pass, &self.surfaces, mesh, field, which))
     }
 
     /// Finds out anew, if need be, what the scene keeps off the floor and off itself.

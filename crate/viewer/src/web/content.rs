@@ -1,11 +1,12 @@
 //! What is shown.
 
 use glam::Vec3;
-use js_sys::{Float32Array, Int8Array};
+use js_sys::{Array, Float32Array, Int8Array};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
+use super::materials::{DrawnMaterial, image, material};
 use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, points, shade};
 use crate::environment;
 use crate::error::Error;
@@ -32,6 +33,28 @@ impl Viewer {
     pub fn set_surface(&mut self, mesh: &DrawnMesh, shaded: Option<DrawnShade>) -> Result<(), JsError> {
         let shade = shaded.map(|shaded| shade(&shaded)).transpose()?;
         Ok(self.renderer.set_surface(mesh_arrays(mesh)?, shade)?)
+    }
+
+    /// Replaces the materials of the file and the images that these use, decoded without colour conversion and without
+    /// alpha multiplied in; null for one that could not be decoded. To be set before the meshes.
+    ///
+    /// # Errors
+    /// Throws when a material has other than four numbers for its base color or five channels.
+    pub fn set_materials(
+        &mut self,
+        materials: Vec<DrawnMaterial>,
+        #[wasm_bindgen(unchecked_param_type = "readonly (ImageBitmap | null)[]")] images: &Array,
+    ) -> Result<(), JsError> {
+        let materials = materials.iter().map(material).collect::<Result<Vec<_>, _>>()?;
+        let images: Vec<_> = images.iter().map(image).collect();
+        self.renderer.set_materials(&materials, &images);
+        Ok(())
+    }
+
+    /// Whether a surface whose file has materials is seen in these, and whether the stripes' colour is then a factor on
+    /// theirs instead of covering it.
+    pub fn set_materials_of_file(&mut self, has_materials_of_file: bool, is_multiplied: bool) {
+        self.change_style(|style| Style { has_materials_of_file, is_multiplied, ..style });
     }
 
     /// Replaces the scenery; empty for none.

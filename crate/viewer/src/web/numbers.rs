@@ -2,11 +2,11 @@
 
 use glam::Vec3;
 use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
-use js_sys::{Float32Array, Uint8Array, Uint32Array};
+use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::Error;
-use crate::mesh::MeshArrays;
+use crate::mesh::{MeshAppearance, MeshArrays, MeshRun};
 use crate::style::Finish;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -18,6 +18,12 @@ export interface DrawnMesh {
   triangles: Uint32Array;
   order: Uint32Array;
   boxes: Float32Array;
+  /** `#D × 4`: two sets of texture coordinates; empty for none. */
+  texcoords: Float32Array;
+  /** `#D × 4`: linear RGBA, 65535 for 1; empty for none. */
+  colors: Uint16Array;
+  /** Three numbers a run of triangles of one material: its first triangle, the one after its last, and the material. */
+  runs: Uint32Array;
 }
 
 /** What a surface keeps off the light around it. */
@@ -42,6 +48,12 @@ extern "C" {
     fn order(this: &DrawnMesh) -> Uint32Array;
     #[wasm_bindgen(method, getter, structural)]
     fn boxes(this: &DrawnMesh) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn texcoords(this: &DrawnMesh) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn colors(this: &DrawnMesh) -> Uint16Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn runs(this: &DrawnMesh) -> Uint32Array;
 
     /// Another one.
     #[wasm_bindgen(typescript_type = "DrawnShade")]
@@ -98,7 +110,17 @@ pub(super) fn mesh_arrays(mesh: &DrawnMesh) -> Result<MeshArrays, Error> {
     Ok(MeshArrays {
         positions: groups("positions", mesh.positions().to_vec())?,
         normals: groups("normals", mesh.normals().to_vec())?,
+        appearance: appearance(mesh)?,
         hierarchy: hierarchy.ok_or(Error::WrongLength { what: "hierarchy", expected: triangles.len(), found })?,
         triangles,
+    })
+}
+
+fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
+    let runs: Vec<[u32; 3]> = groups("material runs", mesh.runs().to_vec())?;
+    Ok(MeshAppearance {
+        texcoords: groups("texture coordinates", mesh.texcoords().to_vec())?,
+        colors: groups("vertex colors", mesh.colors().to_vec())?,
+        runs: runs.into_iter().map(|[first, end, material]| MeshRun { triangles: first..end, material }).collect(),
     })
 }

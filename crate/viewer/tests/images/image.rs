@@ -26,13 +26,17 @@ pub struct Difference {
     /// Those that differ clearly.
     pub pixels: usize,
     /// Of all channels; of 255.
-    mean: f64,
+    pub mean: f64,
 }
 
 impl Image {
     /// Of opaque RGBA bytes.
     pub fn of(pixels: &[u8]) -> Self {
         Self(pixels.as_chunks::<4>().0.iter().map(|&[red, green, blue, _]| [red, green, blue]).collect())
+    }
+
+    pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
+        self.0[(y * WIDTH + x) as usize]
     }
 
     pub fn read(path: &Path) -> io::Result<Self> {

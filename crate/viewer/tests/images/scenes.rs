@@ -4,7 +4,8 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
 use heatwalk_viewer::{
-    CrowdPose, Error, Finish, Hierarchy, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style, Surroundings, View,
+    CrowdPose, Error, Finish, Hierarchy, MeshAppearance, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style,
+    Surroundings, View,
 };
 
 /// A picture and how its scene is set up.
@@ -13,13 +14,14 @@ pub struct Scene {
     pub show: fn(&mut Renderer) -> Result<(), Error>,
 }
 
-pub const SCENES: [Scene; 6] = [
+pub const SCENES: [Scene; 7] = [
     Scene { name: "stripes", show: stripes },
     Scene { name: "lines_and_edges", show: lines_and_edges },
     Scene { name: "pins_path_and_walker", show: pins_path_and_walker },
     Scene { name: "crowd", show: crowd },
     Scene { name: "scenery_and_unreachable", show: scenery_and_unreachable },
     Scene { name: "arrows", show: arrows },
+    Scene { name: "materials_of_a_file", show: crate::materials::belts },
 ];
 
 /// Where distance is measured from; unit length.
@@ -50,7 +52,8 @@ impl Grid {
     pub fn arrays(&self) -> MeshArrays {
         let Self { positions, normals, triangles } = self;
         let hierarchy = Hierarchy::new(positions, triangles);
-        MeshArrays { positions: positions.clone(), normals: normals.clone(), triangles: triangles.clone(), hierarchy }
+        let (positions, normals, triangles) = (positions.clone(), normals.clone(), triangles.clone());
+        MeshArrays { positions, normals, triangles, hierarchy, appearance: MeshAppearance::default() }
     }
 }
 
@@ -84,9 +87,19 @@ fn away(place: Vec3) -> Vec3 {
 
 /// Shows a sphere with the distance from the source, in units of so many radii; `reach` is where it becomes unreachable.
 fn show_sphere(renderer: &mut Renderer, unit: f64, reach: f32, style: Style) -> Result<(), Error> {
-    let sphere = sphere();
-    let positions = sphere.positions.clone();
-    renderer.set_surface(sphere.arrays(), None)?;
+    show_field(renderer, sphere().arrays(), unit, reach, style)
+}
+
+/// The same of a mesh that is this sphere.
+pub fn show_field(
+    renderer: &mut Renderer,
+    arrays: MeshArrays,
+    unit: f64,
+    reach: f32,
+    style: Style,
+) -> Result<(), Error> {
+    let positions = arrays.positions.clone();
+    renderer.set_surface(arrays, None)?;
     renderer.set_environment(Surroundings::Studio, 0.4);
     renderer.set_background(Vec3::new(0.93, 0.94, 0.96), Vec3::new(0.78, 0.81, 0.85));
     renderer.set_ramps(&ramps())?;
@@ -117,11 +130,13 @@ fn ramps() -> [u8; RAMP_BYTES] {
     texels
 }
 
-const BANDS: Style = Style {
+pub const BANDS: Style = Style {
     period: 0.3,
     offset: 0.2,
     pattern: Pattern::Bands { width: 0.4, sharpness: 0.6, relief: -0.05 },
     stripe_opacity: 1.0,
+    has_materials_of_file: false,
+    is_multiplied: false,
     surface: Finish { metalness: 1.0, roughness: 0.3, glow: 0.0 },
     stripe: Finish { metalness: 0.0, roughness: 0.4, glow: 0.1 },
 };

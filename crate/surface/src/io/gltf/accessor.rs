@@ -38,6 +38,20 @@ impl Accessors<'_> {
         Ok(self.rows::<3>(index, Type::Vec3, Meaning::Quantity)?.into_iter().map(DVec3::from).collect())
     }
 
+    /// `count × 2`: texture coordinates.
+    pub fn texcoords(self, index: u32) -> Result<Vec<[f64; 2]>> {
+        self.rows(index, Type::Vec2, Meaning::Quantity)
+    }
+
+    /// `count × 4`: colors, with an alpha of 1 where the accessor has none.
+    pub fn colors(self, index: u32) -> Result<Vec<[f64; 4]>> {
+        if matches!(self.find(index)?.0.type_, Checked::Valid(Type::Vec3)) {
+            let opaque = |[red, green, blue]: [f64; 3]| [red, green, blue, 1.0];
+            return Ok(self.rows(index, Type::Vec3, Meaning::Quantity)?.into_iter().map(opaque).collect());
+        }
+        self.rows(index, Type::Vec4, Meaning::Quantity)
+    }
+
     /// `count × 4`: skinning weights.
     pub fn weights(self, index: u32) -> Result<Vec<[f64; 4]>> {
         self.rows(index, Type::Vec4, Meaning::Quantity)

@@ -113,6 +113,11 @@ impl<'a> Buffers<'a> {
                     )),
             };
         };
+        self.fetch(uri, place)
+    }
+
+    /// The bytes behind a URI: those of a data URI, or of a file beside the mesh.
+    pub fn fetch(&self, uri: &str, place: impl Fn() -> String) -> Result<Cow<'a, [u8]>> {
         if let Some(data) = uri.strip_prefix("data:") {
             let (_, encoded) = data
                 .split_once(";base64,")

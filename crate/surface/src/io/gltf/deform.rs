@@ -46,10 +46,10 @@ pub fn joint_matrices(root: &Root, accessors: Accessors, scene: &Scene, skin: In
     Ok(matrices)
 }
 
-/// Linear blend skinning over all sets of joints and weights.
-pub fn skin(accessors: Accessors, primitive: &Primitive, joints: &[DMat4], positions: &mut [DVec3]) -> Result<()> {
-    let mut blended = vec![DVec3::ZERO; positions.len()];
-    let mut total = vec![0.0; positions.len()];
+/// The matrix of each of `count` vertices by linear blend skinning over all sets of joints and weights.
+pub fn skin(accessors: Accessors, primitive: &Primitive, joints: &[DMat4], count: usize) -> Result<Vec<DMat4>> {
+    let mut blended = vec![DMat4::ZERO; count];
+    let mut total = vec![0.0; count];
     let attribute = |semantic| primitive.attributes.get(&Checked::Valid(semantic)).map(|&index| number(index));
     for set in 0.. {
         let (Some(joint_accessor), Some(weight_accessor)) =
@@ -58,7 +58,7 @@ pub fn skin(accessors: Accessors, primitive: &Primitive, joints: &[DMat4], posit
             break;
         };
         let influences = accessors.joints(joint_accessor)?.into_iter().zip(accessors.weights(weight_accessor)?);
-        for (vertex, (influence, weights)) in influences.enumerate().take(positions.len()) {
+        for (vertex, (influence, weights)) in influences.enumerate().take(count) {
             for (joint, weight) in influence.into_iter().zip(weights).filter(|&(_, weight)| weight != 0.0) {
                 let world_from_mesh = joints.get(joint as usize).ok_or_else(|| {
                     GLTF.at(
@@ -66,14 +66,14 @@ pub fn skin(accessors: Accessors, primitive: &Primitive, joints: &[DMat4], posit
                         format!("joint {joint} of vertex {vertex} does not exist; export the file again"),
                     )
                 })?;
-                blended[vertex] += weight * world_from_mesh.transform_point3(positions[vertex]);
+                blended[vertex] += *world_from_mesh * weight;
                 total[vertex] += weight;
             }
         }
     }
     // Quantised weights need not sum to 1 exactly; a vertex without any stays where it is.
-    for (vertex, position) in positions.iter_mut().enumerate().filter(|&(vertex, _)| total[vertex] != 0.0) {
-        *position = blended[vertex] / total[vertex];
+    for (matrix, total) in blended.iter_mut().zip(total) {
+        *matrix = if total == 0.0 { DMat4::IDENTITY } else { *matrix * (1.0 / total) };
     }
-    Ok(())
+    Ok(blended)
 }

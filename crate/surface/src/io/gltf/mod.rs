@@ -2,11 +2,14 @@
 //! index and offset checked, since the crate's own readers panic on damaged files.
 
 mod accessor;
+mod appearance;
 mod container;
 mod deform;
 mod format;
 mod primitive;
 mod scene;
+
+use std::sync::Arc;
 
 use glam::DMat4;
 use gltf::json::{self, Root};
@@ -15,6 +18,7 @@ use super::reader::Resources;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 use accessor::Accessors;
+use appearance::{Collector, attributes_of};
 use container::Buffers;
 pub use format::GLB_MAGIC;
 use format::{GLTF, element};
@@ -32,14 +36,23 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     let accessors = Accessors { root: &root, buffers: &buffers };
     let scene = Scene::new(&root)?;
     let mut soup = Soup::default();
+    let mut collector = Collector::new(accessors);
     for &index in &scene.mesh_nodes {
-        add_node(&mut soup, &root, accessors, &scene, index)?;
+        add_node(&mut soup, &mut collector, &root, accessors, &scene, index)?;
     }
+    soup.appearance = Arc::new(collector.finish(&root, &buffers, soup.positions.len()));
     Ok(soup)
 }
 
 /// Adds the mesh of a node as a part.
-fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, index: usize) -> Result<()> {
+fn add_node(
+    soup: &mut Soup,
+    collector: &mut Collector,
+    root: &Root,
+    accessors: Accessors,
+    scene: &Scene,
+    index: usize,
+) -> Result<()> {
     let node = &root.nodes[index];
     let Some(mesh_index) = node.mesh else { return Ok(()) };
     let mesh = element(&root.meshes, mesh_index, "mesh")?;
@@ -49,11 +62,12 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
     let world_from_node = if joints.is_some() { DMat4::IDENTITY } else { scene.world_from_node[index] };
 
     let start = soup.triangles.len();
-    let mut first_vertices: Vec<(u32, usize)> = Vec::new();
+    let mut first_vertices = Vec::new();
     for primitive in &mesh.primitives {
         let Some(position) = primitive::triangles_over(primitive)? else { continue };
         // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
-        let shared = first_vertices.iter().find(|&&(accessor, _)| accessor == position && primitive.targets.is_none());
+        let attributes = (position, attributes_of(primitive));
+        let shared = first_vertices.iter().find(|&&(known, _)| known == attributes && primitive.targets.is_none());
         let (first, count) = if let Some(&(_, first)) = shared {
             (first, accessors.count(position)?)
         } else {
@@ -63,14 +77,21 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
                 return Err(Error::OutOfMemory { stage: "reading the glTF file" });
             }
             deform::morph(accessors, primitive, weights, &mut positions)?;
-            if let Some(joints) = &joints {
-                deform::skin(accessors, primitive, joints, &mut positions)?;
-            }
-            soup.positions.extend(positions.iter().map(|&point| world_from_node.transform_point3(point)));
-            first_vertices.push((position, first));
+            let skin = joints.as_ref().map(|joints| deform::skin(accessors, primitive, joints, positions.len()));
+            let skin = skin.transpose()?;
+            let world_from_vertex = |vertex: usize| skin.as_ref().map_or(world_from_node, |skin| skin[vertex]);
+            let places = positions.iter().enumerate();
+            soup.positions.extend(places.map(|(vertex, &point)| world_from_vertex(vertex).transform_point3(point)));
+            // Displacements of normals are not read: a morphed mesh has the normals of its triangles.
+            let is_morphed = primitive.targets.is_some() && weights.iter().any(|&weight| weight != 0.0);
+            let turn = (!is_morphed).then_some(world_from_vertex);
+            collector.add_vertices(primitive, first..soup.positions.len(), turn);
+            first_vertices.push((attributes, first));
             (first, soup.positions.len() - first)
         };
+        let first_triangle = soup.triangles.len();
         primitive::append_triangles(accessors, primitive, first, count, &mut soup.triangles)?;
+        collector.add_triangles(primitive, first_triangle..soup.triangles.len());
     }
     if soup.triangles.len() > MAX_VERTICES {
         return Err(Error::OutOfMemory { stage: "reading the glTF file" });

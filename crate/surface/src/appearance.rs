@@ -1,0 +1,193 @@
+//! How a file wants its triangles to look: attributes of vertices, materials, images. Nothing here changes a distance.
+
+use std::ops::Range;
+
+use glam::Vec3;
+
+/// Attributes have one value an input vertex, or none at all where no vertex has that attribute.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Appearance {
+    /// `#V`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
+    pub texcoords: Vec<[f32; 4]>,
+    /// `#V`, linear red, green, blue and alpha, 65535 for 1.
+    pub colors: Vec<[u16; 4]>,
+    /// `#V`, unit vectors; zero at vertices that have none.
+    pub normals: Vec<Vec3>,
+    /// Consecutive triangles of one material, in the order of the triangles, which they cover without gap or overlap; none where
+    /// no triangle has a material.
+    pub runs: Vec<Run>,
+    /// In the order of the file.
+    pub materials: Vec<Material>,
+    /// Those that materials use.
+    pub images: Vec<Image>,
+}
+
+/// Consecutive triangles of one material.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Run {
+    /// A range of the triangles.
+    pub triangles: Range<usize>,
+    /// Index of its material; None for the default one.
+    pub material: Option<usize>,
+}
+
+/// A material in the metallic-roughness model of glTF 2.0 (3.9). Each texture is a factor on the number beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Linear red, green, blue and alpha.
+    pub base_color: [f32; 4],
+    /// 0 is a dielectric, 1 a metal.
+    pub metalness: f32,
+    /// 0 is a mirror, 1 is matt.
+    pub roughness: f32,
+    /// Linear red, green and blue of the light given off; may be above 1.
+    pub emission: [f32; 3],
+    /// Factor on the slope of the normal texture.
+    pub normal_scale: f32,
+    /// How much of the occlusion texture is applied, 0 to 1.
+    pub occlusion_strength: f32,
+    /// What alpha means.
+    pub alpha: Alpha,
+    /// Shown in its base color, whatever the light.
+    pub is_unlit: bool,
+    /// Seen from behind as well.
+    pub is_double_sided: bool,
+    /// Where a channel has one, in the order of [`Channel`].
+    pub textures: [Option<Texture>; Channel::COUNT],
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            base_color: [1.0; 4],
+            metalness: 1.0,
+            roughness: 1.0,
+            emission: [0.0; 3],
+            normal_scale: 1.0,
+            occlusion_strength: 1.0,
+            alpha: Alpha::Opaque,
+            is_unlit: false,
+            is_double_sided: false,
+            textures: Default::default(),
+        }
+    }
+}
+
+/// What a texture of a material says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// sRGB color and linear alpha.
+    BaseColor,
+    /// Roughness in green, metalness in blue.
+    MetallicRoughness,
+    /// Tangent-space normal.
+    Normal,
+    /// Share of the indirect light that arrives, in red.
+    Occlusion,
+    /// sRGB color of the light given off.
+    Emission,
+}
+
+impl Channel {
+    /// How many there are.
+    pub const COUNT: usize = 5;
+}
+
+/// What the alpha of the base color means.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Alpha {
+    /// Nothing.
+    Opaque,
+    /// Below this value nothing is drawn, elsewhere the surface is opaque.
+    Mask(f32),
+    /// The share of the light that the surface keeps from what is behind it.
+    Blend,
+}
+
+/// How a channel of a material uses an image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Texture {
+    /// Index of the image.
+    pub image: usize,
+    /// Which set of texture coordinates, 0 or 1.
+    pub set: usize,
+    /// Rows of the affine map from (u, v, 1) of the vertices to the image.
+    pub transform: [[f32; 3]; 2],
+    /// Beyond the image along u and v.
+    pub wrap: [Wrap; 2],
+    /// Whether magnified texels keep sharp edges.
+    pub is_sharp: bool,
+}
+
+impl Texture {
+    /// The transform that changes nothing.
+    pub const IDENTITY: [[f32; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+}
+
+/// What is beyond an image.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// The image again.
+    Repeat,
+    /// The image again, mirrored each time.
+    Mirror,
+    /// Its border.
+    Clamp,
+}
+
+/// An image, encoded as in the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Image {
+    /// Media type, `image/png`; empty where the file does not say.
+    pub media_type: String,
+    /// The encoded image; empty where it could not be found.
+    pub bytes: Vec<u8>,
+}
+
+impl Appearance {
+    /// Whether the file says nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.colors.is_empty() && self.normals.is_empty() && self.runs.is_empty()
+    }
+
+    /// The appearance of the triangles and vertices that are kept, of both in ascending order.
+    #[must_use]
+    pub fn select(
+        &self,
+        triangles: impl Iterator<Item = usize>,
+        vertices: impl Iterator<Item = usize> + Clone,
+    ) -> Self {
+        fn chosen<T: Copy>(values: &[T], vertices: impl Iterator<Item = usize>) -> Vec<T> {
+            if values.is_empty() { Vec::new() } else { vertices.map(|vertex| values[vertex]).collect() }
+        }
+        Self {
+            texcoords: chosen(&self.texcoords, vertices.clone()),
+            colors: chosen(&self.colors, vertices.clone()),
+            normals: chosen(&self.normals, vertices),
+            runs: self.runs_of(triangles),
+            materials: self.materials.clone(),
+            images: self.images.clone(),
+        }
+    }
+
+    /// The runs of some triangles, in ascending order, which are counted from 0 in turn.
+    pub fn runs_of(&self, triangles: impl Iterator<Item = usize>) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        let mut here = 0;
+        if self.runs.is_empty() {
+            return runs;
+        }
+        for (index, triangle) in triangles.enumerate() {
+            while self.runs.get(here).is_some_and(|run| run.triangles.end <= triangle) {
+                here += 1;
+            }
+            let material = self.runs.get(here).and_then(|run| run.material);
+            match runs.last_mut().filter(|run| run.material == material) {
+                Some(run) => run.triangles.end = index + 1,
+                None => runs.push(Run { triangles: index..index + 1, material }),
+            }
+        }
+        runs
+    }
+}

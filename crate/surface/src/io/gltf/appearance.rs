@@ -1,0 +1,239 @@
+//! Materials, their textures and images, and the attributes of vertices that these need. What cannot be read is left out:
+//! a surface has its distances without.
+
+use std::ops::Range;
+
+use glam::{DMat4, DVec3, Vec3};
+use gltf::json::material::{self, AlphaMode};
+use gltf::json::mesh::{Primitive, Semantic};
+use gltf::json::texture::{self, MagFilter, WrappingMode};
+use gltf::json::validation::Checked;
+use gltf::json::{Index, Root};
+use serde_json::{Map, Value};
+
+use super::accessor::{Accessors, number};
+use super::container::Buffers;
+use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texture, Wrap};
+
+/// The accessors of a primitive's attributes: texture coordinates of both sets, colors, normals.
+pub fn attributes_of(primitive: &Primitive) -> [Option<u32>; 4] {
+    [Semantic::TexCoords(0), Semantic::TexCoords(1), Semantic::Colors(0), Semantic::Normals]
+        .map(|semantic| primitive.attributes.get(&Checked::Valid(semantic)).map(|&index| number(index)))
+}
+
+/// Collects the appearance of a file's primitives.
+pub struct Collector<'a> {
+    accessors: Accessors<'a>,
+    appearance: Appearance,
+}
+
+impl<'a> Collector<'a> {
+    pub fn new(accessors: Accessors<'a>) -> Self {
+        Self { accessors, appearance: Appearance::default() }
+    }
+
+    /// Adds the attributes of these vertices; their normals too, where it is known how each of them was turned.
+    pub fn add_vertices(
+        &mut self,
+        primitive: &Primitive,
+        vertices: Range<usize>,
+        world_from_vertex: Option<impl Fn(usize) -> DMat4>,
+    ) {
+        let [first_set, second_set, colors, normals] = attributes_of(primitive);
+        let Range { start: first, .. } = vertices;
+        let count = vertices.len();
+        let sets = [first_set, second_set].map(|set| {
+            let read = set.and_then(|index| self.accessors.texcoords(index).ok());
+            read.filter(|coordinates| coordinates.len() == count)
+        });
+        if sets.iter().any(Option::is_some) {
+            let at = |set: usize, vertex: usize| sets[set].as_ref().map_or([0.0; 2], |coordinates| coordinates[vertex]);
+            self.appearance.texcoords.resize(first, [0.0; 4]);
+            self.appearance.texcoords.extend((0..count).map(|vertex| {
+                let ([u, v], [u1, v1]) = (at(0, vertex), at(1, vertex));
+                [u, v, u1, v1].map(|coordinate| coordinate as f32)
+            }));
+        }
+        let colors = colors.and_then(|index| self.accessors.colors(index).ok());
+        if let Some(colors) = colors.filter(|colors| colors.len() == count) {
+            let wide = |share: f64| (share.clamp(0.0, 1.0) * f64::from(u16::MAX)).round() as u16;
+            self.appearance.colors.resize(first, [u16::MAX; 4]);
+            self.appearance.colors.extend(colors.into_iter().map(|color| color.map(wide)));
+        }
+        let normals = normals.and_then(|index| self.accessors.vectors(index).ok());
+        if let Some((normals, turn)) = normals.filter(|normals| normals.len() == count).zip(world_from_vertex) {
+            self.appearance.normals.resize(first, Vec3::ZERO);
+            let turned = normals.into_iter().enumerate().map(|(vertex, normal)| turned(turn(vertex), normal).as_vec3());
+            self.appearance.normals.extend(turned);
+        }
+    }
+
+    /// Adds the triangles of a primitive.
+    pub fn add_triangles(&mut self, primitive: &Primitive, triangles: Range<usize>) {
+        let material = primitive.material.map(|index| index.value());
+        self.appearance.runs.push(Run { triangles, material });
+    }
+
+    /// What was collected, over so many vertices.
+    pub fn finish<'b>(self, root: &'b Root, buffers: &'b Buffers<'b>, vertices: usize) -> Appearance {
+        let mut appearance = self.appearance;
+        if !appearance.texcoords.is_empty() {
+            appearance.texcoords.resize(vertices, [0.0; 4]);
+        }
+        if !appearance.colors.is_empty() {
+            appearance.colors.resize(vertices, [u16::MAX; 4]);
+        }
+        if !appearance.normals.is_empty() {
+            appearance.normals.resize(vertices, Vec3::ZERO);
+        }
+        if appearance.runs.iter().all(|run| run.material.is_none()) {
+            appearance.runs.clear();
+            appearance.texcoords.clear();
+            return appearance;
+        }
+        let mut images = Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new() };
+        appearance.materials = root.materials.iter().map(|material| read_material(material, &mut images)).collect();
+        appearance.images = images.images;
+        let count = appearance.materials.len();
+        for run in &mut appearance.runs {
+            run.material = run.material.filter(|&material| material < count);
+        }
+        appearance
+    }
+}
+
+/// A unit normal turned by the inverse transpose of the matrix that places are turned by, here without its scale, which may
+/// be 0; zero where there is none.
+fn turned(world_from_mesh: DMat4, normal: DVec3) -> DVec3 {
+    let [x, y, z] =
+        [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis].map(|axis| axis.truncate());
+    let turned = normal.x * y.cross(z) + normal.y * z.cross(x) + normal.z * x.cross(y);
+    turned.normalize_or_zero() * x.cross(y).dot(z).signum()
+}
+
+fn read_material(given: &material::Material, images: &mut Images) -> Material {
+    let pbr = &given.pbr_metallic_roughness;
+    let extensions = given.extensions.as_ref().map(|extensions| &extensions.others);
+    let extension = |name: &str| extensions.and_then(|others| others.get(name));
+    let mut material = Material {
+        base_color: pbr.base_color_factor.0,
+        metalness: pbr.metallic_factor.0,
+        roughness: pbr.roughness_factor.0,
+        is_unlit: extension("KHR_materials_unlit").is_some(),
+        is_double_sided: given.double_sided,
+        alpha: match given.alpha_mode {
+            Checked::Valid(AlphaMode::Mask) => Alpha::Mask(given.alpha_cutoff.unwrap_or_default().0),
+            Checked::Valid(AlphaMode::Blend) => Alpha::Blend,
+            _ => Alpha::Opaque,
+        },
+        ..Material::default()
+    };
+    let strength =
+        extension("KHR_materials_emissive_strength").and_then(|strength| strength["emissiveStrength"].as_f64());
+    material.emission = given.emissive_factor.0.map(|color| color * strength.unwrap_or(1.0) as f32);
+    let mut set = |channel: Channel, texture| material.textures[channel as usize] = texture;
+    set(Channel::BaseColor, images.texture_of_info(pbr.base_color_texture.as_ref()));
+    set(Channel::MetallicRoughness, images.texture_of_info(pbr.metallic_roughness_texture.as_ref()));
+    set(Channel::Emission, images.texture_of_info(given.emissive_texture.as_ref()));
+    if let Some(normal) = &given.normal_texture {
+        let others = normal.extensions.as_ref().map(|extensions| &extensions.others);
+        set(Channel::Normal, images.texture(normal.index, normal.tex_coord, others));
+    }
+    if let Some(occlusion) = &given.occlusion_texture {
+        let others = occlusion.extensions.as_ref().map(|extensions| &extensions.others);
+        set(Channel::Occlusion, images.texture(occlusion.index, occlusion.tex_coord, others));
+    }
+    material.normal_scale = given.normal_texture.as_ref().map_or(1.0, |normal| normal.scale);
+    material.occlusion_strength = given.occlusion_texture.as_ref().map_or(1.0, |occlusion| occlusion.strength.0);
+    if let Some(extension) = extension("KHR_materials_pbrSpecularGlossiness") {
+        read_specular_glossiness(extension, images, &mut material);
+    }
+    material
+}
+
+/// The older model: its diffuse color is the base color of a dielectric, whose specular color is taken as usual.
+fn read_specular_glossiness(extension: &Value, images: &mut Images, material: &mut Material) {
+    let diffuse = extension["diffuseFactor"].as_array();
+    let factor = |index: usize| diffuse.and_then(|factors| factors.get(index)?.as_f64()).unwrap_or(1.0) as f32;
+    material.base_color = [0, 1, 2, 3].map(factor);
+    material.metalness = 0.0;
+    material.roughness = 1.0 - extension["glossinessFactor"].as_f64().unwrap_or(1.0) as f32;
+    let info: Option<texture::Info> = serde_json::from_value(extension["diffuseTexture"].clone()).ok();
+    material.textures[Channel::BaseColor as usize] = images.texture_of_info(info.as_ref());
+    material.textures[Channel::MetallicRoughness as usize] = None;
+}
+
+/// The images that materials use, each once.
+struct Images<'a> {
+    root: &'a Root,
+    buffers: &'a Buffers<'a>,
+    /// For each image of the file, its place among those in use.
+    of_file: Vec<Option<usize>>,
+    images: Vec<Image>,
+}
+
+impl Images<'_> {
+    fn texture_of_info(&mut self, info: Option<&texture::Info>) -> Option<Texture> {
+        let info = info?;
+        self.texture(info.index, info.tex_coord, info.extensions.as_ref().map(|extensions| &extensions.others))
+    }
+
+    fn texture(
+        &mut self,
+        index: Index<texture::Texture>,
+        set: u32,
+        extensions: Option<&Map<String, Value>>,
+    ) -> Option<Texture> {
+        let texture = self.root.textures.get(index.value())?;
+        let source = texture.extensions.as_ref().and_then(|extensions| webp_source(&extensions.others));
+        let image = self.image(source.unwrap_or(texture.source.value()))?;
+        let sampler = texture.sampler.and_then(|index| self.root.samplers.get(index.value()));
+        let wrap = |mode: Checked<WrappingMode>| match mode {
+            Checked::Valid(WrappingMode::ClampToEdge) => Wrap::Clamp,
+            Checked::Valid(WrappingMode::MirroredRepeat) => Wrap::Mirror,
+            _ => Wrap::Repeat,
+        };
+        let transform = extensions.and_then(|others| others.get("KHR_texture_transform"));
+        let set = transform.and_then(|transform| transform["texCoord"].as_u64()).unwrap_or(set.into());
+        Some(Texture {
+            image,
+            set: usize::from(set == 1),
+            transform: transform.map_or(Texture::IDENTITY, texture_transform),
+            wrap: sampler.map_or([Wrap::Repeat; 2], |sampler| [wrap(sampler.wrap_s), wrap(sampler.wrap_t)]),
+            is_sharp: sampler
+                .is_some_and(|sampler| matches!(sampler.mag_filter, Some(Checked::Valid(MagFilter::Nearest)))),
+        })
+    }
+
+    /// The place of an image of the file among those in use.
+    fn image(&mut self, source: usize) -> Option<usize> {
+        if let Some(place) = *self.of_file.get(source)? {
+            return Some(place);
+        }
+        let image = &self.root.images[source];
+        let media_type = image.mime_type.as_ref().map_or_else(String::new, |media_type| media_type.0.clone());
+        let bytes = match (image.buffer_view, &image.uri) {
+            (Some(view), _) => self.buffers.view(view).ok().map(|(bytes, _)| bytes.to_vec()),
+            (None, Some(uri)) => {
+                self.buffers.fetch(uri, || format!("image {source}")).ok().map(|bytes| bytes.into_owned())
+            }
+            (None, None) => None,
+        };
+        self.images.push(Image { media_type, bytes: bytes.unwrap_or_default() });
+        self.of_file[source] = Some(self.images.len() - 1);
+        self.of_file[source]
+    }
+}
+
+/// The image in the format of EXT_texture_webp, where the texture has one.
+fn webp_source(extensions: &Map<String, Value>) -> Option<usize> {
+    extensions.get("EXT_texture_webp")?["source"].as_u64().and_then(|source| usize::try_from(source).ok())
+}
+
+/// Rows of offset · rotation · scale (KHR_texture_transform).
+fn texture_transform(extension: &Value) -> [[f32; 3]; 2] {
+    let pair = |name: &str, default: f64| [0, 1].map(|index| extension[name][index].as_f64().unwrap_or(default));
+    let ([x, y], [u, v]) = (pair("offset", 0.0), pair("scale", 1.0));
+    let (sine, cosine) = extension["rotation"].as_f64().unwrap_or(0.0).sin_cos();
+    [[cosine * u, sine * v, x], [-sine * u, cosine * v, y]].map(|row| row.map(|number| number as f32))
+}

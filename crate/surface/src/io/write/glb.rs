@@ -1,0 +1,269 @@
+//! Distances in a GLB file, with the materials of the file that the triangles came from.
+
+use serde_json::{Map, Value, json};
+
+use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texture, Wrap};
+use crate::soup::Soup;
+
+const SHORT: u32 = 5123;
+const INT: u32 = 5125;
+const FLOAT: u32 = 5126;
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
+/// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
+/// Materials, images and the attributes that these need come along, normals as well.
+///
+/// # Panics
+/// If there is not one distance for each vertex.
+pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
+    assert_eq!(soup.positions.len(), distance.len(), "one distance for each vertex");
+    let mut file = File::default();
+    let mut attributes = Map::new();
+    let mut add = |name: &str, accessor: usize| attributes.insert(name.to_owned(), accessor.into());
+
+    let positions: Vec<[f32; 3]> = soup.positions.iter().map(|position| position.as_vec3().to_array()).collect();
+    add("POSITION", file.bounded(&positions, "VEC3"));
+    let finite = |&distance: &f64| [if distance.is_finite() { distance as f32 } else { 0.0 }];
+    add("_DISTANCE", file.bounded(&distance.iter().map(finite).collect::<Vec<_>>(), "SCALAR"));
+    let reachable: Vec<f32> = distance.iter().map(|distance| f32::from(u8::from(distance.is_finite()))).collect();
+    add("_REACHABLE", file.accessor(&reachable, FLOAT, "SCALAR", reachable.len(), ARRAY_BUFFER));
+    let look = &soup.appearance;
+    let count = positions.len();
+    if !look.normals.is_empty() && look.normals.iter().all(|normal| normal.is_normalized()) {
+        let normals: Vec<[f32; 3]> = look.normals.iter().map(|normal| normal.to_array()).collect();
+        add("NORMAL", file.accessor(&normals, FLOAT, "VEC3", count, ARRAY_BUFFER));
+    }
+    if !look.texcoords.is_empty() {
+        for (set, name) in ["TEXCOORD_0", "TEXCOORD_1"].into_iter().enumerate() {
+            let pairs: Vec<[f32; 2]> = look.texcoords.iter().map(|row| [row[2 * set], row[2 * set + 1]]).collect();
+            add(name, file.accessor(&pairs, FLOAT, "VEC2", count, ARRAY_BUFFER));
+        }
+    }
+    if !look.colors.is_empty() {
+        let colors = file.accessor(&look.colors, SHORT, "VEC4", count, ARRAY_BUFFER);
+        file.accessors[colors]["normalized"] = true.into();
+        add("COLOR_0", colors);
+    }
+
+    let whole = [Run { triangles: 0..soup.triangles.len(), material: None }];
+    let runs = if look.runs.is_empty() { &whole[..] } else { &look.runs[..] };
+    let primitives: Vec<Value> = runs
+        .iter()
+        .map(|run| {
+            let corners = soup.triangles[run.triangles.clone()].as_flattened();
+            let indices = file.accessor(corners, INT, "SCALAR", corners.len(), ELEMENT_ARRAY_BUFFER);
+            let mut primitive = json!({ "attributes": attributes, "indices": indices });
+            if let Some(material) = run.material {
+                primitive["material"] = material.into();
+            }
+            primitive
+        })
+        .collect();
+    let mut root = json!({
+        "asset": { "version": "2.0", "generator": "Heatwalk" },
+        "scene": 0,
+        "scenes": [{ "nodes": [0] }],
+        "nodes": [{ "mesh": 0 }],
+        "meshes": [{ "primitives": primitives }],
+    });
+    file.add_materials(&mut root, look);
+    file.finish(root)
+}
+
+/// A GLB file that grows.
+#[derive(Default)]
+struct File {
+    binary: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl File {
+    fn view(&mut self, bytes: &[u8]) -> Value {
+        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
+        let view = json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() });
+        self.binary.extend(bytes);
+        view
+    }
+
+    /// The index of a new accessor. Its numbers have the byte order of the machine, little-endian wherever this runs.
+    fn accessor<T: bytemuck::NoUninit>(
+        &mut self,
+        rows: &[T],
+        component: u32,
+        kind: &str,
+        count: usize,
+        target: u32,
+    ) -> usize {
+        let mut view = self.view(bytemuck::cast_slice(rows));
+        view["target"] = target.into();
+        self.views.push(view);
+        let view = self.views.len() - 1;
+        self.accessors.push(json!({ "bufferView": view, "componentType": component, "count": count, "type": kind }));
+        self.accessors.len() - 1
+    }
+
+    /// The same of floats, with the bounds that positions must have.
+    fn bounded<const N: usize>(&mut self, rows: &[[f32; N]], kind: &str) -> usize {
+        let index = self.accessor(rows.as_flattened(), FLOAT, kind, rows.len(), ARRAY_BUFFER);
+        let bound = |start: f32, better: fn(f32, f32) -> f32| -> Vec<f32> {
+            (0..N).map(|i| rows.iter().map(|row| row[i]).fold(start, better)).collect()
+        };
+        self.accessors[index]["min"] = bound(f32::INFINITY, f32::min).into();
+        self.accessors[index]["max"] = bound(f32::NEG_INFINITY, f32::max).into();
+        index
+    }
+
+    fn add_materials(&mut self, root: &mut Value, look: &Appearance) {
+        if look.materials.is_empty() {
+            return;
+        }
+        let mut uses = Uses { place_of_image: vec![None; look.images.len()], ..Uses::default() };
+        let found = look.images.iter().enumerate().filter(|(_, image)| !image.bytes.is_empty());
+        let images = found.enumerate().map(|(place, (index, image))| {
+            uses.place_of_image[index] = Some(place);
+            let view = self.view(&image.bytes);
+            self.views.push(view);
+            json!({ "bufferView": self.views.len() - 1, "mimeType": media_type(&image.media_type, &image.bytes) })
+        });
+        let images: Vec<Value> = images.collect();
+        root["materials"] = look.materials.iter().map(|material| uses.material(material)).collect();
+        for (name, list) in [("images", images), ("textures", uses.textures), ("samplers", uses.samplers)] {
+            if !list.is_empty() {
+                root[name] = list.into();
+            }
+        }
+        if !uses.extensions.is_empty() {
+            root["extensionsUsed"] = uses.extensions.into();
+        }
+    }
+
+    fn finish(self, mut root: Value) -> Vec<u8> {
+        let Self { mut binary, views, accessors } = self;
+        binary.resize(binary.len().next_multiple_of(4), 0);
+        root["accessors"] = accessors.into();
+        root["bufferViews"] = views.into();
+        root["buffers"] = json!([{ "byteLength": binary.len() }]);
+        let mut text = root.to_string().into_bytes();
+        // Chunks are padded to four bytes, JSON with spaces.
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let length = 12 + 8 + text.len() + 8 + binary.len();
+        let mut bytes = Vec::with_capacity(length);
+        bytes.extend(b"glTF");
+        bytes.extend([2, length as u32].iter().flat_map(|word| word.to_le_bytes()));
+        for (kind, chunk) in [(b"JSON", &text), (b"BIN\0", &binary)] {
+            bytes.extend((chunk.len() as u32).to_le_bytes());
+            bytes.extend(kind);
+            bytes.extend(chunk);
+        }
+        bytes
+    }
+}
+
+/// An image in a buffer must have a type; where the file had none, the first bytes tell it.
+fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
+    match told {
+        "" if bytes.starts_with(b"\xFF\xD8") => "image/jpeg",
+        "" if bytes.starts_with(b"RIFF") => "image/webp",
+        "" => "image/png",
+        told => told,
+    }
+}
+
+/// What materials refer to.
+#[derive(Default)]
+struct Uses {
+    /// Those that could not be found are left out.
+    place_of_image: Vec<Option<usize>>,
+    textures: Vec<Value>,
+    samplers: Vec<Value>,
+    extensions: Vec<&'static str>,
+}
+
+impl Uses {
+    fn material(&mut self, material: &Material) -> Value {
+        let strongest = material.emission.iter().copied().fold(1.0, f32::max);
+        let mut value = json!({
+            "pbrMetallicRoughness": {
+                "baseColorFactor": material.base_color,
+                "metallicFactor": material.metalness,
+                "roughnessFactor": material.roughness,
+            },
+            "emissiveFactor": material.emission.map(|color| color / strongest),
+            "doubleSided": material.is_double_sided,
+        });
+        match material.alpha {
+            Alpha::Opaque => {}
+            Alpha::Mask(cutoff) => (value["alphaMode"], value["alphaCutoff"]) = ("MASK".into(), cutoff.into()),
+            Alpha::Blend => value["alphaMode"] = "BLEND".into(),
+        }
+        let mut texture = |channel: Channel| self.texture(material.textures[channel as usize].as_ref());
+        if let Some(texture) = texture(Channel::BaseColor) {
+            value["pbrMetallicRoughness"]["baseColorTexture"] = texture;
+        }
+        if let Some(texture) = texture(Channel::MetallicRoughness) {
+            value["pbrMetallicRoughness"]["metallicRoughnessTexture"] = texture;
+        }
+        if let Some(mut texture) = texture(Channel::Normal) {
+            texture["scale"] = material.normal_scale.into();
+            value["normalTexture"] = texture;
+        }
+        if let Some(mut texture) = texture(Channel::Occlusion) {
+            texture["strength"] = material.occlusion_strength.into();
+            value["occlusionTexture"] = texture;
+        }
+        if let Some(texture) = texture(Channel::Emission) {
+            value["emissiveTexture"] = texture;
+        }
+        if strongest > 1.0 {
+            let name = self.extension("KHR_materials_emissive_strength");
+            value["extensions"][name] = json!({ "emissiveStrength": strongest });
+        }
+        if material.is_unlit {
+            let name = self.extension("KHR_materials_unlit");
+            value["extensions"][name] = json!({});
+        }
+        value
+    }
+
+    fn texture(&mut self, texture: Option<&Texture>) -> Option<Value> {
+        let texture = texture?;
+        let source = self.place_of_image[texture.image]?;
+        let wrap = texture.wrap.map(|wrap| match wrap {
+            Wrap::Repeat => 10497,
+            Wrap::Mirror => 33648,
+            Wrap::Clamp => 33071,
+        });
+        let magnify = if texture.is_sharp { 9728 } else { 9729 };
+        let sampler = json!({ "wrapS": wrap[0], "wrapT": wrap[1], "magFilter": magnify, "minFilter": 9987 });
+        let sampler = place_of(&mut self.samplers, sampler);
+        let index = place_of(&mut self.textures, json!({ "source": source, "sampler": sampler }));
+        let mut info = json!({ "index": index, "texCoord": texture.set });
+        if texture.transform != Texture::IDENTITY {
+            let [[a, b, x], [c, d, y]] = texture.transform;
+            let across = a.hypot(c);
+            let scale = [across, (a * d - b * c) / across];
+            let rotation = (-c).atan2(a);
+            let name = self.extension("KHR_texture_transform");
+            info["extensions"][name] = json!({ "offset": [x, y], "rotation": rotation, "scale": scale });
+        }
+        Some(info)
+    }
+
+    fn extension(&mut self, name: &'static str) -> &'static str {
+        if !self.extensions.contains(&name) {
+            self.extensions.push(name);
+        }
+        name
+    }
+}
+
+/// The place of a value in a list, at its end where it is new.
+fn place_of(list: &mut Vec<Value>, value: Value) -> usize {
+    list.iter().position(|known| *known == value).unwrap_or_else(|| {
+        list.push(value);
+        list.len() - 1
+    })
+}

@@ -1,0 +1,170 @@
+// The surface in the materials of its file (glTF 2.0, 3.9), with the pattern of distance upon them.
+
+// Rows of the affine map from texture coordinates to the image; w of the first: the set of coordinates.
+struct TextureUse {
+    along: vec4f,
+    down: vec4f,
+}
+
+// Its layout is that of `MaterialUniform` in material.rs.
+struct FileMaterial {
+    base_color: vec4f,
+    emission: vec3f,
+    metalness: f32,
+    roughness: f32,
+    normal_scale: f32,
+    occlusion_strength: f32,
+    // Alpha below which nothing is drawn.
+    cutoff: f32,
+    unlit: f32,
+    single_sided: f32,
+    textures: array<TextureUse, 5>,
+}
+
+@group(3) @binding(0) var<uniform> given: FileMaterial;
+@group(3) @binding(1) var base_map: texture_2d<f32>;
+@group(3) @binding(2) var base_sampler: sampler;
+@group(3) @binding(3) var rough_map: texture_2d<f32>;
+@group(3) @binding(4) var rough_sampler: sampler;
+@group(3) @binding(5) var normal_map: texture_2d<f32>;
+@group(3) @binding(6) var normal_sampler: sampler;
+@group(3) @binding(7) var occlusion_map: texture_2d<f32>;
+@group(3) @binding(8) var occlusion_map_sampler: sampler;
+@group(3) @binding(9) var emission_map: texture_2d<f32>;
+@group(3) @binding(10) var emission_sampler: sampler;
+
+// A mirror without any roughness would show the lights as points.
+const LEAST_ROUGHNESS = 0.06;
+
+struct ModelFragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    // As in `Fragment`.
+    @location(2) distance: f32,
+    @location(3) reached: f32,
+    @location(4) tangent: vec3f,
+    // Two sets.
+    @location(5) texcoords: vec4f,
+    @location(6) color: vec4f,
+}
+
+@vertex
+fn vs_model(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+    @location(4) texcoords: vec4f,
+    @location(5) color: vec4f,
+) -> ModelFragment {
+    let clip = frame.clip_from_world * vec4f(position, 1.0);
+    let reached = select(0.0, 1.0, distance < 1.5);
+    return ModelFragment(clip, position, normal, distance * reached, reached, tangent.xyz, texcoords, color);
+}
+
+@vertex
+fn vs_model_plain(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(4) texcoords: vec4f,
+    @location(5) color: vec4f,
+) -> ModelFragment {
+    let clip = frame.clip_from_world * vec4f(position, 1.0);
+    return ModelFragment(clip, position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color);
+}
+
+fn place_in(texture: TextureUse, texcoords: vec4f) -> vec2f {
+    let uv = vec3f(select(texcoords.xy, texcoords.zw, texture.along.w > 0.5), 1.0);
+    return vec2f(dot(texture.along.xyz, uv), dot(texture.down.xyz, uv));
+}
+
+// Unit tangent and bitangent of texture coordinates, from their derivatives: along u, and at right angles to it the way that
+// is up in the image (glTF 2.0, 3.7.2.1).
+fn tangents(position: vec3f, uv: vec2f, normal: vec3f) -> mat2x3f {
+    let across = dpdx(position);
+    let down = dpdy(position);
+    let uv_across = dpdx(uv);
+    let uv_down = dpdy(uv);
+    let side = sign(uv_across.x * uv_down.y - uv_across.y * uv_down.x);
+    let along_u = side * (across * uv_down.y - down * uv_across.y);
+    let along_v = side * (down * uv_across.x - across * uv_down.x);
+    let level = along_u - normal * dot(normal, along_u);
+    let tangent = level * inverseSqrt(max(dot(level, level), 1e-30));
+    let bitangent = cross(normal, tangent);
+    return mat2x3f(tangent, select(bitangent, -bitangent, dot(bitangent, along_v) > 0.0));
+}
+
+// What the file says of a place.
+struct Given {
+    material: Material,
+    alpha: f32,
+    // Of the normal map, facing the eye.
+    normal: vec3f,
+}
+
+fn look_up(fragment: ModelFragment, geometric: vec4f) -> Given {
+    let base = given.base_color * fragment.color
+        * textureSample(base_map, base_sampler, place_in(given.textures[0], fragment.texcoords));
+    let rough = textureSample(rough_map, rough_sampler, place_in(given.textures[1], fragment.texcoords));
+    let normal_place = place_in(given.textures[2], fragment.texcoords);
+    let bump = textureSample(normal_map, normal_sampler, normal_place).xyz * 2.0 - 1.0;
+    let axes = tangents(fragment.position, normal_place, geometric.xyz);
+    let occlusion = textureSample(occlusion_map, occlusion_map_sampler, place_in(given.textures[3], fragment.texcoords)).r;
+    let emission = textureSample(emission_map, emission_sampler, place_in(given.textures[4], fragment.texcoords)).rgb;
+
+    // A dent is a bump from behind.
+    let slope = given.normal_scale * select(-1.0, 1.0, geometric.w > 0.5) * bump.xy;
+    let bumped = normalize(geometric.xyz * max(bump.z, 0.05) + axes * slope);
+    let material = Material(
+        base.rgb,
+        clamp(given.metalness * rough.b, 0.0, 1.0),
+        clamp(given.roughness * rough.g, LEAST_ROUGHNESS, 1.0),
+        given.emission * emission,
+        1.0 + given.occlusion_strength * (occlusion - 1.0),
+    );
+    return Given(material, base.a, select(geometric.xyz, bumped, given.normal_scale != 0.0));
+}
+
+// Alpha for what is blended, 1 for what is not.
+fn painted(fragment: ModelFragment) -> vec4f {
+    // Derivatives first: they need every pixel of a quad to come along.
+    let geometric = normal_to_eye(fragment.position, fragment.normal);
+    let found = look_up(fragment, geometric);
+    let mark = mark(fragment.distance, fragment.tangent, found.normal);
+    let turned = turning(fragment.normal) + mark.turned;
+    if found.alpha < given.cutoff || (given.single_sided > 0.5 && geometric.w < 0.5) {
+        discard;
+    }
+    let stripe = stripe_color(fragment.distance);
+    let cover = mark.share * style.stripe_opacity;
+    let stained = found.material.albedo * mix(vec3f(1.0), stripe, cover);
+    let covered = mix(found.material.albedo, stripe, cover);
+    var material = Material(
+        mix(covered, stained, style.multiplied),
+        mix(found.material.metalness, style.stripe.metalness, cover * (1.0 - style.multiplied)),
+        roughened(mix(found.material.roughness, style.stripe.roughness, cover * (1.0 - style.multiplied)), turned),
+        found.material.emission * (1.0 - cover) + stripe * (style.stripe.glow * mark.share),
+        found.material.openness,
+    );
+    var normal = mark.normal;
+    if fragment.reached < 0.999 {
+        material = unreached(fragment.clip);
+        normal = geometric.xyz;
+    } else if given.unlit > 0.5 {
+        return vec4f(encode(material.albedo).rgb, found.alpha);
+    }
+    return vec4f(encode(shade(material, fragment.position, normal, geometric.xyz)).rgb, found.alpha);
+}
+
+@fragment
+fn fs_model(fragment: ModelFragment) -> @location(0) vec4f {
+    return vec4f(painted(fragment).rgb, 1.0);
+}
+
+@fragment
+fn fs_model_blended(fragment: ModelFragment) -> @location(0) vec4f {
+    let color = painted(fragment);
+    let alpha = clamp(color.a, 0.0, 1.0);
+    return vec4f(color.rgb * alpha, alpha);
+}

@@ -1,0 +1,69 @@
+/** Files are shown in their own materials. */
+import { glb, off, sphere } from '../fixtures';
+import { difference, expect, test } from '../page';
+import { texturedGlb } from '../textured';
+
+test('a file with materials opens in them, one without as before', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const surface = page.getByRole('combobox', { name: 'Surface' });
+  const ofFile = surface.getByRole('option', { name: "the file's materials" });
+  await heatwalk.dropAndOpen([['plain.glb', glb(sphere(12))]]);
+  expect((await heatwalk.scene()).style.name).toBe('zebra');
+  await expect(ofFile).toBeDisabled();
+
+  await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
+  expect((await heatwalk.scene()).style).toMatchObject({ name: 'model', surfaceOf: 'file', blend: 'over' });
+  await expect(surface).toHaveValue("the file's materials");
+  await expect(page).toHaveURL(/&look=model/);
+  expect((await heatwalk.mesh()).parts).toEqual(['squares', 'colors']);
+
+  // Red squares, seen in the file's materials alone.
+  const reds = async () => {
+    const { data } = await heatwalk.drawing(0.5, false);
+    let found = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] > 2 * data[i + 1] && data[i] > 2 * data[i + 2]) found += 1;
+    return found;
+  };
+  expect(await reds()).toBeGreaterThan(2000);
+  await surface.selectOption('porcelain');
+  await heatwalk.rest();
+  expect(await reds()).toBeLessThan(200);
+  await expect(page).toHaveURL(/&of=style/);
+  await expect(page.getByRole('combobox', { name: 'Stripes lie' })).toBeHidden();
+  await surface.selectOption("the file's materials");
+  await expect(surface).toHaveValue("the file's materials");
+  expect(await reds()).toBeGreaterThan(2000);
+});
+
+test('stripes lie over the materials, are multiplied with them, or are left out', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
+  const over = await heatwalk.drawing(0.5, false);
+  await page.getByRole('combobox', { name: 'Stripes', exact: true }).selectOption('gold');
+  const gold = await heatwalk.drawing(0.5, false);
+  expect(difference(over, gold)).toBeGreaterThan(0.02);
+  await page.getByRole('combobox', { name: 'Stripes lie' }).selectOption('multiplied with them');
+  await expect(page).toHaveURL(/&blend=multiply/);
+  const multiplied = await heatwalk.drawing(0.5, false);
+  expect(difference(gold, multiplied)).toBeGreaterThan(0.02);
+  await page.getByRole('combobox', { name: 'Pattern' }).selectOption('none');
+  await expect(page).toHaveURL(/&style=none/);
+  await expect(page.getByRole('slider', { name: 'Period' })).toBeHidden();
+  const bare = await heatwalk.drawing(0.5, false);
+  expect(difference(bare, multiplied)).toBeGreaterThan(0.02);
+  await page.getByRole('combobox', { name: 'Pattern' }).selectOption('lines');
+  expect(difference(bare, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.005);
+});
+
+test('an image that cannot be decoded is left out, the rest is shown', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await heatwalk.dropAndOpen([['balls.glb', texturedGlb(Buffer.from('no image'))]]);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  expect((await heatwalk.scene()).style.name).toBe('model');
+  const { data, width, height } = await heatwalk.drawing(0.5, false);
+  const middle = 4 * (Math.round(height / 2) * width + Math.round(width / 2));
+  expect(data[middle + 3]).toBe(255);
+  // The next file has none of its materials.
+  await heatwalk.dropAndOpen([['plain.off', off(sphere(12))]]);
+  expect((await heatwalk.scene()).style.name).toBe('zebra');
+});

@@ -1,0 +1,82 @@
+/** A glTF file with textures, vertex colors and two materials. */
+import { PNG } from 'pngjs';
+import { type Mesh, pack, sphere } from './fixtures';
+
+/** `size²` texels, as a PNG file. */
+function image(size: number, texel: (u: number, v: number) => readonly [number, number, number]): Buffer {
+  const png = new PNG({ width: size, height: size });
+  for (let i = 0; i < size * size; i++) {
+    png.data.set([...texel(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size), 255], 4 * i);
+  }
+  return PNG.sync.write(png);
+}
+
+/** Red and white squares. */
+const squares = () => image(16, (u, v) => (u < 0.5 === v < 0.5 ? [200, 30, 40] : [245, 240, 230]));
+
+/** Round bumps. */
+const bumps = () =>
+  image(32, (u, v) => {
+    const [x, y] = [0.7 * Math.sin(2 * Math.PI * u), -0.7 * Math.sin(2 * Math.PI * v)];
+    const length = Math.hypot(x, y, 1);
+    return [x, y, 1].map((part) => Math.round(255 * (0.5 + (0.5 * part) / length))) as [number, number, number];
+  });
+
+const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.flat());
+
+/** A big ball in bumpy squares, and a small one on its top in the colors of its vertices. `texture` replaces the squares. */
+export function texturedGlb(texture: Buffer = squares()): Buffer {
+  const [big, small] = [sphere(24), sphere(16)];
+  small.positions = small.positions.map(([x, y, z]) => [0.4 * x, 0.4 * y + 1.38, 0.4 * z]);
+  const bytes: Buffer[] = [];
+  const bufferViews: object[] = [];
+  const accessors: object[] = [];
+  const view = (content: Buffer) => {
+    const byteOffset = bytes.reduce((sum, { length }) => sum + length, 0);
+    bytes.push(content, Buffer.alloc((4 - (content.length % 4)) % 4));
+    return bufferViews.push({ buffer: 0, byteOffset, byteLength: content.length }) - 1;
+  };
+  const accessor = (array: Float32Array | Uint32Array, type: 'SCALAR' | 'VEC2' | 'VEC3', width: number, more = {}) => {
+    const componentType = array instanceof Float32Array ? 5126 : 5125;
+    const bufferView = view(Buffer.from(array.buffer));
+    return accessors.push({ bufferView, componentType, type, count: array.length / width, ...more }) - 1;
+  };
+  const primitive = ({ positions, triangles }: Mesh, attributes: Record<string, number>, material: number) => ({
+    attributes: {
+      POSITION: accessor(floats(positions), 'VEC3', 3, { min: [-2, -2, -2], max: [2, 2, 2] }),
+      ...attributes,
+    },
+    indices: accessor(Uint32Array.from(triangles.flat()), 'SCALAR', 1),
+    material,
+  });
+  const uv = big.positions.map(([x, y, z]) => [Math.atan2(x, z) / Math.PI, -y]);
+  const colors = small.positions.map(([x, y]) => [0.5 + x, 0.9, 0.2 + 0.4 * (y - 1)]);
+  const document = {
+    asset: { version: '2.0' },
+    nodes: [
+      { mesh: 0, name: 'squares' },
+      { mesh: 1, name: 'colors' },
+    ],
+    meshes: [
+      { primitives: [primitive(big, { TEXCOORD_0: accessor(floats(uv), 'VEC2', 2) }, 0)] },
+      { primitives: [primitive(small, { COLOR_0: accessor(floats(colors), 'VEC3', 3) }, 1)] },
+    ],
+    materials: [
+      {
+        pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0, roughnessFactor: 0.5 },
+        normalTexture: { index: 1, extensions: { KHR_texture_transform: { scale: [4, 4] } } },
+      },
+      { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.3 } },
+    ],
+    textures: [{ source: 0 }, { source: 1 }],
+    images: [texture, bumps()].map((content) => ({ bufferView: view(content), mimeType: 'image/png' })),
+    bufferViews,
+    accessors,
+    extensionsUsed: ['KHR_texture_transform'],
+  };
+  const bin = Buffer.concat(bytes);
+  return pack(
+    JSON.stringify({ ...document, scene: 0, scenes: [{ nodes: [0, 1] }], buffers: [{ byteLength: bin.length }] }),
+    bin,
+  );
+}
