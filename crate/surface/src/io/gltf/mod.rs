@@ -1,35 +1,35 @@
 //! glTF 2.0 and GLB. The JSON is parsed by the gltf crate; buffers, accessors and the scene are read here, with every
-//! index and offset checked, since the crate's own readers panic on damaged files.
+//! index and offset checked, since the crate's own readers panic on damaged files. Geometry may be compressed by Draco or
+//! meshoptimizer.
 
 mod accessor;
 mod container;
 mod deform;
+mod document;
+mod draco;
 mod format;
+mod meshopt;
 mod primitive;
 mod scene;
 
 use glam::DMat4;
-use gltf::json::{self, Root};
+use gltf::json::Root;
 
 use super::reader::Resources;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 use accessor::Accessors;
 use container::Buffers;
+use draco::Compressed;
 pub use format::GLB_MAGIC;
-use format::{GLTF, element};
+use format::{MAX_VERTICES, element};
 use scene::Scene;
-
-/// Some kilobytes of JSON can name one mesh thousands of times; beyond this many vertices (1.6 GB as f64) we give up.
-const MAX_VERTICES: usize = 1 << 26;
 
 pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     let container = container::open(bytes)?;
-    let root: Root = json::deserialize::from_slice(container.json).map_err(|error| {
-        GLTF.at(format!("JSON line {} column {}", error.line(), error.column()), format!("{error}; export it again"))
-    })?;
+    let root = document::parse(container.json)?;
     let buffers = Buffers::new(&root, container.binary, resources);
-    let accessors = Accessors { root: &root, buffers: &buffers };
+    let accessors = Accessors { root: &root, buffers: &buffers, compressed: None };
     let scene = Scene::new(&root)?;
     let mut soup = Soup::default();
     for &index in &scene.mesh_nodes {
@@ -49,11 +49,14 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
     let world_from_node = if joints.is_some() { DMat4::IDENTITY } else { scene.world_from_node[index] };
 
     let start = soup.triangles.len();
-    let mut first_vertices: Vec<(u32, usize)> = Vec::new();
+    let mut first_vertices: Vec<((u32, Option<u32>), usize)> = Vec::new();
     for primitive in &mesh.primitives {
         let Some(position) = primitive::triangles_over(primitive)? else { continue };
+        let compressed = Compressed::of(primitive, accessors.buffers)?;
+        let accessors = accessors.of(compressed.as_ref());
         // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
-        let shared = first_vertices.iter().find(|&&(accessor, _)| accessor == position && primitive.targets.is_none());
+        let vertices = (position, draco::view(primitive));
+        let shared = first_vertices.iter().find(|&&(known, _)| known == vertices && primitive.targets.is_none());
         let (first, count) = if let Some(&(_, first)) = shared {
             (first, accessors.count(position)?)
         } else {
@@ -67,7 +70,7 @@ fn add_node(soup: &mut Soup, root: &Root, accessors: Accessors, scene: &Scene, i
                 deform::skin(accessors, primitive, joints, &mut positions)?;
             }
             soup.positions.extend(positions.iter().map(|&point| world_from_node.transform_point3(point)));
-            first_vertices.push((position, first));
+            first_vertices.push((vertices, first));
             (first, soup.positions.len() - first)
         };
         primitive::append_triangles(accessors, primitive, first, count, &mut soup.triangles)?;
