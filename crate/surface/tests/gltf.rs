@@ -248,16 +248,6 @@ fn morph_targets_apply_their_default_weights() {
 }
 
 #[test]
-fn compressed_geometry_names_the_extension_and_the_remedy() {
-    let mut builder = square(json!([{ "mesh": 0 }]));
-    builder.root["extensionsUsed"] = json!(["KHR_draco_mesh_compression"]);
-    assert!(builder.read().is_ok(), "uncompressed data beside it is fine");
-    builder.root["accessors"][0].as_object_mut().unwrap().remove("bufferView");
-    let error = builder.read().unwrap_err().to_string();
-    assert!(error.contains("KHR_draco_mesh_compression") && error.contains("export"), "{error}");
-}
-
-#[test]
 fn gltf_indices_are_checked() {
     let mut builder = square(json!([{ "mesh": 0 }]));
     builder.binary[48] = 9;

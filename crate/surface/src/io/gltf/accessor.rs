@@ -1,15 +1,14 @@
-//! Accessors: any component type, stride, normalisation and sparse substitution, every offset checked.
+//! Accessors: any component type, stride, normalisation, compression and sparse substitution, every offset checked.
 
 use glam::DVec3;
 use gltf::json::accessor::{Accessor, ComponentType, Type, sparse::Sparse};
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
-use super::container::{Buffers, compressed};
+use super::container::Buffers;
+use super::draco::Compressed;
 use super::format::GLTF;
 use crate::error::{Error, Result};
-
-const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// How integers are to be taken.
 #[derive(Clone, Copy, PartialEq)]
@@ -24,12 +23,25 @@ enum Meaning {
 pub struct Accessors<'a> {
     pub root: &'a Root,
     pub buffers: &'a Buffers<'a>,
+    /// The primitive that is being read, if it is compressed: its accessors have no data of their own.
+    pub compressed: Option<&'a Compressed>,
 }
 
-impl Accessors<'_> {
+impl<'a> Accessors<'a> {
+    /// The same accessors as a primitive sees them, all of its attributes decoded.
+    pub fn of<'b>(self, primitive: Option<&'b Compressed>) -> Accessors<'b>
+    where
+        'a: 'b,
+    {
+        Accessors { compressed: primitive, ..self }
+    }
+
     /// Number of elements of an accessor.
     pub fn count(self, index: u32) -> Result<usize> {
         let (accessor, _) = self.find(index)?;
+        if let Some(primitive) = self.compressed.filter(|primitive| primitive.holds(index)) {
+            return Ok(primitive.vertices());
+        }
         usize::try_from(accessor.count.0).map_err(|_| error(index, "its count is too large"))
     }
 
@@ -92,11 +104,15 @@ impl Accessors<'_> {
         }
         let layout =
             Layout { component, normalized: accessor.normalized && meaning == Meaning::Quantity, accessor: index };
-        let mut rows = if let Some(view) = accessor.buffer_view {
+        let compressed = self.compressed.map_or(Ok(None), |primitive| primitive.values(index))?;
+        let mut rows = if let Some(values) = compressed {
+            if values.components != N {
+                return Err(error(index, "its compressed values have another type; export the file again"));
+            }
+            Layout { component: values.component, ..layout }.read::<N>(&values.bytes, 0, None, count)?
+        } else if let Some(view) = accessor.buffer_view {
             let (bytes, stride) = self.buffers.view(view)?;
             layout.read::<N>(bytes, offset(accessor.byte_offset), stride, count)?
-        } else if self.root.extensions_used.iter().any(|used| used == DRACO) {
-            return Err(compressed(DRACO));
         } else {
             Vec::new()
         };
@@ -105,12 +121,17 @@ impl Accessors<'_> {
         }
         // Without a view all elements are zero; a real file has bytes for something of that count elsewhere.
         if rows.len() < count {
-            if count > self.buffers.resolved_bytes() {
+            if !self.plausible(count) {
                 return Err(error(index, "it has no data; export the file again"));
             }
             rows.resize(count, [0.0; N]);
         }
         Ok(rows)
+    }
+
+    /// Whether the file has enough data for an accessor without any of its own to be so long.
+    fn plausible(&self, count: usize) -> bool {
+        count <= self.buffers.resolved_bytes() + self.compressed.map_or(0, Compressed::vertices)
     }
 
     /// Replaces the elements that a sparse accessor lists.
@@ -131,7 +152,7 @@ impl Accessors<'_> {
         let targets = index_layout.read::<1>(bytes, offset(Some(sparse.indices.byte_offset)), None, replaced)?;
         let (bytes, _) = self.buffers.view(sparse.values.buffer_view)?;
         let values = layout.read::<N>(bytes, offset(Some(sparse.values.byte_offset)), None, replaced)?;
-        if rows.is_empty() && count <= self.buffers.resolved_bytes() {
+        if rows.is_empty() && self.plausible(count) {
             rows.resize(count, [0.0; N]);
         }
         for ([target], value) in targets.into_iter().zip(values) {

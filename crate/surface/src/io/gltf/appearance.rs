@@ -22,19 +22,16 @@ pub fn attributes_of(primitive: &Primitive) -> [Option<u32>; 4] {
 }
 
 /// Collects the appearance of a file's primitives.
-pub struct Collector<'a> {
-    accessors: Accessors<'a>,
+#[derive(Default)]
+pub struct Collector {
     appearance: Appearance,
 }
 
-impl<'a> Collector<'a> {
-    pub fn new(accessors: Accessors<'a>) -> Self {
-        Self { accessors, appearance: Appearance::default() }
-    }
-
+impl Collector {
     /// Adds the attributes of these vertices; their normals too, where it is known how each of them was turned.
     pub fn add_vertices(
         &mut self,
+        accessors: Accessors,
         primitive: &Primitive,
         vertices: Range<usize>,
         world_from_vertex: Option<impl Fn(usize) -> DMat4>,
@@ -43,7 +40,7 @@ impl<'a> Collector<'a> {
         let Range { start: first, .. } = vertices;
         let count = vertices.len();
         let sets = [first_set, second_set].map(|set| {
-            let read = set.and_then(|index| self.accessors.texcoords(index).ok());
+            let read = set.and_then(|index| accessors.texcoords(index).ok());
             read.filter(|coordinates| coordinates.len() == count)
         });
         if sets.iter().any(Option::is_some) {
@@ -54,13 +51,13 @@ impl<'a> Collector<'a> {
                 [u, v, u1, v1].map(|coordinate| coordinate as f32)
             }));
         }
-        let colors = colors.and_then(|index| self.accessors.colors(index).ok());
+        let colors = colors.and_then(|index| accessors.colors(index).ok());
         if let Some(colors) = colors.filter(|colors| colors.len() == count) {
             let wide = |share: f64| (share.clamp(0.0, 1.0) * f64::from(u16::MAX)).round() as u16;
             self.appearance.colors.resize(first, [u16::MAX; 4]);
             self.appearance.colors.extend(colors.into_iter().map(|color| color.map(wide)));
         }
-        let normals = normals.and_then(|index| self.accessors.vectors(index).ok());
+        let normals = normals.and_then(|index| accessors.vectors(index).ok());
         if let Some((normals, turn)) = normals.filter(|normals| normals.len() == count).zip(world_from_vertex) {
             self.appearance.normals.resize(first, Vec3::ZERO);
             let turned = normals.into_iter().enumerate().map(|(vertex, normal)| turned(turn(vertex), normal).as_vec3());
@@ -214,9 +211,7 @@ impl Images<'_> {
         let media_type = image.mime_type.as_ref().map_or_else(String::new, |media_type| media_type.0.clone());
         let bytes = match (image.buffer_view, &image.uri) {
             (Some(view), _) => self.buffers.view(view).ok().map(|(bytes, _)| bytes.to_vec()),
-            (None, Some(uri)) => {
-                self.buffers.fetch(uri, || format!("image {source}")).ok().map(|bytes| bytes.into_owned())
-            }
+            (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")).ok(),
             (None, None) => None,
         };
         self.images.push(Image { media_type, bytes: bytes.unwrap_or_default() });

@@ -1,17 +1,16 @@
 //! The GLB container and the buffers: binary chunk, data URIs and files beside the mesh.
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use gltf::json::{Index, Root, buffer};
 
 use super::format::{GLB_MAGIC, GLTF, element};
+use super::meshopt::Compression;
 use crate::error::{Error, Result};
 use crate::io::reader::Resources;
 
 const JSON_CHUNK: &[u8] = b"JSON";
 const BINARY_CHUNK: &[u8] = b"BIN\0";
-const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /// The two chunks of a GLB file, or a plain JSON file.
 pub struct Container<'a> {
@@ -53,90 +52,98 @@ fn word(bytes: &[u8], offset: usize) -> Option<u32> {
     bytes.get(offset..)?.first_chunk().map(|&bytes| u32::from_le_bytes(bytes))
 }
 
-/// The buffers, each resolved when something first reads it: a file may refer to textures that nobody needs.
+/// The buffers, each resolved when something first reads it: a file may refer to textures that nobody needs, and name
+/// buffers without bytes for those who cannot read compressed ones.
 pub struct Buffers<'a> {
     root: &'a Root,
     binary: Option<&'a [u8]>,
     resources: Resources<'a>,
-    resolved: Vec<OnceCell<Cow<'a, [u8]>>>,
+    /// What files and data URIs hold.
+    resolved: Vec<OnceCell<Vec<u8>>>,
+    /// What compressed views hold.
+    decoded: Vec<OnceCell<Vec<u8>>>,
 }
 
 impl<'a> Buffers<'a> {
     pub fn new(root: &'a Root, binary: Option<&'a [u8]>, resources: Resources<'a>) -> Self {
-        Self { root, binary, resources, resolved: root.buffers.iter().map(|_| OnceCell::new()).collect() }
+        let resolved = root.buffers.iter().map(|_| OnceCell::new()).collect();
+        let decoded = root.buffer_views.iter().map(|_| OnceCell::new()).collect();
+        Self { root, binary, resources, resolved, decoded }
     }
 
     /// The bytes of a view, with its stride.
     pub fn view(&self, index: Index<buffer::View>) -> Result<(&[u8], Option<usize>)> {
         let view = element(&self.root.buffer_views, index, "buffer view")?;
-        element(&self.root.buffers, view.buffer, "buffer")?;
-        let bytes = self.bytes(view.buffer.value())?;
-        let start = view.byte_offset.map_or(Some(0), |offset| usize::try_from(offset.0).ok());
-        let length = usize::try_from(view.byte_length.0).ok();
-        let range = start.zip(length).and_then(|(start, length)| Some(start..start.checked_add(length)?));
-        let slice = range.and_then(|range| bytes.get(range)).ok_or_else(|| {
-            GLTF.at(
-                format!("buffer view {}", index.value()),
-                format!("it reaches beyond its buffer of {} bytes; the file is cut short", bytes.len()),
-            )
-        })?;
+        let damaged = |problem: &str| {
+            GLTF.at(format!("buffer view {}", index.value()), format!("{problem}; export the file again"))
+        };
+        let slice = match Compression::of(view).map_err(damaged)? {
+            None => self.slice(index, view)?,
+            Some(compression) => get_or_try_init(&self.decoded[index.value()], || {
+                compression.decode(self.slice(index, &compression.source)?).map_err(damaged)
+            })?,
+        };
         // A stride of 0 is what some exporters write for "tightly packed".
         Ok((slice, view.byte_stride.map(|stride| stride.0).filter(|&stride| stride > 0)))
     }
 
-    /// Length of all buffers that have been read so far.
+    /// The bytes of a view, or of what it is decoded from.
+    fn slice(&self, index: Index<buffer::View>, view: &buffer::View) -> Result<&[u8]> {
+        element(&self.root.buffers, view.buffer, "buffer")?;
+        let buffer = view.buffer.value();
+        let bytes = self.bytes(buffer)?;
+        let start = view.byte_offset.map_or(Some(0), |offset| usize::try_from(offset.0).ok());
+        let length = usize::try_from(view.byte_length.0).ok();
+        let range = start.zip(length).and_then(|(start, length)| Some(start..start.checked_add(length)?));
+        range.and_then(|range| bytes.get(range)).ok_or_else(|| {
+            GLTF.at(
+                format!("buffer view {}", index.value()),
+                format!("it reaches beyond its buffer of {} bytes; the file is cut short", bytes.len()),
+            )
+        })
+    }
+
+    /// Length of all that has been read so far, compressed and decoded.
     pub fn resolved_bytes(&self) -> usize {
-        self.resolved.iter().filter_map(OnceCell::get).map(|bytes| bytes.len()).sum()
+        let read = self.resolved.iter().chain(&self.decoded).filter_map(OnceCell::get);
+        self.binary.map_or(0, <[u8]>::len) + read.map(Vec::len).sum::<usize>()
     }
 
     fn bytes(&self, index: usize) -> Result<&[u8]> {
-        let cell = &self.resolved[index];
-        if cell.get().is_none() {
-            let bytes = self.resolve(index)?;
-            return Ok(cell.get_or_init(|| bytes));
+        match (&self.root.buffers[index].uri, self.binary) {
+            (Some(uri), _) => get_or_try_init(&self.resolved[index], || self.resolve(index, uri)).map(Vec::as_slice),
+            (None, Some(binary)) if index == 0 => Ok(binary),
+            _ => Err(GLTF.at(place(index), "it has neither a URI nor a binary chunk; export the file again")),
         }
-        Ok(cell.get().map_or(&[], |bytes| bytes))
     }
 
-    fn resolve(&self, index: usize) -> Result<Cow<'a, [u8]>> {
-        let place = || format!("buffer {index}");
-        let Some(uri) = &self.root.buffers[index].uri else {
-            return match self.binary {
-                Some(binary) if index == 0 => Ok(Cow::Borrowed(binary)),
-                // A buffer without bytes stands for what the meshopt decoder would produce.
-                _ => Err(MESHOPT
-                    .iter()
-                    .find(|&&extension| self.root.extensions_used.iter().any(|used| used == extension))
-                    .map_or_else(
-                        || GLTF.at(place(), "it has neither a URI nor a binary chunk; export the file again"),
-                        |extension| compressed(extension),
-                    )),
-            };
-        };
-        self.fetch(uri, place)
+    fn resolve(&self, index: usize, uri: &str) -> Result<Vec<u8>> {
+        self.fetch(uri, || place(index))
     }
 
     /// The bytes behind a URI: those of a data URI, or of a file beside the mesh.
-    pub fn fetch(&self, uri: &str, place: impl Fn() -> String) -> Result<Cow<'a, [u8]>> {
+    pub fn fetch(&self, uri: &str, place: impl Fn() -> String) -> Result<Vec<u8>> {
         if let Some(data) = uri.strip_prefix("data:") {
             let (_, encoded) = data
                 .split_once(";base64,")
                 .ok_or_else(|| GLTF.at(place(), "its data URI is not base64; export the file again"))?;
             return decode_base64(encoded)
-                .map(Cow::Owned)
                 .ok_or_else(|| GLTF.at(place(), "its base64 data is damaged; export the file again"));
         }
         let uri = decode_percent(uri);
-        (self.resources)(&uri).map(Cow::Owned).ok_or(Error::MissingResource { uri })
+        (self.resources)(&uri).ok_or(Error::MissingResource { uri })
     }
 }
 
-/// The error for geometry that only a decoder could read.
-pub fn compressed(extension: &str) -> Error {
-    Error::Unsupported {
-        format: "glTF",
-        feature: extension.to_owned(),
-        remedy: "export the file again without mesh compression".to_owned(),
+fn place(buffer: usize) -> String {
+    format!("buffer {buffer}")
+}
+
+/// `OnceCell::get_or_try_init`, which the standard library does not offer yet.
+fn get_or_try_init<T>(cell: &OnceCell<T>, init: impl FnOnce() -> Result<T>) -> Result<&T> {
+    match cell.get() {
+        Some(value) => Ok(value),
+        None => init().map(|value| cell.get_or_init(|| value)),
     }
 }
 

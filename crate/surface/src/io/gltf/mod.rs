@@ -1,18 +1,22 @@
 //! glTF 2.0 and GLB. The JSON is parsed by the gltf crate; buffers, accessors and the scene are read here, with every
-//! index and offset checked, since the crate's own readers panic on damaged files.
+//! index and offset checked, since the crate's own readers panic on damaged files. Geometry may be compressed by Draco or
+//! meshoptimizer.
 
 mod accessor;
 mod appearance;
 mod container;
 mod deform;
+mod document;
+mod draco;
 mod format;
+mod meshopt;
 mod primitive;
 mod scene;
 
 use std::sync::Arc;
 
 use glam::DMat4;
-use gltf::json::{self, Root};
+use gltf::json::Root;
 
 use super::reader::Resources;
 use crate::error::{Error, Result};
@@ -20,23 +24,19 @@ use crate::soup::Soup;
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
 use container::Buffers;
+use draco::Compressed;
 pub use format::GLB_MAGIC;
-use format::{GLTF, element};
+use format::{MAX_VERTICES, element};
 use scene::Scene;
-
-/// Some kilobytes of JSON can name one mesh thousands of times; beyond this many vertices (1.6 GB as f64) we give up.
-const MAX_VERTICES: usize = 1 << 26;
 
 pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     let container = container::open(bytes)?;
-    let root: Root = json::deserialize::from_slice(container.json).map_err(|error| {
-        GLTF.at(format!("JSON line {} column {}", error.line(), error.column()), format!("{error}; export it again"))
-    })?;
+    let root = document::parse(container.json)?;
     let buffers = Buffers::new(&root, container.binary, resources);
-    let accessors = Accessors { root: &root, buffers: &buffers };
+    let accessors = Accessors { root: &root, buffers: &buffers, compressed: None };
     let scene = Scene::new(&root)?;
     let mut soup = Soup::default();
-    let mut collector = Collector::new(accessors);
+    let mut collector = Collector::default();
     for &index in &scene.mesh_nodes {
         add_node(&mut soup, &mut collector, &root, accessors, &scene, index)?;
     }
@@ -65,8 +65,10 @@ fn add_node(
     let mut first_vertices = Vec::new();
     for primitive in &mesh.primitives {
         let Some(position) = primitive::triangles_over(primitive)? else { continue };
+        let compressed = Compressed::of(primitive, accessors.buffers)?;
+        let accessors = accessors.of(compressed.as_ref());
         // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
-        let attributes = (position, attributes_of(primitive));
+        let attributes = (position, attributes_of(primitive), draco::view(primitive));
         let shared = first_vertices.iter().find(|&&(known, _)| known == attributes && primitive.targets.is_none());
         let (first, count) = if let Some(&(_, first)) = shared {
             (first, accessors.count(position)?)
@@ -85,7 +87,7 @@ fn add_node(
             // Displacements of normals are not read: a morphed mesh has the normals of its triangles.
             let is_morphed = primitive.targets.is_some() && weights.iter().any(|&weight| weight != 0.0);
             let turn = (!is_morphed).then_some(world_from_vertex);
-            collector.add_vertices(primitive, first..soup.positions.len(), turn);
+            collector.add_vertices(accessors, primitive, first..soup.positions.len(), turn);
             first_vertices.push((attributes, first));
             (first, soup.positions.len() - first)
         };

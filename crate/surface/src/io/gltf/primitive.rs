@@ -27,12 +27,13 @@ pub fn append_triangles(
     triangles: &mut Vec<[u32; 3]>,
 ) -> Result<()> {
     let start = triangles.len();
-    match primitive.indices {
-        Some(index) => {
+    match (accessors.compressed, primitive.indices) {
+        (Some(compressed), _) => triangles.extend(compressed.triangles()),
+        (None, Some(index)) => {
             let corners = accessors.indices(number(index))?;
             connect(primitive.mode, corners.len(), |corner| corners[corner], triangles);
         }
-        None => connect(primitive.mode, count, |corner| corner as u32, triangles),
+        (None, None) => connect(primitive.mode, count, |corner| corner as u32, triangles),
     }
     for (index, triangle) in triangles.iter_mut().enumerate().skip(start) {
         for corner in triangle {

@@ -1,0 +1,157 @@
+//! The JSON of a file. Only what geometry needs can refuse it.
+
+use gltf::json::deserialize::{from_slice, from_value};
+use gltf::json::{Error as JsonError, Root, Value};
+
+use super::draco::DRACO;
+use super::format::GLTF;
+use super::meshopt::MESHOPT;
+use crate::error::{Error, Result};
+
+/// Extensions of geometry that are read.
+const READ: [&str; 4] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization"];
+
+/// Extensions found on geometry that add to it and take nothing away.
+const HARMLESS: [&str; 6] = [
+    "CESIUM_primitive_outline",
+    "EXT_mesh_features",
+    "EXT_mesh_manifold",
+    "EXT_structural_metadata",
+    "FB_ngon_encoding",
+    "KHR_xmp_json_ld",
+];
+
+/// Parses the JSON and checks that its version and the extensions of its geometry are known.
+pub fn parse(json: &[u8]) -> Result<Root> {
+    // The second way takes several times as long and as much memory.
+    let root = from_slice(json).or_else(|error| forgiving(json, &error))?;
+    check_version(&root.asset.version)?;
+    check_extensions(&root)?;
+    Ok(root)
+}
+
+/// What geometry needs, and of the rest what can be understood.
+fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
+    let mut document: Value = from_slice(json).map_err(|error| {
+        GLTF.at(format!("JSON line {} column {}", error.line(), error.column()), format!("{error}; export it again"))
+    })?;
+    // glTF 1.0 has objects where later versions have arrays.
+    let version = &document["asset"]["version"];
+    check_version(version.as_str().unwrap_or(if document["meshes"].is_object() { "1.0" } else { "2.0" }))?;
+    if !document.is_object() {
+        return Err(GLTF.at("JSON", format!("{refused}; export it again")));
+    }
+    tidy(&mut document);
+    Ok(Root {
+        accessors: needed(&mut document, "accessors", from_value)?,
+        buffers: needed(&mut document, "buffers", from_value)?,
+        buffer_views: needed(&mut document, "bufferViews", from_value)?,
+        meshes: needed(&mut document, "meshes", from_value)?,
+        nodes: needed(&mut document, "nodes", from_value)?,
+        scenes: needed(&mut document, "scenes", |mut scene| {
+            // A scene may be empty.
+            if let Some(scene) = scene.as_object_mut() {
+                scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
+            }
+            from_value(scene)
+        })?,
+        skins: needed(&mut document, "skins", from_value)?,
+        scene: from_value(document["scene"].take()).unwrap_or_default(),
+        images: optional(&mut document, "images", from_value),
+        materials: optional(&mut document, "materials", from_value),
+        samplers: optional(&mut document, "samplers", from_value),
+        textures: optional(&mut document, "textures", from_value),
+        extensions_used: from_value(document["extensionsUsed"].take()).unwrap_or_default(),
+        extensions_required: from_value(document["extensionsRequired"].take()).unwrap_or_default(),
+        ..Root::default()
+    })
+}
+
+type Parse<T> = fn(Value) -> std::result::Result<T, JsonError>;
+
+/// The elements of a top-level array, in which each must parse.
+fn needed<T>(document: &mut Value, key: &str, parse: Parse<T>) -> Result<Vec<T>> {
+    let elements = array(document, key).enumerate();
+    let parse = |(index, element)| {
+        parse(element).map_err(|error| GLTF.at(format!("{key}[{index}]"), format!("{error}; export the file again")))
+    };
+    elements.map(parse).collect()
+}
+
+/// The elements of a top-level array, those that do not parse replaced by ones without properties: others have indices.
+fn optional<T>(document: &mut Value, key: &str, parse: Parse<T>) -> Vec<T> {
+    array(document, key)
+        .filter_map(|element| parse(element).or_else(|_| parse(Value::Object(Default::default()))).ok())
+        .collect()
+}
+
+fn array(document: &mut Value, key: &str) -> impl Iterator<Item = Value> + use<> {
+    match document[key].take() {
+        Value::Array(elements) => elements,
+        _ => Vec::new(),
+    }
+    .into_iter()
+}
+
+/// Removes names and extensions of the wrong type, and writes whole numbers without a fraction: 3.0 is an integer too.
+fn tidy(value: &mut Value) {
+    match value {
+        Value::Object(object) => {
+            object.retain(|key, value| match key.as_str() {
+                "name" => value.is_string(),
+                "extensions" => value.is_object(),
+                _ => true,
+            });
+            object.values_mut().for_each(tidy);
+        }
+        Value::Array(elements) => elements.iter_mut().for_each(tidy),
+        Value::Number(number) => {
+            if let Some(whole) = number.as_f64().filter(|number| number.fract() == 0.0 && (0.0..1e15).contains(number))
+            {
+                *value = Value::from(whole as u64);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn check_version(version: &str) -> Result<()> {
+    if version.starts_with("1.") {
+        return Err(Error::Unsupported {
+            format: "glTF",
+            feature: format!("version {version}"),
+            remedy: "export the file as glTF 2.0".to_owned(),
+        });
+    }
+    Ok(())
+}
+
+/// An extension that the file requires refuses it only where it says how geometry is to be read.
+fn check_extensions(root: &Root) -> Result<()> {
+    let appearance = |name: &str| ["_materials_", "_texture_"].iter().any(|part| name.contains(part));
+    let unknown = |name: &str| !READ.contains(&name) && !HARMLESS.contains(&name) && !appearance(name);
+    let required = root.extensions_required.iter().find(|name| unknown(name) && on_geometry(root, name));
+    required.map_or(Ok(()), |name| {
+        Err(Error::Unsupported {
+            format: "glTF",
+            feature: name.clone(),
+            remedy: "export the file without this extension".to_owned(),
+        })
+    })
+}
+
+/// Whether the extension changes bytes, meshes or the number of their instances. What else it can be on is a node: a
+/// light, a sound, a physical body.
+fn on_geometry(root: &Root, name: &str) -> bool {
+    macro_rules! on {
+        ($elements:expr) => {
+            $elements.any(|element| element.extensions.as_ref().is_some_and(|all| all.others.contains_key(name)))
+        };
+    }
+    on!(root.buffers.iter())
+        || on!(root.buffer_views.iter())
+        || on!(root.accessors.iter())
+        || on!(root.meshes.iter())
+        || on!(root.meshes.iter().flat_map(|mesh| &mesh.primitives))
+        || name == "EXT_mesh_gpu_instancing" && on!(root.nodes.iter())
+}

@@ -1,0 +1,124 @@
+//! Primitives compressed by `KHR_draco_mesh_compression`. The draco-core crate decodes the stream; the extension says
+//! which of its attributes stands for which accessor.
+
+use std::borrow::Cow;
+
+use draco_core::{DataType, DecodeLimits, DecoderBuffer, ErrorKind, Mesh, MeshDecoder, PointAttribute, PointIndex};
+use gltf::json::accessor::ComponentType;
+use gltf::json::mesh::Primitive;
+use gltf::json::{Index, Value};
+
+use super::container::Buffers;
+use super::format::{GLTF, MAX_VERTICES};
+use crate::error::{Error, Result};
+
+/// The extension read here.
+pub const DRACO: &str = "KHR_draco_mesh_compression";
+
+/// Bytes of all decoded attributes together.
+const MAX_BYTES: u64 = 1 << 30;
+
+/// A primitive whose triangles and vertices are compressed.
+pub struct Compressed {
+    mesh: Mesh,
+    /// Accessors, and the unique identifiers of the attributes that they stand for.
+    attributes: Vec<(u32, u32)>,
+    place: String,
+}
+
+/// The values of an accessor, one after the other.
+pub struct Values<'a> {
+    pub bytes: Cow<'a, [u8]>,
+    pub component: ComponentType,
+    /// Number of components of a value.
+    pub components: usize,
+}
+
+/// The buffer view that a primitive is compressed in, if it is.
+pub fn view(primitive: &Primitive) -> Option<u32> {
+    u32::try_from(extension(primitive)?.get("bufferView")?.as_u64()?).ok()
+}
+
+fn extension(primitive: &Primitive) -> Option<&Value> {
+    primitive.extensions.as_ref()?.others.get(DRACO)
+}
+
+impl Compressed {
+    /// Decodes a primitive, if it is compressed.
+    pub fn of(primitive: &Primitive, buffers: &Buffers) -> Result<Option<Self>> {
+        let Some(view) = view(primitive) else { return Ok(None) };
+        let place = format!("buffer view {view}");
+        let (bytes, _) = buffers.view(Index::new(view))?;
+        let limits = DecodeLimits::default()
+            .with_max_points(MAX_VERTICES as u64)
+            .with_max_faces(MAX_VERTICES as u64)
+            .with_max_decoded_bytes(MAX_BYTES);
+        let mut mesh = Mesh::new();
+        MeshDecoder::new().decode(&mut DecoderBuffer::new(bytes).with_limits(limits), &mut mesh).map_err(|error| {
+            match error.kind() {
+                ErrorKind::LimitExceeded => Error::OutOfMemory { stage: "reading the glTF file" },
+                _ => GLTF.at(&place, "its Draco data is damaged or of an unknown version; export the file again"),
+            }
+        })?;
+        let ids = extension(primitive).and_then(|extension| extension.get("attributes"));
+        let id = |semantic: &str| u32::try_from(ids?.get(semantic)?.as_u64()?).ok();
+        let accessors = primitive.attributes.iter();
+        let attributes =
+            accessors.filter_map(|(name, accessor)| Some((accessor.value() as u32, id(&name.to_string())?))).collect();
+        Ok(Some(Self { mesh, attributes, place }))
+    }
+
+    /// Number of vertices.
+    pub fn vertices(&self) -> usize {
+        self.mesh.num_points()
+    }
+
+    /// The triangles, which are a list whatever the mode of the primitive.
+    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.mesh.faces().iter().map(|face| face.map(|corner| corner.0))
+    }
+
+    /// Whether the values of an accessor are compressed here.
+    pub fn holds(&self, accessor: u32) -> bool {
+        self.attributes.iter().any(|&(held, _)| held == accessor)
+    }
+
+    /// The values of an accessor, one per vertex, if they are compressed here.
+    pub fn values(&self, accessor: u32) -> Result<Option<Values<'_>>> {
+        let Some(&(_, id)) = self.attributes.iter().find(|&&(held, _)| held == accessor) else { return Ok(None) };
+        let error = |problem: &str| GLTF.at(&self.place, format!("{problem}; export the file again"));
+        let attribute = self.mesh.attribute_by_unique_id(id).ok_or_else(|| {
+            error(&format!("its Draco data has no attribute {id}, which accessor {accessor} stands for"))
+        })?;
+        let component = match attribute.data_type() {
+            DataType::Int8 => ComponentType::I8,
+            DataType::Uint8 => ComponentType::U8,
+            DataType::Int16 => ComponentType::I16,
+            DataType::Uint16 => ComponentType::U16,
+            DataType::Uint32 => ComponentType::U32,
+            DataType::Float32 => ComponentType::F32,
+            _ => {
+                return Err(error(&format!("attribute {id} of its Draco data has a component type that glTF has not")));
+            }
+        };
+        let components = usize::from(attribute.num_components());
+        let bytes = gather(attribute, self.vertices(), components * component.size())
+            .ok_or_else(|| error(&format!("attribute {id} of its Draco data is damaged")))?;
+        Ok(Some(Values { bytes, component, components }))
+    }
+}
+
+/// The values of `count` vertices of `size` bytes each, which several vertices may share in the stream.
+fn gather(attribute: &PointAttribute, count: usize, size: usize) -> Option<Cow<'_, [u8]>> {
+    let data = attribute.buffer().data();
+    let stride = usize::try_from(attribute.byte_stride()).ok()?;
+    if attribute.is_mapping_identity() && stride == size {
+        return data.get(..count.checked_mul(size)?).map(Cow::Borrowed);
+    }
+    let mut bytes = Vec::with_capacity(count.checked_mul(size)?);
+    for vertex in 0..count {
+        let start = (attribute.mapped_index(PointIndex(vertex as u32)).0 as usize).checked_mul(stride)?;
+        bytes.extend(data.get(start..start.checked_add(size)?)?);
+    }
+    Some(bytes.into())
+}
