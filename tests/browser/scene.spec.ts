@@ -1,3 +1,4 @@
+import { COMPRESSED } from '../compressed';
 import { glb, gltf, obj, off, sphere } from '../fixtures';
 import { brightness, crossings, difference, expect, test } from '../page';
 
@@ -86,6 +87,20 @@ test('a glTF opens together with its .bin, in whatever order they are dropped', 
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('ball.gltf');
   expect(await heatwalk.mesh()).toMatchObject({ triangles: BALL.triangles.length, components: 1 });
 });
+
+for (const [compression, content] of Object.entries(COMPRESSED)) {
+  test(`a GLB compressed by ${compression} opens`, async ({ heatwalk }) => {
+    await heatwalk.open();
+    await heatwalk.dropAndOpen([[`ball_${compression}.glb`, Buffer.from(content, 'base64')]]);
+    const { positions, triangles } = sphere(8);
+    expect(await heatwalk.mesh()).toMatchObject({
+      vertices: positions.length,
+      triangles: triangles.length,
+      components: 1,
+      boundaryLoops: 0,
+    });
+  });
+}
 
 test('a bad file leaves the scene as it is and says why', async ({ heatwalk, page }) => {
   await heatwalk.open();

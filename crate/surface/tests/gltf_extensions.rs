@@ -150,6 +150,8 @@ fn broken_draco_primitives_name_the_place() {
     assert!(error.contains("accessor 1"), "colors have four components: {error}");
     let error = change(&|document| extension(document, "bufferView", json!(5)));
     assert!(error.contains("buffer view 5"), "{error}");
+    let error = change(&|document| extension(document, "bufferView", Value::Null));
+    assert!(error.contains("names no buffer view"), "{error}");
     let error = change(&|document| document["bufferViews"][0]["byteLength"] = json!(100));
     assert!(error.contains("buffer view 0") && error.contains("damaged"), "{error}");
 }

@@ -1,7 +1,7 @@
 //! The JSON of a file. Only what geometry needs can refuse it.
 
-use gltf::json::deserialize::{from_slice, from_value};
-use gltf::json::{Error as JsonError, Root, Value};
+use gltf::json::deserialize::from_slice;
+use gltf::json::{Error as JsonError, Index, Root, Value};
 
 use super::draco::DRACO;
 use super::format::GLTF;
@@ -42,55 +42,58 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         return Err(GLTF.at("JSON", format!("{refused}; export it again")));
     }
     tidy(&mut document);
+    // A scene may be empty.
+    for scene in document["scenes"].as_array_mut().into_iter().flatten().filter_map(Value::as_object_mut) {
+        scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
+    }
+    let document = &document;
     Ok(Root {
-        accessors: needed(&mut document, "accessors", from_value)?,
-        buffers: needed(&mut document, "buffers", from_value)?,
-        buffer_views: needed(&mut document, "bufferViews", from_value)?,
-        meshes: needed(&mut document, "meshes", from_value)?,
-        nodes: needed(&mut document, "nodes", from_value)?,
-        scenes: needed(&mut document, "scenes", |mut scene| {
-            // A scene may be empty.
-            if let Some(scene) = scene.as_object_mut() {
-                scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
-            }
-            from_value(scene)
-        })?,
-        skins: needed(&mut document, "skins", from_value)?,
-        scene: from_value(document["scene"].take()).unwrap_or_default(),
-        images: optional(&mut document, "images", from_value),
-        materials: optional(&mut document, "materials", from_value),
-        samplers: optional(&mut document, "samplers", from_value),
-        textures: optional(&mut document, "textures", from_value),
-        extensions_used: from_value(document["extensionsUsed"].take()).unwrap_or_default(),
-        extensions_required: from_value(document["extensionsRequired"].take()).unwrap_or_default(),
+        accessors: needed(document, "accessors", |text| from_slice(text))?,
+        buffers: needed(document, "buffers", |text| from_slice(text))?,
+        buffer_views: needed(document, "bufferViews", |text| from_slice(text))?,
+        meshes: needed(document, "meshes", |text| from_slice(text))?,
+        nodes: needed(document, "nodes", |text| from_slice(text))?,
+        scenes: needed(document, "scenes", |text| from_slice(text))?,
+        skins: needed(document, "skins", |text| from_slice(text))?,
+        scene: document["scene"].as_u64().and_then(|scene| u32::try_from(scene).ok()).map(Index::new),
+        images: optional(document, "images", |text| from_slice(text)),
+        materials: optional(document, "materials", |text| from_slice(text)),
+        samplers: optional(document, "samplers", |text| from_slice(text)),
+        textures: optional(document, "textures", |text| from_slice(text)),
+        extensions_used: texts(document, "extensionsUsed"),
+        extensions_required: texts(document, "extensionsRequired"),
         ..Root::default()
     })
 }
 
-type Parse<T> = fn(Value) -> std::result::Result<T, JsonError>;
+/// Parses one element. From text, so that the code that parses whole files serves here too.
+type Parse<T> = fn(&[u8]) -> std::result::Result<T, JsonError>;
 
 /// The elements of a top-level array, in which each must parse.
-fn needed<T>(document: &mut Value, key: &str, parse: Parse<T>) -> Result<Vec<T>> {
-    let elements = array(document, key).enumerate();
-    let parse = |(index, element)| {
-        parse(element).map_err(|error| GLTF.at(format!("{key}[{index}]"), format!("{error}; export the file again")))
+fn needed<T>(document: &Value, key: &str, parse: Parse<T>) -> Result<Vec<T>> {
+    let parse = |(index, element): (usize, &Value)| {
+        parse(element.to_string().as_bytes()).map_err(|error| {
+            let error = error.to_string();
+            let problem = error.split(" at line").next().unwrap_or_default();
+            GLTF.at(format!("{key}[{index}]"), format!("{problem}; export the file again"))
+        })
     };
-    elements.map(parse).collect()
+    array(document, key).enumerate().map(parse).collect()
 }
 
 /// The elements of a top-level array, those that do not parse replaced by ones without properties: others have indices.
-fn optional<T>(document: &mut Value, key: &str, parse: Parse<T>) -> Vec<T> {
+fn optional<T>(document: &Value, key: &str, parse: Parse<T>) -> Vec<T> {
     array(document, key)
-        .filter_map(|element| parse(element).or_else(|_| parse(Value::Object(Default::default()))).ok())
+        .filter_map(|element| parse(element.to_string().as_bytes()).or_else(|_| parse(b"{}")).ok())
         .collect()
 }
 
-fn array(document: &mut Value, key: &str) -> impl Iterator<Item = Value> + use<> {
-    match document[key].take() {
-        Value::Array(elements) => elements,
-        _ => Vec::new(),
-    }
-    .into_iter()
+fn texts(document: &Value, key: &str) -> Vec<String> {
+    array(document, key).filter_map(Value::as_str).map(str::to_owned).collect()
+}
+
+fn array<'a>(document: &'a Value, key: &str) -> impl Iterator<Item = &'a Value> {
+    document[key].as_array().into_iter().flatten()
 }
 
 /// Removes names and extensions of the wrong type, and writes whole numbers without a fraction: 3.0 is an integer too.

@@ -46,7 +46,11 @@ fn extension(primitive: &Primitive) -> Option<&Value> {
 impl Compressed {
     /// Decodes a primitive, if it is compressed.
     pub fn of(primitive: &Primitive, buffers: &Buffers) -> Result<Option<Self>> {
-        let Some(view) = view(primitive) else { return Ok(None) };
+        if extension(primitive).is_none() {
+            return Ok(None);
+        }
+        let view = view(primitive)
+            .ok_or_else(|| GLTF.at("primitive", format!("its {DRACO} names no buffer view; export the file again")))?;
         let place = format!("buffer view {view}");
         let (bytes, _) = buffers.view(Index::new(view))?;
         let limits = DecodeLimits::default()

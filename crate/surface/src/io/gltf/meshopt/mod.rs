@@ -43,8 +43,8 @@ impl Compression {
     }
 
     fn parse(extension: &Value) -> Decoded<Self> {
-        let source: View =
-            deserialize::from_value(extension.clone()).map_err(|_| "it does not say where its bytes are")?;
+        let source: View = deserialize::from_slice(extension.to_string().as_bytes())
+            .map_err(|_| "it does not say where its bytes are")?;
         let stride = source.byte_stride.map_or(0, |stride| stride.0);
         let count = extension.get("count").and_then(Value::as_u64).and_then(|count| usize::try_from(count).ok());
         let text = |key| extension.get(key).and_then(Value::as_str);
