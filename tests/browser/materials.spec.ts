@@ -12,7 +12,7 @@ test('a file with materials opens in them, one without as before', async ({ heat
   await expect(ofFile).toBeDisabled();
 
   await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
-  expect((await heatwalk.scene()).style).toMatchObject({ name: 'model', surfaceOf: 'file', blend: 'over' });
+  expect((await heatwalk.scene()).style).toMatchObject({ name: 'model', surfaceOf: 'file', blend: 'contrast' });
   await expect(surface).toHaveValue("the file's materials");
   await expect(page).toHaveURL(/&look=model/);
   expect((await heatwalk.mesh()).parts).toEqual(['squares', 'colors']);
@@ -38,10 +38,12 @@ test('a file with materials opens in them, one without as before', async ({ heat
 test('stripes lie over the materials, are multiplied with them, or are left out', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
-  const over = await heatwalk.drawing(0.5, false);
   await page.getByRole('combobox', { name: 'Stripes', exact: true }).selectOption('gold');
+  const contrasting = await heatwalk.drawing(0.5, false);
+  await page.getByRole('combobox', { name: 'Stripes lie' }).selectOption('over the materials');
+  await expect(page).toHaveURL(/&blend=over/);
   const gold = await heatwalk.drawing(0.5, false);
-  expect(difference(over, gold)).toBeGreaterThan(0.02);
+  expect(difference(contrasting, gold)).toBeGreaterThan(0.02);
   await page.getByRole('combobox', { name: 'Stripes lie' }).selectOption('multiplied with them');
   await expect(page).toHaveURL(/&blend=multiply/);
   const multiplied = await heatwalk.drawing(0.5, false);

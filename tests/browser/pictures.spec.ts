@@ -2,7 +2,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { PNG } from 'pngjs';
-import { STYLES } from '../../web/state/styles';
+import { BLENDS, STYLES } from '../../web/state/styles';
 import { grid, type Mesh, obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
 import { texturedGlb } from '../textured';
@@ -114,7 +114,7 @@ test('the materials of a file look like the reference image, stripes over them a
   page,
 }) => {
   await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
-  for (const blend of ['over', 'multiply']) {
+  for (const blend of BLENDS) {
     await heatwalk.open(`#v=1&m=file&name=balls.glb&s=0&look=model&blend=${blend}&stripes=0,0.2,0&${VIEW}&kiosk=1`);
     await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
     const drawn = await heatwalk.drawing(0.5, false);

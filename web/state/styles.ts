@@ -7,7 +7,7 @@ import {
   interpolateViridis,
   interpolateYlGnBu,
 } from 'd3-scale-chromatic';
-import type { Surroundings } from '../wasm/viewer/heatwalk_viewer';
+import type { StripeBlend, Surroundings } from '../wasm/viewer/heatwalk_viewer';
 
 /** 0 to 1 to a CSS colour, `#rrggbb` or `rgb(r, g, b)`. */
 type Interpolator = (t: number) => string;
@@ -60,8 +60,8 @@ export const SURFACE_SOURCES = ['style', 'file'] as const;
 /** Whose material the surface has; that of the style where the file has none. */
 export type SurfaceSource = (typeof SURFACE_SOURCES)[number];
 
-export const BLENDS = ['over', 'multiply'] as const;
-/** Whether stripes cover the material of the file, or their colour is a factor on its. */
+export const BLENDS = ['contrast', 'over', 'multiply'] as const satisfies readonly StripeBlend[];
+/** Whether stripes cover the material of the file, in another colour where theirs would not stand out, or their colour is a factor on its. */
 export type Blend = (typeof BLENDS)[number];
 
 export const SURROUNDINGS = ['studio', 'sky', 'night'] as const satisfies readonly Surroundings[];
@@ -119,7 +119,7 @@ const finish = (metalness: number, roughness: number, glow = 0): Finish => ({ me
 
 const BASE: Omit<Style, 'name'> = {
   surfaceOf: 'style',
-  blend: 'over',
+  blend: 'contrast',
   ramp: 'chalk',
   stripe: '#1c1d20',
   pattern: 'bands',

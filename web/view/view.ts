@@ -273,7 +273,7 @@ export class View {
     this.#show('style', (viewer) => {
       viewer.set_ramps(rampBytes(style));
       viewer.set_finish(uses('colour') ? 1 : 0, finishOf(style.surface), finishOf({ metalness, roughness, glow }));
-      viewer.set_materials_of_file(style.surfaceOf === 'file', style.blend === 'multiply');
+      viewer.set_materials_of_file(style.surfaceOf === 'file', style.blend);
       if (style.pattern === 'none') viewer.set_bands(0, 0, 1, 0);
       else if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
       else viewer.set_bands(period, style.width, style.sharpness, uses('normal') ? style.relief : 0);

@@ -54,7 +54,7 @@ pub use material::{CHANNELS, Material, TextureUse};
 pub use mesh::{MeshAppearance, MeshArrays, MeshRun};
 pub use pose::{CrowdPose, Pose, Track};
 pub use renderer::{Renderer, SurfaceHit};
-pub use style::{Finish, Pattern, RAMP_SIZE, Style};
+pub use style::{Blend, Finish, Pattern, RAMP_SIZE, Style};
 pub use surface::RAMP_BYTES;
 
 #[cfg(test)]

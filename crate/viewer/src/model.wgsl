@@ -36,6 +36,9 @@ struct FileMaterial {
 // A mirror without any roughness would show the lights as points.
 const LEAST_ROUGHNESS = 0.06;
 
+// Levels coarser than a pixel: what a stripe should stand out from is larger than a texel.
+const SURROUNDINGS_BIAS = 5.0;
+
 struct ModelFragment {
     @builtin(position) clip: vec4f,
     @location(0) position: vec3f,
@@ -99,13 +102,17 @@ fn tangents(position: vec3f, uv: vec2f, normal: vec3f) -> mat2x3f {
 struct Given {
     material: Material,
     alpha: f32,
+    // Luminance of the base color around the place.
+    luminance: f32,
     // Of the normal map, facing the eye.
     normal: vec3f,
 }
 
 fn look_up(fragment: ModelFragment, geometric: vec4f) -> Given {
-    let base = given.base_color * fragment.color
-        * textureSample(base_map, base_sampler, place_in(given.textures[0], fragment.texcoords));
+    let tint = given.base_color * fragment.color;
+    let base_place = place_in(given.textures[0], fragment.texcoords);
+    let base = tint * textureSample(base_map, base_sampler, base_place);
+    let around = tint * textureSampleBias(base_map, base_sampler, base_place, SURROUNDINGS_BIAS);
     let rough = textureSample(rough_map, rough_sampler, place_in(given.textures[1], fragment.texcoords));
     let normal_place = place_in(given.textures[2], fragment.texcoords);
     let bump = textureSample(normal_map, normal_sampler, normal_place).xyz * 2.0 - 1.0;
@@ -123,7 +130,19 @@ fn look_up(fragment: ModelFragment, geometric: vec4f) -> Given {
         given.emission * emission,
         1.0 + given.occlusion_strength * (occlusion - 1.0),
     );
-    return Given(material, base.a, select(geometric.xyz, bumped, given.normal_scale != 0.0));
+    return Given(material, base.a, luminance(around.rgb), select(geometric.xyz, bumped, given.normal_scale != 0.0));
+}
+
+fn luminance(color: vec3f) -> f32 {
+    return dot(color, vec3f(0.2126, 0.7152, 0.0722));
+}
+
+// The colour of stripes, another one where theirs is less than about twice as bright or dark as what they lie on.
+fn standing_out(stripe: vec3f, beneath: f32) -> vec3f {
+    let own = luminance(stripe);
+    let apart = abs(log2((own + 0.02) / (beneath + 0.02)));
+    let other = select(vec3f(0.85), vec3f(0.008), own > 0.18);
+    return mix(other, stripe, max(smoothstep(0.8, 1.6, apart), 1.0 - style.contrasting));
 }
 
 // Alpha for what is blended, 1 for what is not.
@@ -136,7 +155,7 @@ fn painted(fragment: ModelFragment) -> vec4f {
     if found.alpha < given.cutoff || (given.single_sided > 0.5 && geometric.w < 0.5) {
         discard;
     }
-    let stripe = stripe_color(fragment.distance);
+    let stripe = standing_out(stripe_color(fragment.distance), found.luminance);
     let cover = mark.share * style.stripe_opacity;
     let stained = found.material.albedo * mix(vec3f(1.0), stripe, cover);
     let covered = mix(found.material.albedo, stripe, cover);

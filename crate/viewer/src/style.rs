@@ -36,6 +36,18 @@ pub enum Pattern {
     },
 }
 
+/// How stripes lie on the material of a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Blend {
+    /// They cover it.
+    #[default]
+    Over,
+    /// They cover it, white or black where they would not stand out.
+    Contrast,
+    /// Their colour is a factor on its.
+    Multiply,
+}
+
 /// How the surface is coloured by its field. The colours are in the ramps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
@@ -49,8 +61,8 @@ pub struct Style {
     pub stripe_opacity: f32,
     /// Whether a surface whose file has materials is seen in these, and in the ramp's colours otherwise.
     pub has_materials_of_file: bool,
-    /// Whether the stripes' colour is a factor on that of the file's material instead of covering it.
-    pub is_multiplied: bool,
+    /// How stripes lie on these.
+    pub blend: Blend,
     /// Between the stripes.
     pub surface: Finish,
     /// On the stripes.
@@ -67,7 +79,7 @@ impl Default for Style {
             pattern,
             stripe_opacity: 1.0,
             has_materials_of_file: false,
-            is_multiplied: false,
+            blend: Blend::Over,
             surface: finish,
             stripe: finish,
         }
@@ -89,6 +101,7 @@ pub(crate) struct StyleUniform {
     offset: f32,
     stripe_opacity: f32,
     multiplied: f32,
+    contrasting: f32,
     line_half_width: f32,
     width: f32,
     flank: f32,
@@ -113,7 +126,8 @@ impl Style {
             periods: 0.0,
             offset: self.offset,
             stripe_opacity: self.stripe_opacity,
-            multiplied: if self.is_multiplied { 1.0 } else { 0.0 },
+            multiplied: if self.blend == Blend::Multiply { 1.0 } else { 0.0 },
+            contrasting: if self.blend == Blend::Contrast { 1.0 } else { 0.0 },
             line_half_width: 0.0,
             width: 0.0,
             flank: LEAST_FLANK,

@@ -16,6 +16,8 @@ struct Style {
     stripe_opacity: f32,
     // 1 where the colour of the stripes is a factor on that of the file's material, 0 where it covers it.
     multiplied: f32,
+    // 1 where stripes are white or black wherever they would not stand out on that material.
+    contrasting: f32,
     // Half the width of lines, CSS pixels; 0 for bands.
     line_half_width: f32,
     // Of bands: share of the period covered, half the width of a flank and height, both in periods.

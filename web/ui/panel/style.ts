@@ -166,6 +166,7 @@ function colours(session: Session, change: Change): Part {
 }
 
 const BLEND_WORDS: Record<Blend, string> = {
+  contrast: 'over, standing out',
   over: 'over the materials',
   multiply: 'multiplied with them',
 };

@@ -11,7 +11,7 @@ use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, points, 
 use crate::environment;
 use crate::error::Error;
 use crate::pose::CrowdPose;
-use crate::style::{Pattern, Style};
+use crate::style::{Blend, Pattern, Style};
 
 /// The names of the [surroundings](environment::Surroundings).
 #[wasm_bindgen]
@@ -20,6 +20,15 @@ pub enum Surroundings {
     Studio = "studio",
     Sky = "sky",
     Night = "night",
+}
+
+/// The names of the [ways](Blend) in which stripes lie on the materials of a file.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum StripeBlend {
+    Over = "over",
+    Contrast = "contrast",
+    Multiply = "multiply",
 }
 
 #[wasm_bindgen]
@@ -51,10 +60,19 @@ impl Viewer {
         Ok(())
     }
 
-    /// Whether a surface whose file has materials is seen in these, and whether the stripes' colour is then a factor on
-    /// theirs instead of covering it.
-    pub fn set_materials_of_file(&mut self, has_materials_of_file: bool, is_multiplied: bool) {
-        self.change_style(|style| Style { has_materials_of_file, is_multiplied, ..style });
+    /// Whether a surface whose file has materials is seen in these, and how stripes lie on them.
+    ///
+    /// # Errors
+    /// Throws for another name.
+    pub fn set_materials_of_file(&mut self, has_materials_of_file: bool, blend: StripeBlend) -> Result<(), JsError> {
+        let blend = match blend {
+            StripeBlend::Over => Blend::Over,
+            StripeBlend::Contrast => Blend::Contrast,
+            StripeBlend::Multiply => Blend::Multiply,
+            StripeBlend::__Invalid => return Err(JsError::new("There is no such blending.")),
+        };
+        self.change_style(|style| Style { has_materials_of_file, blend, ..style });
+        Ok(())
     }
 
     /// Replaces the scenery; empty for none.

@@ -4,8 +4,8 @@ use std::f32::consts::TAU;
 
 use glam::{DVec3, Vec3, Vec4};
 use heatwalk_viewer::{
-    CHANNELS, Context, Error, Hierarchy, Image as Texels, Material, MeshAppearance, MeshArrays, MeshRun, Renderer,
-    Style, Surroundings, TextureUse, View,
+    Blend, CHANNELS, Context, Error, Hierarchy, Image as Texels, Material, MeshAppearance, MeshArrays, MeshRun,
+    Renderer, Style, Surroundings, TextureUse, View,
 };
 use libtest_mimic::Failed;
 
@@ -69,7 +69,7 @@ pub fn belts(renderer: &mut Renderer) -> Result<(), Error> {
         colors: Vec::new(),
         runs: (0..4).map(run).collect(),
     };
-    let style = Style { has_materials_of_file: true, is_multiplied: true, ..BANDS };
+    let style = Style { has_materials_of_file: true, blend: Blend::Multiply, ..BANDS };
     show_field(renderer, arrays, 1.0, 4.0, style)
 }
 

@@ -4,7 +4,7 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
 use heatwalk_viewer::{
-    CrowdPose, Error, Finish, Hierarchy, MeshAppearance, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style,
+    Blend, CrowdPose, Error, Finish, Hierarchy, MeshAppearance, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style,
     Surroundings, View,
 };
 
@@ -136,7 +136,7 @@ pub const BANDS: Style = Style {
     pattern: Pattern::Bands { width: 0.4, sharpness: 0.6, relief: -0.05 },
     stripe_opacity: 1.0,
     has_materials_of_file: false,
-    is_multiplied: false,
+    blend: Blend::Over,
     surface: Finish { metalness: 1.0, roughness: 0.3, glow: 0.0 },
     stripe: Finish { metalness: 0.0, roughness: 0.4, glow: 0.1 },
 };
