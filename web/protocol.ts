@@ -9,15 +9,19 @@ import type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract'
 import type * as wasm from './wasm/solver/heatwalk_worker';
 import type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
-/** A file as the user gave it. The mesh comes first, then what it refers to (.bin). */
-export interface NamedBytes {
-  name: string;
-  bytes: Uint8Array;
+/** A file that the user gave. `path` begins with the folder that was given, if any: `model/scene.bin`. */
+export interface GivenFile {
+  path: string;
+  content: Blob;
 }
 
-/** What to open. `positions` is #V × 3, `triangles` #F × 3. */
+/**
+ * What to open. Of files and archives, the mesh at the path `mesh`; what it refers to is looked for beside it. `positions` is
+ * #V × 3, `triangles` #F × 3.
+ */
 export type MeshInput =
-  | { kind: 'files'; files: NamedBytes[] }
+  | { kind: 'files'; mesh: string; files: readonly GivenFile[] }
+  | { kind: 'archive'; mesh: string; archive: Blob }
   | { kind: 'shape'; shape: string }
   | { kind: 'arrays'; name: string; positions: Float32Array; triangles: Uint32Array };
 
@@ -89,7 +93,7 @@ export interface SceneryPart {
 /** What is known of a mesh before anything is solved on it: enough to draw it. */
 export interface OpenedMesh {
   name: string;
-  /** SHA-256 of the first file, hex; empty for shapes and arrays. */
+  /** SHA-256 of the file of the mesh, hex; empty for shapes and arrays. */
   hash: string;
   parts: PartInfo[];
   /** Indices of the parts that form the surface. */

@@ -11,13 +11,11 @@ export interface Loading {
   vertices: number;
 }
 
-/**
- * Does a work of which `loading` shows the progress. `check` throws once another work, or null, has taken its place there.
- */
+/** Does a work of which `loading` shows the progress. `signal` is aborted once another work, or null, takes its place there. */
 export async function whileLoading<T>(
   loading: Signal<Loading | null>,
   title: string,
-  work: (progress: ProgressListener, check: () => void) => Promise<T>,
+  work: (progress: ProgressListener, signal: AbortSignal) => Promise<T>,
 ): Promise<T> {
   let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
   const isMine = () => loading.value === mine;
@@ -27,11 +25,14 @@ export async function whileLoading<T>(
     loading.value = mine;
   };
   loading.value = mine;
+  const controller = new AbortController();
+  const unwatch = loading.watch(() => {
+    if (!isMine()) controller.abort(new Cancelled());
+  });
   try {
-    return await work(progress, () => {
-      if (!isMine()) throw new Cancelled();
-    });
+    return await work(progress, controller.signal);
   } finally {
+    unwatch();
     if (isMine()) loading.value = null;
   }
 }

@@ -1,5 +1,7 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
-import type { MeshInput, NamedBytes } from '../protocol';
+import { collect, type Collection, NoMesh } from '../files/collection';
+import { fileName } from '../files/paths';
+import type { GivenFile, ProgressListener } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
@@ -18,6 +20,8 @@ export interface Voice {
   /** A mesh is shown. */
   opened(shown: Shown): void;
   notice(text: string): void;
+  /** Tells which of the meshes that came together is shown, and offers the others. */
+  choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
   fail(text: string, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
@@ -25,8 +29,11 @@ export interface Voice {
   forgetFile(): void;
 }
 
-const MESH_FILE = /\.(obj|off|ply|stl|glb|gltf)$/i;
-export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin';
+/** What the user gave at once. `title` names it while it is being looked through. */
+export interface Given {
+  title: string;
+  files: Promise<readonly GivenFile[]>;
+}
 
 /** The state in which a mesh starts out; null for a preset that does not exist. */
 export function startOf(mesh: MeshReference): SceneState | null {
@@ -60,29 +67,48 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  async files(files: readonly File[]): Promise<void> {
-    const meshes = files.filter(({ name }) => MESH_FILE.test(name));
-    const [main] = meshes;
-    if (!main) {
-      const names = files.map(({ name }) => name).join(', ');
-      this.#voice.fail(`No mesh found in ${names || 'the dropped files'}. Supported formats: ${FORMATS}.`, names);
-      return;
-    }
-    if (meshes.length > 1) this.#voice.notice(`Opened ${main.name}, the first of ${meshes.length} meshes.`);
-    const companions = files.filter(({ name }) => !MESH_FILE.test(name));
-    const load = () => readFiles([main, ...companions]);
-    const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
-    const state = awaited ?? { ...emptyScene({ kind: 'file', name: main.name, hash: '' }), method: 'auto' };
-    const request = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
-    await this.#open(request, ({ opened }) => {
+  async files({ title, files }: Given): Promise<void> {
+    const collection = await this.#gathered(title, async () => collect(await files));
+    if (!collection) return;
+    const { meshes } = collection;
+    const awaited = this.#awaited;
+    const name = awaited?.mesh.kind === 'file' ? awaited.mesh.name : '';
+    const mesh = meshes.find((path) => fileName(path) === name);
+    await (mesh === undefined ? this.#from(collection, meshes[0]) : this.#from(collection, mesh, awaited));
+  }
+
+  /** One mesh of a collection, in the state that a link wants for it. */
+  async #from(collection: Collection, mesh: string, awaited: SceneState | null = null): Promise<void> {
+    const title = fileName(mesh);
+    const state = awaited ?? { ...emptyScene({ kind: 'file', name: title, hash: '' }), method: 'auto' };
+    const load = () => Promise.resolve(collection.input(mesh));
+    await this.#open({ title, load, state, choosePlaces: true, view: LANDING_VIEW }, ({ opened }) => {
       const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
       this.#forget();
       if (wanted && wanted !== opened.hash) {
         this.#voice.notice(
-          `This ${main.name} is not the file the link was made with, so sources and walker may be in the wrong place.`,
+          `This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
         );
       }
+      if (collection.meshes.length > 1) {
+        this.#voice.choice(mesh, collection.meshes, (other) => void this.#from(collection, other));
+      }
     });
+  }
+
+  /** Null, and the reason is told, where there is nothing to open. */
+  async #gathered(
+    title: string,
+    work: (progress: ProgressListener, signal: AbortSignal) => Promise<Collection>,
+  ): Promise<Collection | null> {
+    try {
+      return await this.#session.gather(title, work);
+    } catch (error) {
+      if (error instanceof Cancelled) return null;
+      const { message, stack } = toError(error);
+      this.#voice.fail(error instanceof NoMesh ? message : `${title} was not opened: ${message}`, stack ?? message);
+      return null;
+    }
   }
 
   /** A shared scene, or the first preset when the fragment names none. */
@@ -137,7 +163,7 @@ export class Opener {
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        const failure = error instanceof Error ? error : new Error(String(error));
+        const failure = toError(error);
         const { message, stack } = failure;
         const lighter = lighterOf(request.state, failure);
         const remedy = lighter && {
@@ -164,10 +190,6 @@ function lighterOf(state: SceneState, failure: Error): { name: string; state: Sc
   return { name: USE_CONJUGATE_GRADIENTS, state: { ...state, parameters: { ...parameters, solver: 'cg' } } };
 }
 
-async function readFiles(files: readonly File[]): Promise<MeshInput> {
-  return { kind: 'files', files: await Promise.all(files.map(readFile)) };
-}
-
-async function readFile(file: File): Promise<NamedBytes> {
-  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+function toError(thrown: unknown): Error {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }

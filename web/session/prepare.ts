@@ -52,7 +52,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   return {
     state: {
       ...request.state,
-      mesh: mesh.kind === 'file' ? { ...mesh, hash: opened.hash } : mesh,
+      mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
       sources,
       walker,
       selected: -1,

@@ -96,14 +96,14 @@ export class Session {
 
   /** Shows another mesh once it is solved, a large one ahead of that; if this rejects, everything is as it was. */
   open(request: OpenRequest): Promise<Shown> {
-    return whileLoading(this.loading, request.title, async (progress, check) => {
+    return whileLoading(this.loading, request.title, async (progress, signal) => {
       try {
         const built = (opened: OpenedMesh) => this.#preview(opened, request);
         const engine = await this.#start(request, request.state, progress, built);
         this.#answering = engine;
         try {
           const { state, shown } = await prepare(engine, request);
-          check();
+          signal.throwIfAborted();
           this.#adopt(engine, state, shown, request);
           return shown;
         } catch (error) {
@@ -116,6 +116,16 @@ export class Session {
         this.#presenter.endPreview();
         this.preview.value = null;
       }
+    });
+  }
+
+  /** Does what an opening has to wait for; it is cancelled as an opening is, by another one too. */
+  gather<T>(title: string, work: (progress: ProgressListener, signal: AbortSignal) => Promise<T>): Promise<T> {
+    this.cancelOpening();
+    return whileLoading(this.loading, title, async (progress, signal) => {
+      const gathered = await work(progress, signal);
+      signal.throwIfAborted();
+      return gathered;
     });
   }
 
@@ -243,10 +253,10 @@ export class Session {
 
   /** Another worker for the mesh on screen, which is to be asked next. */
   #startAgain(request: OpenRequest, state: SceneState): Promise<Engine> {
-    return whileLoading(this.loading, request.title, async (progress, check) => {
+    return whileLoading(this.loading, request.title, async (progress, signal) => {
       const engine = await this.#start(request, state, progress);
       try {
-        check();
+        signal.throwIfAborted();
         this.refiner.interrupt();
         return engine;
       } catch (error) {

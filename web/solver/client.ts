@@ -99,10 +99,10 @@ async function compile(): Promise<WebAssembly.Module> {
 
 function buffersOf(input: MeshInput): Transferable[] {
   switch (input.kind) {
-    case 'files':
-      return input.files.map(({ bytes }) => bytes.buffer);
     case 'arrays':
       return [input.positions.buffer, input.triangles.buffer];
+    case 'files':
+    case 'archive':
     case 'shape':
       return [];
   }

@@ -23,7 +23,7 @@ use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::failure::{Failure, Result};
+use crate::failure::Result;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
@@ -34,6 +34,9 @@ import type { EdgeKind, FaceField, Parameters, PathKind } from '../contract';
 
 /** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
 export type Progress = (stage: string, fraction: number) => void;
+
+/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
 ";
 
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
@@ -59,17 +62,17 @@ pub struct MeshFile {
 
 #[wasm_bindgen]
 impl MeshFile {
-    /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
-    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self> {
-        let files: Vec<(String, Vec<u8>)> =
-            names.into_iter().zip(bytes).map(|(name, bytes)| (name, bytes.to_vec())).collect();
-        let (name, bytes) = files.first().ok_or_else(|| Failure::misuse("no file was given"))?;
+    /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
+    pub fn read(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    ) -> Result<Self> {
         let resource = |uri: &str| {
-            let wanted = uri.rsplit('/').next();
-            files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
+            let found = resource.call1(&JsValue::NULL, &uri.into()).ok()?;
+            Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
         };
-        let soup = io::read(name, bytes, &resource)?;
-        Ok(Self { soup })
+        Ok(Self { soup: io::read(name, bytes, &resource)? })
     }
 
     /// Makes a shape.

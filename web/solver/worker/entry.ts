@@ -22,7 +22,9 @@ import type {
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
+import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
+import { type Files, filesOf, readMesh, unpackedOf } from './files';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
@@ -84,10 +86,10 @@ const api: SolverApi = {
 
   async open(input, parts, room, progress) {
     await ready;
-    const hash = await hashOf(input);
-    const clock = stopwatch();
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
-    const file = read(input);
+    const { name, hash, read } = await sourceOf(input);
+    const clock = stopwatch();
+    const file = read();
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
     const names = file.part_names();
@@ -106,9 +108,9 @@ const api: SolverApi = {
     file.free();
     const drawing = surface.draw();
     const mesh: OpenedMesh = {
-      name: nameOf(input),
+      name,
       hash,
-      parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
+      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
       active: [...active],
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
@@ -312,29 +314,30 @@ function pathBuffersOf({ path }: TracedPath): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer] : [];
 }
 
-function read(input: MeshInput): wasm.MeshFile {
+interface MeshSource {
+  name: string;
+  hash: string;
+  read: () => wasm.MeshFile;
+}
+
+async function sourceOf(input: MeshInput): Promise<MeshSource> {
   switch (input.kind) {
     case 'files':
-      return wasm.MeshFile.read(
-        input.files.map(({ name }) => name),
-        input.files.map(({ bytes }) => bytes),
-      );
+      return sourceIn(filesOf(input.files), input.mesh);
+    case 'archive':
+      return sourceIn(await unpackedOf(input.archive), input.mesh);
     case 'shape':
-      return wasm.MeshFile.shape(input.shape);
-    case 'arrays':
-      return wasm.MeshFile.arrays(input.name, input.positions, input.triangles);
+      return { name: input.shape, hash: '', read: () => wasm.MeshFile.shape(input.shape) };
+    case 'arrays': {
+      const { name, positions, triangles } = input;
+      return { name, hash: '', read: () => wasm.MeshFile.arrays(name, positions, triangles) };
+    }
   }
 }
 
-function nameOf(input: MeshInput): string {
-  switch (input.kind) {
-    case 'files':
-      return input.files[0]?.name ?? '';
-    case 'shape':
-      return input.shape;
-    case 'arrays':
-      return input.name;
-  }
+async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
+  const bytes = files.read(mesh);
+  return { name: fileName(mesh), hash: await hashOf(bytes), read: () => readMesh(mesh, bytes, files) };
 }
 
 /** What the module gave, as a message; its memory is given back. */
@@ -364,10 +367,10 @@ function stopwatch(): () => number {
   };
 }
 
-/** SHA-256 of the mesh file; empty where the browser offers none (pages that are not served over HTTPS). */
-async function hashOf(input: MeshInput): Promise<string> {
-  if (input.kind !== 'files' || !input.files[0] || !('subtle' in crypto)) return '';
-  const digest = await crypto.subtle.digest('SHA-256', input.files[0].bytes as Uint8Array<ArrayBuffer>);
+/** SHA-256 of a file; empty where the browser offers none (pages that are not served over HTTPS). */
+async function hashOf(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  if (!('subtle' in crypto)) return '';
+  const digest = await crypto.subtle.digest('SHA-256', bytes);
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 

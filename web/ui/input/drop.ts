@@ -1,9 +1,11 @@
-/** Files from a drag or from the file dialog. */
-import { FORMATS } from '../../session/opener';
+/** Files and folders from a drag or from a dialogue. */
+import { FORMATS } from '../../files/paths';
+import type { Given } from '../../session/opener';
 import { h } from '../dom';
+import { givenFiles, givenItems } from './given';
 
 /** The quiet frame over the whole canvas while files are dragged over the window. */
-export function dropTarget(open: (files: File[]) => void): HTMLElement {
+export function dropTarget(open: (given: Given) => void): HTMLElement {
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
@@ -32,21 +34,38 @@ export function dropTarget(open: (files: File[]) => void): HTMLElement {
     if (!hasFiles(event)) return;
     event.preventDefault();
     show(-depth);
-    open([...(event.dataTransfer?.files ?? [])]);
+    if (event.dataTransfer) open(givenItems(event.dataTransfer.items));
   });
   return frame;
 }
 
-/** The file dialogue; returns the input, which must be in the page, and the function that shows it. */
-export function fileDialogue(open: (files: File[]) => void): { element: HTMLElement; choose: () => void } {
+export interface Dialogue {
+  /** The input, which must be in the page. */
+  element: HTMLElement;
+  /** Null where the browser has no such dialogue. */
+  choose: (() => void) | null;
+}
+
+export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
+  const accept = '.obj,.off,.ply,.stl,.glb,.gltf,.bin,.zip';
+  return dialogue({ multiple: true, accept, 'aria-label': 'Open mesh files' }, open);
+}
+
+export function folderDialogue(open: (given: Given) => void): Dialogue {
+  const { element, choose } = dialogue({ webkitdirectory: true, 'aria-label': 'Open a folder' }, open);
+  return { element, choose: 'webkitdirectory' in element ? choose : null };
+}
+
+function dialogue(
+  attributes: Record<string, string | boolean>,
+  open: (given: Given) => void,
+): Dialogue & { choose: () => void } {
   const input = h('input', {
     type: 'file',
-    multiple: true,
-    accept: '.obj,.off,.ply,.stl,.glb,.gltf,.bin',
     hidden: true,
-    'aria-label': 'Open mesh files',
+    ...attributes,
     onchange: () => {
-      open([...(input.files ?? [])]);
+      open(givenFiles(input.files ?? []));
       // The same file may be chosen again.
       input.value = '';
     },
