@@ -16,6 +16,7 @@ import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
+import { followPaste } from './ui/input/paste';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
@@ -76,6 +77,8 @@ const keys = new Keys({
   closeMessage: () => messages.closeNewest(),
 });
 
+followPaste(opener);
+
 const bar = toolbar(session, tool);
 page.append(
   heading(session),
@@ -84,7 +87,7 @@ page.append(
   loadingBar(session),
   readout.element,
   keys.reticle,
-  dropTarget(openGiven),
+  dropTarget(openGiven, (dragged) => void opener.address(dragged)),
   dialogue.element,
   folders.element,
 );

@@ -25,7 +25,7 @@ const START: SceneState = {
 };
 
 const startOf = (mesh: MeshReference): SceneState | null => {
-  if (mesh.kind === 'file') return emptyScene(mesh);
+  if (mesh.kind !== 'preset') return emptyScene(mesh);
   return mesh.id === 'bunny' ? START : null;
 };
 
@@ -33,8 +33,8 @@ function throughLink(state: SceneState): SceneState {
   const start = startOf(state.mesh);
   if (!start) throw new Error('no such preset');
   const decoded = decodeLink(`#${encodeLink(state, start)}`, startOf);
-  if (!decoded) throw new Error('the link names no mesh');
   expect(decoded.notices).toEqual([]);
+  if (!decoded.state) throw new Error('the link names no mesh');
   return decoded.state;
 }
 
@@ -130,8 +130,8 @@ test('a link holds every choice and both ends of every range, and nothing else',
 
 test('a former name is read as what it is called now', () => {
   const decoded = decodeLink('#v=1&m=bunny&multi=superposed', startOf);
-  expect(decoded?.notices).toEqual([]);
-  expect(decoded?.state.parameters.sources).toBe('summed');
+  expect(decoded.notices).toEqual([]);
+  expect(decoded.state?.parameters.sources).toBe('summed');
 });
 
 test('a preset with other settings can be set back to the defaults', () => {
@@ -148,10 +148,10 @@ test('a preset with other settings can be set back to the defaults', () => {
 
 test('an old link keeps its meaning', () => {
   const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
-  expect(decoded?.notices).toEqual([]);
-  expect(decoded?.state.method).toBe('heat');
-  expect(decoded?.state.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
-  expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
+  expect(decoded.notices).toEqual([]);
+  expect(decoded.state?.method).toBe('heat');
+  expect(decoded.state?.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
+  expect(decoded.state?.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
 });
 
 test('a link to a file says the method that the file was opened with, and is by heat where it does not', () => {
@@ -159,7 +159,7 @@ test('a link to a file says the method that the file was opened with, and is by 
   const state: SceneState = { ...emptyScene(mesh), method: 'auto' };
   expect(encodeLink(state, emptyScene(mesh))).toBe('v=1&m=file&name=cow.off&hash=&method=auto');
   expect(throughLink(state).method).toBe('auto');
-  expect(decodeLink('#v=1&m=file&name=cow.off', startOf)?.state.method).toBe('heat');
+  expect(decodeLink('#v=1&m=file&name=cow.off', startOf).state?.method).toBe('heat');
 });
 
 test('a scene without sources and walker differs from an unchanged one', () => {
@@ -223,18 +223,55 @@ for (const [broken, key] of [
 ]) {
   test(`the broken value ${broken} falls back with a notice`, () => {
     const decoded = decodeLink(`#v=1&m=bunny&${broken}`, startOf);
-    expect(decoded?.state).toEqual(START);
-    expect(decoded?.notices).toHaveLength(1);
-    expect(decoded?.notices[0]).toContain(`${key}=`);
+    expect(decoded.state).toEqual(START);
+    expect(decoded.notices).toHaveLength(1);
+    expect(decoded.notices[0]).toContain(`${key}=`);
   });
 }
 
 test('another version gives a notice', () => {
-  expect(decodeLink('#v=2&m=bunny', startOf)?.notices).toHaveLength(1);
+  expect(decodeLink('#v=2&m=bunny', startOf).notices).toHaveLength(1);
 });
 
 test('a fragment without an existing mesh is not a scene', () => {
-  expect(decodeLink('', startOf)).toBeNull();
-  expect(decodeLink('#v=1&s=3', startOf)).toBeNull();
-  expect(decodeLink('#v=1&m=unicorn', startOf)).toBeNull();
+  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [] });
+  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [] });
+  const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
+  expect(state).toBeNull();
+  expect(notices).toEqual(['The preset of this link does not exist; the first preset is shown.']);
 });
+
+const ADDRESS = 'https://models.example/a%20b/cow.obj?token=a+b&part=%231';
+
+test('an address survives the link with what is set for its mesh, and alone it is a scene', () => {
+  const mesh: MeshReference = { kind: 'address', address: ADDRESS, path: 'set & more/cow.obj', hash: 'ab'.repeat(32) };
+  const state = { ...emptyScene(mesh), sources: [{ vertex: 3 }] };
+  expect(throughLink(state)).toEqual(state);
+  expect(encodeLink(state, emptyScene(mesh))).toMatch(/^v=1&model=https:\/\/models\.example\/a%2520b\/cow\.obj/);
+  expect(decodeLink('#model=https://models.example/cow.obj', startOf)).toEqual({
+    state: emptyScene({ kind: 'address', address: 'https://models.example/cow.obj', path: '', hash: '' }),
+    notices: [],
+  });
+});
+
+test('an address in a link may be written as it is', () => {
+  const address = 'https://models.example/a%20b/c++.obj?raw=1';
+  const { state } = decodeLink(`#model=${address}&s=3`, startOf);
+  expect(state).toMatchObject({ mesh: { kind: 'address', address }, sources: [{ vertex: 3 }] });
+});
+
+for (const model of [
+  'javascript:alert(1)',
+  'file:///etc/passwd',
+  'data:text/plain,OFF',
+  '//models.example/a.obj',
+  'cow.obj',
+  '',
+]) {
+  test(`the address ${model || 'that is empty'} is refused with a notice`, () => {
+    const { state, notices } = decodeLink(`#v=1&model=${encodeURIComponent(model)}`, startOf);
+    expect(state).toBeNull();
+    expect(notices).toHaveLength(1);
+    expect(notices[0]).toContain(`model=${model} is no http or https address`);
+  });
+}

@@ -19,7 +19,7 @@ export async function collect(files: readonly GivenFile[]): Promise<Collection> 
 }
 
 /** The meshes of an archive. */
-async function collectArchive(archive: Blob): Promise<Collection> {
+export async function collectArchive(archive: Blob): Promise<Collection> {
   const { Archive } = await import('./zip');
   const { paths } = await Archive.of(archive);
   const meshes = meshesAmong(paths);

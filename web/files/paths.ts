@@ -45,7 +45,7 @@ export function resolve(mesh: string, uri: string, paths: readonly string[]): st
 }
 
 /** What `uri` is relative to the folder of `mesh`; backslashes are separators, as some exporters write them. */
-function joined(mesh: string, uri: string): string {
+export function joined(mesh: string, uri: string): string {
   const steps = mesh.split('/').slice(0, -1);
   for (const step of uri.replaceAll('\\', '/').split('/')) {
     if (step === '..') steps.pop();

@@ -1,13 +1,16 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
 import { collect, type Collection, NoMesh } from '../files/collection';
+import { nameOf } from '../files/address';
+import { fetchCollection, type FetchListener } from '../files/fetch';
 import { fileName } from '../files/paths';
-import type { GivenFile, ProgressListener } from '../protocol';
+import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
-import { LANDING_VIEW, findPreset, FIRST_PRESET } from '../state/presets';
+import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
 import { DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
+import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 
@@ -25,8 +28,10 @@ export interface Voice {
   fail(text: string, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
-  /** The file that was asked for is no longer wanted. */
-  forgetFile(): void;
+  /** Stays until it is opened: nothing is fetched unasked. */
+  offer(address: string, open: () => void): void;
+  /** What was asked for or offered is no longer wanted. */
+  forget(): void;
 }
 
 /** What the user gave at once. `title` names it while it is being looked through. */
@@ -37,7 +42,19 @@ export interface Given {
 
 /** The state in which a mesh starts out; null for a preset that does not exist. */
 export function startOf(mesh: MeshReference): SceneState | null {
-  return mesh.kind === 'file' ? emptyScene(mesh) : (findPreset(mesh.id)?.start ?? null);
+  switch (mesh.kind) {
+    case 'preset':
+      return findPreset(mesh.id)?.start ?? null;
+    case 'file':
+      return emptyScene(mesh);
+    case 'address':
+      return { ...emptyScene(mesh), method: 'auto' };
+  }
+}
+
+/** What came together, and how the scene refers to a mesh of it. */
+interface Origin extends Collection {
+  reference: (mesh: string) => MeshReference;
 }
 
 const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
@@ -46,7 +63,7 @@ const USE_ONE_WINDOW = 'Use one window';
 export class Opener {
   readonly #session: Session;
   readonly #voice: Voice;
-  /** What a link wants to see of a file that only the user can give. */
+  /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
 
   constructor(session: Session, voice: Voice) {
@@ -54,7 +71,7 @@ export class Opener {
     this.#voice = voice;
   }
 
-  /** True while a link waits for its file: the address must not change before. */
+  /** True while a link waits for its mesh: the address must not change before. */
   get waiting(): boolean {
     return this.#awaited !== null;
   }
@@ -70,28 +87,48 @@ export class Opener {
   async files({ title, files }: Given): Promise<void> {
     const collection = await this.#gathered(title, async () => collect(await files));
     if (!collection) return;
-    const { meshes } = collection;
     const awaited = this.#awaited;
-    const name = awaited?.mesh.kind === 'file' ? awaited.mesh.name : '';
-    const mesh = meshes.find((path) => fileName(path) === name);
-    await (mesh === undefined ? this.#from(collection, meshes[0]) : this.#from(collection, mesh, awaited));
+    const name = awaited && titleOf(awaited.mesh);
+    const mesh = collection.meshes.find((path) => fileName(path) === name);
+    const origin = { ...collection, reference: fileReference };
+    await (mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited));
   }
 
-  /** One mesh of a collection, in the state that a link wants for it. */
-  async #from(collection: Collection, mesh: string, awaited: SceneState | null = null): Promise<void> {
+  /** Fetches what is at an address, in the state that a link wants for it. */
+  async address(address: string, awaited: SceneState | null = null): Promise<void> {
+    const collection = await this.#gathered(nameOf(address), (progress, signal) => {
+      const told: FetchListener = (bytes, fraction) => progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
+      return fetchCollection(address, told, signal);
+    });
+    if (!collection) return;
+    const [first] = collection.meshes;
+    const path = awaited?.mesh.kind === 'address' ? awaited.mesh.path : '';
+    const isArchive = collection.input(first).kind === 'archive';
+    const reference = (mesh: string): MeshReference => ({
+      kind: 'address',
+      address,
+      path: isArchive ? mesh : '',
+      hash: '',
+    });
+    const mesh = collection.meshes.find((other) => other === path) ?? first;
+    await this.#from({ ...collection, reference }, mesh, awaited);
+  }
+
+  /** One mesh of those that came together, in the state that a link wants for it. */
+  async #from(origin: Origin, mesh: string, awaited: SceneState | null = null): Promise<void> {
     const title = fileName(mesh);
-    const state = awaited ?? { ...emptyScene({ kind: 'file', name: title, hash: '' }), method: 'auto' };
-    const load = () => Promise.resolve(collection.input(mesh));
+    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), method: 'auto' };
+    const load = () => Promise.resolve(origin.input(mesh));
     await this.#open({ title, load, state, choosePlaces: true, view: LANDING_VIEW }, ({ opened }) => {
-      const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
+      const wanted = awaited && 'hash' in awaited.mesh ? awaited.mesh.hash : '';
       this.#forget();
       if (wanted && wanted !== opened.hash) {
         this.#voice.notice(
           `This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
         );
       }
-      if (collection.meshes.length > 1) {
-        this.#voice.choice(mesh, collection.meshes, (other) => void this.#from(collection, other));
+      if (origin.meshes.length > 1) {
+        this.#voice.choice(mesh, origin.meshes, (other) => void this.#from(origin, other));
       }
     });
   }
@@ -99,7 +136,7 @@ export class Opener {
   /** Null, and the reason is told, where there is nothing to open. */
   async #gathered(
     title: string,
-    work: (progress: ProgressListener, signal: AbortSignal) => Promise<Collection>,
+    work: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
   ): Promise<Collection | null> {
     try {
       return await this.#session.gather(title, work);
@@ -113,22 +150,18 @@ export class Opener {
 
   /** A shared scene, or the first preset when the fragment names none. */
   async link(fragment: string): Promise<void> {
-    const decoded = decodeLink(fragment, startOf);
-    if (!decoded) {
-      if (/[#&]m=/.test(fragment))
-        this.#voice.notice('The preset of this link does not exist; the first preset is shown.');
-      await this.preset(FIRST_PRESET.id);
+    const { state, notices } = decodeLink(fragment, startOf);
+    for (const notice of notices) this.#voice.notice(notice);
+    if (state?.mesh.kind === 'preset') {
+      await this.preset(state.mesh.id, state);
       return;
     }
-    for (const notice of decoded.notices) this.#voice.notice(notice);
-    const { mesh } = decoded.state;
-    if (mesh.kind === 'preset') {
-      await this.preset(mesh.id, decoded.state);
-      return;
-    }
-    if (!this.#session.shown.value) await this.preset(FIRST_PRESET.id);
-    this.#awaited = decoded.state;
-    this.#voice.askForFile(mesh.name);
+    if (!state || !this.#session.shown.value) await this.preset(FIRST_PRESET.id);
+    if (!state) return;
+    this.#awaited = state;
+    const { mesh } = state;
+    if (mesh.kind === 'file') this.#voice.askForFile(mesh.name);
+    else this.#voice.offer(mesh.address, () => void this.address(mesh.address, state));
   }
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
@@ -178,7 +211,7 @@ export class Opener {
   #forget(): void {
     if (!this.#awaited) return;
     this.#awaited = null;
-    this.#voice.forgetFile();
+    this.#voice.forget();
   }
 }
 
@@ -188,6 +221,10 @@ function lighterOf(state: SceneState, failure: Error): { name: string; state: Sc
   if (failure.name === TOO_MANY_WINDOWS) return { name: USE_ONE_WINDOW, state: { ...state, windows: DEFAULT_WINDOWS } };
   if (!isOutOfMemory(failure) || method !== 'heat' || parameters.solver === 'cg') return undefined;
   return { name: USE_CONJUGATE_GRADIENTS, state: { ...state, parameters: { ...parameters, solver: 'cg' } } };
+}
+
+function fileReference(mesh: string): MeshReference {
+  return { kind: 'file', name: fileName(mesh), hash: '' };
 }
 
 function toError(thrown: unknown): Error {

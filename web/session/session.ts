@@ -11,7 +11,7 @@ import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
-import { type Loading, whileLoading } from './loading';
+import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
@@ -120,7 +120,7 @@ export class Session {
   }
 
   /** Does what an opening has to wait for; it is cancelled as an opening is, by another one too. */
-  gather<T>(title: string, work: (progress: ProgressListener, signal: AbortSignal) => Promise<T>): Promise<T> {
+  gather<T>(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<T>): Promise<T> {
     this.cancelOpening();
     return whileLoading(this.loading, title, async (progress, signal) => {
       const gathered = await work(progress, signal);

@@ -2,7 +2,9 @@
 import type { MeshInput, SurfacePoint } from '../protocol';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { type Boundary, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { emptyScene, type SceneState } from './scene';
+import { nameOf } from '../files/address';
+import { fileName } from '../files/paths';
+import { emptyScene, type MeshReference, type SceneState } from './scene';
 
 export interface Preset {
   id: string;
@@ -136,6 +138,18 @@ export const FIRST_PRESET = PRESETS[0];
 
 export function findPreset(id: string): Preset | undefined {
   return PRESETS.find((candidate) => candidate.id === id);
+}
+
+/** What a mesh is called. */
+export function titleOf(mesh: MeshReference): string {
+  switch (mesh.kind) {
+    case 'preset':
+      return findPreset(mesh.id)?.title ?? '';
+    case 'file':
+      return mesh.name;
+    case 'address':
+      return fileName(mesh.path) || nameOf(mesh.address);
+  }
 }
 
 function at(vertex: number): SurfacePoint {

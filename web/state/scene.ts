@@ -12,7 +12,11 @@ import {
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
-export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
+/** `hash`: SHA-256 of the file of the mesh. `path`: of the mesh in an archive at the address, else empty. */
+export type MeshReference =
+  | { kind: 'preset'; id: string }
+  | { kind: 'file'; name: string; hash: string }
+  | { kind: 'address'; address: string; path: string; hash: string };
 
 export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
 /**

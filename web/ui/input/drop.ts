@@ -2,10 +2,10 @@
 import { FORMATS } from '../../files/paths';
 import type { Given } from '../../session/opener';
 import { h } from '../dom';
-import { givenFiles, givenItems } from './given';
+import { draggedAddress, givenFiles, givenItems } from './given';
 
-/** The quiet frame over the whole canvas while files are dragged over the window. */
-export function dropTarget(open: (given: Given) => void): HTMLElement {
+/** The quiet frame over the whole canvas while something to open is dragged over the window. */
+export function dropTarget(open: (given: Given) => void, fetch: (address: string) => void): HTMLElement {
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
@@ -18,23 +18,26 @@ export function dropTarget(open: (given: Given) => void): HTMLElement {
     frame.hidden = depth === 0;
   };
   addEventListener('dragenter', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     show(1);
   });
   addEventListener('dragleave', (event) => {
-    if (hasFiles(event)) show(-1);
+    if (isOpenable(event)) show(-1);
   });
   addEventListener('dragover', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = 'copy';
   });
   addEventListener('drop', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     show(-depth);
-    if (event.dataTransfer) open(givenItems(event.dataTransfer.items));
+    const { dataTransfer } = event;
+    const address = dataTransfer && draggedAddress(dataTransfer);
+    if (address) fetch(address);
+    else if (dataTransfer?.types.includes('Files')) open(givenItems(dataTransfer.items));
   });
   return frame;
 }
@@ -73,6 +76,7 @@ function dialogue(
   return { element: input, choose: () => input.click() };
 }
 
-function hasFiles(event: DragEvent): boolean {
-  return event.dataTransfer?.types.includes('Files') ?? false;
+/** Files, and addresses from other pages: what a drag holds is not told before it is dropped. */
+function isOpenable({ dataTransfer }: DragEvent): boolean {
+  return dataTransfer?.types.some((type) => type === 'Files' || type === 'text/uri-list') ?? false;
 }

@@ -1,4 +1,6 @@
 /** What a drop, the clipboard or a file dialogue holds, as files with their paths. */
+import { addressIn } from '../../files/address';
+import { isArchive, isMesh } from '../../files/paths';
 import type { GivenFile } from '../../protocol';
 import type { Given } from '../../session/opener';
 
@@ -20,6 +22,15 @@ export function givenItems(items: DataTransferItemList): Given {
   const [first] = taken;
   const title = first?.entry?.name ?? first?.file?.name ?? '';
   return { title, files: allOf(title, taken) };
+}
+
+/** The address of a link or an image that is dragged from another page; null where there are files to open. */
+export function draggedAddress(dragged: DataTransfer): string | null {
+  if ([...dragged.items].some((item) => item.webkitGetAsEntry()?.isDirectory)) return null;
+  if ([...dragged.files].some(({ name }) => isMesh(name) || isArchive(name))) return null;
+  // A list may begin with comments.
+  const lines = dragged.getData('text/uri-list').split('\n').map(addressIn);
+  return lines.find((address) => address !== null) ?? null;
 }
 
 interface Taken {

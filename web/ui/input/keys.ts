@@ -6,6 +6,7 @@ import type { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
+import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
 /** How far an arrow moves the selected source on the screen. */
@@ -47,8 +48,8 @@ export class Keys {
   }
 
   #key(event: KeyboardEvent): void {
+    if (isTyping(event)) return;
     const element = event.target instanceof HTMLElement ? event.target : document.body;
-    if (element.matches('input:not([type=checkbox]), select, textarea')) return;
     const onStage = element === this.#o.session.view.stage || element === document.body;
     const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
     if (used) event.preventDefault();

@@ -1,4 +1,6 @@
 /** Messages at the bottom left. Errors stay until closed and can be copied. */
+import { hostOf, nameOf } from '../../files/address';
+import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
@@ -70,7 +72,13 @@ export class Messages implements Voice {
     ]);
   }
 
-  forgetFile(): void {
+  offer(address: string, open: () => void): void {
+    this.#asked?.remove();
+    const text = `This link shows ${nameOf(address)} from ${hostOf(address)}. It is fetched from there, ${MOST_FETCHED} at most, once you open it.`;
+    this.#asked = this.#say(this.#polite, 'notice', text, [{ name: 'Open', run: open }]);
+  }
+
+  forget(): void {
     this.#asked?.remove();
     this.#asked = null;
   }
