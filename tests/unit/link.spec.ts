@@ -3,6 +3,7 @@ import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
 import { emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
 import {
+  AUTOMATIC,
   BOUNDARY,
   DEFAULT_PARAMETERS,
   EXACT_RADIUS_EDGES,
@@ -14,6 +15,7 @@ import {
   type Parameters,
   PATH_KIND,
   TIME_STEP_FACTORS,
+  UP,
   VERTEX_FIELD,
   WINDOWS,
 } from '../../web/wasm/contract';
@@ -55,6 +57,7 @@ test('every change survives the link', () => {
       { vertex: 5, offset: 2e22 },
     ],
     walker: { vertex: 5521 },
+    up: '-x',
     method: 'exact',
     windows: 8,
     parameters: {
@@ -91,7 +94,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&method=exact&windows=8&bridge=0.0125&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -109,6 +112,7 @@ const SCENES: readonly Partial<SceneState>[] = [
   ...Object.entries(CHANGES).flatMap(([option, values]) =>
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
+  ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
   ...METHOD.names.map((method) => ({ method })),
   ...WINDOWS.map((windows) => ({ windows })),
   ...PATH_KIND.names.map((pathKind) => ({ pathKind })),
@@ -206,6 +210,8 @@ for (const [broken, key] of [
   ['windows=3', 'windows'],
   ['windows=all', 'windows'],
   ['refine=yes', 'refine'],
+  ['up=w', 'up'],
+  ['up=+y', 'up'],
   ['s=12@', 's'],
   ['s=12@-1', 's'],
   ['s=12@1@2', 's'],

@@ -6,7 +6,7 @@ import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
-import type { Scene, SceneState } from '../state/scene';
+import { type Scene, type SceneState, upOf } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
@@ -64,6 +64,8 @@ export class Session {
   #lost: WorkerLost | null = null;
   /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
   #factoring: { meanwhile: Method } | null = null;
+  /** What the mesh on screen is being turned for. */
+  #turning: SceneState | null = null;
   /** What was asked when a worker was lost last, as text. */
   #fatal = '';
   #dragging = false;
@@ -96,6 +98,11 @@ export class Session {
 
   /** Shows another mesh once it is solved, a large one ahead of that; if this rejects, everything is as it was. */
   open(request: OpenRequest): Promise<Shown> {
+    return this.#open(request, false);
+  }
+
+  /** `keeps`: the scene stays as it is by then, and only the mesh is another. */
+  #open(request: OpenRequest, keeps: boolean): Promise<Shown> {
     return whileLoading(this.loading, request.title, async (progress, signal) => {
       try {
         const built = (opened: OpenedMesh) => this.#preview(opened, request);
@@ -104,7 +111,7 @@ export class Session {
         try {
           const { state, shown } = await prepare(engine, request);
           signal.throwIfAborted();
-          this.#adopt(engine, state, shown, request);
+          this.#adopt(engine, keeps ? null : state, shown, request);
           return shown;
         } catch (error) {
           engine.dispose();
@@ -194,11 +201,11 @@ export class Session {
     this.preview.value = { title: request.title, opened };
   }
 
-  /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */
-  #adopt(engine: Engine, state: SceneState, shown: Shown, request: OpenRequest): void {
+  /** Without a state the scene stays as it is. The view comes first: it is the last that can fail, and then the mesh before is still whole. */
+  #adopt(engine: Engine, state: SceneState | null, shown: Shown, request: OpenRequest): void {
     const before = this.shown.value;
     try {
-      this.#presenter.replace(shown, state, request.view);
+      this.#presenter.replace(shown, state ?? this.scene.state, request.view);
     } catch (error) {
       // As if it were another mesh, so that what is shown beside the field comes back too.
       if (before) this.shown.value = { ...before, opened: { ...before.opened } };
@@ -211,8 +218,28 @@ export class Session {
     this.failure.value = null;
     this.#count(shown.answer);
     this.shown.value = shown;
-    this.scene.load(state);
+    if (state) this.scene.load(state);
     this.#rest();
+  }
+
+  /**
+   * Opens the mesh on screen anew with another axis upward, in a worker of its own; until then it is shown as it was. What
+   * undo goes back over stays, and so does what is changed meanwhile.
+   */
+  async #turn(): Promise<void> {
+    if (!this.#request) return;
+    const { state } = this.scene;
+    this.#turning = state;
+    try {
+      await this.#open({ ...this.#request, state, choosePlaces: false, view: null }, true);
+      if (this.shown.value && !this.#isAnswered(this.shown.value.answer)) void this.#solve();
+    } catch (error) {
+      this.fail(error);
+      const { value: shown } = this.shown;
+      if (shown && this.scene.state.up === state.up) this.scene.place({ up: shown.opened.drawTransform.up });
+    } finally {
+      if (this.#turning === state) this.#turning = null;
+    }
   }
 
   #use(engine: Engine): void {
@@ -299,6 +326,13 @@ export class Session {
   #follow(state: SceneState, previous: SceneState): void {
     const { value: shown } = this.shown;
     if (!shown) return;
+    if (state.up !== previous.up) {
+      if (upOf(state, shown.opened.upright) !== shown.opened.drawTransform.up) {
+        void this.#turn();
+        return;
+      }
+      if (this.#turning) this.cancelOpening();
+    }
     if (state.method !== previous.method) this.#choose(previous.method);
     if (this.#lost || !this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();

@@ -12,6 +12,7 @@ import {
   OPERATOR,
   PATH_KIND,
   TIME_STEP_FACTORS,
+  UP,
   VERTEX_FIELD,
   WINDOWS,
 } from '../wasm/contract';
@@ -49,6 +50,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
+  add('up', state.up, start.up);
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
   add('bridge', bridge(state.bridge), bridge(start.bridge));
@@ -106,6 +108,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
+  read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));
@@ -290,7 +293,7 @@ function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string
   return (text) => named(text) ?? (Object.hasOwn(former, text) ? former[text] : null);
 }
 
-function automaticOr(parse: (text: string) => number | null): (text: string) => number | typeof AUTOMATIC | null {
+function automaticOr<T>(parse: (text: string) => T | null): (text: string) => T | typeof AUTOMATIC | null {
   return (text) => (text === AUTOMATIC ? text : parse(text));
 }
 

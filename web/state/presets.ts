@@ -46,6 +46,7 @@ function preset(id: string, outline: Outline): Preset {
       parts: parts ?? [],
       sources,
       walker,
+      up: 'y',
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
       style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },

@@ -15,7 +15,7 @@ use crate::transform::DrawTransform;
 pub struct DrawMesh {
     /// `#D × 3`, as the transform places them.
     pub positions: Vec<f32>,
-    /// `#D × 3`, unit length: face normals around the vertex, weighted by angle, up to the creases.
+    /// `#D × 3`, unit length, as the transform turns them: face normals around the vertex, weighted by angle, up to the creases.
     pub normals: Vec<f32>,
     /// `#F × 3` drawn vertices, in the orientation of the surface's faces and in the order of the input's.
     pub triangles: Vec<u32>,
@@ -45,7 +45,7 @@ pub fn draw_mesh(surface: &Surface, crease_angle: f64, transform: &DrawTransform
         let mut draw = |normal: DVec3, input| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
             drawing.positions.extend(position);
-            drawing.normals.extend(normal.as_vec3().to_array());
+            drawing.normals.extend(transform.direction(normal).as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
             drawn

@@ -21,7 +21,7 @@ import type {
   SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
-import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
 import { type Files, filesOf, readMesh, unpackedOf } from './files';
@@ -73,7 +73,7 @@ const api: SolverApi = {
   async warmUp() {
     await ready;
     const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
-    const surface = file.surface(Uint32Array.of(0));
+    const surface = file.surface(Uint32Array.of(0), file.up());
     const drawing = surface.draw();
     drawing.shade().free();
     const solver = drawing.factor({}, () => undefined);
@@ -84,7 +84,7 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, room, progress) {
+  async open(input, parts, room, progress, wantedUp = AUTOMATIC) {
     await ready;
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
     const { name, hash, read } = await sourceOf(input);
@@ -97,7 +97,9 @@ const api: SolverApi = {
     const active = parts.length > 0 ? parts : names.map((_, index) => index);
     const chosen = Uint32Array.from(active);
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
-    const surface = file.surface(chosen);
+    const upright = file.up();
+    const up = wantedUp === AUTOMATIC ? upright : wantedUp;
+    const surface = file.surface(chosen, up);
     const report = plain(surface.report());
     const buildMs = clock();
     const { vertices } = report;
@@ -115,7 +117,8 @@ const api: SolverApi = {
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
       inputVertices: drawing.input_vertices(),
-      drawTransform: drawTransformOf(surface),
+      drawTransform: drawTransformOf(surface, up),
+      upright,
       scenery,
       report,
       meanEdge: surface.mean_edge(),
@@ -347,9 +350,9 @@ function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T>
   return message;
 }
 
-function drawTransformOf(surface: wasm.ActiveSurface): DrawTransform {
+function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {
   const [x, y, z, scale] = surface.draw_transform();
-  return { center: [x, y, z], scale };
+  return { center: [x, y, z], scale, up };
 }
 
 function buffersOf({ positions, normals, triangles, order, boxes }: DrawMesh): Transferable[] {
