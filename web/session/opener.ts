@@ -85,33 +85,35 @@ export class Opener {
   }
 
   async files({ title, files }: Given): Promise<void> {
-    const collection = await this.#gathered(title, async () => collect(await files));
-    if (!collection) return;
-    const awaited = this.#awaited;
-    const name = awaited && titleOf(awaited.mesh);
-    const mesh = collection.meshes.find((path) => fileName(path) === name);
-    const origin = { ...collection, reference: fileReference };
-    await (mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited));
+    const collected = async () => collect(await files);
+    await this.#gather(title, collected, (collection) => {
+      const awaited = this.#awaited;
+      const name = awaited && titleOf(awaited.mesh);
+      const mesh = collection.meshes.find((path) => fileName(path) === name);
+      const origin = { ...collection, reference: fileReference };
+      return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
+    });
   }
 
   /** Fetches what is at an address, in the state that a link wants for it. */
   async address(address: string, awaited: SceneState | null = null): Promise<void> {
-    const collection = await this.#gathered(nameOf(address), (progress, signal) => {
+    const fetched = (progress: LoadingListener, signal: AbortSignal) => {
       const told: FetchListener = (bytes, fraction) => progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
       return fetchCollection(address, told, signal);
+    };
+    await this.#gather(nameOf(address), fetched, (collection) => {
+      const [first] = collection.meshes;
+      const isArchive = collection.input(first).kind === 'archive';
+      const reference = (mesh: string): MeshReference => ({
+        kind: 'address',
+        address,
+        path: isArchive ? mesh : '',
+        hash: '',
+      });
+      const path = awaited?.mesh.kind === 'address' ? awaited.mesh.path : '';
+      const mesh = collection.meshes.find((other) => other === path) ?? first;
+      return this.#from({ ...collection, reference }, mesh, awaited);
     });
-    if (!collection) return;
-    const [first] = collection.meshes;
-    const path = awaited?.mesh.kind === 'address' ? awaited.mesh.path : '';
-    const isArchive = collection.input(first).kind === 'archive';
-    const reference = (mesh: string): MeshReference => ({
-      kind: 'address',
-      address,
-      path: isArchive ? mesh : '',
-      hash: '',
-    });
-    const mesh = collection.meshes.find((other) => other === path) ?? first;
-    await this.#from({ ...collection, reference }, mesh, awaited);
   }
 
   /** One mesh of those that came together, in the state that a link wants for it. */
@@ -133,18 +135,22 @@ export class Opener {
     });
   }
 
-  /** Null, and the reason is told, where there is nothing to open. */
-  async #gathered(
+  /** Opens one of the meshes that come together; where there is none, the reason is told. */
+  async #gather(
     title: string,
-    work: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
-  ): Promise<Collection | null> {
+    collected: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
+    open: (collection: Collection) => Promise<void>,
+  ): Promise<void> {
     try {
-      return await this.#session.gather(title, work);
+      await this.#session.gather(title, async (progress, signal) => {
+        const collection = await collected(progress, signal);
+        signal.throwIfAborted();
+        await open(collection);
+      });
     } catch (error) {
-      if (error instanceof Cancelled) return null;
+      if (error instanceof Cancelled) return;
       const { message, stack } = toError(error);
       this.#voice.fail(error instanceof NoMesh ? message : `${title} was not opened: ${message}`, stack ?? message);
-      return null;
     }
   }
 

@@ -126,14 +126,10 @@ export class Session {
     });
   }
 
-  /** Does what an opening has to wait for; it is cancelled as an opening is, by another one too. */
-  gather<T>(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<T>): Promise<T> {
+  /** Does what an opening has to wait for, which `work` ends with; it is cancelled as an opening is, by another one too. */
+  gather(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
     this.cancelOpening();
-    return whileLoading(this.loading, title, async (progress, signal) => {
-      const gathered = await work(progress, signal);
-      signal.throwIfAborted();
-      return gathered;
-    });
+    return whileLoading(this.loading, title, work);
   }
 
   cancelOpening(): void {
