@@ -6,16 +6,17 @@ import './style/windows.css';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
-import { Opener } from './session/opener';
+import { type Given, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
 import { FIRST_PRESET } from './state/presets';
 import { Scene } from './state/scene';
 import { Signal } from './state/signal';
 import { h } from './ui/dom';
-import { dropTarget, fileDialogue } from './ui/input/drop';
+import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
+import { followPaste } from './ui/input/paste';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
@@ -45,7 +46,9 @@ page.append(stage);
 const scene = new Scene(FIRST_PRESET.start);
 const view = new View(stage, new URLSearchParams(location.search).get('gpu') === 'webgl');
 const session = new Session(scene, view);
-const dialogue = fileDialogue((files) => void opener.files(files));
+const openGiven = (given: Given) => void opener.files(given);
+const dialogue = fileDialogue(openGiven);
+const folders = folderDialogue(openGiven);
 const messages = new Messages(dialogue.choose);
 const opener = new Opener(session, messages);
 const address = new Address(scene, opener);
@@ -74,6 +77,8 @@ const keys = new Keys({
   closeMessage: () => messages.closeNewest(),
 });
 
+followPaste(opener);
+
 const bar = toolbar(session, tool);
 page.append(
   heading(session),
@@ -82,13 +87,19 @@ page.append(
   loadingBar(session),
   readout.element,
   keys.reticle,
-  dropTarget((files) => void opener.files(files)),
+  dropTarget(openGiven, (dragged) => void opener.address(dragged)),
   dialogue.element,
+  folders.element,
 );
 let panel: HTMLElement | null = null;
 if (!address.kiosk) {
   const sections = [
-    { id: 'scene', title: 'Scene', element: sceneSection(session, opener, dialogue.choose), open: true },
+    {
+      id: 'scene',
+      title: 'Scene',
+      element: sceneSection(session, opener, dialogue.choose, folders.choose),
+      open: true,
+    },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },

@@ -5,19 +5,23 @@
  * said to be as they are drawn: see `DrawTransform`.
  */
 
-import type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
+import type { AUTOMATIC, EdgeKind, FaceField, Parameters, PathKind, Up } from './wasm/contract';
 import type * as wasm from './wasm/solver/heatwalk_worker';
 import type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
-/** A file as the user gave it. The mesh comes first, then what it refers to (.bin). */
-export interface NamedBytes {
-  name: string;
-  bytes: Uint8Array;
+/** A file that the user gave. `path` begins with the folder that was given, if any: `model/scene.bin`. */
+export interface GivenFile {
+  path: string;
+  content: Blob;
 }
 
-/** What to open. `positions` is #V × 3, `triangles` #F × 3. */
+/**
+ * What to open. Of files and archives, the mesh at the path `mesh`; what it refers to is looked for beside it. `positions` is
+ * #V × 3, `triangles` #F × 3.
+ */
 export type MeshInput =
-  | { kind: 'files'; files: NamedBytes[] }
+  | { kind: 'files'; mesh: string; files: readonly GivenFile[] }
+  | { kind: 'archive'; mesh: string; archive: Blob }
   | { kind: 'shape'; shape: string }
   | { kind: 'arrays'; name: string; positions: Float32Array; triangles: Uint32Array };
 
@@ -41,13 +45,15 @@ export interface PartInfo {
 }
 
 /**
- * From the file's unit to what is drawn: drawn = (position − center) · scale. What is drawn is near the origin and within
- * ±1, whatever the file's unit, since graphics cards calculate in single precision. Directions stay as they are.
+ * From the file's unit to what is drawn: drawn = (position − center) · scale, turned so that `up` is drawn along Y. What is
+ * drawn is near the origin and within ±1, whatever the file's unit, since graphics cards calculate in single precision.
  */
 export interface DrawTransform {
   center: [number, number, number];
   /** Drawn length of the file's unit. */
   scale: number;
+  /** The axis of the file that points up. */
+  up: Up;
 }
 
 export type DrawMesh = Plain<wasm.DrawMesh>;
@@ -98,7 +104,7 @@ export interface Appearance {
 /** What is known of a mesh before anything is solved on it: enough to draw it. */
 export interface OpenedMesh {
   name: string;
-  /** SHA-256 of the first file, hex; empty for shapes and arrays. */
+  /** SHA-256 of the file of the mesh, hex; empty for shapes and arrays. */
   hash: string;
   parts: PartInfo[];
   /** Indices of the parts that form the surface. */
@@ -112,6 +118,8 @@ export interface OpenedMesh {
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
   drawTransform: DrawTransform;
+  /** The axis that points up by the rules of the format, or by the shape. */
+  upright: Up;
   /** The inactive parts. */
   scenery: SceneryPart[];
   report: BuildReport;
@@ -175,9 +183,15 @@ export interface SolverApi {
   warmUp(): Promise<void>;
   /**
    * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
-   * for all.
+   * for all. `up`: the axis that points up where it is drawn.
    */
-  open(input: MeshInput, parts: number[], room: Room, progress: ProgressListener): Promise<OpenedMesh>;
+  open(
+    input: MeshInput,
+    parts: number[],
+    room: Room,
+    progress: ProgressListener,
+    up?: Up | typeof AUTOMATIC,
+  ): Promise<OpenedMesh>;
   /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
   prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;
   /** Factors again what the change needs, where anything is factored. The last field is forgotten. */

@@ -217,7 +217,7 @@ test('every preset opens, is solved and has a walker', async ({ heatwalk, page }
     await expect(card).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });
     await expect(page.getByRole('alert')).toBeEmpty();
     const { mesh } = await heatwalk.scene();
-    const name = mesh.kind === 'preset' ? mesh.id : mesh.name;
+    const name = mesh.kind === 'preset' ? mesh.id : mesh.kind;
     const { field, walker } = await page.evaluate(() => ({
       field: window.heatwalk.field,
       walker: window.heatwalk.walker,

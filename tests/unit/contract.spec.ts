@@ -46,7 +46,7 @@ test.beforeAll(() => {
   for (let i = 0; i < 81; i++) positions.set([(i % 9) ** 1.5, Math.floor(i / 9) + 3 * (i % 9), 0], 3 * i);
   for (let i = 0; i < 72; i++) if (i % 9 < 8) triangles.push(i, i + 1, i + 10, i, i + 10, i + 9);
   const file = MeshFile.arrays('grid', positions, Uint32Array.from(triangles));
-  drawing = file.surface(Uint32Array.of(0)).draw();
+  drawing = file.surface(Uint32Array.of(0), 'y').draw();
   solver = drawing.factor(DEFAULT_PARAMETERS, () => undefined);
 });
 

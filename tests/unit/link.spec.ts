@@ -3,6 +3,7 @@ import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
 import { emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
 import {
+  AUTOMATIC,
   BOUNDARY,
   DEFAULT_PARAMETERS,
   EXACT_RADIUS_EDGES,
@@ -14,6 +15,7 @@ import {
   type Parameters,
   PATH_KIND,
   TIME_STEP_FACTORS,
+  UP,
   VERTEX_FIELD,
   WINDOWS,
 } from '../../web/wasm/contract';
@@ -25,7 +27,7 @@ const START: SceneState = {
 };
 
 const startOf = (mesh: MeshReference): SceneState | null => {
-  if (mesh.kind === 'file') return emptyScene(mesh);
+  if (mesh.kind !== 'preset') return emptyScene(mesh);
   return mesh.id === 'bunny' ? START : null;
 };
 
@@ -33,8 +35,8 @@ function throughLink(state: SceneState): SceneState {
   const start = startOf(state.mesh);
   if (!start) throw new Error('no such preset');
   const decoded = decodeLink(`#${encodeLink(state, start)}`, startOf);
-  if (!decoded) throw new Error('the link names no mesh');
   expect(decoded.notices).toEqual([]);
+  if (!decoded.state) throw new Error('the link names no mesh');
   return decoded.state;
 }
 
@@ -55,6 +57,7 @@ test('every change survives the link', () => {
       { vertex: 5, offset: 2e22 },
     ],
     walker: { vertex: 5521 },
+    up: '-x',
     method: 'exact',
     windows: 8,
     parameters: {
@@ -91,7 +94,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&method=exact&windows=8&bridge=0.0125&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -109,6 +112,7 @@ const SCENES: readonly Partial<SceneState>[] = [
   ...Object.entries(CHANGES).flatMap(([option, values]) =>
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
+  ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
   ...METHOD.names.map((method) => ({ method })),
   ...WINDOWS.map((windows) => ({ windows })),
   ...PATH_KIND.names.map((pathKind) => ({ pathKind })),
@@ -130,8 +134,8 @@ test('a link holds every choice and both ends of every range, and nothing else',
 
 test('a former name is read as what it is called now', () => {
   const decoded = decodeLink('#v=1&m=bunny&multi=superposed', startOf);
-  expect(decoded?.notices).toEqual([]);
-  expect(decoded?.state.parameters.sources).toBe('summed');
+  expect(decoded.notices).toEqual([]);
+  expect(decoded.state?.parameters.sources).toBe('summed');
 });
 
 test('a preset with other settings can be set back to the defaults', () => {
@@ -148,10 +152,10 @@ test('a preset with other settings can be set back to the defaults', () => {
 
 test('an old link keeps its meaning', () => {
   const decoded = decodeLink('#v=1&m=bunny&s=1203,88:0.2/0.3/0.5&w=5521&t=1&b=neumann', startOf);
-  expect(decoded?.notices).toEqual([]);
-  expect(decoded?.state.method).toBe('heat');
-  expect(decoded?.state.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
-  expect(decoded?.state.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
+  expect(decoded.notices).toEqual([]);
+  expect(decoded.state?.method).toBe('heat');
+  expect(decoded.state?.parameters).toMatchObject({ timeStep: 1, boundary: 'neumann' });
+  expect(decoded.state?.sources).toEqual([{ vertex: 1203 }, { face: 88, weights: [0.2, 0.3, 0.5] }]);
 });
 
 test('a link to a file says the method that the file was opened with, and is by heat where it does not', () => {
@@ -159,7 +163,7 @@ test('a link to a file says the method that the file was opened with, and is by 
   const state: SceneState = { ...emptyScene(mesh), method: 'auto' };
   expect(encodeLink(state, emptyScene(mesh))).toBe('v=1&m=file&name=cow.off&hash=&method=auto');
   expect(throughLink(state).method).toBe('auto');
-  expect(decodeLink('#v=1&m=file&name=cow.off', startOf)?.state.method).toBe('heat');
+  expect(decodeLink('#v=1&m=file&name=cow.off', startOf).state?.method).toBe('heat');
 });
 
 test('a scene without sources and walker differs from an unchanged one', () => {
@@ -206,6 +210,8 @@ for (const [broken, key] of [
   ['windows=3', 'windows'],
   ['windows=all', 'windows'],
   ['refine=yes', 'refine'],
+  ['up=w', 'up'],
+  ['up=+y', 'up'],
   ['s=12@', 's'],
   ['s=12@-1', 's'],
   ['s=12@1@2', 's'],
@@ -223,18 +229,55 @@ for (const [broken, key] of [
 ]) {
   test(`the broken value ${broken} falls back with a notice`, () => {
     const decoded = decodeLink(`#v=1&m=bunny&${broken}`, startOf);
-    expect(decoded?.state).toEqual(START);
-    expect(decoded?.notices).toHaveLength(1);
-    expect(decoded?.notices[0]).toContain(`${key}=`);
+    expect(decoded.state).toEqual(START);
+    expect(decoded.notices).toHaveLength(1);
+    expect(decoded.notices[0]).toContain(`${key}=`);
   });
 }
 
 test('another version gives a notice', () => {
-  expect(decodeLink('#v=2&m=bunny', startOf)?.notices).toHaveLength(1);
+  expect(decodeLink('#v=2&m=bunny', startOf).notices).toHaveLength(1);
 });
 
 test('a fragment without an existing mesh is not a scene', () => {
-  expect(decodeLink('', startOf)).toBeNull();
-  expect(decodeLink('#v=1&s=3', startOf)).toBeNull();
-  expect(decodeLink('#v=1&m=unicorn', startOf)).toBeNull();
+  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [] });
+  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [] });
+  const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
+  expect(state).toBeNull();
+  expect(notices).toEqual(['The preset of this link does not exist; the first preset is shown.']);
 });
+
+const ADDRESS = 'https://models.example/a%20b/cow.obj?token=a+b&part=%231';
+
+test('an address survives the link with what is set for its mesh, and alone it is a scene', () => {
+  const mesh: MeshReference = { kind: 'address', address: ADDRESS, path: 'set & more/cow.obj', hash: 'ab'.repeat(32) };
+  const state = { ...emptyScene(mesh), sources: [{ vertex: 3 }] };
+  expect(throughLink(state)).toEqual(state);
+  expect(encodeLink(state, emptyScene(mesh))).toMatch(/^v=1&model=https:\/\/models\.example\/a%2520b\/cow\.obj/);
+  expect(decodeLink('#model=https://models.example/cow.obj', startOf)).toEqual({
+    state: emptyScene({ kind: 'address', address: 'https://models.example/cow.obj', path: '', hash: '' }),
+    notices: [],
+  });
+});
+
+test('an address in a link may be written as it is', () => {
+  const address = 'https://models.example/a%20b/c++.obj?raw=1';
+  const { state } = decodeLink(`#model=${address}&s=3`, startOf);
+  expect(state).toMatchObject({ mesh: { kind: 'address', address }, sources: [{ vertex: 3 }] });
+});
+
+for (const model of [
+  'javascript:alert(1)',
+  'file:///etc/passwd',
+  'data:text/plain,OFF',
+  '//models.example/a.obj',
+  'cow.obj',
+  '',
+]) {
+  test(`the address ${model || 'that is empty'} is refused with a notice`, () => {
+    const { state, notices } = decodeLink(`#v=1&model=${encodeURIComponent(model)}`, startOf);
+    expect(state).toBeNull();
+    expect(notices).toHaveLength(1);
+    expect(notices[0]).toContain(`model=${model} is no http or https address`);
+  });
+}

@@ -33,7 +33,7 @@ export class Address {
   }
 
   #write(): void {
-    // A link that still waits for its file must survive a reload.
+    // A link that still waits for its mesh must survive a reload.
     if (!this.#opener.waiting) history.replaceState(null, '', this.link() + (this.kiosk ? '&kiosk=1' : ''));
   }
 }

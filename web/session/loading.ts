@@ -1,37 +1,41 @@
 /** What is being opened, for the loading bar. */
-import type { ProgressListener } from '../protocol';
 import { Cancelled } from '../solver/remote';
 import type { Signal } from '../state/signal';
 
 export interface Loading {
   title: string;
   stage: string;
-  /** 0 to 1 */
-  fraction: number;
+  /** 0 to 1; null where it is not known. */
+  fraction: number | null;
   vertices: number;
+  /** Fetched so far. */
+  bytes?: number;
 }
 
-/**
- * Does a work of which `loading` shows the progress. `check` throws once another work, or null, has taken its place there.
- */
+export type LoadingListener = (reached: Omit<Loading, 'title'>) => void;
+
+/** Does a work of which `loading` shows the progress. `signal` is aborted once another work, or null, takes its place there. */
 export async function whileLoading<T>(
   loading: Signal<Loading | null>,
   title: string,
-  work: (progress: ProgressListener, check: () => void) => Promise<T>,
+  work: (progress: LoadingListener, signal: AbortSignal) => Promise<T>,
 ): Promise<T> {
   let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };
   const isMine = () => loading.value === mine;
-  const progress: ProgressListener = (reached) => {
+  const progress: LoadingListener = (reached) => {
     if (!isMine()) return;
     mine = { title, ...reached };
     loading.value = mine;
   };
   loading.value = mine;
+  const controller = new AbortController();
+  const unwatch = loading.watch(() => {
+    if (!isMine()) controller.abort(new Cancelled());
+  });
   try {
-    return await work(progress, () => {
-      if (!isMine()) throw new Cancelled();
-    });
+    return await work(progress, controller.signal);
   } finally {
+    unwatch();
     if (isMine()) loading.value = null;
   }
 }

@@ -1,11 +1,17 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
-import type { MeshInput, NamedBytes } from '../protocol';
+import { collect, type Collection, NoMesh } from '../files/collection';
+import { nameOf } from '../files/address';
+import { fetchCollection, type FetchListener } from '../files/fetch';
+import { fileName } from '../files/paths';
+import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
-import { LANDING_VIEW, findPreset, FIRST_PRESET } from '../state/presets';
+import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
+import { MODEL_STYLE } from '../state/styles';
 import { DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
+import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 
@@ -18,19 +24,38 @@ export interface Voice {
   /** A mesh is shown. */
   opened(shown: Shown): void;
   notice(text: string): void;
+  /** Tells which of the meshes that came together is shown, and offers the others. */
+  choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
   fail(text: string, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
-  /** The file that was asked for is no longer wanted. */
-  forgetFile(): void;
+  /** Stays until it is opened: nothing is fetched unasked. */
+  offer(address: string, open: () => void): void;
+  /** What was asked for or offered is no longer wanted. */
+  forget(): void;
 }
 
-const MESH_FILE = /\.(obj|off|ply|stl|glb|gltf)$/i;
-export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin';
+/** What the user gave at once. `title` names it while it is being looked through. */
+export interface Given {
+  title: string;
+  files: Promise<readonly GivenFile[]>;
+}
 
 /** The state in which a mesh starts out; null for a preset that does not exist. */
 export function startOf(mesh: MeshReference): SceneState | null {
-  return mesh.kind === 'file' ? emptyScene(mesh) : (findPreset(mesh.id)?.start ?? null);
+  switch (mesh.kind) {
+    case 'preset':
+      return findPreset(mesh.id)?.start ?? null;
+    case 'file':
+      return emptyScene(mesh);
+    case 'address':
+      return { ...emptyScene(mesh), method: 'auto', style: MODEL_STYLE };
+  }
+}
+
+/** What came together, and how the scene refers to a mesh of it. */
+interface Origin extends Collection {
+  reference: (mesh: string) => MeshReference;
 }
 
 const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
@@ -39,7 +64,7 @@ const USE_ONE_WINDOW = 'Use one window';
 export class Opener {
   readonly #session: Session;
   readonly #voice: Voice;
-  /** What a link wants to see of a file that only the user can give. */
+  /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
 
   constructor(session: Session, voice: Voice) {
@@ -47,7 +72,7 @@ export class Opener {
     this.#voice = voice;
   }
 
-  /** True while a link waits for its file: the address must not change before. */
+  /** True while a link waits for its mesh: the address must not change before. */
   get waiting(): boolean {
     return this.#awaited !== null;
   }
@@ -60,50 +85,92 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  async files(files: readonly File[]): Promise<void> {
-    const meshes = files.filter(({ name }) => MESH_FILE.test(name));
-    const [main] = meshes;
-    if (!main) {
-      const names = files.map(({ name }) => name).join(', ');
-      this.#voice.fail(`No mesh found in ${names || 'the dropped files'}. Supported formats: ${FORMATS}.`, names);
-      return;
-    }
-    if (meshes.length > 1) this.#voice.notice(`Opened ${main.name}, the first of ${meshes.length} meshes.`);
-    const companions = files.filter(({ name }) => !MESH_FILE.test(name));
-    const load = () => readFiles([main, ...companions]);
-    const awaited = this.#awaited?.mesh.kind === 'file' && this.#awaited.mesh.name === main.name ? this.#awaited : null;
-    const state = awaited ?? { ...emptyScene({ kind: 'file', name: main.name, hash: '' }), method: 'auto' };
-    const request: OpenRequest = { title: main.name, load, state, choosePlaces: true, view: LANDING_VIEW };
+  async files({ title, files }: Given): Promise<void> {
+    const collected = async () => collect(await files);
+    await this.#gather(title, collected, (collection) => {
+      const awaited = this.#awaited;
+      const name = awaited && titleOf(awaited.mesh);
+      const mesh = collection.meshes.find((path) => fileName(path) === name);
+      const origin = { ...collection, reference: fileReference };
+      return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
+    });
+  }
+
+  /** Fetches what is at an address, in the state that a link wants for it. */
+  async address(address: string, awaited: SceneState | null = null): Promise<void> {
+    const fetched = (progress: LoadingListener, signal: AbortSignal) => {
+      const told: FetchListener = (bytes, fraction) => progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
+      return fetchCollection(address, told, signal);
+    };
+    await this.#gather(nameOf(address), fetched, (collection) => {
+      const [first] = collection.meshes;
+      const isArchive = collection.input(first).kind === 'archive';
+      const reference = (mesh: string): MeshReference => ({
+        kind: 'address',
+        address,
+        path: isArchive ? mesh : '',
+        hash: '',
+      });
+      const path = awaited?.mesh.kind === 'address' ? awaited.mesh.path : '';
+      const mesh = collection.meshes.find((other) => other === path) ?? first;
+      return this.#from({ ...collection, reference }, mesh, awaited);
+    });
+  }
+
+  /** One mesh of those that came together, in the state that a link wants for it. */
+  async #from(origin: Origin, mesh: string, awaited: SceneState | null = null): Promise<void> {
+    const title = fileName(mesh);
+    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), method: 'auto' };
+    const load = () => Promise.resolve(origin.input(mesh));
+    const request: OpenRequest = { title, load, state, choosePlaces: true, view: LANDING_VIEW };
     if (!awaited) request.inMaterialsOfFile = true;
     await this.#open(request, ({ opened }) => {
-      const wanted = awaited?.mesh.kind === 'file' ? awaited.mesh.hash : '';
+      const wanted = awaited && 'hash' in awaited.mesh ? awaited.mesh.hash : '';
       this.#forget();
       if (wanted && wanted !== opened.hash) {
         this.#voice.notice(
-          `This ${main.name} is not the file the link was made with, so sources and walker may be in the wrong place.`,
+          `This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
         );
+      }
+      if (origin.meshes.length > 1) {
+        this.#voice.choice(mesh, origin.meshes, (other) => void this.#from(origin, other));
       }
     });
   }
 
+  /** Opens one of the meshes that come together; where there is none, the reason is told. */
+  async #gather(
+    title: string,
+    collected: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
+    open: (collection: Collection) => Promise<void>,
+  ): Promise<void> {
+    try {
+      await this.#session.gather(title, async (progress, signal) => {
+        const collection = await collected(progress, signal);
+        signal.throwIfAborted();
+        await open(collection);
+      });
+    } catch (error) {
+      if (error instanceof Cancelled) return;
+      const { message, stack } = toError(error);
+      this.#voice.fail(error instanceof NoMesh ? message : `${title} was not opened: ${message}`, stack ?? message);
+    }
+  }
+
   /** A shared scene, or the first preset when the fragment names none. */
   async link(fragment: string): Promise<void> {
-    const decoded = decodeLink(fragment, startOf);
-    if (!decoded) {
-      if (/[#&]m=/.test(fragment))
-        this.#voice.notice('The preset of this link does not exist; the first preset is shown.');
-      await this.preset(FIRST_PRESET.id);
+    const { state, notices } = decodeLink(fragment, startOf);
+    for (const notice of notices) this.#voice.notice(notice);
+    if (state?.mesh.kind === 'preset') {
+      await this.preset(state.mesh.id, state);
       return;
     }
-    for (const notice of decoded.notices) this.#voice.notice(notice);
-    const { mesh } = decoded.state;
-    if (mesh.kind === 'preset') {
-      await this.preset(mesh.id, decoded.state);
-      return;
-    }
-    if (!this.#session.shown.value) await this.preset(FIRST_PRESET.id);
-    this.#awaited = decoded.state;
-    this.#voice.askForFile(mesh.name);
+    if (!state || !this.#session.shown.value) await this.preset(FIRST_PRESET.id);
+    if (!state) return;
+    this.#awaited = state;
+    const { mesh } = state;
+    if (mesh.kind === 'file') this.#voice.askForFile(mesh.name);
+    else this.#voice.offer(mesh.address, () => void this.address(mesh.address, state));
   }
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
@@ -138,7 +205,7 @@ export class Opener {
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        const failure = error instanceof Error ? error : new Error(String(error));
+        const failure = toError(error);
         const { message, stack } = failure;
         const lighter = lighterOf(request.state, failure);
         const remedy = lighter && {
@@ -153,7 +220,7 @@ export class Opener {
   #forget(): void {
     if (!this.#awaited) return;
     this.#awaited = null;
-    this.#voice.forgetFile();
+    this.#voice.forget();
   }
 }
 
@@ -165,10 +232,10 @@ function lighterOf(state: SceneState, failure: Error): { name: string; state: Sc
   return { name: USE_CONJUGATE_GRADIENTS, state: { ...state, parameters: { ...parameters, solver: 'cg' } } };
 }
 
-async function readFiles(files: readonly File[]): Promise<MeshInput> {
-  return { kind: 'files', files: await Promise.all(files.map(readFile)) };
+function fileReference(mesh: string): MeshReference {
+  return { kind: 'file', name: fileName(mesh), hash: '' };
 }
 
-async function readFile(file: File): Promise<NamedBytes> {
-  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+function toError(thrown: unknown): Error {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }

@@ -39,10 +39,10 @@ export function questionOf(state: SceneState, method = state.method): Question {
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
-export function wantedOf({ parts, method, windows, parameters }: SceneState): Wanted {
+export function wantedOf({ parts, method, windows, parameters, up }: SceneState): Wanted {
   return method === 'heat'
-    ? { parts, parameters, room: { windows: 0, memory: AUTOMATIC } }
-    : { parts, parameters: null, room: { windows, memory: parameters.memory } };
+    ? { parts, parameters, up, room: { windows: 0, memory: AUTOMATIC } }
+    : { parts, parameters: null, up, room: { windows, memory: parameters.memory } };
 }
 
 /** Makes the state fit the mesh and solves it for the first time. */
@@ -61,7 +61,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   return {
     state: {
       ...request.state,
-      mesh: mesh.kind === 'file' ? { ...mesh, hash: opened.hash } : mesh,
+      mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
       sources,
       walker,
       selected: -1,

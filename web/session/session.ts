@@ -6,12 +6,12 @@ import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
-import type { Scene, SceneState } from '../state/scene';
+import { type Scene, type SceneState, upOf } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
-import { type Loading, whileLoading } from './loading';
+import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, styled, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
@@ -64,6 +64,8 @@ export class Session {
   #lost: WorkerLost | null = null;
   /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
   #factoring: { meanwhile: Method } | null = null;
+  /** What the mesh on screen is being turned for. */
+  #turning: SceneState | null = null;
   /** What was asked when a worker was lost last, as text. */
   #fatal = '';
   #dragging = false;
@@ -96,7 +98,12 @@ export class Session {
 
   /** Shows another mesh once it is solved, a large one ahead of that; if this rejects, everything is as it was. */
   open(request: OpenRequest): Promise<Shown> {
-    return whileLoading(this.loading, request.title, async (progress, check) => {
+    return this.#open(request, false);
+  }
+
+  /** `keeps`: the scene stays as it is by then, and only the mesh is another. */
+  #open(request: OpenRequest, keeps: boolean): Promise<Shown> {
+    return whileLoading(this.loading, request.title, async (progress, signal) => {
       try {
         const built = (opened: OpenedMesh) => this.#preview(opened, request);
         const engine = await this.#start(request, request.state, progress, built);
@@ -104,8 +111,8 @@ export class Session {
         try {
           const wanted = styled(request, engine.opened);
           const { state, shown } = await prepare(engine, wanted);
-          check();
-          this.#adopt(engine, state, shown, wanted);
+          signal.throwIfAborted();
+          this.#adopt(engine, keeps ? null : state, shown, wanted);
           return shown;
         } catch (error) {
           engine.dispose();
@@ -118,6 +125,12 @@ export class Session {
         this.preview.value = null;
       }
     });
+  }
+
+  /** Does what an opening has to wait for, which `work` ends with; it is cancelled as an opening is, by another one too. */
+  gather(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
+    this.cancelOpening();
+    return whileLoading(this.loading, title, work);
   }
 
   cancelOpening(): void {
@@ -185,11 +198,11 @@ export class Session {
     this.preview.value = { title: request.title, opened };
   }
 
-  /** The view comes first: it is the last that can fail, and then the mesh before is still whole. */
-  #adopt(engine: Engine, state: SceneState, shown: Shown, request: OpenRequest): void {
+  /** Without a state the scene stays as it is. The view comes first: it is the last that can fail, and then the mesh before is still whole. */
+  #adopt(engine: Engine, state: SceneState | null, shown: Shown, request: OpenRequest): void {
     const before = this.shown.value;
     try {
-      this.#presenter.replace(shown, state, request.view);
+      this.#presenter.replace(shown, state ?? this.scene.state, request.view);
     } catch (error) {
       // As if it were another mesh, so that what is shown beside the field comes back too.
       if (before) this.shown.value = { ...before, opened: { ...before.opened } };
@@ -202,8 +215,28 @@ export class Session {
     this.failure.value = null;
     this.#count(shown.answer);
     this.shown.value = shown;
-    this.scene.load(state);
+    if (state) this.scene.load(state);
     this.#rest();
+  }
+
+  /**
+   * Opens the mesh on screen anew with another axis upward, in a worker of its own; until then it is shown as it was. What
+   * undo goes back over stays, and so does what is changed meanwhile.
+   */
+  async #turn(): Promise<void> {
+    if (!this.#request) return;
+    const { state } = this.scene;
+    this.#turning = state;
+    try {
+      await this.#open({ ...this.#request, state, choosePlaces: false, view: null }, true);
+      if (this.shown.value && !this.#isAnswered(this.shown.value.answer)) void this.#solve();
+    } catch (error) {
+      this.fail(error);
+      const { value: shown } = this.shown;
+      if (shown && this.scene.state.up === state.up) this.scene.place({ up: shown.opened.drawTransform.up });
+    } finally {
+      if (this.#turning === state) this.#turning = null;
+    }
   }
 
   #use(engine: Engine): void {
@@ -244,10 +277,10 @@ export class Session {
 
   /** Another worker for the mesh on screen, which is to be asked next. */
   #startAgain(request: OpenRequest, state: SceneState): Promise<Engine> {
-    return whileLoading(this.loading, request.title, async (progress, check) => {
+    return whileLoading(this.loading, request.title, async (progress, signal) => {
       const engine = await this.#start(request, state, progress);
       try {
-        check();
+        signal.throwIfAborted();
         this.refiner.interrupt();
         return engine;
       } catch (error) {
@@ -290,6 +323,13 @@ export class Session {
   #follow(state: SceneState, previous: SceneState): void {
     const { value: shown } = this.shown;
     if (!shown) return;
+    if (state.up !== previous.up) {
+      if (upOf(state, shown.opened.upright) !== shown.opened.drawTransform.up) {
+        void this.#turn();
+        return;
+      }
+      if (this.#turning) this.cancelOpening();
+    }
     if (state.method !== previous.method) this.#choose(previous.method);
     if (this.#lost || !this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();

@@ -5,6 +5,7 @@
  */
 import { proxy, transfer } from 'comlink';
 import type { MeshInput, OpenedMesh, Parameters, ProgressListener, Room } from '../protocol';
+import type { AUTOMATIC, Up } from '../wasm/contract';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
 import { Cancelled, SolverWorker } from './remote';
@@ -16,6 +17,7 @@ export interface Wanted {
   /** Of the heat method; with null, nothing is factored. */
   parameters: Parameters | null;
   room: Room;
+  up: Up | typeof AUTOMATIC;
 }
 
 export class SolverClient {
@@ -35,7 +37,7 @@ export class SolverClient {
    */
   async open(
     load: () => Promise<MeshInput>,
-    { parts, parameters, room }: Wanted,
+    { parts, parameters, room, up }: Wanted,
     progress: ProgressListener,
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
@@ -45,7 +47,7 @@ export class SolverClient {
     this.#opening = worker;
     try {
       const input = await worker.call(load());
-      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], room, proxy(progress));
+      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], room, proxy(progress), up);
       const opened = await worker.call(opening);
       const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
       const telling = (async () => built(opened))();
@@ -99,10 +101,10 @@ async function compile(): Promise<WebAssembly.Module> {
 
 function buffersOf(input: MeshInput): Transferable[] {
   switch (input.kind) {
-    case 'files':
-      return input.files.map(({ bytes }) => bytes.buffer);
     case 'arrays':
       return [input.positions.buffer, input.triangles.buffer];
+    case 'files':
+    case 'archive':
     case 'shape':
       return [];
   }

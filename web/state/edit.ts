@@ -1,6 +1,7 @@
 /** What pointer and keyboard do to sources and walker. */
 import type { SurfacePoint } from '../protocol';
-import { type Scene, withOffset } from './scene';
+import { UP, type Up } from '../wasm/contract';
+import { type Scene, upOf, withOffset } from './scene';
 
 export function setSource(scene: Scene, point: SurfacePoint): void {
   scene.place({ sources: [point], selected: -1 });
@@ -31,4 +32,10 @@ export function removeSelected(scene: Scene): boolean {
 
 export function sendWalker(scene: Scene, point: SurfacePoint): void {
   scene.place({ walker: point });
+}
+
+/** Draws the next axis upward, of a mesh that by itself has `upright` there. */
+export function turnUp(scene: Scene, upright: Up): void {
+  const { names } = UP;
+  scene.place({ up: names[(names.indexOf(upOf(scene.state, upright)) + 1) % names.length] });
 }

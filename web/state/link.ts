@@ -12,9 +12,11 @@ import {
   OPERATOR,
   PATH_KIND,
   TIME_STEP_FACTORS,
+  UP,
   VERTEX_FIELD,
   WINDOWS,
 } from '../wasm/contract';
+import { addressIn } from '../files/address';
 import type { Finish, Style, MapName } from './styles';
 import {
   findStyle,
@@ -40,7 +42,8 @@ import {
 const VERSION = '1';
 
 export interface Decoded {
-  state: SceneState;
+  /** Null where the fragment names no mesh, or none that there can be. */
+  state: SceneState | null;
   /** One sentence for each value that could not be used. */
   notices: string[];
 }
@@ -49,12 +52,7 @@ export interface Decoded {
 export type StartOf = (mesh: MeshReference) => SceneState | null;
 
 export function encodeLink(state: SceneState, start: SceneState): string {
-  const entries: [string, string][] = [['v', VERSION]];
-  if (state.mesh.kind === 'preset') {
-    entries.push(['m', state.mesh.id]);
-  } else {
-    entries.push(['m', 'file'], ['name', encodeURIComponent(state.mesh.name)], ['hash', state.mesh.hash]);
-  }
+  const entries: [string, string][] = [['v', VERSION], ...encodeMesh(state.mesh)];
   const add = (key: string, value: string, initial: string) => {
     if (value !== initial) entries.push([key, value]);
   };
@@ -62,6 +60,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
+  add('up', state.up, start.up);
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
   add('bridge', bridge(state.bridge), bridge(start.bridge));
@@ -94,18 +93,18 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   return entries.map(([key, value]) => `${key}=${value}`).join('&');
 }
 
-/** Null when the fragment names no mesh. */
-export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
-  const entries = new URLSearchParams(fragment.replace(/^#/, ''));
-  const m = entries.get('m');
-  if (m === null) return null;
+export function decodeLink(fragment: string, startOf: StartOf): Decoded {
+  // A plus sign is one: spaces are written as %20.
+  const entries = new URLSearchParams(fragment.replace(/^#/, '').replaceAll('+', '%2B'));
   const notices: string[] = [];
-  const mesh: MeshReference =
-    m === 'file'
-      ? { kind: 'file', name: entries.get('name') ?? '', hash: entries.get('hash') ?? '' }
-      : { kind: 'preset', id: m };
+  const mesh = parseMesh(entries);
+  if (typeof mesh === 'string') notices.push(mesh);
+  if (mesh === null || typeof mesh === 'string') return { state: null, notices };
   const start = startOf(mesh);
-  if (!start) return null;
+  if (!start) {
+    notices.push('The preset of this link does not exist; the first preset is shown.');
+    return { state: null, notices };
+  }
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push('This link was made by another version of the page; some of it may be ignored.');
   }
@@ -121,6 +120,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
+  read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));
@@ -166,6 +166,38 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded | null {
   read('maps', parseMaps, (maps) => change({ maps }));
   read('around', oneOf(SURROUNDINGS), (surroundings) => change({ surroundings }));
   return { state, notices };
+}
+
+function encodeMesh(mesh: MeshReference): [string, string][] {
+  switch (mesh.kind) {
+    case 'preset':
+      return [['m', mesh.id]];
+    case 'file':
+      return [
+        ['m', 'file'],
+        ['name', encodeURIComponent(mesh.name)],
+        ['hash', mesh.hash],
+      ];
+    case 'address': {
+      const model = encodeURIComponent(mesh.address).replaceAll('%3A', ':').replaceAll('%2F', '/');
+      const path = mesh.path ? [['name', encodeURIComponent(mesh.path)] as [string, string]] : [];
+      return [['model', model], ...path, ['hash', mesh.hash]];
+    }
+  }
+}
+
+/** Null where none is named; a sentence where an address is none of a file on a server. */
+function parseMesh(entries: URLSearchParams): MeshReference | string | null {
+  const [m, model] = [entries.get('m'), entries.get('model')];
+  const [name, hash] = [entries.get('name') ?? '', entries.get('hash') ?? ''];
+  if (model !== null) {
+    // Who writes a link by hand leaves the address as it is.
+    const address = addressIn(model.replaceAll(' ', '%20'));
+    if (address) return { kind: 'address', address, path: name, hash };
+    return `The link's model=${model.slice(0, 40)} is no http or https address; the first preset is shown.`;
+  }
+  if (m === null) return null;
+  return m === 'file' ? { kind: 'file', name, hash } : { kind: 'preset', id: m };
 }
 
 /** A preset may change its own style; any other style is as named. */
@@ -275,7 +307,7 @@ function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string
   return (text) => named(text) ?? (Object.hasOwn(former, text) ? former[text] : null);
 }
 
-function automaticOr(parse: (text: string) => number | null): (text: string) => number | typeof AUTOMATIC | null {
+function automaticOr<T>(parse: (text: string) => T | null): (text: string) => T | typeof AUTOMATIC | null {
   return (text) => (text === AUTOMATIC ? text : parse(text));
 }
 

@@ -2,7 +2,9 @@
 import type { MeshInput, SurfacePoint } from '../protocol';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { type Boundary, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { emptyScene, type SceneState } from './scene';
+import { nameOf } from '../files/address';
+import { fileName } from '../files/paths';
+import { emptyScene, type MeshReference, type SceneState } from './scene';
 
 export interface Preset {
   id: string;
@@ -44,6 +46,7 @@ function preset(id: string, outline: Outline): Preset {
       parts: parts ?? [],
       sources,
       walker,
+      up: 'y',
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
       style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },
@@ -138,6 +141,18 @@ export function findPreset(id: string): Preset | undefined {
   return PRESETS.find((candidate) => candidate.id === id);
 }
 
+/** What a mesh is called. */
+export function titleOf(mesh: MeshReference): string {
+  switch (mesh.kind) {
+    case 'preset':
+      return findPreset(mesh.id)?.title ?? '';
+    case 'file':
+      return mesh.name;
+    case 'address':
+      return fileName(mesh.path) || nameOf(mesh.address);
+  }
+}
+
 function at(vertex: number): SurfacePoint {
   return { vertex };
 }
@@ -159,7 +174,8 @@ async function loadDragon(): Promise<MeshInput> {
       `The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
     );
   const packed = new Uint8Array(await response.arrayBuffer());
-  return { kind: 'files', files: [{ name: 'dragon.ply', bytes: isGzip(packed) ? await unzip(packed) : packed }] };
+  const content = new Blob([isGzip(packed) ? await unzip(packed) : packed]);
+  return { kind: 'files', mesh: 'dragon.ply', files: [{ path: 'dragon.ply', content }] };
 }
 
 /** Some servers unpack .gz before they send it. */
@@ -167,7 +183,7 @@ function isGzip(bytes: Uint8Array): boolean {
   return bytes[0] === 0x1f && bytes[1] === 0x8b;
 }
 
-async function unzip(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
+async function unzip(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -1,10 +1,12 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
 import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
 import {
+  AUTOMATIC,
   DEFAULT_PARAMETERS,
   DEFAULT_WINDOWS,
   type Method,
   PATH_KIND,
+  type Up,
   VERTEX_FIELD,
   type VertexField,
   type WINDOWS,
@@ -12,7 +14,11 @@ import {
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
-export type MeshReference = { kind: 'preset'; id: string } | { kind: 'file'; name: string; hash: string };
+/** `hash`: SHA-256 of the file of the mesh. `path`: of the mesh in an archive at the address, else empty. */
+export type MeshReference =
+  | { kind: 'preset'; id: string }
+  | { kind: 'file'; name: string; hash: string }
+  | { kind: 'address'; address: string; path: string; hash: string };
 
 export const OVERLAYS = ['scenery', 'edges', 'boundary', 'operator', 'heat', 'distance'] as const;
 /**
@@ -46,6 +52,8 @@ export interface Places {
   sources: readonly Source[];
   /** Where the walker starts; null: no walker. */
   walker: SurfacePoint | null;
+  /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
+  up: Up | typeof AUTOMATIC;
 }
 
 export interface SceneState extends Places {
@@ -84,6 +92,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     parts: [],
     sources: [],
     walker: null,
+    up: AUTOMATIC,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
@@ -103,6 +112,11 @@ export function emptyScene(mesh: MeshReference): SceneState {
 /** Whether a field at rest is made exact. */
 export function isRefined({ method, refine }: Pick<SceneState, 'method' | 'refine'>): boolean {
   return method === 'exact' || (refine && method !== 'propagation');
+}
+
+/** The axis that is to be drawn upward of a mesh that by itself has `upright` there. */
+export function upOf({ up }: Pick<SceneState, 'up'>, upright: Up): Up {
+  return up === AUTOMATIC ? upright : up;
 }
 
 /** The inactive parts that are shown. */
@@ -153,7 +167,7 @@ export class Scene {
     this.#replace({ ...this.#state, ...change });
   }
 
-  /** Moves sources or walker. All changes that carry the same `gesture` are one step of undo, as a drag is. */
+  /** Changes what undo goes back over. All changes that carry the same `gesture` are one step of undo, as a drag is. */
   place(change: Partial<Places> & { selected?: number }, gesture: object | null = null): void {
     if (gesture === null || gesture !== this.#gesture) {
       this.#past.push(placesOf(this.#state));
@@ -195,8 +209,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker }: SceneState): Places {
-  return { sources, walker };
+function placesOf({ sources, walker, up }: SceneState): Places {
+  return { sources, walker, up };
 }
 
 function withValidSelection(state: SceneState): SceneState {

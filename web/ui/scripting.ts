@@ -7,6 +7,7 @@ import { PRESETS } from '../state/presets';
 import type { SceneState } from '../state/scene';
 import { until } from '../state/signal';
 import { png } from '../view/picture';
+import type { Up } from '../wasm/contract';
 
 export interface Heatwalk {
   /** Resolves when the first scene is solved and drawn, or when it is certain that nothing can be drawn. */
@@ -33,6 +34,8 @@ export interface Heatwalk {
     parts: readonly string[];
     active: readonly number[];
     diameter: number;
+    /** The axis of the file that is drawn upward. */
+    up: Up;
   } | null;
   /** Of the field that is shown. */
   readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
@@ -97,6 +100,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
         parts: opened.parts.map(({ name }) => name),
         active: [...opened.active],
         diameter: places.diameter,
+        up: opened.drawTransform.up,
       };
     },
     get field() {

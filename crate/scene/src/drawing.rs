@@ -16,7 +16,8 @@ use crate::transform::DrawTransform;
 pub struct DrawMesh {
     /// `#D × 3`, as the transform places them.
     pub positions: Vec<f32>,
-    /// `#D × 3`, unit length: those of the file, or else face normals around the vertex, weighted by angle, up to the creases.
+    /// `#D × 3`, unit length, as the transform turns them: those of the file, or else face normals around the vertex, weighted by
+    /// angle, up to the creases.
     pub normals: Vec<f32>,
     /// `#F × 3` drawn vertices, in the orientation of the surface's faces and in the order of the input's.
     pub triangles: Vec<u32>,
@@ -53,7 +54,8 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
         let mut draw = |normal: DVec3, input| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
             drawing.positions.extend(position);
-            drawing.normals.extend(shading.normal_of_file(input, normal).unwrap_or(normal.as_vec3()).to_array());
+            let normal = shading.normal_of_file(input, normal).unwrap_or(normal);
+            drawing.normals.extend(transform.direction(normal).as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
             drawing.input_of_drawn.push(input);
             drawn
@@ -181,9 +183,9 @@ impl<'a> Shading<'a> {
 
     /// The file's normal of an input vertex, on the side of that of its triangles: where these were turned round, or the
     /// file is wrong, it would be dark.
-    fn normal_of_file(&self, input: InputVertex, of_triangles: DVec3) -> Option<Vec3> {
-        let &normal = self.normals_of_file.get(input.0 as usize)?;
-        let side = if normal.dot(of_triangles.as_vec3()) < 0.0 { -1.0 } else { 1.0 };
+    fn normal_of_file(&self, input: InputVertex, of_triangles: DVec3) -> Option<DVec3> {
+        let normal = self.normals_of_file.get(input.0 as usize)?.as_dvec3();
+        let side = if normal.dot(of_triangles) < 0.0 { -1.0 } else { 1.0 };
         self.has_normal(input).then_some(side * normal)
     }
 

@@ -5,7 +5,9 @@ pub mod crowd;
 pub mod drawing;
 pub mod overlay;
 mod transform;
+mod upright;
 
 pub use crowd::{Crowd, Walker};
 pub use drawing::{DrawMesh, draw_mesh};
 pub use transform::DrawTransform;
+pub use upright::upright;

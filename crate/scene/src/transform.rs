@@ -2,26 +2,29 @@
 //! squares beyond 10³⁸: so positions are centred and scaled while they are double ones.
 
 use glam::{DVec3, Vec3};
-use heatwalk::{Soup, Surface};
+use heatwalk::{Soup, Surface, Up};
 
-/// `drawn = (position − center) · scale`, where directions stay as they are.
+/// `drawn = (position − center) · scale`, turned so that the axis that points up in the file does so as it is drawn, where
+/// that is Y. A turn exchanges coordinates and signs, so it costs no digit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawTransform {
     /// What is drawn at the origin, in the file's unit.
     pub center: DVec3,
     /// Drawn length of the file's unit; positive.
     pub scale: f64,
+    /// What points up in the file.
+    pub up: Up,
 }
 
 impl DrawTransform {
     /// Draws everything in the file's unit.
-    pub const IDENTITY: Self = Self { center: DVec3::ZERO, scale: 1.0 };
+    pub const IDENTITY: Self = Self { center: DVec3::ZERO, scale: 1.0, up: Up::Y };
 
     /// Puts the middle of the surface's box at the origin, and all triangles of the soup, which the surface is a part of,
     /// within ±1.
-    pub fn around(surface: &Surface, soup: &Soup) -> Self {
+    pub fn around(surface: &Surface, soup: &Soup, up: Up) -> Self {
         let points = surface.positions();
-        let Some(&first) = points.iter().next() else { return Self::IDENTITY };
+        let Some(&first) = points.iter().next() else { return Self { up, ..Self::IDENTITY } };
         let (low, high) = points.iter().fold((first, first), |(low, high), &point| (low.min(point), high.max(point)));
         // Half of each first: the sum of two large numbers may be none.
         let center = 0.5 * low + 0.5 * high;
@@ -31,12 +34,25 @@ impl DrawTransform {
             .filter(|reach| reach.is_finite())
             .fold(0.0, f64::max);
         // What has no size has any.
-        Self { center, scale: if reach >= f64::MIN_POSITIVE { reach.recip() } else { 1.0 } }
+        Self { center, scale: if reach >= f64::MIN_POSITIVE { reach.recip() } else { 1.0 }, up }
     }
 
     /// Where a position is drawn.
     pub fn place(&self, position: DVec3) -> Vec3 {
-        (self.scale * (position - self.center)).as_vec3()
+        self.direction(self.scale * (position - self.center)).as_vec3()
+    }
+
+    /// How a direction is drawn.
+    pub fn direction(&self, direction: DVec3) -> DVec3 {
+        let DVec3 { x, y, z } = direction;
+        match self.up {
+            Up::Y => direction,
+            Up::Z => DVec3::new(x, z, -y),
+            Up::X => DVec3::new(-y, x, z),
+            Up::MinusY => DVec3::new(x, -y, -z),
+            Up::MinusZ => DVec3::new(x, -z, y),
+            Up::MinusX => DVec3::new(y, -x, z),
+        }
     }
 
     /// How long a length is drawn.
@@ -61,7 +77,7 @@ mod tests {
         let positions: Vec<DVec3> = CORNERS.iter().map(|&corner| size * corner + shift).collect();
         let soup = Soup::single("tetrahedron", positions.clone(), TRIANGLES.to_vec());
         let surface = Surface::build(&soup).expect("a tetrahedron");
-        DrawTransform::around(&surface, &soup).places(positions)
+        DrawTransform::around(&surface, &soup, Up::Y).places(positions)
     }
 
     #[test]
@@ -77,13 +93,31 @@ mod tests {
     }
 
     #[test]
+    fn what_points_up_is_drawn_up_and_right_hands_stay_right() {
+        for (up, axis) in [
+            (Up::X, DVec3::X),
+            (Up::Y, DVec3::Y),
+            (Up::Z, DVec3::Z),
+            (Up::MinusX, DVec3::NEG_X),
+            (Up::MinusY, DVec3::NEG_Y),
+            (Up::MinusZ, DVec3::NEG_Z),
+        ] {
+            let transform = DrawTransform { center: DVec3::new(1.0, 2.0, 3.0), scale: 2.0, up };
+            assert_eq!(transform.direction(axis), DVec3::Y, "{up}");
+            let [x, y, z] = DVec3::AXES.map(|axis| transform.direction(axis));
+            assert_eq!(x.cross(y), z, "{up}");
+            assert_eq!(transform.place(transform.center + 3.0 * axis), Vec3::new(0.0, 6.0, 0.0), "{up}");
+        }
+    }
+
+    #[test]
     fn scenery_fits_in_and_the_surface_is_in_the_middle() {
         let far = CORNERS.map(|corner| corner + DVec3::splat(7.0));
         let mut soup = Soup::single("near", [CORNERS, far].concat(), TRIANGLES.to_vec());
         soup.triangles.extend(TRIANGLES.map(|corners| corners.map(|vertex| vertex + 4)));
         soup.end_part("far");
         let surface = Surface::build(&soup.select(&[0]).expect("a part")).expect("a tetrahedron");
-        let transform = DrawTransform::around(&surface, &soup);
+        let transform = DrawTransform::around(&surface, &soup, Up::Y);
         assert_eq!(transform.place(DVec3::new(0.5, 1.0, 0.5)), Vec3::ZERO);
         assert_eq!(transform.scale, 1.0 / 8.0);
         assert_eq!(transform.length(4.0), 0.5);

@@ -242,6 +242,26 @@ pub enum EdgeKind {
 
 choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator");
 
+/// The axis of the file that points up where it is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Up {
+    /// As in glTF.
+    #[default]
+    Y,
+    /// As in most CAD and scanning programs.
+    Z,
+    /// The first axis.
+    X,
+    /// Against the second axis.
+    MinusY,
+    /// Against the third axis.
+    MinusZ,
+    /// Against the first axis.
+    MinusX,
+}
+
+choice!(Up, "up axis": Y = "y", Z = "z", X = "x", MinusY = "-y", MinusZ = "-z", MinusX = "-x");
+
 /// All options of the heat method: those that are factored, and those of each query.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Parameters {
@@ -327,6 +347,7 @@ mod tests {
         read_back::<MultiSource>();
         read_back::<Operator>();
         read_back::<PathKind>();
+        read_back::<Up>();
         read_back::<VertexField>();
         assert_eq!("superposed".parse(), Ok(MultiSource::Summed), "links of before");
     }

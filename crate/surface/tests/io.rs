@@ -8,7 +8,7 @@ mod reading;
 use glam::DVec3;
 use heatwalk_shapes as shapes;
 use heatwalk_surface::Error;
-use heatwalk_surface::io::write;
+use heatwalk_surface::io::{is_y_up, write};
 use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read};
@@ -261,6 +261,20 @@ fn written_meshes_read_back() {
     assert_eq!(glb.len() % 4, 0);
     let path = write::polyline_obj(&[DVec3::ZERO, DVec3::new(0.1, 1.0, -2.0)]);
     assert!(String::from_utf8(path).unwrap().ends_with("v 0 0 0\nv 0.1 1 -2\nl 1 2\n"));
+}
+
+#[test]
+fn only_gltf_says_that_y_is_up() {
+    for (name, bytes, is_y_up) in [
+        ("a.gltf", b"{}".as_slice(), true),
+        ("a.bin", b"glTF\x02\0\0\0", true),
+        ("a.txt", b"\xEF\xBB\xBF{\"asset\":{}}", true),
+        ("a.obj", b"v 0 0 0", false),
+        ("a.stl", b"solid a", false),
+        ("gltf", b"", false),
+    ] {
+        assert_eq!(is_y_up(name, bytes), is_y_up, "{name}");
+    }
 }
 
 // ---- damage

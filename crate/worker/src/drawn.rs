@@ -55,15 +55,17 @@ impl Drawn {
         self.vertices.iter().map(|&vertex| values[vertex] as f32).collect()
     }
 
-    /// Unit vectors of vertices as four bytes a drawn vertex, the last one 0.
+    /// Unit vectors of vertices, as they are drawn, as four bytes a drawn vertex, the last one 0.
     pub fn spread_directions(&self, directions: &VertexData<DVec3>) -> Vec<i8> {
-        let bytes = |direction: DVec3| (127.0 * direction).as_i8vec3().extend(0).to_array();
+        let turned = |direction| self.transform.direction(direction);
+        let bytes = |direction| (127.0 * turned(direction)).as_i8vec3().extend(0).to_array();
         self.vertices.iter().flat_map(|&vertex| bytes(directions[vertex])).collect()
     }
 
-    /// Vectors of faces as vectors of drawn triangles, three numbers each.
+    /// Vectors of faces as vectors of drawn triangles, turned as they are drawn, three numbers each.
     pub fn spread_vectors(&self, vectors: &FaceData<DVec3>) -> Vec<f32> {
-        self.faces.iter().flat_map(|&face| vectors[face].as_vec3().to_array()).collect()
+        let drawn = |face| self.transform.direction(vectors[face]).as_vec3().to_array();
+        self.faces.iter().flat_map(|&face| drawn(face)).collect()
     }
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,

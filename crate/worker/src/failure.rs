@@ -35,7 +35,7 @@ impl Failure {
             }
             TOO_LARGE => ", or the native program on a larger machine",
             TOO_MANY_WINDOWS => ", or use the native program on a larger machine",
-            "missing-resource" => "; open both together",
+            "missing-resource" => "; open both together, or the folder that holds them",
             _ => "",
         };
         let thrown = Error::new(&format!("{error}{remedy}"));

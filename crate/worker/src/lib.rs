@@ -17,25 +17,28 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{Appearance, MemoryLimit, Soup, Surface, io};
-use heatwalk_scene::DrawTransform;
+use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
+use heatwalk_scene::{DrawTransform, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
 use crate::drawn::Drawn;
-use crate::failure::{Failure, Result};
+use crate::failure::Result;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
 #[wasm_bindgen(typescript_custom_section)]
 const ARGUMENTS: &str = "
-import type { EdgeKind, FaceField, Parameters, PathKind } from '../contract';
+import type { EdgeKind, FaceField, Parameters, PathKind, Up } from '../contract';
 
 /** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
 export type Progress = (stage: string, fraction: number) => void;
+
+/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
 ";
 
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
@@ -57,32 +60,42 @@ pub fn shape_names() -> Vec<String> {
 #[wasm_bindgen]
 pub struct MeshFile {
     soup: Soup,
+    /// By the rules of its format or by its shape.
+    up: Up,
 }
 
 #[wasm_bindgen]
 impl MeshFile {
-    /// Reads the first file; the others are what it refers to. `names` and `bytes` are in step.
-    pub fn read(names: Vec<String>, bytes: Vec<Uint8Array>) -> Result<Self> {
-        let files: Vec<(String, Vec<u8>)> =
-            names.into_iter().zip(bytes).map(|(name, bytes)| (name, bytes.to_vec())).collect();
-        let (name, bytes) = files.first().ok_or_else(|| Failure::misuse("no file was given"))?;
+    /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
+    pub fn read(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    ) -> Result<Self> {
         let resource = |uri: &str| {
-            let wanted = uri.rsplit('/').next();
-            files.iter().find(|(name, _)| Some(name.as_str()) == wanted).map(|(_, bytes)| bytes.clone())
+            let found = resource.call1(&JsValue::NULL, &uri.into()).ok()?;
+            Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
         };
         let soup = io::read(name, bytes, &resource)?;
-        Ok(Self { soup })
+        let up = if io::is_y_up(name, bytes) { Up::Y } else { upright(&soup) };
+        Ok(Self { soup, up })
     }
 
     /// Makes a shape.
     pub fn shape(name: &str) -> Result<Self> {
-        Ok(Self { soup: shapes::by_name(name)? })
+        Ok(Self { soup: shapes::by_name(name)?, up: Up::Y })
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
     pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
         let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
-        Self { soup: Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec()) }
+        Self { soup: Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec()), up: Up::Y }
+    }
+
+    /// The axis that points up, by the rules of the format or by the shape.
+    #[wasm_bindgen(unchecked_return_type = "Up")]
+    pub fn up(&self) -> String {
+        self.up.to_string()
     }
 
     /// Names of the parts.
@@ -123,8 +136,13 @@ impl MeshFile {
         Ok(heatwalk::require_room(vertices, triangles, windows, available)?)
     }
 
-    /// The surface formed by the parts `active`.
-    pub fn surface(&self, active: &[u32]) -> Result<ActiveSurface> {
+    /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.
+    pub fn surface(
+        &self,
+        active: &[u32],
+        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+    ) -> Result<ActiveSurface> {
+        let up = up.parse()?;
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
         let selection;
         let soup = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
@@ -134,7 +152,7 @@ impl MeshFile {
             &selection
         };
         let surface = Surface::build(soup)?;
-        let transform = DrawTransform::around(&surface, &self.soup);
+        let transform = DrawTransform::around(&surface, &self.soup, up);
         Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance: Arc::clone(&soup.appearance) })
     }
 
@@ -162,7 +180,7 @@ pub struct ActiveSurface {
 impl ActiveSurface {
     /// Four numbers: what is drawn at the origin, and the drawn length of the file's unit.
     pub fn draw_transform(&self) -> Vec<f64> {
-        let DrawTransform { center, scale } = self.transform;
+        let DrawTransform { center, scale, .. } = self.transform;
         center.extend(scale).to_array().to_vec()
     }
 

@@ -163,7 +163,8 @@ pub struct SurfacePath {
 impl SurfacePath {
     pub(crate) fn of(path: &Path, transform: &DrawTransform) -> Self {
         let points = transform.places(path.points.iter().map(|point| point.position));
-        let normals = path.normals.iter().flat_map(|normal| normal.as_vec3().to_array()).collect();
+        let normals =
+            path.normals.iter().flat_map(|&normal| transform.direction(normal).as_vec3().to_array()).collect();
         Self { points, normals, length: path.length() }
     }
 }

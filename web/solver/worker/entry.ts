@@ -22,9 +22,11 @@ import type {
   SurfacePoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
-import { AUTOMATIC, DEFAULT_WINDOWS } from '../../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
+import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
 import { decodeImage } from './images';
+import { type Files, filesOf, readMesh, unpackedOf } from './files';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
@@ -73,7 +75,7 @@ const api: SolverApi = {
   async warmUp() {
     await ready;
     const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
-    const surface = file.surface(Uint32Array.of(0));
+    const surface = file.surface(Uint32Array.of(0), file.up());
     const drawing = surface.draw();
     drawing.shade().free();
     const solver = drawing.factor({}, () => undefined);
@@ -84,12 +86,12 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, room, progress) {
+  async open(input, parts, room, progress, wantedUp = AUTOMATIC) {
     await ready;
-    const hash = await hashOf(input);
-    const clock = stopwatch();
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
-    const file = read(input);
+    const { name, hash, read } = await sourceOf(input);
+    const clock = stopwatch();
+    const file = read();
     const appearance = appearanceOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
@@ -98,7 +100,9 @@ const api: SolverApi = {
     const active = parts.length > 0 ? parts : names.map((_, index) => index);
     const chosen = Uint32Array.from(active);
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
-    const surface = file.surface(chosen);
+    const upright = file.up();
+    const up = wantedUp === AUTOMATIC ? upright : wantedUp;
+    const surface = file.surface(chosen, up);
     const report = plain(surface.report());
     const buildMs = clock();
     const { vertices } = report;
@@ -109,15 +113,16 @@ const api: SolverApi = {
     file.free();
     const drawing = surface.draw();
     const mesh: OpenedMesh = {
-      name: nameOf(input),
+      name,
       hash,
-      parts: names.map((name, index) => ({ name, triangles: triangles[index] ?? 0 })),
+      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
       active: [...active],
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
       appearance: await appearance,
       inputVertices: drawing.input_vertices(),
-      drawTransform: drawTransformOf(surface),
+      drawTransform: drawTransformOf(surface, up),
+      upright,
       scenery,
       report,
       meanEdge: surface.mean_edge(),
@@ -317,29 +322,30 @@ function pathBuffersOf({ path }: TracedPath): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer] : [];
 }
 
-function read(input: MeshInput): wasm.MeshFile {
+interface MeshSource {
+  name: string;
+  hash: string;
+  read: () => wasm.MeshFile;
+}
+
+async function sourceOf(input: MeshInput): Promise<MeshSource> {
   switch (input.kind) {
     case 'files':
-      return wasm.MeshFile.read(
-        input.files.map(({ name }) => name),
-        input.files.map(({ bytes }) => bytes),
-      );
+      return sourceIn(filesOf(input.files), input.mesh);
+    case 'archive':
+      return sourceIn(await unpackedOf(input.archive), input.mesh);
     case 'shape':
-      return wasm.MeshFile.shape(input.shape);
-    case 'arrays':
-      return wasm.MeshFile.arrays(input.name, input.positions, input.triangles);
+      return { name: input.shape, hash: '', read: () => wasm.MeshFile.shape(input.shape) };
+    case 'arrays': {
+      const { name, positions, triangles } = input;
+      return { name, hash: '', read: () => wasm.MeshFile.arrays(name, positions, triangles) };
+    }
   }
 }
 
-function nameOf(input: MeshInput): string {
-  switch (input.kind) {
-    case 'files':
-      return input.files[0]?.name ?? '';
-    case 'shape':
-      return input.shape;
-    case 'arrays':
-      return input.name;
-  }
+async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
+  const bytes = files.read(mesh);
+  return { name: fileName(mesh), hash: await hashOf(bytes), read: () => readMesh(mesh, bytes, files) };
 }
 
 /** What the module gave, as a message; its memory is given back. */
@@ -357,9 +363,9 @@ async function appearanceOf(file: wasm.MeshFile): Promise<Appearance | null> {
   return { materials, images };
 }
 
-function drawTransformOf(surface: wasm.ActiveSurface): DrawTransform {
+function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {
   const [x, y, z, scale] = surface.draw_transform();
-  return { center: [x, y, z], scale };
+  return { center: [x, y, z], scale, up };
 }
 
 function buffersOf({ positions, normals, triangles, order, boxes, texcoords, colors, runs }: DrawMesh): Transferable[] {
@@ -377,10 +383,10 @@ function stopwatch(): () => number {
   };
 }
 
-/** SHA-256 of the mesh file; empty where the browser offers none (pages that are not served over HTTPS). */
-async function hashOf(input: MeshInput): Promise<string> {
-  if (input.kind !== 'files' || !input.files[0] || !('subtle' in crypto)) return '';
-  const digest = await crypto.subtle.digest('SHA-256', input.files[0].bytes as Uint8Array<ArrayBuffer>);
+/** SHA-256 of a file; empty where the browser offers none (pages that are not served over HTTPS). */
+async function hashOf(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  if (!('subtle' in crypto)) return '';
+  const digest = await crypto.subtle.digest('SHA-256', bytes);
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 

@@ -1,9 +1,11 @@
-/** Files from a drag or from the file dialog. */
-import { FORMATS } from '../../session/opener';
+/** Files and folders from a drag or from a dialogue. */
+import { FORMATS } from '../../files/paths';
+import type { Given } from '../../session/opener';
 import { h } from '../dom';
+import { draggedAddress, givenFiles, givenItems } from './given';
 
-/** The quiet frame over the whole canvas while files are dragged over the window. */
-export function dropTarget(open: (files: File[]) => void): HTMLElement {
+/** The quiet frame over the whole canvas while something to open is dragged over the window. */
+export function dropTarget(open: (given: Given) => void, fetch: (address: string) => void): HTMLElement {
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
@@ -16,37 +18,57 @@ export function dropTarget(open: (files: File[]) => void): HTMLElement {
     frame.hidden = depth === 0;
   };
   addEventListener('dragenter', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     show(1);
   });
   addEventListener('dragleave', (event) => {
-    if (hasFiles(event)) show(-1);
+    if (isOpenable(event)) show(-1);
   });
   addEventListener('dragover', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = 'copy';
   });
   addEventListener('drop', (event) => {
-    if (!hasFiles(event)) return;
+    if (!isOpenable(event)) return;
     event.preventDefault();
     show(-depth);
-    open([...(event.dataTransfer?.files ?? [])]);
+    const { dataTransfer } = event;
+    const address = dataTransfer && draggedAddress(dataTransfer);
+    if (address) fetch(address);
+    else if (dataTransfer?.types.includes('Files')) open(givenItems(dataTransfer.items));
   });
   return frame;
 }
 
-/** The file dialogue; returns the input, which must be in the page, and the function that shows it. */
-export function fileDialogue(open: (files: File[]) => void): { element: HTMLElement; choose: () => void } {
+export interface Dialogue {
+  /** The input, which must be in the page. */
+  element: HTMLElement;
+  /** Null where the browser has no such dialogue. */
+  choose: (() => void) | null;
+}
+
+export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
+  const accept = '.obj,.off,.ply,.stl,.glb,.gltf,.bin,.zip';
+  return dialogue({ multiple: true, accept, 'aria-label': 'Open mesh files' }, open);
+}
+
+export function folderDialogue(open: (given: Given) => void): Dialogue {
+  const { element, choose } = dialogue({ webkitdirectory: true, 'aria-label': 'Open a folder' }, open);
+  return { element, choose: 'webkitdirectory' in element ? choose : null };
+}
+
+function dialogue(
+  attributes: Record<string, string | boolean>,
+  open: (given: Given) => void,
+): Dialogue & { choose: () => void } {
   const input = h('input', {
     type: 'file',
-    multiple: true,
-    accept: '.obj,.off,.ply,.stl,.glb,.gltf,.bin',
     hidden: true,
-    'aria-label': 'Open mesh files',
+    ...attributes,
     onchange: () => {
-      open([...(input.files ?? [])]);
+      open(givenFiles(input.files ?? []));
       // The same file may be chosen again.
       input.value = '';
     },
@@ -54,6 +76,7 @@ export function fileDialogue(open: (files: File[]) => void): { element: HTMLElem
   return { element: input, choose: () => input.click() };
 }
 
-function hasFiles(event: DragEvent): boolean {
-  return event.dataTransfer?.types.includes('Files') ?? false;
+/** Files, and addresses from other pages: what a drag holds is not told before it is dropped. */
+function isOpenable({ dataTransfer }: DragEvent): boolean {
+  return dataTransfer?.types.some((type) => type === 'Files' || type === 'text/uri-list') ?? false;
 }

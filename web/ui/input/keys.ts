@@ -1,11 +1,12 @@
 /** The keyboard, and the reticle at the centre of the view that stands in for a pointer. */
 import type { SurfacePoint } from '../../protocol';
 import type { Session } from '../../session/session';
-import { addSource, moveSource, removeSelected, sendWalker, setSource } from '../../state/edit';
+import { addSource, moveSource, removeSelected, sendWalker, setSource, turnUp } from '../../state/edit';
 import type { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
+import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
 /** How far an arrow moves the selected source on the screen. */
@@ -47,8 +48,8 @@ export class Keys {
   }
 
   #key(event: KeyboardEvent): void {
+    if (isTyping(event)) return;
     const element = event.target instanceof HTMLElement ? event.target : document.body;
-    if (element.matches('input:not([type=checkbox]), select, textarea')) return;
     const onStage = element === this.#o.session.view.stage || element === document.body;
     const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
     if (used) event.preventDefault();
@@ -90,10 +91,16 @@ export class Keys {
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
     else if (event.key.toLowerCase() === 'o') chooseFile();
+    else if (event.key.toLowerCase() === 'u') this.#turn();
     else if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(session.scene);
     else if (event.key === 'Escape') this.#escape(closeMessage);
     else return false;
     return true;
+  }
+
+  #turn(): void {
+    const { scene, shown } = this.#o.session;
+    if (shown.value) turnUp(scene, shown.value.opened.upright);
   }
 
   /** Backs out of one thing at a time. */

@@ -1,5 +1,5 @@
 import type { Session } from '../../session/session';
-import { findPreset } from '../../state/presets';
+import { titleOf } from '../../state/presets';
 import { h } from '../dom';
 import { count, exactnessWords } from '../words';
 
@@ -13,9 +13,7 @@ export function heading(session: Session): HTMLElement {
     const shown = session.shown.value;
     const opened = (preview ?? shown)?.opened;
     const field = preview ? null : shown?.answer.field;
-    const { mesh } = session.scene.state;
-    const named = mesh.kind === 'preset' ? (findPreset(mesh.id)?.title ?? '') : mesh.name;
-    title.textContent = preview?.title ?? named;
+    title.textContent = preview?.title ?? titleOf(session.scene.state.mesh);
     size.textContent = opened ? `${count(opened.report.faces)} triangles` : '';
     exactness.textContent = field ? exactnessWords(field) : '';
   };

@@ -1,6 +1,6 @@
 import type { Session } from '../../session/session';
 import { h } from '../dom';
-import { counted, percent } from '../words';
+import { bytes, counted, percent } from '../words';
 
 /** Progress bar over the window: the stage, its progress, and Cancel. */
 export function loadingBar(session: Session): HTMLElement {
@@ -18,10 +18,14 @@ export function loadingBar(session: Session): HTMLElement {
       stage.textContent = '';
       return;
     }
-    const { title, fraction, vertices } = loading;
-    bar.value = fraction;
-    const size = vertices > 0 ? `, ${counted(vertices, 'vertex', 'vertices')}` : '';
-    stage.textContent = `${title}: ${loading.stage.toLowerCase()}${size}, ${percent(fraction)}`;
+    const { title, fraction, vertices, bytes: fetched } = loading;
+    if (fraction === null) bar.removeAttribute('value');
+    else bar.value = fraction;
+    const words = [loading.stage.toLowerCase()];
+    if (vertices > 0) words.push(counted(vertices, 'vertex', 'vertices'));
+    if (fetched !== undefined) words.push(bytes(fetched));
+    if (fraction !== null) words.push(percent(fraction));
+    stage.textContent = `${title}: ${words.join(', ')}`;
   });
   return element;
 }

@@ -1,4 +1,7 @@
 /** Messages at the bottom left. Errors stay until closed and can be copied. */
+import { hostOf, nameOf } from '../../files/address';
+import { MOST_FETCHED } from '../../files/fetch';
+import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import { h } from '../dom';
@@ -14,6 +17,7 @@ export class Messages implements Voice {
   #told: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
+  #chosen: HTMLElement | null = null;
   #blind: HTMLElement | null = null;
 
   constructor(chooseFile: () => void) {
@@ -21,16 +25,23 @@ export class Messages implements Voice {
     this.element.append(this.#urgent, this.#polite);
   }
 
-  /** Tells what was done; replaces the last such message and the last error. */
+  /** Tells what was done; replaces what was told of the mesh before, and the last error. */
   opened({ opened, answer }: Shown): void {
-    this.#told?.remove();
-    this.#failed?.remove();
+    for (const former of [this.#told, this.#failed, this.#chosen]) former?.remove();
     this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring), []);
     this.#fade(this.#told);
   }
 
   notice(text: string): void {
     this.#fade(this.#say(this.#polite, 'notice', text, []));
+  }
+
+  choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {
+    const text = `Opened ${fileName(shown)}, one of ${meshes.length} meshes.`;
+    this.#chosen = this.#say(this.#polite, 'notice', text, []);
+    const options = meshes.map((mesh) => h('option', { value: mesh, selected: mesh === shown }, mesh));
+    const select = h('select', { 'aria-label': 'Mesh to open', onchange: () => open(select.value) }, ...options);
+    this.#chosen.append(h('div', { class: 'actions' }, select));
   }
 
   fail(text: string, details: string, remedy?: Action): void {
@@ -61,7 +72,13 @@ export class Messages implements Voice {
     ]);
   }
 
-  forgetFile(): void {
+  offer(address: string, open: () => void): void {
+    this.#asked?.remove();
+    const text = `This link shows ${nameOf(address)} from ${hostOf(address)}. It is fetched from there, ${MOST_FETCHED} at most, once you open it.`;
+    this.#asked = this.#say(this.#polite, 'notice', text, [{ name: 'Open', run: open }]);
+  }
+
+  forget(): void {
     this.#asked?.remove();
     this.#asked = null;
   }

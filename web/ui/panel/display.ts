@@ -1,6 +1,6 @@
 import type { Session } from '../../session/session';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
-import { VERTEX_FIELD, type VertexField } from '../../wasm/contract';
+import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { count, finePercent } from '../words';
 
@@ -21,15 +21,21 @@ const COLOR_BY_WORDS: Record<VertexField, string> = {
   error: 'error before refinement',
 };
 
+const UP_WORDS: Record<Up, string> = { y: '+Y', z: '+Z', x: '+X', '-y': '−Y', '-z': '−Z', '-x': '−X' };
+
 /** Steps of the slider, which grows as the square: few walkers are chosen as finely as many. */
 const CROWD_STEPS = 100;
 
-/** Which field the surface is colored by, which overlays are drawn, and the size of the crowd. */
+/** Which field the surface is colored by, which overlays are drawn, the size of the crowd, and which axis points up. */
 export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
   const colorBy = select('Color by', labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
     scene.set({ colorBy: value }),
   );
+  const up = select<Up | typeof AUTOMATIC>('Up', [[AUTOMATIC, 'automatic'], ...labelled(UP.names, UP_WORDS)], (value) =>
+    scene.place({ up: value }),
+  );
+  up.element.title = 'The axis of the file that points up (U: the next one)';
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
     const { element, show } = toggle(OVERLAY_WORDS[overlay], (on) => {
@@ -56,6 +62,7 @@ export function displaySection(session: Session): HTMLElement {
     const { colorBy: shown, overlays: drawn, method } = scene.state;
     colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
+    up.show(scene.state.up);
     for (const { overlay, element, show: showToggle } of overlays) {
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
@@ -64,7 +71,11 @@ export function displaySection(session: Session): HTMLElement {
     showLegend();
   };
   scene.subscribe(show);
-  session.shown.watch(showLegend);
+  session.shown.watch((shown) => {
+    showLegend();
+    const automatic = up.element.querySelector('option');
+    if (shown && automatic) automatic.textContent = `automatic (${UP_WORDS[shown.opened.upright]})`;
+  });
   show();
   return h(
     'div',
@@ -73,6 +84,7 @@ export function displaySection(session: Session): HTMLElement {
     legend,
     ...overlays.map(({ element }) => element),
     crowd.element,
+    up.element,
   );
 }
 

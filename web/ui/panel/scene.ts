@@ -1,5 +1,5 @@
+import { FORMATS } from '../../files/paths';
 import type { Opener } from '../../session/opener';
-import { FORMATS } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { h } from '../dom';
@@ -19,8 +19,13 @@ function thumbnail(id: string): HTMLElement | null {
     : null;
 }
 
-/** Gallery of presets, the file button, and the parts of the file. */
-export function sceneSection(session: Session, opener: Opener, chooseFile: () => void): HTMLElement {
+/** Gallery of presets, the buttons for files and folders, and the parts of the file. */
+export function sceneSection(
+  session: Session,
+  opener: Opener,
+  chooseFile: () => void,
+  chooseFolder: (() => void) | null,
+): HTMLElement {
   const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
   const buttons = PRESETS.map((preset) => {
     const button = h(
@@ -53,7 +58,12 @@ export function sceneSection(session: Session, opener: Opener, chooseFile: () =>
     { class: 'stack' },
     gallery,
     credit,
-    h('button', { class: 'wide', title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
+    h(
+      'div',
+      { class: 'openers' },
+      h('button', { title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
+      chooseFolder && h('button', { title: 'Open the folder of a mesh', onclick: chooseFolder }, 'Open a folder…'),
+    ),
     partsControl(session, opener),
   );
 }

@@ -156,7 +156,9 @@ impl Crowd {
     pub fn poses(&self, transform: &DrawTransform) -> Vec<f32> {
         let mut poses = Vec::with_capacity(POSE * self.walkers.len());
         for walker in &self.walkers {
-            for vector in [transform.place(walker.position), walker.upright.as_vec3(), walker.heading.as_vec3()] {
+            let [upright, heading] =
+                [walker.upright, walker.heading].map(|vector| transform.direction(vector).as_vec3());
+            for vector in [transform.place(walker.position), upright, heading] {
                 poses.extend(vector.to_array());
             }
             poses.push(transform.length(walker.arc));

@@ -32,12 +32,9 @@ pub use reader::Resources;
 /// [`Error::UnknownFormat`], [`Error::Malformed`], [`Error::Unsupported`], [`Error::MissingResource`],
 /// [`Error::IndexOutOfRange`], and [`Error::Empty`] where the file holds no triangle.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
-    let (stem, extension) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
-    let format = Format::of_bytes(bytes)
-        .or_else(|| Format::of_extension(extension))
-        .ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
+    let bytes = without_mark(bytes);
+    let (stem, extension) = stem_and_extension(name);
+    let format = Format::of(bytes, extension).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let soup: Result<Soup> = match format {
         #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, resources),
@@ -57,6 +54,26 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     Ok(soup)
 }
 
+/// Whether the format of a file says that Y points up, as glTF does. Other formats say nothing.
+pub fn is_y_up(name: &str, bytes: &[u8]) -> bool {
+    let (_, extension) = stem_and_extension(name);
+    match Format::of(without_mark(bytes), extension) {
+        #[cfg(feature = "gltf")]
+        Some(Format::Gltf) => true,
+        _ => false,
+    }
+}
+
+/// Without the mark that some programs put before text in UTF-8.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
+fn stem_and_extension(name: &str) -> (&str, &str) {
+    let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    file_name.rsplit_once('.').unwrap_or((file_name, ""))
+}
+
 #[derive(Clone, Copy)]
 enum Format {
     #[cfg(feature = "gltf")]
@@ -72,6 +89,11 @@ enum Format {
 }
 
 impl Format {
+    /// By the first bytes where they tell, else by the extension.
+    fn of(bytes: &[u8], extension: &str) -> Option<Self> {
+        Self::of_bytes(bytes).or_else(|| Self::of_extension(extension))
+    }
+
     fn of_bytes(bytes: &[u8]) -> Option<Self> {
         #[cfg(feature = "gltf")]
         if bytes.starts_with(gltf::GLB_MAGIC) || looks_like_gltf_json(bytes) {

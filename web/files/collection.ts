@@ -1,0 +1,39 @@
+/** What was given together: files, or an archive of them. */
+import type { GivenFile, MeshInput } from '../protocol';
+import { FORMATS, fileName, isArchive, meshesAmong } from './paths';
+
+export interface Collection {
+  /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
+  meshes: readonly string[];
+  input: (mesh: string) => MeshInput;
+}
+
+/** The meshes among files. An archive is looked into where there is no mesh beside it. */
+export async function collect(files: readonly GivenFile[]): Promise<Collection> {
+  const paths = files.map(({ path }) => path);
+  const meshes = meshesAmong(paths);
+  if (meshes.length > 0) return { meshes, input: (mesh) => ({ kind: 'files', mesh, files }) };
+  const archive = files.find(({ path }) => isArchive(path));
+  if (!archive) throw new NoMesh(paths);
+  return collectArchive(archive.content);
+}
+
+/** The meshes of an archive. */
+export async function collectArchive(archive: Blob): Promise<Collection> {
+  const { Archive } = await import('./zip');
+  const { paths } = await Archive.of(archive);
+  const meshes = meshesAmong(paths);
+  if (meshes.length === 0) throw new NoMesh(paths);
+  return { meshes, input: (mesh) => ({ kind: 'archive', mesh, archive }) };
+}
+
+const NAMED = 5;
+
+/** Nothing of what was given is a mesh. */
+export class NoMesh extends Error {
+  constructor(paths: readonly string[]) {
+    const names = paths.slice(0, NAMED).map(fileName).join(', ');
+    const more = paths.length > NAMED ? ` and ${paths.length - NAMED} more files` : '';
+    super(`No mesh found in ${names ? `${names}${more}` : 'what was given'}. Supported formats: ${FORMATS}.`);
+  }
+}

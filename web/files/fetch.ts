@@ -1,0 +1,160 @@
+/** Fetches meshes from other servers. Nothing is told about the page or its user: no cookies, no referrer. */
+import { pathOf, percentDecoded } from './address';
+import { type Collection, collectArchive } from './collection';
+import { joined } from './paths';
+import type { GivenFile } from '../protocol';
+
+/** Of a mesh and what it refers to. */
+const MOST_BYTES = 2 ** 29;
+export const MOST_FETCHED = '512 MiB';
+/** Files that a mesh may refer to. */
+const MOST_FILES = 1000;
+
+const TOLD_MS = 50;
+
+const ARCHIVE = 'PK\u0003\u0004';
+const PAGE = /^\s*<(!doctype html|html|head|body)\b/i;
+const JSON_DOCUMENT = /^\s*\{/;
+const HEAD_BYTES = 512;
+
+/** `fraction`: of the file that is being fetched; null where the server does not tell its length. */
+export type FetchListener = (bytes: number, fraction: number | null) => void;
+
+/** The meshes at an address. Throws a sentence where there is none that can be had; an abortion as it is. */
+export async function fetchCollection(
+  address: string,
+  progress: FetchListener,
+  signal: AbortSignal,
+): Promise<Collection> {
+  const fetcher = new Fetcher(progress, signal);
+  const { content, base } = await fetcher.fetch(new URL(address));
+  const head = await content.slice(0, HEAD_BYTES).text();
+  if (head.startsWith(ARCHIVE)) return collectArchive(content);
+  if (PAGE.test(head)) throw new Error('the address gives a web page, not a mesh; use the address of the file itself');
+  const mesh = pathOf(address) || 'mesh';
+  const companions = JSON_DOCUMENT.test(head) ? await fetcher.companions(mesh, await content.text(), base) : [];
+  const files = [{ path: mesh, content }, ...companions];
+  return { meshes: [mesh], input: () => ({ kind: 'files', mesh, files }) };
+}
+
+class Fetcher {
+  readonly #progress: FetchListener;
+  readonly #signal: AbortSignal;
+  #bytes = 0;
+  #toldAt = 0;
+
+  constructor(progress: FetchListener, signal: AbortSignal) {
+    this.#progress = progress;
+    this.#signal = signal;
+  }
+
+  /** `base`: where it was found in the end. */
+  async fetch(url: URL): Promise<{ content: Blob; base: URL }> {
+    const response = await this.#answer(url);
+    if (!response.ok) throw new Error(`${url.host} answered with status ${response.status}`);
+    const length = Number(response.headers.get('Content-Length'));
+    if (this.#bytes + length > MOST_BYTES) throw tooLarge();
+    const chunks: Uint8Array<ArrayBuffer>[] = [];
+    const reader = response.body?.getReader();
+    const before = this.#bytes;
+    for (;;) {
+      const { value: chunk } = (await reader?.read().catch((error: unknown) => this.#lost(url, error))) ?? {};
+      if (!chunk) return { content: new Blob(chunks), base: new URL(response.url || url) };
+      chunks.push(chunk);
+      this.#bytes += chunk.length;
+      if (this.#bytes > MOST_BYTES) {
+        void reader?.cancel();
+        throw tooLarge();
+      }
+      this.#tell(length > 0 ? Math.min(1, (this.#bytes - before) / length) : null);
+    }
+  }
+
+  /** The files that a glTF document refers to, at the paths where `resolve` finds them. Images may be missing. */
+  async companions(mesh: string, document: string, base: URL): Promise<GivenFile[]> {
+    const { buffers, images } = urisOf(document);
+    if (buffers.length + images.length > MOST_FILES)
+      throw new Error(`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
+    const found: GivenFile[] = [];
+    for (const [uris, isNeeded] of [
+      [buffers, true],
+      [images, false],
+    ] as const) {
+      for (const uri of uris) {
+        const path = joined(mesh, percentDecoded(uri));
+        try {
+          found.push({ path, content: await this.#companion(uri, base) });
+        } catch (error) {
+          this.#signal.throwIfAborted();
+          if (isNeeded) throw new Error(`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
+        }
+      }
+    }
+    return found;
+  }
+
+  async #companion(uri: string, base: URL): Promise<Blob> {
+    const url = URL.canParse(uri, base) ? new URL(uri, base) : null;
+    if (url?.origin !== base.origin)
+      throw new Error(`only files of ${base.host} are fetched for it; download both and drop them here`);
+    return (await this.fetch(url)).content;
+  }
+
+  async #answer(url: URL): Promise<Response> {
+    try {
+      return await fetch(url, { ...ANONYMOUS, signal: this.#signal });
+    } catch (error) {
+      this.#signal.throwIfAborted();
+      throw new Error(await this.#reason(url), { cause: error });
+    }
+  }
+
+  /** A fetch does not say why it failed. */
+  async #reason(url: URL): Promise<string> {
+    if (!navigator.onLine) return 'there is no connection to the network';
+    if (location.protocol === 'https:' && url.protocol === 'http:')
+      return `a page served over https cannot read from http://${url.host}; ${DOWNLOAD}`;
+    const isThere = await fetch(url, { ...ANONYMOUS, method: 'HEAD', mode: 'no-cors', signal: this.#signal }).then(
+      () => true,
+      () => false,
+    );
+    return isThere
+      ? `${url.host} does not allow other pages to read it (CORS); ${DOWNLOAD}`
+      : `${url.host} could not be reached; check the address and the connection`;
+  }
+
+  #lost(url: URL, error: unknown): never {
+    this.#signal.throwIfAborted();
+    throw new Error(`the connection to ${url.host} was lost; try again`, { cause: error });
+  }
+
+  #tell(fraction: number | null): void {
+    const now = performance.now();
+    if (now - this.#toldAt < TOLD_MS) return;
+    this.#toldAt = now;
+    this.#progress(this.#bytes, fraction);
+  }
+}
+
+const DOWNLOAD = 'download the file and drop it here';
+const ANONYMOUS = { credentials: 'omit', referrerPolicy: 'no-referrer' } as const;
+
+function tooLarge(): Error {
+  return new Error(`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
+}
+
+/** What a glTF document lists by URI; a document that is none lists nothing. */
+function urisOf(text: string): Record<'buffers' | 'images', string[]> {
+  try {
+    const { buffers, images } = JSON.parse(text) as Record<string, unknown>;
+    return { buffers: listed(buffers), images: listed(images) };
+  } catch {
+    // Its reader says what is wrong.
+    return { buffers: [], images: [] };
+  }
+}
+
+function listed(entries: unknown): string[] {
+  const uris: unknown[] = Array.isArray(entries) ? entries.map((entry: { uri?: unknown } | null) => entry?.uri) : [];
+  return [...new Set(uris.filter((uri) => typeof uri === 'string').filter((uri) => !uri.startsWith('data:')))];
+}

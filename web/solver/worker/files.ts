@@ -1,0 +1,44 @@
+/** The files of a mesh, each read when it is asked for. */
+import { fileName, resolve } from '../../files/paths';
+import type { GivenFile } from '../../protocol';
+import * as wasm from '../../wasm/solver/heatwalk_worker.js';
+
+export interface Files {
+  paths: readonly string[];
+  read: (path: string) => Uint8Array<ArrayBuffer>;
+}
+
+export function filesOf(files: readonly GivenFile[]): Files {
+  const contents = new Map(files.map(({ path, content }) => [path, content]));
+  const reader = new FileReaderSync();
+  return {
+    paths: [...contents.keys()],
+    read: (path) => new Uint8Array(reader.readAsArrayBuffer(contents.get(path) ?? new Blob())),
+  };
+}
+
+export async function unpackedOf(content: Blob): Promise<Files> {
+  const { Archive } = await import('../../files/zip');
+  const archive = await Archive.of(content);
+  return { paths: archive.paths, read: (path) => archive.read(path) };
+}
+
+/** Reads the mesh with these bytes at `mesh`, and what it refers to. */
+export function readMesh(mesh: string, bytes: Uint8Array, { paths, read }: Files): wasm.MeshFile {
+  let failure: unknown;
+  try {
+    return wasm.MeshFile.read(fileName(mesh), bytes, (uri) => {
+      const path = resolve(mesh, uri, paths);
+      if (path === undefined) return undefined;
+      try {
+        return read(path);
+      } catch (error) {
+        failure ??= error;
+        return undefined;
+      }
+    });
+  } catch (error) {
+    // Why a file could not be read says more than that the mesh misses it.
+    throw failure ?? error;
+  }
+}

@@ -1,0 +1,17 @@
+/** Files and addresses from the clipboard. */
+import { addressIn, namesMesh } from '../../files/address';
+import type { Opener } from '../../session/opener';
+import { givenItems } from './given';
+import { isTyping } from './typing';
+
+export function followPaste(opener: Opener): void {
+  addEventListener('paste', (event) => {
+    const { clipboardData } = event;
+    if (!clipboardData || isTyping(event)) return;
+    const address = addressIn(clipboardData.getData('text/plain'));
+    if (clipboardData.files.length > 0) void opener.files(givenItems(clipboardData.items));
+    else if (address && namesMesh(address)) void opener.address(address);
+    else return;
+    event.preventDefault();
+  });
+}
