@@ -1,7 +1,7 @@
 /** The preset scenes. Each loads only when it is asked for. */
 import type { MeshInput, SurfacePoint } from '../protocol';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
-import { type Boundary, DEFAULT_PARAMETERS } from '../wasm/contract';
+import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract';
 import { nameOf } from '../files/address';
 import { fileName } from '../files/paths';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
@@ -26,6 +26,8 @@ interface Outline {
   style: string;
   change?: Partial<Style>;
   boundary?: Boundary;
+  /** The heat method when left out. */
+  method?: Method;
   /** Active parts; all when left out. */
   parts?: readonly number[];
 }
@@ -34,7 +36,7 @@ interface Outline {
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, style, change, boundary, parts } = outline;
+  const { title, credit, load, sources, walker, view, style, change, boundary, method, parts } = outline;
   return {
     id,
     title,
@@ -44,6 +46,7 @@ function preset(id: string, outline: Outline): Preset {
     start: {
       ...emptyScene({ kind: 'preset', id }),
       parts: parts ?? [],
+      method: method ?? 'heat',
       sources,
       walker,
       up: 'y',
@@ -62,6 +65,14 @@ export const PRESETS: readonly Preset[] = [
     walker: at(896),
     view: [-0.5, 0.25],
     style: 'zebra',
+  }),
+  preset('robot', {
+    title: 'Robot',
+    sources: [at(7407)],
+    walker: at(13758),
+    view: [0.55, 0.15],
+    style: 'model',
+    method: 'auto',
   }),
   preset('horse', {
     title: 'Horse',

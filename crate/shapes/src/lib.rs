@@ -8,7 +8,9 @@ mod horse;
 mod implicit;
 mod maze;
 mod parametric;
+mod robot;
 mod skull;
+mod solids;
 mod terrain;
 mod triceratops;
 
@@ -17,14 +19,16 @@ pub use bodies::{high_genus, ring};
 pub use horse::horse;
 pub use maze::maze;
 pub use parametric::{cylinder, grid, hemisphere, icosphere, strip, torus, uv_sphere};
+pub use robot::robot;
 pub use skull::skull;
 pub use terrain::terrain;
 pub use triceratops::triceratops;
 
 use heatwalk_surface::{Error, Result, Soup};
 
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     "animal",
+    "robot",
     "horse",
     "triceratops",
     "skull",
@@ -38,7 +42,7 @@ const NAMES: [&str; 13] = [
     "uv_sphere",
     "strip",
 ];
-const NAMES_IN_WORDS: &str = "one of animal, horse, triceratops, skull, maze, high_genus, ring, hemisphere, terrain, \
+const NAMES_IN_WORDS: &str = "one of animal, robot, horse, triceratops, skull, maze, high_genus, ring, hemisphere, terrain, \
                               torus, icosphere, uv_sphere, strip";
 
 /// The names that [`by_name`] takes.
@@ -53,6 +57,7 @@ pub fn names() -> &'static [&'static str] {
 pub fn by_name(name: &str) -> Result<Soup> {
     Ok(match name {
         "animal" => animal(0.024),
+        "robot" => robot(0.036),
         "horse" => horse(0.022),
         "triceratops" => triceratops(0.032),
         "skull" => skull(0.032),

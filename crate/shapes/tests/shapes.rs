@@ -262,3 +262,28 @@ fn shapes_are_deterministic() {
         assert_eq!(shapes::by_name(name).unwrap(), shapes::by_name(name).unwrap(), "{name}");
     }
 }
+
+#[test]
+fn a_robot_is_made_of_closed_parts_in_materials() {
+    let robot = shapes::robot(0.06);
+    assert_eq!(robot.parts.len(), 33);
+    for (index, part) in robot.parts.iter().enumerate() {
+        let welded = weld(&robot, index);
+        assert!(welded.is_oriented_manifold(), "{}", part.name);
+        let shape = (welded.boundary_edges(), welded.components(), welded.euler_characteristic());
+        assert_eq!(shape, (0, 1, 2), "{}", part.name);
+        // Outward: about its own middle, not that of the robot.
+        let vertices = part.triangles.clone().flat_map(|triangle| corners(&robot, triangle));
+        let middle = vertices.sum::<DVec3>() / (3 * part.triangles.len()) as f64;
+        let signed = |triangle: usize| {
+            let [a, b, c] = corners(&robot, triangle).map(|corner| corner - middle);
+            a.dot(b.cross(c))
+        };
+        assert!(part.triangles.clone().map(signed).sum::<f64>() > 0.0, "{}", part.name);
+    }
+    let appearance = &robot.appearance;
+    assert_eq!(appearance.runs.len(), 33);
+    assert!(appearance.runs.iter().all(|run| run.material.is_some_and(|index| index < appearance.materials.len())));
+    let lowest = robot.positions.iter().map(|position| position.y).fold(f64::INFINITY, f64::min);
+    assert!(lowest.abs() < 1e-12, "it stands on the ground");
+}
