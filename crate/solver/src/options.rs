@@ -238,9 +238,11 @@ pub enum EdgeKind {
     Boundary,
     /// Those of the triangles that carry the operators.
     Operator,
+    /// Where components meet.
+    Contact,
 }
 
-choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator");
+choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator", Contact = "contact");
 
 /// All options of the heat method: those that are factored, and those of each query.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

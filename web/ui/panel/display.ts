@@ -8,6 +8,7 @@ const OVERLAY_WORDS: Record<Overlay, string> = {
   scenery: 'Inactive parts (scenery)',
   edges: 'Mesh edges',
   boundary: 'Boundary edges',
+  contacts: 'Contacts',
   operator: 'Operator edges',
   heat: 'Heat gradient',
   distance: 'Distance gradient',
@@ -32,12 +33,12 @@ export function displaySection(session: Session): HTMLElement {
   );
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
-    const { element, show } = toggle(OVERLAY_WORDS[overlay], (on) => {
+    const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
       const gone = ARROWS.includes(overlay) ? ARROWS : [overlay];
       const rest = scene.state.overlays.filter((other) => !gone.includes(other));
       scene.set({ overlays: on ? [...rest, overlay] : rest });
     });
-    return { overlay, element, show };
+    return { overlay, element, show, allow };
   });
   const crowd = slider({
     label: 'Crowd',
@@ -56,7 +57,9 @@ export function displaySection(session: Session): HTMLElement {
     const { colorBy: shown, overlays: drawn, method } = scene.state;
     colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
-    for (const { overlay, element, show: showToggle } of overlays) {
+    const contacts = session.shown.value?.answer.factoring.contacts ?? 0;
+    for (const { overlay, element, show: showToggle, allow } of overlays) {
+      if (overlay === 'contacts') allow(contacts > 0);
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }
@@ -64,7 +67,7 @@ export function displaySection(session: Session): HTMLElement {
     showLegend();
   };
   scene.subscribe(show);
-  session.shown.watch(showLegend);
+  session.shown.watch(show);
   show();
   return h(
     'div',
