@@ -16,7 +16,7 @@ use common::pieces::{CHANGES, Errors, Pieces, wholes};
 use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Method, Surface, VertexData, VertexId};
 
 /// Runs of which the least time counts.
-const RUNS: usize = 20;
+const RUNS: usize = 60;
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("| surface | pieces | portals | search, ms | exact | propagation | heat | exact, ms | propagation, ms |");

@@ -10,6 +10,7 @@ use super::bounds::Bounds;
 use super::hierarchy::{Below, Hierarchy, Item, LEAF};
 use super::scene::Scene;
 use super::triangles::{self, Pair, Weights};
+use crate::triangle::area_vector;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
 const SMALL: f64 = 2.0;
@@ -23,6 +24,9 @@ const SHORT: f64 = 0.25;
 /// A place of a small triangle that is nearer than another by less than this share of the spacing is none to look for, unless
 /// it is pierced there.
 const ENOUGH: f64 = 0.001;
+
+/// Of places of large triangles that are in one cell, so many of which make a spacing, the nearest is enough.
+const CELLS: f64 = 8.0;
 
 /// Which components may be joined. Lengths in units of the scene.
 pub struct Tolerance {
@@ -91,7 +95,7 @@ impl Candidate {
 /// All places where components are no farther apart than they may be. Of those that pierce each other, that they do.
 pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Vec<Candidate> {
     let slots = vec![NONE; scene.bounds.len()];
-    let mut search = Search { scene, tolerance, slots, reached: Vec::new(), found: Vec::new() };
+    let mut search = Search { scene, tolerance, slots, reached: Vec::new(), found: Vec::new(), cells: Vec::new() };
     visit(hierarchy, tolerance, &mut search);
     search.found
 }
@@ -217,6 +221,17 @@ struct Search<'a> {
     /// The components that any triangle of the group has met, and what each triangle knows of them.
     reached: Vec<(u32, [Nearest; LEAF])>,
     found: Vec<Candidate>,
+    /// Where a place of large triangles of the group was found, and its number.
+    cells: Vec<(Cell, usize)>,
+}
+
+/// Places that do the same for distance: of one other component, near each other, on the same sides of both surfaces.
+#[derive(Clone, Copy, PartialEq)]
+struct Cell {
+    component: u32,
+    /// Signs of the normals' coordinates.
+    sides: [[bool; 3]; 2],
+    place: [i64; 3],
 }
 
 impl Visitor for Search<'_> {
@@ -232,6 +247,7 @@ impl Visitor for Search<'_> {
     }
 
     fn leave(&mut self) {
+        self.cells.clear();
         for (component, nearest) in self.reached.drain(..) {
             self.slots[component as usize] = NONE;
             self.found.extend(nearest.into_iter().filter_map(|nearest| nearest.place));
@@ -281,9 +297,15 @@ impl Visitor for Search<'_> {
             self.nearest(group, own, other.component).bound = bound;
             // Where steep triangles cross, all that is near is near the crossing.
             if crossing.is_none() || !triangles::are_steep(&pair) {
-                let found = &mut self.found;
-                let mut take = |Pair { weights, distance }| found.push(Candidate::new(items, weights, distance));
                 let is_rim = items.map(|item| self.scene.is_rim(item.face));
+                let sides = pair.map(|corners| area_vector(corners).to_array().map(|along| along > 0.0));
+                let mut take = |Pair { weights, distance }: Pair| {
+                    let middle =
+                        0.5 * (triangles::point(&pair[0], weights[0]) + triangles::point(&pair[1], weights[1]));
+                    let place = (middle * (CELLS / spacing)).to_array().map(|along| along.floor() as i64);
+                    let cell = Cell { component: other.component, sides, place };
+                    self.keep(cell, Candidate::new(items, weights, distance));
+                };
                 triangles::spread(&pair, is_rim, bound, spacing / DENSITY, &mut take);
             }
         } else if crossing.is_none() && bound > 0.0 {
@@ -313,6 +335,18 @@ impl Search<'_> {
         match self.slots[component as usize] {
             NONE => self.tolerance.between(group[own].component, component),
             slot => Some(self.reached[slot as usize].1[own].bound),
+        }
+    }
+
+    /// Keeps a place of large triangles, unless one of the same cell is as near.
+    fn keep(&mut self, cell: Cell, place: Candidate) {
+        match self.cells.iter().find(|(other, _)| *other == cell) {
+            Some(&(_, number)) if self.found[number].gap <= place.gap => {}
+            Some(&(_, number)) => self.found[number] = place,
+            None => {
+                self.cells.push((cell, self.found.len()));
+                self.found.push(place);
+            }
         }
     }
 
