@@ -234,8 +234,8 @@ export interface SolverApi {
    */
   stepCrowd(step: number): Promise<Float32Array>;
   /**
-   * #E × 2 × 3, ends of lines on the surface, as they are drawn: edges between faces, edges with one face, or the edges of the triangles that
-   * carry the operators.
+   * #E × 2 × 3, ends of lines on the surface, as they are drawn: edges between faces, edges with one face, the edges of the triangles that
+   * carry the operators, or the marks of where components meet.
    */
   edges(kind: EdgeKind): Promise<Float32Array>;
   /** One value a drawn vertex: relative error of the last field before it was made exact; null until it is. */

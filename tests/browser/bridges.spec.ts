@@ -1,6 +1,6 @@
 /** Components that touch, nearly touch or stay apart. */
 import { obj, sphere } from '../fixtures';
-import { expect, test } from '../page';
+import { difference, expect, test } from '../page';
 
 /** A ball of radius 1 at the height of 0, and one beside it that begins `gap` after the first ends. */
 function balls(gap: number): string {
@@ -51,4 +51,20 @@ test('what is apart is bridged as far as a link says', async ({ heatwalk, page }
   await heatwalk.settled();
   expect(await page.evaluate(unreached)).toBe(0);
   expect((await heatwalk.scene()).bridge).toBe(0.25);
+});
+
+test('contacts are marked where there are any', async ({ heatwalk, page }) => {
+  const contacts = page.getByRole('switch', { name: 'Contacts' });
+  await heatwalk.openFile('balls.obj', balls(-0.1), 's=0&method=auto&show=edges');
+  await heatwalk.settled();
+  await page.locator('#section-display > summary').click();
+  await expect(contacts).toBeEnabled();
+  const without = await heatwalk.drawing(1, false);
+  await contacts.check();
+  await expect(page).toHaveURL(/show=edges,contacts/);
+  await heatwalk.settled();
+  expect(difference(await heatwalk.drawing(1, false), without)).toBeGreaterThan(0.0003);
+  await heatwalk.openFile('balls.obj', balls(1), 's=0&method=auto');
+  await heatwalk.settled();
+  await expect(contacts).toBeDisabled();
 });

@@ -11,6 +11,7 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
   { overlay: 'edges', kind: 'mesh', colour: '#2b3036' },
   { overlay: 'operator', kind: 'operator', colour: '#1667d9' },
   { overlay: 'boundary', kind: 'boundary', colour: '#e0248a' },
+  { overlay: 'contacts', kind: 'contact', colour: '#e87500' },
 ];
 
 export class Overlays {

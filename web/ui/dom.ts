@@ -104,12 +104,15 @@ export function labelled<T extends string>(
 export function toggle(
   label: string,
   change: (on: boolean) => void,
-): { element: HTMLElement; show: (on: boolean) => void } {
+): { element: HTMLElement; show: (on: boolean) => void; allow: (allowed: boolean) => void } {
   const input = h('input', { type: 'checkbox', role: 'switch', onchange: () => change(input.checked) });
   return {
     element: h('label', { class: 'field' }, h('span', {}, label), input),
     show: (on) => {
       input.checked = on;
+    },
+    allow: (allowed) => {
+      input.disabled = !allowed;
     },
   };
 }

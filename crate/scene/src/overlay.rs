@@ -1,4 +1,5 @@
-//! Lines on the surface that show how it is meshed: its edges, its boundary, and the edges that the operators see.
+//! Lines on the surface that show how it is meshed: its edges, its boundary, the edges that the operators see, and the portals
+//! between its components.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -8,10 +9,16 @@ use heatwalk::HeatSolver;
 use heatwalk::Surface;
 use heatwalk::exact::Wavefront;
 use heatwalk::surface::triangle;
-use heatwalk::{HalfedgeId, Result, VertexId};
+use heatwalk::{Bridges, HalfedgeId, Portal, Result, VertexId};
 
 /// Two lengths are the same within this share: intrinsic lengths have been made longer by 10⁻⁵ of the mean edge at most.
 const SAME_LENGTH: f64 = 1e-3;
+
+/// Length of each line of the cross that marks an end of a portal, in bounding radii of the surface.
+const MARK: f64 = 0.012;
+
+/// Gaps that are shorter than this share of such a line are not seen.
+const SEEN: f64 = 0.01;
 
 /// Both ends of a straight segment of a line; in the file's unit.
 pub type Segment = [DVec3; 2];
@@ -76,6 +83,26 @@ pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
         }
     }
     Ok(segments)
+}
+
+/// The portals: a cross on the surface at each end, and a segment from one end to the other where they are apart.
+pub fn contact_lines(surface: &Surface, bridges: &Bridges) -> Vec<Segment> {
+    let arm = 0.5 * MARK * surface.bounding_radius();
+    let mut segments = Vec::new();
+    for Portal { ends, gap } in bridges.portals() {
+        let middles = ends.map(|end| end.position(surface));
+        if *gap > SEEN * arm {
+            segments.push(middles);
+        }
+        for (end, middle) in ends.iter().zip(middles) {
+            let Some(&face) = end.faces(surface).first() else { continue };
+            let [a, b, c] = surface.corners(face);
+            let along = triangle::unit(b - a);
+            let across = triangle::unit(triangle::area_vector([a, b, c])).cross(along);
+            segments.extend([along, across].map(|direction| [middle - arm * direction, middle + arm * direction]));
+        }
+    }
+    segments
 }
 
 fn is_same(a: f64, b: f64) -> bool {

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use common::surface;
 use glam::DVec3;
-use heatwalk::{HeatSolver, Operator, Parameters, VertexId};
+use heatwalk::{BridgeRule, Bridges, HeatSolver, Operator, Parameters, VertexId};
 use heatwalk_scene::overlay::{self, Segment};
 use heatwalk_shapes as shapes;
 
@@ -62,4 +62,27 @@ fn a_flipped_edge_is_drawn_across_faces_with_its_own_length() {
         .collect();
     assert_eq!(crossing.len(), 2);
     assert!((total(&crossing) - expected).abs() < 1e-12 * expected, "{crossing:?}");
+}
+
+#[test]
+fn portals_are_crosses_on_the_surface_and_hops() {
+    let mut balls = shapes::icosphere(2);
+    let (first, gap) = (balls.positions.len() as u32, 0.004);
+    balls.positions.extend(shapes::icosphere(2).positions.iter().map(|&position| position + (2.0 + gap) * DVec3::Y));
+    balls.triangles.extend(shapes::icosphere(2).triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+    let balls = surface(&balls);
+    let bridges = Bridges::find(&balls, BridgeRule::Automatic);
+    let portals = bridges.portals().len();
+    assert!(portals > 0);
+    let lines = overlay::contact_lines(&balls, &bridges);
+    // A hop and two crosses each.
+    assert_eq!(lines.len(), 5 * portals);
+    for (lines, portal) in lines.chunks(5).zip(bridges.portals()) {
+        let [from, to] = portal.ends.map(|end| end.position(&balls));
+        assert_eq!(lines[0], [from, to]);
+        for (line, middle) in lines[1..].iter().zip([from, from, to, to]) {
+            assert!((0.5 * (line[0] + line[1])).distance(middle) < 1e-12);
+        }
+    }
+    assert!(overlay::contact_lines(&balls, &Bridges::default()).is_empty());
 }

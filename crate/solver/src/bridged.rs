@@ -1,20 +1,26 @@
 //! Heat across bridges: windows carry distances to the portals, and from there heat acts inside each component.
 //!
 //! Links between the unknowns of components would do without windows, but are off by tens of per cent: heat passes a link
-//! of two vertices as if it were a pipe.
+//! of two vertices as if it were a pipe. Portals are no sources themselves: several of them in one face, each with its own
+//! distance, ask more of three unknowns than these can give, and what is left of the heat method's error between them grows
+//! without limit. The corners of their faces, with the distances that windows give them, are.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::Result;
 use crate::exact::ExactGeometry;
 use crate::propagation::{Propagation, PropagationOptions};
-use heatwalk_surface::{Source, ToSource};
+use heatwalk_surface::{Place, Source, ToSource, VertexId};
 
-/// Sources, and after them the portals by which they reach other components, as sources with an initial distance.
+/// Sources, and after them the corners of the faces by which paths from these enter other components, as sources with an
+/// initial distance.
 #[derive(Debug, Clone)]
 pub struct CarriedSources {
     sources: Vec<Source>,
+    /// How many of them were given.
+    given: usize,
     crossings: Vec<PortalCrossing>,
 }
 
@@ -27,16 +33,19 @@ impl CarriedSources {
         let surface = geometry.surface();
         let mut carried =
             sources.iter().map(|source| Ok(source.to_source(surface)?)).collect::<Result<Vec<Source>>>()?;
+        let given = carried.len();
         if geometry.portals().places().is_empty() {
-            return Ok(Self { sources: carried, crossings: Vec::new() });
+            return Ok(Self { sources: carried, given, crossings: Vec::new() });
         }
         let mut propagation = Propagation::new(Arc::clone(geometry), &carried, PropagationOptions::default())?;
         propagation.advance(f64::INFINITY, usize::MAX);
-        let crossings = propagation.distance().crossings;
-        for crossing in &crossings {
-            carried.push(surface.source(crossing.from, crossing.distance)?);
+        let Distance { values, crossings, .. } = propagation.distance();
+        let faces = crossings.iter().flat_map(|crossing| crossing.from.faces(surface));
+        let corners: BTreeSet<VertexId> = faces.flat_map(|face| surface.faces()[face]).collect();
+        for corner in corners {
+            carried.push(surface.source(corner, values[corner])?);
         }
-        Ok(Self { sources: carried, crossings })
+        Ok(Self { sources: carried, given, crossings })
     }
 
     /// The sources to ask for.
@@ -47,8 +56,8 @@ impl CarriedSources {
     /// A distance from these sources, as one from those that were given.
     #[must_use]
     pub fn distance(&self, mut distance: Distance) -> Distance {
-        let is_portal = |place| self.crossings.iter().any(|crossing| crossing.from == place);
-        distance.sources.retain(|&place| !is_portal(place));
+        let is_given = |place: &Place| self.sources[..self.given].iter().any(|source| source.place() == *place);
+        distance.sources.retain(is_given);
         distance.crossing(self.crossings.clone())
     }
 }

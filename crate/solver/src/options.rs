@@ -238,9 +238,11 @@ pub enum EdgeKind {
     Boundary,
     /// Those of the triangles that carry the operators.
     Operator,
+    /// Where components meet.
+    Contact,
 }
 
-choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator");
+choice!(EdgeKind, "kind of edges": Mesh = "mesh", Boundary = "boundary", Operator = "operator", Contact = "contact");
 
 /// The axis of the file that points up where it is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -254,12 +254,13 @@ impl Solver {
     }
 
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
-    /// operators see ("operator"), drawn on the surface.
+    /// operators see ("operator"), drawn on the surface; or the lines that show where components meet ("contact").
     pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
         let surface = self.geometry.surface();
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
+            EdgeKind::Contact => overlay::contact_lines(surface, &self.bridges),
             EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))

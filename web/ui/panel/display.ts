@@ -8,6 +8,7 @@ const OVERLAY_WORDS: Record<Overlay, string> = {
   scenery: 'Inactive parts (scenery)',
   edges: 'Mesh edges',
   boundary: 'Boundary edges',
+  contacts: 'Contacts',
   operator: 'Operator edges',
   heat: 'Heat gradient',
   distance: 'Distance gradient',
@@ -38,12 +39,12 @@ export function displaySection(session: Session): HTMLElement {
   up.element.title = 'The axis of the file that points up (U: the next one)';
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
-    const { element, show } = toggle(OVERLAY_WORDS[overlay], (on) => {
+    const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
       const gone = ARROWS.includes(overlay) ? ARROWS : [overlay];
       const rest = scene.state.overlays.filter((other) => !gone.includes(other));
       scene.set({ overlays: on ? [...rest, overlay] : rest });
     });
-    return { overlay, element, show };
+    return { overlay, element, show, allow };
   });
   const crowd = slider({
     label: 'Crowd',
@@ -63,7 +64,9 @@ export function displaySection(session: Session): HTMLElement {
     colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
     up.show(scene.state.up);
-    for (const { overlay, element, show: showToggle } of overlays) {
+    const contacts = session.shown.value?.answer.factoring.contacts ?? 0;
+    for (const { overlay, element, show: showToggle, allow } of overlays) {
+      if (overlay === 'contacts') allow(contacts > 0);
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }
@@ -72,7 +75,7 @@ export function displaySection(session: Session): HTMLElement {
   };
   scene.subscribe(show);
   session.shown.watch((shown) => {
-    showLegend();
+    show();
     const automatic = up.element.querySelector('option');
     if (shown && automatic) automatic.textContent = `automatic (${UP_WORDS[shown.opened.upright]})`;
   });

@@ -17,6 +17,8 @@ pub(crate) struct PointInFace {
 pub(crate) struct PointsInFaces {
     /// In order of the faces.
     entries: Vec<PointInFace>,
+    /// A bit for each face up to the last one that has any.
+    occupied: Vec<u64>,
 }
 
 impl PointsInFaces {
@@ -27,18 +29,24 @@ impl PointsInFaces {
         };
         let mut entries: Vec<PointInFace> = places.iter().enumerate().flat_map(of_point).collect();
         entries.sort_unstable_by_key(|entry| (entry.face, entry.point));
-        Self { entries }
+        let faces = entries.last().map_or(0, |last| last.face as usize + 1);
+        let mut occupied = vec![0; faces.div_ceil(64)];
+        for entry in &entries {
+            occupied[entry.face as usize / 64] |= 1 << (entry.face % 64);
+        }
+        Self { entries, occupied }
     }
 
     /// Whether a face has any.
-    #[inline(never)]
+    #[inline(always)]
     pub fn are_in(&self, face: u32) -> bool {
-        self.in_face(face).next().is_some()
+        self.occupied.get(face as usize / 64).is_some_and(|bits| bits >> (face % 64) & 1 == 1)
     }
 
     /// Those of a face.
     pub fn in_face(&self, face: u32) -> impl Iterator<Item = &PointInFace> {
-        let first = self.entries.partition_point(|entry| entry.face < face);
-        self.entries[first..].iter().take_while(move |entry| entry.face == face)
+        let own = if self.are_in(face) { &self.entries[..] } else { &[] };
+        let first = own.partition_point(|entry| entry.face < face);
+        own[first..].iter().take_while(move |entry| entry.face == face)
     }
 }

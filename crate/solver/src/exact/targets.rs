@@ -37,7 +37,7 @@ impl Targets {
     /// Whether a face has targets.
     #[inline(always)]
     pub fn are_in(&self, face: u32) -> bool {
-        !self.locations.is_empty() && self.in_faces.are_in(face)
+        self.in_faces.are_in(face)
     }
 
     /// Offers the targets in a half-edge's face a window that crosses it. `nearer` is told those that it brings nearer, with

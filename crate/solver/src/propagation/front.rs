@@ -152,7 +152,7 @@ impl<C: Count> Front<C> {
             let crossing = Crossing::new(beam, opposite);
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
             self.offer(c, beam.at(at) + length(opposite[0] - at, opposite[1]), beam.root);
-            if !self.ends.is_empty() {
+            if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
             let at_c = self.values[VertexId(c)];
@@ -176,7 +176,7 @@ impl<C: Count> Front<C> {
         }
         let (value, source) = (self.values[VertexId(vertex)], self.nearest[VertexId(vertex)]);
         for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
-            if !self.ends.is_empty() {
+            if geometry.portals().in_faces().are_in(face.0) {
                 let mut weights = [0.0; 3];
                 weights[k] = 1.0;
                 self.see_straight(geometry, (face.0, weights), value, source);

@@ -3,6 +3,7 @@
 
 pub mod exact_distances;
 pub mod meshes;
+pub mod pieces;
 pub mod shortness;
 
 use std::f64::consts::TAU;

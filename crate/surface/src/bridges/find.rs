@@ -46,7 +46,7 @@ impl Bridges {
         let scene = Scene::new(surface);
         let hierarchy = Hierarchy::new(&scene);
         let alone = (0..scene.bounds.len() as u32).collect();
-        let mut candidates = match rule {
+        let candidates = match rule {
             BridgeRule::Within(distance) => {
                 let most = scene.in_scene_unit(distance.max(0.0)).min(WIDEST);
                 let mut within = tolerance(&scene, alone, f64::INFINITY, most, SLACK);
@@ -70,10 +70,11 @@ impl Bridges {
         };
         // Gaps that differ by rounding alone are equal.
         let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
-        candidates.sort_by(|a, b| {
-            let by_gap = gap(a).total_cmp(&gap(b));
-            a.components.cmp(&b.components).then(by_gap).then(a.faces.cmp(&b.faces))
-        });
+        // Of numbers above 0, and of 0, the bits are in the order of the numbers.
+        let key = |(place, candidate): (u32, &Candidate)| (candidate.components, gap(candidate).to_bits(), place);
+        let mut order: Vec<_> = (0..).zip(&candidates).map(key).collect();
+        order.sort_unstable();
+        let candidates: Vec<Candidate> = order.into_iter().map(|(.., place)| candidates[place as usize]).collect();
         let contacts = candidates.chunk_by(|a, b| a.components == b.components);
         let contact = |own: &[Candidate]| -> ([u32; 2], Vec<Portal>) { (own[0].components, portals(&scene, own)) };
         Self::new(surface, contacts.map(contact).collect())

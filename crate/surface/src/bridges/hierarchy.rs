@@ -4,20 +4,29 @@
 
 use super::bounds::Bounds;
 use super::scene::Scene;
-use super::triangles::longest_side;
+use super::triangles::{Triangle, longest_side};
 use crate::order::along_curve;
 use crate::parallel;
 
 /// Triangles of a leaf, but for the last one.
-const LEAF: usize = 4;
+pub const LEAF: usize = 4;
 
 /// A triangle of the hierarchy.
 #[derive(Clone, Copy)]
 pub struct Item {
+    pub corners: Triangle,
     /// Length of its longest side.
     pub longest: f64,
     pub face: u32,
     pub component: u32,
+}
+
+impl Item {
+    /// The least box that holds it.
+    #[inline]
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of_points(self.corners)
+    }
 }
 
 /// A box of the hierarchy.
@@ -63,14 +72,12 @@ impl Hierarchy {
             let middle = |index: usize| scene.triangle(faces[index]).iter().sum();
             for index in along_curve(faces.len(), middle, parallel::ONE) {
                 let face = faces[index as usize];
-                items.push(Item { longest: longest_side(&scene.triangle(face)), face, component });
+                let corners = scene.triangle(face);
+                items.push(Item { corners, longest: longest_side(&corners), face, component });
             }
         }
-        let of_item = |item: &Item| Node {
-            bounds: Bounds::of_points(scene.triangle(item.face)),
-            longest: item.longest,
-            component: Some(item.component),
-        };
+        let of_item =
+            |item: &Item| Node { bounds: item.bounds(), longest: item.longest, component: Some(item.component) };
         let leaves = items.chunks(LEAF).filter_map(|leaf| leaf.iter().map(of_item).reduce(Node::around));
         let inner = items.len().div_ceil(LEAF) - 1;
         let empty = Node { bounds: Bounds::EMPTY, longest: 0.0, component: None };
@@ -82,9 +89,10 @@ impl Hierarchy {
         Self { items, nodes }
     }
 
-    /// All triangles: neighbours in it are neighbours in space.
-    pub fn items(&self) -> &[Item] {
-        &self.items
+    /// All triangles, in groups of at most [`LEAF`] neighbours of one component.
+    pub fn groups(&self) -> impl Iterator<Item = &[Item]> {
+        let leaves = self.items.chunks(LEAF);
+        leaves.flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
     }
 
     /// A node; 0 is the root.

@@ -1,7 +1,5 @@
 //! The portals of a contact: few of the places that were found, but everywhere.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 
 use super::Portal;
@@ -76,7 +74,7 @@ fn thinned(spots: &[Spot], spacing: f64) -> Vec<usize> {
         // The farthest from one end is the other; the first one may be it.
         kept.extend(farthest(&spots[..nearest], &[end], SAME * spacing).filter(|&other| other != 0));
     }
-    let mut grid = Grid { spots, spacing, cells: HashMap::new() };
+    let mut grid = Grid::new(spots, spacing);
     for &index in &kept {
         grid.insert(index);
     }
@@ -104,27 +102,47 @@ fn farthest(spots: &[Spot], kept: &[usize], least: f64) -> Option<usize> {
     (squared > least * least).then_some(index)
 }
 
-/// Kept spots by cells as large as the spacing.
+/// No spot.
+const NONE: u32 = u32::MAX;
+
+/// Kept spots by cells as large as the spacing, in lists that cells of one hash share (Teschner and others, "Optimized spatial
+/// hashing for collision detection of deformable objects", 2003).
 struct Grid<'a> {
     spots: &'a [Spot],
     spacing: f64,
-    cells: HashMap<[i64; 3], Vec<usize>>,
+    /// The last spot of each list; a power of two of them.
+    last: Vec<u32>,
+    /// `#spots`, the one before each in its list.
+    before: Vec<u32>,
 }
 
-impl Grid<'_> {
+impl<'a> Grid<'a> {
+    fn new(spots: &'a [Spot], spacing: f64) -> Self {
+        let last = vec![NONE; spots.len().next_power_of_two()];
+        Self { spots, spacing, last, before: vec![NONE; spots.len()] }
+    }
+
     fn cell(&self, index: usize) -> [i64; 3] {
         (self.spots[index].point / self.spacing).to_array().map(|along| along.floor() as i64)
     }
 
+    fn list(&self, [x, y, z]: [i64; 3]) -> usize {
+        let hash = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
+        hash as usize & (self.last.len() - 1)
+    }
+
     fn insert(&mut self, index: usize) {
-        self.cells.entry(self.cell(index)).or_default().push(index);
+        let list = self.list(self.cell(index));
+        self.before[index] = std::mem::replace(&mut self.last[list], index as u32);
     }
 
     fn has_one_for(&self, index: usize) -> bool {
         let [x, y, z] = self.cell(index);
         let stands_in = |cell: [i64; 3]| {
-            let kept = self.cells.get(&cell).map(Vec::as_slice).unwrap_or_default();
-            kept.iter().any(|&other| self.spots[other].stands_for(&self.spots[index], self.spacing))
+            let kept = |&index: &u32| index != NONE;
+            let first = Some(self.last[self.list(cell)]).filter(kept);
+            let mut others = std::iter::successors(first, |&other| Some(self.before[other as usize]).filter(kept));
+            others.any(|other| self.spots[other as usize].stands_for(&self.spots[index], self.spacing))
         };
         stands_in([x, y, z]) || (-1..=1).any(|i| (-1..=1).any(|j| (-1..=1).any(|k| stands_in([x + i, y + j, z + k]))))
     }

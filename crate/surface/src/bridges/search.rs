@@ -7,9 +7,10 @@
 use std::collections::HashMap;
 
 use super::bounds::Bounds;
-use super::hierarchy::{Below, Hierarchy, Item};
+use super::hierarchy::{Below, Hierarchy, Item, LEAF};
 use super::scene::Scene;
-use super::triangles::{self, Pair, Triangle, Weights};
+use super::triangles::{self, Pair, Weights};
+use crate::triangle::area_vector;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
 const SMALL: f64 = 2.0;
@@ -19,6 +20,13 @@ const DENSITY: f64 = 2.0;
 
 /// A crossing that is shorter than this many spacings is one place.
 const SHORT: f64 = 0.25;
+
+/// A place of a small triangle that is nearer than another by less than this share of the spacing is none to look for, unless
+/// it is pierced there.
+const ENOUGH: f64 = 0.001;
+
+/// Of places of large triangles that are in one cell, so many of which make a spacing, the nearest is enough.
+const CELLS: f64 = 8.0;
 
 /// Which components may be joined. Lengths in units of the scene.
 pub struct Tolerance {
@@ -86,63 +94,74 @@ impl Candidate {
 
 /// All places where components are no farther apart than they may be. Of those that pierce each other, that they do.
 pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Vec<Candidate> {
-    let nearest_of = vec![None; scene.bounds.len()];
-    let mut search = Search { scene, tolerance, nearest_of, reached: Vec::new(), found: Vec::new() };
-    visit(scene, hierarchy, tolerance, &mut search);
+    let slots = vec![NONE; scene.bounds.len()];
+    let mut search = Search { scene, tolerance, slots, reached: Vec::new(), found: Vec::new(), cells: Vec::new() };
+    visit(hierarchy, tolerance, &mut search);
     search.found
 }
 
 /// The distances of components that are no farther apart than they may be, the lower number first.
 pub fn distances(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> HashMap<[u32; 2], f64> {
     let mut distances = Distances { scene, tolerance, least: HashMap::new() };
-    visit(scene, hierarchy, tolerance, &mut distances);
+    visit(hierarchy, tolerance, &mut distances);
     distances.least
 }
 
 /// What is done with pairs of triangles.
 trait Visitor {
-    /// How near a place of a component must be to be of use to a triangle; `None` where none is.
-    fn bound(&self, item: &Item, component: u32) -> Option<f64>;
+    /// How near a place of a component must be to be of use to any of a group of triangles; `None` where none is.
+    fn bound(&self, group: &[Item], component: u32) -> Option<f64>;
 
-    /// Looks at two triangles, the smaller first, that with these corners and this box, which are no farther apart than the bound
-    /// as far as boxes tell.
-    fn meet(&mut self, items: [&Item; 2], corners: &Triangle, bounds: Bounds);
+    /// Looks at a triangle of a group and a larger one. `squared`: square of the distance of their boxes.
+    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64);
 
-    /// All triangles near this one were met.
+    /// All triangles near this group were met.
     fn leave(&mut self) {}
 }
 
-/// Shows each triangle those larger ones of other components that may be near enough, the nearest boxes first.
-fn visit(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance, visitor: &mut impl Visitor) {
+/// Shows the triangles of each group those larger ones of other components that may be near enough, the nearest boxes first.
+fn visit(hierarchy: &Hierarchy, tolerance: &Tolerance, visitor: &mut impl Visitor) {
     let mut waiting = Vec::new();
-    for item in hierarchy.items() {
-        let corners = scene.triangle(item.face);
-        let bounds = Bounds::of_points(corners);
-        let most = tolerance.of(item.component);
+    for group in hierarchy.groups() {
+        let mut bounds = [Bounds::EMPTY; LEAF];
+        let (mut around, mut shortest) = (Bounds::EMPTY, f64::INFINITY);
+        for (item, bounds) in group.iter().zip(&mut bounds) {
+            *bounds = item.bounds();
+            around = around.around(*bounds);
+            shortest = shortest.min(item.longest);
+        }
+        let most = tolerance.of(group[0].component);
         waiting.push((0, 0.0));
         while let Some((node, squared)) = waiting.pop() {
             let component = hierarchy.node(node).component;
-            let Some(bound) = component.map_or(Some(most), |other| visitor.bound(item, other)) else { continue };
+            let Some(bound) = component.map_or(Some(most), |other| visitor.bound(group, other)) else { continue };
             if squared > bound * bound {
                 continue;
             }
             match hierarchy.below(node) {
                 Below::Items(others) => {
                     for other in others {
-                        if (other.longest, other.face) > (item.longest, item.face) {
-                            visitor.meet([item, other], &corners, bounds);
+                        let Some(bound) = visitor.bound(group, other.component) else { continue };
+                        let other_bounds = other.bounds();
+                        if other_bounds.squared_distance(around) > bound * bound {
+                            continue;
+                        }
+                        for (own, item) in group.iter().enumerate() {
+                            if (other.longest, other.face) > (item.longest, item.face) {
+                                visitor.meet(group, own, other, bounds[own].squared_distance(other_bounds));
+                            }
                         }
                     }
                 }
                 Below::Nodes(children) => {
-                    let far = |node: usize| (node, hierarchy.node(node).bounds.squared_distance(bounds));
+                    let far = |node: usize| (node, hierarchy.node(node).bounds.squared_distance(around));
                     let mut children = children.map(far);
                     // What is nearest is looked at first, so last in.
                     if children[0].1 < children[1].1 {
                         children.swap(0, 1);
                     }
                     let may_hold = |&(node, squared): &(usize, f64)| {
-                        squared <= most * most && hierarchy.node(node).longest >= item.longest
+                        squared <= most * most && hierarchy.node(node).longest >= shortest
                     };
                     waiting.extend(children.into_iter().filter(may_hold));
                 }
@@ -159,65 +178,97 @@ struct Distances<'a> {
 }
 
 impl Visitor for Distances<'_> {
-    fn bound(&self, item: &Item, component: u32) -> Option<f64> {
-        let tolerance = self.tolerance.between(item.component, component)?;
-        let pair = [item.component.min(component), item.component.max(component)];
+    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+        let own = group[0].component;
+        let tolerance = self.tolerance.between(own, component)?;
+        let pair = [own.min(component), own.max(component)];
         Some(self.least.get(&pair).copied().unwrap_or(tolerance))
     }
 
-    fn meet(&mut self, [item, other]: [&Item; 2], corners: &Triangle, bounds: Bounds) {
-        let Some(bound) = self.bound(item, other.component) else { return };
-        let triangles = [*corners, self.scene.triangle(other.face)];
-        let pair = [item.component.min(other.component), item.component.max(other.component)];
+    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
+        let Some(bound) = self.bound(group, other.component) else { return };
+        let triangles = [group[own].corners, other.corners];
+        let pair = [group[own].component.min(other.component), group[own].component.max(other.component)];
         let is_known = bound <= self.scene.rounding && self.least.contains_key(&pair);
-        if is_known || bounds.squared_distance(Bounds::of_points(triangles[1])) > bound * bound {
+        if is_known || squared > bound * bound {
             return;
         }
         let does_cross = triangles::crossing(&triangles).is_some();
-        let distance = if does_cross { 0.0 } else { triangles::nearest(&triangles).distance };
-        if distance <= bound {
+        let near = || triangles::nearest(&triangles, bound, 0.0).map(|pair| pair.distance);
+        if let Some(distance) = if does_cross { Some(0.0) } else { near() } {
             self.least.insert(pair, distance);
         }
     }
 }
 
+/// No slot.
+const NONE: u32 = u32::MAX;
+
+/// What a triangle knows of a component.
+#[derive(Clone, Copy)]
+struct Nearest {
+    /// How near places must be to be of use.
+    bound: f64,
+    /// The nearest one, if it is the only one to be told.
+    place: Option<Candidate>,
+}
+
 struct Search<'a> {
     scene: &'a Scene<'a>,
     tolerance: &'a Tolerance,
-    /// `#components`, how near to a triangle places of each must be to be of use, once one was found, and this place if it is
-    /// the only one to be told.
-    nearest_of: Vec<Option<(f64, Option<Candidate>)>>,
-    /// Those that have one.
-    reached: Vec<u32>,
+    /// `#components`, the number of each among those that are reached, or [`NONE`].
+    slots: Vec<u32>,
+    /// The components that any triangle of the group has met, and what each triangle knows of them.
+    reached: Vec<(u32, [Nearest; LEAF])>,
     found: Vec<Candidate>,
+    /// Where a place of large triangles of the group was found, and its number.
+    cells: Vec<(Cell, usize)>,
+}
+
+/// Places that do the same for distance: of one other component, near each other, on the same sides of both surfaces.
+#[derive(Clone, Copy, PartialEq)]
+struct Cell {
+    component: u32,
+    /// Signs of the normals' coordinates.
+    sides: [[bool; 3]; 2],
+    place: [i64; 3],
 }
 
 impl Visitor for Search<'_> {
     #[inline]
-    fn bound(&self, item: &Item, component: u32) -> Option<f64> {
-        let tolerance = self.tolerance.between(item.component, component)?;
-        Some(self.nearest_of[component as usize].map_or(tolerance, |(bound, _)| bound))
+    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+        match self.slots[component as usize] {
+            NONE => self.tolerance.between(group[0].component, component),
+            slot => {
+                let bounds = self.reached[slot as usize].1[..group.len()].iter().map(|nearest| nearest.bound);
+                Some(bounds.fold(0.0, f64::max))
+            }
+        }
     }
 
     fn leave(&mut self) {
-        for component in self.reached.drain(..) {
-            let nearest = self.nearest_of[component as usize].take();
-            self.found.extend(nearest.and_then(|(_, place)| place));
+        self.cells.clear();
+        for (component, nearest) in self.reached.drain(..) {
+            self.slots[component as usize] = NONE;
+            self.found.extend(nearest.into_iter().filter_map(|nearest| nearest.place));
         }
     }
 
-    fn meet(&mut self, items: [&Item; 2], corners: &Triangle, bounds: Bounds) {
-        let [item, other] = items;
-        let Some(bound) = self.bound(item, other.component) else { return };
-        let pair = [*corners, self.scene.triangle(other.face)];
-        if bounds.squared_distance(Bounds::of_points(pair[1])) > bound * bound
-            || triangles::plane_distance(&pair) > bound
-        {
+    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
+        let Some(bound) = self.bound_of(group, own, other.component) else { return };
+        if squared > bound * bound {
             return;
         }
-        let spacing = self.scene.spacing([item.component, other.component]);
-        let is_small = item.longest <= SMALL * spacing;
-        let crossing = triangles::crossing(&pair);
+        let items = [&group[own], other];
+        let pair = items.map(|item| item.corners);
+        let apart = triangles::plane_distance(&pair);
+        if apart > bound {
+            return;
+        }
+        let components = items.map(|item| item.component);
+        let spacing = self.scene.spacing(components);
+        let is_small = items[0].longest <= SMALL * spacing;
+        let crossing = if apart > 0.0 { None } else { triangles::crossing(&pair) };
         if let Some(ends) = &crossing {
             let length = triangles::point(&pair[0], ends[0][0]).distance(triangles::point(&pair[0], ends[1][0]));
             if length > SHORT * spacing {
@@ -227,44 +278,86 @@ impl Visitor for Search<'_> {
                     self.found.push(Candidate::new(items, weights, 0.0));
                 }
                 if is_small {
-                    self.keep(other.component, 0.0, None);
+                    self.nearest(group, own, other.component).settle(None);
                 }
             } else if is_small {
-                self.keep(other.component, 0.0, Some(Candidate::new(items, ends[0], 0.0)));
+                self.nearest(group, own, other.component).settle(Some(Candidate::new(items, ends[0], 0.0)));
             } else {
                 self.found.push(Candidate::new(items, ends[0], 0.0));
             }
         }
         if !is_small {
             let slack = self.tolerance.slack;
-            let distance = if crossing.is_some() || bound <= slack { 0.0 } else { triangles::nearest(&pair).distance };
-            let bound = bound.min(distance + slack);
-            self.keep(other.component, bound, None);
+            let distance = match crossing {
+                Some(_) => Some(0.0),
+                None if bound > slack => triangles::nearest(&pair, bound - slack, 0.0).map(|pair| pair.distance),
+                None => None,
+            };
+            let bound = distance.map_or(bound, |distance| bound.min(distance + slack));
+            self.nearest(group, own, other.component).bound = bound;
             // Where steep triangles cross, all that is near is near the crossing.
             if crossing.is_none() || !triangles::are_steep(&pair) {
-                let found = &mut self.found;
-                let mut take = |Pair { weights, distance }| found.push(Candidate::new(items, weights, distance));
                 let is_rim = items.map(|item| self.scene.is_rim(item.face));
+                let sides = pair.map(|corners| area_vector(corners).to_array().map(|along| along > 0.0));
+                let mut take = |Pair { weights, distance }: Pair| {
+                    let middle =
+                        0.5 * (triangles::point(&pair[0], weights[0]) + triangles::point(&pair[1], weights[1]));
+                    let place = (middle * (CELLS / spacing)).to_array().map(|along| along.floor() as i64);
+                    let cell = Cell { component: other.component, sides, place };
+                    self.keep(cell, Candidate::new(items, weights, distance));
+                };
                 triangles::spread(&pair, is_rim, bound, spacing / DENSITY, &mut take);
             }
-        } else if crossing.is_none() && bound > self.scene.rounding {
-            let Pair { weights, distance } = triangles::nearest(&pair);
-            if distance <= bound {
-                self.keep(other.component, distance, Some(Candidate::new(items, weights, distance)));
+        } else if crossing.is_none() && bound > 0.0 {
+            let enough = ENOUGH * spacing;
+            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
+                let bound = (distance - enough).max(0.0);
+                let place = Some(Candidate::new(items, weights, distance));
+                *self.nearest(group, own, other.component) = Nearest { bound, place };
             }
         }
     }
 }
 
+impl Nearest {
+    /// Nothing is nearer than this.
+    fn settle(&mut self, place: Option<Candidate>) {
+        if self.bound > 0.0 || self.place.is_some_and(|place| place.gap > 0.0) {
+            *self = Self { bound: 0.0, place };
+        }
+    }
+}
+
 impl Search<'_> {
-    /// Keeps the nearest place of a component, of equally near ones the first, and that places must be as near as `bound`.
-    fn keep(&mut self, component: u32, bound: f64, place: Option<Candidate>) {
-        let nearest = &mut self.nearest_of[component as usize];
-        if nearest.is_none() {
-            self.reached.push(component);
+    /// How near a place of a component must be to be of use to a triangle of a group; `None` where none is.
+    #[inline]
+    fn bound_of(&self, group: &[Item], own: usize, component: u32) -> Option<f64> {
+        match self.slots[component as usize] {
+            NONE => self.tolerance.between(group[own].component, component),
+            slot => Some(self.reached[slot as usize].1[own].bound),
         }
-        if nearest.is_none_or(|(before, _)| bound < before) {
-            *nearest = Some((bound, place));
+    }
+
+    /// Keeps a place of large triangles, unless one of the same cell is as near.
+    fn keep(&mut self, cell: Cell, place: Candidate) {
+        match self.cells.iter().find(|(other, _)| *other == cell) {
+            Some(&(_, number)) if self.found[number].gap <= place.gap => {}
+            Some(&(_, number)) => self.found[number] = place,
+            None => {
+                self.cells.push((cell, self.found.len()));
+                self.found.push(place);
+            }
         }
+    }
+
+    /// What a triangle of a group knows of a component that it may be joined with.
+    fn nearest(&mut self, group: &[Item], own: usize, component: u32) -> &mut Nearest {
+        let slot = &mut self.slots[component as usize];
+        if *slot == NONE {
+            *slot = self.reached.len() as u32;
+            let bound = self.tolerance.between(group[own].component, component).unwrap_or(0.0);
+            self.reached.push((component, [Nearest { bound, place: None }; LEAF]));
+        }
+        &mut self.reached[*slot as usize].1[own]
     }
 }

@@ -124,35 +124,58 @@ pub fn are_steep(triangles: &[Triangle; 2]) -> bool {
     first.dot(second).abs() < STEEP
 }
 
-/// The nearest points of two triangles that do not cross.
-pub fn nearest(triangles: &[Triangle; 2]) -> Pair {
-    let mut best = Pair { weights: [[1.0, 0.0, 0.0]; 2], distance: f64::INFINITY };
+/// The nearest points of two triangles that do not cross, where they are no farther apart than `within`. Any that are no
+/// farther apart than `enough` will do.
+pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pair> {
+    let mut best = None;
     let mut take = |pair: Pair| {
-        if pair.distance < best.distance {
-            best = pair;
-        }
+        best = Some(pair);
+        if pair.distance <= enough { f64::NEG_INFINITY } else { pair.distance }
     };
-    for_corners(triangles, &mut take);
-    for_sides(triangles, &mut take);
+    let within = for_corners(triangles, within, &mut take);
+    if within >= 0.0 {
+        for_sides(triangles, within, &mut take);
+    }
     best
 }
 
-/// Each corner of one with the nearest point of the other.
-fn for_corners(triangles: &[Triangle; 2], found: &mut impl FnMut(Pair)) {
-    for (k, (first, second)) in triangles[0].iter().zip(triangles[1]).enumerate() {
-        let mut corner = [0.0; 3];
-        corner[k] = 1.0;
-        found(Pair::new(triangles, [corner, nearest_on_triangle(*first, &triangles[1])]));
-        found(Pair::new(triangles, [nearest_on_triangle(second, &triangles[0]), corner]));
+/// Shows each corner of one with the nearest point of the other, where these are no farther apart than `within`, which becomes
+/// what `found` says, and in the end is given back.
+fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) -> f64 {
+    let boxes = triangles.map(Bounds::of_points);
+    for of in 0..2 {
+        let (triangle, other) = (&triangles[of], &triangles[1 - of]);
+        for (k, &corner) in triangle.iter().enumerate() {
+            if within < 0.0 || boxes[1 - of].squared_distance(Bounds::of_points([corner])) > within * within {
+                continue;
+            }
+            let mut own = [0.0; 3];
+            own[k] = 1.0;
+            let others = nearest_on_triangle(corner, other);
+            let pair = Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] });
+            if pair.distance <= within {
+                within = found(pair);
+            }
+        }
     }
+    within
 }
 
-/// The nearest points of each side of one and each side of the other.
-fn for_sides(triangles: &[Triangle; 2], found: &mut impl FnMut(Pair)) {
-    for i in 0..3 {
-        for j in 0..3 {
-            let [first, second] = nearest_on_segments(side(&triangles[0], i), side(&triangles[1], j));
-            found(Pair::new(triangles, [on_side(i, first), on_side(j, second)]));
+/// The same with the nearest points of each side of one and each side of the other.
+fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) {
+    let [sides, others] = triangles.map(|triangle| [0, 1, 2].map(|k| side(&triangle, k)));
+    let boxes = others.map(Bounds::of_points);
+    for (i, &own) in sides.iter().enumerate() {
+        let own_box = Bounds::of_points(own);
+        for (j, &other) in others.iter().enumerate() {
+            if within < 0.0 || own_box.squared_distance(boxes[j]) > within * within {
+                continue;
+            }
+            let [first, second] = nearest_on_segments(own, other);
+            let pair = Pair::new(triangles, [on_side(i, first), on_side(j, second)]);
+            if pair.distance <= within {
+                within = found(pair);
+            }
         }
     }
 }
@@ -210,17 +233,16 @@ pub fn spread(
     spacing: f64,
     found: &mut impl FnMut(Pair),
 ) {
-    let mut take = |pair: Pair| {
-        if pair.distance <= tolerance {
-            found(pair);
-        }
-    };
-    for_corners(triangles, &mut take);
-    for_sides(triangles, &mut |pair| {
+    for_corners(triangles, tolerance, &mut |pair| {
+        found(pair);
+        tolerance
+    });
+    for_sides(triangles, tolerance, &mut |pair| {
         // At the end of a side the corner tells the same.
         if pair.weights.iter().all(|weights| weights.iter().all(|&weight| weight < 1.0)) {
-            take(pair);
+            found(pair);
         }
+        tolerance
     });
     for of in 0..2 {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
@@ -229,7 +251,10 @@ pub fn spread(
             let place = point(triangle, own);
             if near.holds(place) {
                 let others = nearest_on_triangle(place, other);
-                take(Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] }));
+                let pair = Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] });
+                if pair.distance <= tolerance {
+                    found(pair);
+                }
             }
         };
         for k in (0..3).filter(|&k| is_rim[of][k]) {

@@ -69,7 +69,7 @@ fn the_distance_is_that_of_samples() {
         let is_whole = number % 2 == 1;
         let triangles = [random.triangle(is_whole), random.triangle(is_whole)];
         let sampled = sampled_distance(&triangles);
-        let pair = nearest(&triangles);
+        let pair = nearest(&triangles, f64::INFINITY, 0.0).expect("a pair");
         pair.weights.into_iter().for_each(assert_inside);
         let between = point(&triangles[0], pair.weights[0]).distance(point(&triangles[1], pair.weights[1]));
         assert_eq!(pair.distance, between);

@@ -1,0 +1,121 @@
+//! Distances and paths across contacts that are found, against exact distances on surfaces that were not cut.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::pieces::{CHANGES, Errors, Pieces, wholes};
+use common::random;
+use glam::DVec3;
+use heatwalk::exact::shortest_path;
+use heatwalk::{
+    BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, Method, Path, Soup, Surface, VertexId,
+    descend, straighten,
+};
+use heatwalk_shapes as shapes;
+
+/// What exact distances over portals may be off, in per cent.
+const MOST_MEAN: f64 = 0.3;
+const MOST_HIGH: f64 = 2.5;
+
+/// Percentage points by which heat on the pieces may be farther off than on the whole.
+const MOST_OF_HEAT: f64 = 0.3;
+
+/// Share of the scene's diagonal over which [`BridgeRule::Automatic`] joins components at most.
+const WIDEST_GAP: f64 = 3e-3;
+
+fn distance(solver: &mut DistanceSolver, source: VertexId, method: Method) -> Distance {
+    let go_on = &mut |_| ControlFlow::Continue(());
+    solver.distance(&[source], &DistanceOptions::by(method), go_on).expect("a distance").distance
+}
+
+#[test]
+fn a_surface_in_pieces_has_nearly_the_distances_of_the_whole() {
+    for whole in wholes() {
+        let mut solver = DistanceSolver::new(Arc::clone(&whole.surface));
+        let exact = distance(&mut solver, whole.source, Method::Exact).values;
+        let by_heat = distance(&mut solver, whole.source, Method::Heat).values;
+        let of_whole = Errors::between(&by_heat, &exact);
+        for (change, how) in CHANGES {
+            let pieces = Pieces::new(&whole, how);
+            let bridges = Bridges::find(&pieces.surface, BridgeRule::Automatic);
+            let mut solver = DistanceSolver::new(Arc::clone(&pieces.surface)).bridged(bridges);
+            let expected = pieces.copied(&exact);
+            let [exact, heat] = [Method::Exact, Method::Heat]
+                .map(|method| Errors::between(&distance(&mut solver, pieces.source, method).values, &expected));
+            let name = format!("{}, {change}: {exact:?}, {heat:?} for {of_whole:?}", whole.name);
+            assert!(exact.mean <= MOST_MEAN && exact.high <= MOST_HIGH, "{name}");
+            assert!(heat.mean <= of_whole.mean + MOST_OF_HEAT, "{name}");
+        }
+    }
+}
+
+/// Parts that pierce each other, lie on each other, and are apart by a little.
+fn assembly() -> Arc<Surface> {
+    let parts = [
+        (shapes::icosphere(3), 1.0, [0.0, 0.0, 0.0]),
+        (shapes::torus(1.0, 0.3, 40, 16), 1.0, [1.2, 0.0, 0.1]),
+        (shapes::icosphere(2), 0.4, [2.2, 0.0, 0.3]),
+        (shapes::cylinder(2.0, 24, 12), 0.5, [-1.1, 0.2, 0.0]),
+        (shapes::uv_sphere(24, 16), 0.5, [0.0, 1.505, 0.0]),
+    ];
+    let mut soup = Soup::default();
+    for (part, scale, place) in parts {
+        let first = soup.positions.len() as u32;
+        soup.positions.extend(part.positions.iter().map(|&position| scale * position + DVec3::from_array(place)));
+        soup.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        soup.end_part("part");
+    }
+    Arc::new(Surface::build(&soup).expect("a surface"))
+}
+
+#[test]
+fn paths_through_an_assembly_arrive_and_hop_no_farther_than_allowed() {
+    const SOURCES: usize = 20;
+    const STARTS: usize = 50;
+    let surface = assembly();
+    let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+    assert_eq!((surface.report().components, bridges.group_count()), (5, 1));
+    let most = WIDEST_GAP * 2.0 * surface.bounding_radius();
+    let mut solver = DistanceSolver::new(Arc::clone(&surface)).bridged(bridges);
+    let mut seed = 7;
+    let mut any = || VertexId::from_index(random(&mut seed, surface.vertex_count()));
+    for _ in 0..SOURCES {
+        let source = any();
+        let [exact, propagated, heat] =
+            [Method::Exact, Method::Propagation, Method::Heat].map(|method| distance(&mut solver, source, method));
+        for _ in 0..STARTS {
+            let from = any();
+            let least = exact.values[from] * (1.0 - 1e-9);
+            let descents = [&exact, &propagated, &heat].map(|distance| descend(&surface, distance, from));
+            for descent in descents {
+                let descent = descent.expect("a path");
+                let straight = straighten(&surface, &descent).expect("a path");
+                for path in [descent, straight] {
+                    check(&surface, &path, source, most);
+                    assert!(path.length() >= least, "{} for {least}", path.length());
+                }
+            }
+        }
+        let from = any();
+        let path = shortest_path(solver.exact_geometry(), from, &[source]).expect("a path");
+        check(&surface, &path, source, most);
+        assert!((path.length() - exact.values[from]).abs() <= 1e-9 * path.length());
+    }
+}
+
+/// That a path ends at the source and jumps no farther than this from one component to another.
+fn check(surface: &Surface, path: &Path, source: VertexId, most: f64) {
+    assert_eq!(path.points.last().map(|point| point.position), Some(surface.position(source)));
+    for pair in path.points.windows(2) {
+        let [from, to] = [&pair[0], &pair[1]];
+        if from.location.component(surface) != to.location.component(surface) {
+            let hop = from.position.distance(to.position);
+            assert!(hop <= most, "a hop of {hop}");
+        }
+    }
+}
