@@ -198,7 +198,10 @@ export class Session {
     this.preview.value = { title: request.title, opened };
   }
 
-  /** Without a state the scene stays as it is. The view comes first: it is the last that can fail, and then the mesh before is still whole. */
+  /**
+   * Without a state the scene stays as it is. The view comes first: it is the last that can fail, and then the mesh before is
+   * still whole.
+   */
   #adopt(engine: Engine, state: SceneState | null, shown: Shown, request: OpenRequest): void {
     const before = this.shown.value;
     try {

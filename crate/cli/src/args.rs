@@ -7,7 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up};
 
 use crate::method::{Given, Methods};
 use crate::options::{Linear, Options, choice, chosen};
@@ -115,6 +115,9 @@ pub struct Distance {
     /// Write the distances to a .csv, .ply or .glb file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// The axis of the mesh that points up: in the output it becomes Y
+    #[arg(long, requires = "output", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
+    pub up: Up,
 }
 
 #[derive(Args)]
@@ -144,6 +147,9 @@ pub struct Path {
     /// Write the points to an .obj or .csv file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// The axis of the mesh that points up: in the output it becomes Y
+    #[arg(long, requires = "output", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
+    pub up: Up,
 }
 
 #[derive(Args)]

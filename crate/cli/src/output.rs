@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
-use heatwalk::Soup;
 use heatwalk::io::write;
+use heatwalk::{Soup, Up};
 
 #[derive(Clone, Copy)]
 pub enum DistanceFormat {
@@ -41,12 +42,19 @@ impl Output<DistanceFormat> {
     }
 
     /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
-    pub fn write(&self, soup: &Soup, columns: &[(String, Vec<f64>)]) -> Result<()> {
+    pub fn write(&self, soup: &Soup, up: Up, columns: &[(String, Vec<f64>)]) -> Result<()> {
         let (_, first) = &columns[0];
+        let turned = || {
+            let mut turned = soup.clone();
+            turned.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+            let normals = &mut Arc::make_mut(&mut turned.appearance).normals;
+            normals.iter_mut().for_each(|normal| *normal = up.turned(normal.as_dvec3()).as_vec3());
+            turned
+        };
         self.save(&match self.format {
             DistanceFormat::Csv => distance_csv(columns),
-            DistanceFormat::Ply => write::distance_ply(soup, first),
-            DistanceFormat::Glb => write::distance_glb(soup, first),
+            DistanceFormat::Ply => write::distance_ply(&turned(), first),
+            DistanceFormat::Glb => write::distance_glb(&turned(), first),
         })
     }
 }
@@ -61,8 +69,8 @@ impl Output<PathFormat> {
         Self::new(path, format)
     }
 
-    pub fn write(&self, path: &heatwalk::Path) -> Result<()> {
-        let points: Vec<_> = path.points.iter().map(|point| point.position).collect();
+    pub fn write(&self, path: &heatwalk::Path, up: Up) -> Result<()> {
+        let points: Vec<_> = path.points.iter().map(|point| up.turned(point.position)).collect();
         self.save(&match self.format {
             PathFormat::Obj => write::polyline_obj(&points),
             PathFormat::Csv => {

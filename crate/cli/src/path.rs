@@ -44,7 +44,7 @@ pub fn path(arguments: &Path) -> Result<String> {
         by_descent(&mut prepared.solver, from, to, (arguments, &options))?
     };
     if let Some(output) = output {
-        output.write(&found.path)?;
+        output.write(&found.path, arguments.up)?;
     }
     let points: Vec<_> = found.path.points.iter().map(|point| json!(point.position.to_array())).collect();
     report.push("method", found.method.name());

@@ -4,8 +4,7 @@
 use glam::{DVec3, Vec3};
 use heatwalk::{Soup, Surface, Up};
 
-/// `drawn = (position − center) · scale`, turned so that the axis that points up in the file does so as it is drawn, where
-/// that is Y. A turn exchanges coordinates and signs, so it costs no digit.
+/// `drawn = (position − center) · scale`, turned so that the axis that points up in the file is drawn along Y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawTransform {
     /// What is drawn at the origin, in the file's unit.
@@ -44,15 +43,7 @@ impl DrawTransform {
 
     /// How a direction is drawn.
     pub fn direction(&self, direction: DVec3) -> DVec3 {
-        let DVec3 { x, y, z } = direction;
-        match self.up {
-            Up::Y => direction,
-            Up::Z => DVec3::new(x, z, -y),
-            Up::X => DVec3::new(-y, x, z),
-            Up::MinusY => DVec3::new(x, -y, -z),
-            Up::MinusZ => DVec3::new(x, -z, y),
-            Up::MinusX => DVec3::new(y, -x, z),
-        }
+        self.up.turned(direction)
     }
 
     /// How long a length is drawn.

@@ -3,6 +3,8 @@
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+use glam::DVec3;
+
 use crate::choice::choice;
 use crate::error::{Error, Result};
 
@@ -260,6 +262,21 @@ pub enum Up {
     MinusZ,
     /// Against the first axis.
     MinusX,
+}
+
+impl Up {
+    /// A vector turned so that what points up is along Y. A turn exchanges coordinates and signs, so it costs no digit.
+    pub fn turned(self, vector: DVec3) -> DVec3 {
+        let DVec3 { x, y, z } = vector;
+        match self {
+            Self::Y => vector,
+            Self::Z => DVec3::new(x, z, -y),
+            Self::X => DVec3::new(-y, x, z),
+            Self::MinusY => DVec3::new(x, -y, -z),
+            Self::MinusZ => DVec3::new(x, -z, y),
+            Self::MinusX => DVec3::new(y, -x, z),
+        }
+    }
 }
 
 choice!(Up, "up axis": Y = "y", Z = "z", X = "x", MinusY = "-y", MinusZ = "-z", MinusX = "-x");

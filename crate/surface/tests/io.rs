@@ -265,7 +265,7 @@ fn written_meshes_read_back() {
 
 #[test]
 fn only_gltf_says_that_y_is_up() {
-    for (name, bytes, is_y_up) in [
+    for (name, bytes, expected) in [
         ("a.gltf", b"{}".as_slice(), true),
         ("a.bin", b"glTF\x02\0\0\0", true),
         ("a.txt", b"\xEF\xBB\xBF{\"asset\":{}}", true),
@@ -273,7 +273,7 @@ fn only_gltf_says_that_y_is_up() {
         ("a.stl", b"solid a", false),
         ("gltf", b"", false),
     ] {
-        assert_eq!(is_y_up(name, bytes), is_y_up, "{name}");
+        assert_eq!(is_y_up(name, bytes), expected, "{name}");
     }
 }
 

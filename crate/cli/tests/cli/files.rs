@@ -54,6 +54,36 @@ fn distance_to_csv_ply_and_glb() {
 }
 
 #[test]
+fn what_points_up_is_y_in_the_output() {
+    let folder = folder("up");
+    let points = |name: &str, options: &[&str]| {
+        let path = ["path", "torus.ply", "--from", "0", "--to", "100", "--output", name];
+        succeed(&folder, &[&path[..], options].concat());
+        let text = fs::read_to_string(folder.join(name)).unwrap();
+        let point = |line: &str| line.split(' ').skip(1).map(|number| number.parse().unwrap()).collect::<Vec<f64>>();
+        text.lines().filter(|line| line.starts_with("v ")).map(point).collect::<Vec<_>>()
+    };
+    let plain = points("plain.obj", &[]);
+    assert!(plain.len() > 2);
+    assert_eq!(points("y.obj", &["--up", "y"]), plain);
+    for (up, turn) in [
+        ("z", (|p: &Vec<f64>| vec![p[0], p[2], -p[1]]) as fn(&Vec<f64>) -> Vec<f64>),
+        ("-x", |p: &Vec<f64>| vec![p[1], -p[0], p[2]]),
+    ] {
+        assert_eq!(points("turned.obj", &["--up", up]), plain.iter().map(turn).collect::<Vec<_>>(), "{up}");
+    }
+    let turned = |name: &str, up: &str| {
+        succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", name, "--up", up]);
+        fs::read(folder.join(name)).unwrap()
+    };
+    for (format, other) in [("a.ply", "b.ply"), ("a.glb", "b.glb")] {
+        assert_ne!(turned(format, "y"), turned(other, "z"), "{format}");
+    }
+    assert!(refused(&folder, &["distance", "torus.ply", "--source", "0", "--up", "z"]).contains("--output"));
+    assert!(refused(&folder, &["path", "torus.ply", "--from", "0", "--to", "1", "--up", "w"]).contains("-x"));
+}
+
+#[test]
 fn unreachable_and_unreferenced_vertices_are_infinite() {
     let folder = folder("unreachable");
     let answer = json(&folder, &["distance", "two.obj", "--source", "0", "--output", "d.csv"]);
