@@ -10,7 +10,7 @@ import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
-import { DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
 import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
@@ -41,6 +41,9 @@ export interface Given {
   files: Promise<readonly GivenFile[]>;
 }
 
+/** What is chosen for a mesh of which no link says anything. Links of files from before these choices say nothing of them. */
+const UNTOLD = { method: 'auto', up: AUTOMATIC } as const;
+
 /** The state in which a mesh starts out; null for a preset that does not exist. */
 export function startOf(mesh: MeshReference): SceneState | null {
   switch (mesh.kind) {
@@ -49,7 +52,7 @@ export function startOf(mesh: MeshReference): SceneState | null {
     case 'file':
       return emptyScene(mesh);
     case 'address':
-      return { ...emptyScene(mesh), method: 'auto', style: MODEL_STYLE };
+      return { ...emptyScene(mesh), ...UNTOLD, style: MODEL_STYLE };
   }
 }
 
@@ -120,7 +123,7 @@ export class Opener {
   /** One mesh of those that came together, in the state that a link wants for it. */
   async #from(origin: Origin, mesh: string, awaited: SceneState | null = null): Promise<void> {
     const title = fileName(mesh);
-    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), method: 'auto' };
+    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), ...UNTOLD };
     const load = () => Promise.resolve(origin.input(mesh));
     const request: OpenRequest = { title, load, state, choosePlaces: true, view: LANDING_VIEW };
     if (!awaited) request.inMaterialsOfFile = true;

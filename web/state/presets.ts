@@ -49,7 +49,6 @@ function preset(id: string, outline: Outline): Preset {
       method: method ?? 'heat',
       sources,
       walker,
-      up: 'y',
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
       style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },

@@ -92,7 +92,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     parts: [],
     sources: [],
     walker: null,
-    up: AUTOMATIC,
+    up: 'y',
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,

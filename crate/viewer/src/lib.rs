@@ -5,6 +5,7 @@
 //! `shared.wgsl`. Colours are linear light in the shading and sRGB outside. On wasm32 the class `Viewer` is the face
 //! towards JavaScript.
 
+mod appearance;
 mod arrow;
 mod background;
 mod binding;
@@ -42,6 +43,7 @@ mod walker;
 mod web;
 mod wire;
 
+pub use appearance::{MeshAppearance, MeshRun};
 pub use camera::{Camera, Eye, Insets, View};
 pub use canvas::Canvas;
 pub use capture::Capture;
@@ -51,7 +53,7 @@ pub use error::Error;
 pub use heatwalk_bake::{Bounds, Hierarchy, Ray, Shade};
 pub use image::Image;
 pub use material::{CHANNELS, Material, TextureUse};
-pub use mesh::{MeshAppearance, MeshArrays, MeshRun};
+pub use mesh::MeshArrays;
 pub use pose::{CrowdPose, Pose, Track};
 pub use renderer::{Renderer, SurfaceHit};
 pub use style::{Blend, Finish, Pattern, RAMP_SIZE, Style};

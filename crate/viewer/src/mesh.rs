@@ -1,14 +1,12 @@
 //! A mesh that is shown.
 
-use std::ops::Range;
-
 use glam::Vec3;
 use heatwalk_bake::{Bounds, Hierarchy, Picker};
 
+use crate::appearance::{MeshAppearance, ModelBuffers};
 use crate::check;
 use crate::context::Context;
 use crate::error::Error;
-use crate::model::ModelBuffers;
 use crate::surface::MeshBuffers;
 
 /// A triangle mesh as the page hands it over; world space.
@@ -23,52 +21,6 @@ pub struct MeshArrays {
     pub hierarchy: Hierarchy,
     /// How its file wants it to look.
     pub appearance: MeshAppearance,
-}
-
-/// How a file wants a mesh to look; nothing where it does not say.
-#[derive(Default)]
-pub struct MeshAppearance {
-    /// `#D`, two sets of texture coordinates, or empty.
-    pub texcoords: Vec<[f32; 4]>,
-    /// `#D`, linear RGBA, 65535 for 1, or empty.
-    pub colors: Vec<[u16; 4]>,
-    /// Consecutive triangles of one material; those outside have the default one.
-    pub runs: Vec<MeshRun>,
-}
-
-/// Consecutive triangles of one material.
-pub struct MeshRun {
-    /// A range of the triangles.
-    pub triangles: Range<u32>,
-    /// Index of the material; the default one where there is none of that index.
-    pub material: u32,
-}
-
-impl MeshAppearance {
-    fn is_empty(&self) -> bool {
-        self.colors.is_empty() && self.runs.is_empty()
-    }
-
-    fn check(&self, vertex_count: usize, triangle_count: usize) -> Result<(), Error> {
-        let attribute = |what, found| {
-            if found == 0 || found == vertex_count {
-                return Ok(());
-            }
-            Err(Error::WrongLength { what, expected: 4 * vertex_count, found: 4 * found })
-        };
-        attribute("texture coordinates", self.texcoords.len())?;
-        attribute("vertex colors", self.colors.len())?;
-        let is_wrong =
-            |run: &&MeshRun| run.triangles.start > run.triangles.end || run.triangles.end as usize > triangle_count;
-        match self.runs.iter().find(is_wrong) {
-            Some(run) => Err(Error::WrongLength {
-                what: "triangles",
-                expected: run.triangles.start.max(run.triangles.end) as usize,
-                found: triangle_count,
-            }),
-            None => Ok(()),
-        }
-    }
 }
 
 impl MeshArrays {

@@ -2,12 +2,10 @@
 
 use glam::Vec4;
 
-use crate::buffer::mesh_buffer;
 use crate::context::Context;
-use crate::error::Error;
 use crate::image::Image;
 use crate::material::{BoundMaterial, Material, bind_materials, material_layout};
-use crate::mesh::{Mesh, MeshAppearance, MeshRun};
+use crate::mesh::Mesh;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SURFACE_WGSL, SurfaceRenderer, TANGENT};
@@ -15,40 +13,6 @@ use crate::vertex::{Unorm16x4, attribute, single};
 
 const TEXCOORDS: wgpu::VertexBufferLayout<'static> = single::<Vec4>(PER_VERTEX, &[attribute::<Vec4>(4)]);
 const COLOR: wgpu::VertexBufferLayout<'static> = single::<Unorm16x4>(PER_VERTEX, &[attribute::<Unorm16x4>(5)]);
-const DEFAULT_MATERIAL: u32 = u32::MAX;
-
-/// What a mesh with materials has beside its triangles.
-pub(crate) struct ModelBuffers {
-    texcoords: wgpu::Buffer,
-    colors: wgpu::Buffer,
-    /// Over all triangles.
-    runs: Vec<MeshRun>,
-}
-
-impl ModelBuffers {
-    /// # Errors
-    /// When one of the arrays is larger than the device allows.
-    pub(crate) fn new(
-        context: &Context,
-        vertex_count: usize,
-        triangle_count: usize,
-        appearance: MeshAppearance,
-    ) -> Result<Self, Error> {
-        let MeshAppearance { mut texcoords, mut colors, mut runs } = appearance;
-        texcoords.resize(vertex_count, [0.0; 4]);
-        colors.resize(vertex_count, [u16::MAX; 4]);
-        if runs.is_empty() {
-            runs.push(MeshRun { triangles: 0..triangle_count as u32, material: DEFAULT_MATERIAL });
-        }
-        let vertex = wgpu::BufferUsages::VERTEX;
-        Ok(Self {
-            texcoords: mesh_buffer(context, "texture coordinates", bytemuck::cast_slice(&texcoords), vertex)?,
-            colors: mesh_buffer(context, "vertex colors", bytemuck::cast_slice(&colors), vertex)?,
-            runs,
-        })
-    }
-}
-
 /// A pipeline for what hides what is behind it, and one for what lets it through.
 struct Pair {
     solid: wgpu::RenderPipeline,

@@ -54,7 +54,7 @@ impl Viewer {
         materials: Vec<DrawnMaterial>,
         #[wasm_bindgen(unchecked_param_type = "readonly (ImageBitmap | null)[]")] images: &Array,
     ) -> Result<(), JsError> {
-        let materials = materials.iter().map(material).collect::<Result<Vec<_>, _>>()?;
+        let materials = materials.into_iter().map(|given| material(&given)).collect::<Result<Vec<_>, _>>()?;
         let images: Vec<_> = images.iter().map(image).collect();
         self.renderer.set_materials(&materials, &images);
         Ok(())

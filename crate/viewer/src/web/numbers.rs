@@ -5,8 +5,9 @@ use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
 use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
-use crate::mesh::{MeshAppearance, MeshArrays, MeshRun};
+use crate::mesh::MeshArrays;
 use crate::style::Finish;
 
 #[wasm_bindgen(typescript_custom_section)]
