@@ -173,6 +173,26 @@ fn ply_in_three_encodings() {
 }
 
 #[test]
+fn ply_colors_are_light() {
+    let colored = |kind: &str, color: &str| {
+        let file = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty {kind} red\nproperty {kind} green\n\
+             property {kind} blue\nproperty {kind} alpha\nproperty float y\nproperty float z\n\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n\
+             0 {color} 0 0\n1 0 0 0 0 0 0\n0 0 0 0 0 1 0\n3 0 1 2\n"
+        );
+        read("triangle.ply", file).unwrap()
+    };
+    // Half as bright to the eye is 0.2140 of the light (IEC 61966-2-1); alpha is a share as it is.
+    let first = |kind, color| colored(kind, color).appearance.colors[0];
+    assert_eq!(first("uchar", "255 0 10 51"), [65535, 0, 199, 13107]);
+    assert_eq!(first("float", "0.5 1 2 0.5"), [14027, 65535, 65535, 32768]);
+    assert_eq!(first("ushort", "65535 0 32768 65535"), [65535, 0, 14028, 65535]);
+    assert_eq!(colored("uchar", "255 0 10 51").positions[2], DVec3::Y);
+    assert!(read("square.ply", SQUARE_PLY).unwrap().appearance.is_empty(), "red alone is no color");
+}
+
+#[test]
 fn ply_errors_name_the_place() {
     for (from, to, place) in [
         ("4 0 1 2 3 0.5", "4 0 1 -2 3 0.5", "face 0"),

@@ -1,11 +1,13 @@
 //! Polygon File Format (Turk 1994), ASCII and binary of either byte order, with any elements and properties.
 
 use std::str::SplitAsciiWhitespace;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::reader::Reporter;
 use super::triangulate::Polygons;
+use crate::appearance::Appearance;
 use crate::error::Result;
 use crate::soup::Soup;
 
@@ -109,11 +111,12 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         Encoding::BigEndian => Body::BigEndian(body),
     };
     let mut positions: Vec<DVec3> = Vec::new();
+    let mut colors: Vec<[u16; 4]> = Vec::new();
     let mut polygons = Polygons::default();
     let mut list = Vec::new();
     for element in &elements {
         let role = Role::of(element)?;
-        if let Role::Vertex(_) = role {
+        if let Role::Vertex { .. } = role {
             // Three coordinates take at least three bytes, so a count beyond that is a lie and must not be reserved.
             positions.reserve((bytes.len() / 3).min(element.count as usize));
         }
@@ -127,14 +130,19 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                 )
             };
             let mut position = [0.0; 3];
+            let mut color = [0; 4];
             for (column, property) in element.properties.iter().enumerate() {
                 match property.kind {
                     Kind::Scalar(scalar) => {
                         let value = body.next(scalar).ok_or_else(broken)?;
-                        if let Role::Vertex(columns) = role
-                            && let Some(axis) = columns.iter().position(|&axis| axis == column)
-                        {
-                            position[axis] = value;
+                        if let Role::Vertex { axes, channels } = role {
+                            if let Some(axis) = axes.iter().position(|&axis| axis == column) {
+                                position[axis] = value;
+                            } else if let Some(channels) = channels
+                                && let Some(channel) = channels.iter().position(|&channel| channel == Some(column))
+                            {
+                                color[channel] = channel_value(value, scalar, channel);
+                            }
                         }
                     }
                     Kind::List { count, item } => {
@@ -157,19 +165,53 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                     }
                 }
             }
-            if let Role::Vertex(_) = role {
+            if let Role::Vertex { channels, .. } = role {
                 positions.push(position.into());
+                if let Some([.., alpha]) = channels {
+                    color[ALPHA] = if alpha.is_some() { color[ALPHA] } else { u16::MAX };
+                    colors.push(color);
+                }
             }
         }
     }
     let triangles = polygons.triangulate_all(&positions)?;
-    Ok(Soup::single(name, positions, triangles))
+    let mut soup = Soup::single(name, positions, triangles);
+    if colors.len() == soup.positions.len() {
+        soup.appearance = Arc::new(Appearance { colors, ..Appearance::default() });
+    }
+    Ok(soup)
+}
+
+const ALPHA: usize = 3;
+
+/// A channel of a color as linear light, 65535 for 1. Whole numbers reach up to the largest of their type, others up to 1;
+/// red, green and blue are as displays take them (IEC 61966-2-1).
+fn channel_value(value: f64, scalar: Scalar, channel: usize) -> u16 {
+    let most = match scalar {
+        Scalar::I8 | Scalar::U8 => f64::from(u8::MAX),
+        Scalar::I16 | Scalar::U16 => f64::from(u16::MAX),
+        Scalar::I32 | Scalar::U32 => f64::from(u32::MAX),
+        Scalar::F32 | Scalar::F64 => 1.0,
+    };
+    let share = (value / most).clamp(0.0, 1.0);
+    let linear = if channel == ALPHA {
+        share
+    } else if share <= 0.040_45 {
+        share / 12.92
+    } else {
+        ((share + 0.055) / 1.055).powf(2.4)
+    };
+    (linear * f64::from(u16::MAX)).round() as u16
 }
 
 /// What an element means to a mesh, with the columns that matter.
 #[derive(Clone, Copy)]
 enum Role {
-    Vertex([usize; 3]),
+    /// Columns of x, y and z, and of red, green, blue and alpha where there are colors.
+    Vertex {
+        axes: [usize; 3],
+        channels: Option<[Option<usize>; 4]>,
+    },
     Face(usize),
     Strips(usize),
     Other,
@@ -192,7 +234,11 @@ impl Role {
         };
         match element.name.as_str() {
             "vertex" => match (scalar("x"), scalar("y"), scalar("z")) {
-                (Some(x), Some(y), Some(z)) => Ok(Self::Vertex([x, y, z])),
+                (Some(x), Some(y), Some(z)) => {
+                    let channels = ["red", "green", "blue", "alpha"].map(scalar);
+                    let has_color = channels[..ALPHA].iter().all(Option::is_some);
+                    Ok(Self::Vertex { axes: [x, y, z], channels: has_color.then_some(channels) })
+                }
                 _ => Err(missing("x, y and z")),
             },
             "face" => indices().map(Self::Face).ok_or_else(|| missing("list of vertex indices")),
