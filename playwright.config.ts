@@ -22,7 +22,7 @@ const WEBGPU = [
   '--ignore-gpu-blocklist',
 ];
 
-const DRAWN = /(display|lost|opening|pictures|scene)\.spec\.ts$/;
+const DRAWN = /(display|lost|opening|pictures)\.spec\.ts$/;
 
 const browser = (args: readonly string[]) => ({
   launchOptions: {
