@@ -144,11 +144,11 @@ pub(crate) fn material_layout(context: &Context) -> wgpu::BindGroupLayout {
 /// Binds the materials, and after them the default one.
 pub(crate) fn bind_materials(
     context: &Context,
+    loader: &ImageLoader,
     layout: &wgpu::BindGroupLayout,
     materials: &[Material],
     images: &[Image],
 ) -> Vec<BoundMaterial> {
-    let loader = ImageLoader::new(context);
     let mut uploads = Uploads { context, loader, images, views: HashMap::new(), samplers: HashMap::new() };
     materials.iter().chain([&Material::default()]).map(|material| uploads.bind(layout, material)).collect()
 }
@@ -158,7 +158,7 @@ type SamplerKind = ([wgpu::AddressMode; 2], bool);
 /// What materials share: each image is uploaded once a color space.
 struct Uploads<'a> {
     context: &'a Context,
-    loader: ImageLoader,
+    loader: &'a ImageLoader,
     images: &'a [Image],
     views: HashMap<(usize, bool), wgpu::TextureView>,
     samplers: HashMap<SamplerKind, wgpu::Sampler>,

@@ -42,7 +42,7 @@ impl Renderer {
     pub fn set_materials(&mut self, materials: &[Material], images: &[Image]) {
         // Most files have none, and its pipelines take their time.
         if self.models.is_some() || !materials.is_empty() {
-            let make = || ModelRenderer::new(&self.context, &self.shared, &self.surfaces);
+            let make = || ModelRenderer::new(&self.context);
             self.models.get_or_insert_with(make).set_materials(&self.context, materials, images);
             self.dirty = true;
         }
@@ -61,7 +61,7 @@ impl Renderer {
 
     fn adopt_meshes(&mut self) {
         if self.models.is_none() && self.meshes().any(|mesh| mesh.model.is_some()) {
-            self.models = Some(ModelRenderer::new(&self.context, &self.shared, &self.surfaces));
+            self.models = Some(ModelRenderer::new(&self.context));
         }
         let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
         let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));

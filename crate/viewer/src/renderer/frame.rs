@@ -143,7 +143,8 @@ impl Renderer {
         which: Pass,
     ) -> bool {
         let models = self.models.as_ref().filter(|_| self.style.has_materials_of_file);
-        models.is_some_and(|models| models.draw(pass, &self.surfaces, mesh, field, which))
+        let device = (&self.context, &self.shared, &self.surfaces);
+        models.is_some_and(|models| models.draw(pass, mesh, field, which, device))
     }
 
     /// Finds out anew, if need be, what the scene keeps off the floor and off itself.
