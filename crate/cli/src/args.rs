@@ -41,6 +41,12 @@ pub struct Mesh {
     /// Take only this part of the file, counted from 0; may be repeated
     #[arg(long = "part", value_name = "N")]
     pub parts: Vec<usize>,
+    /// Take the pose of this animation of the file, by its name or its number from 0, at --time
+    #[arg(long, value_name = "NAME")]
+    pub animation: Option<String>,
+    /// Seconds after the beginning of the animation
+    #[arg(long, value_name = "S", requires = "animation", default_value_t, allow_negative_numbers = true)]
+    pub time: f64,
     /// Threads that build the surface and answer --each; all that the machine has if not given
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,

@@ -22,7 +22,7 @@ pub fn run(command: &Command) -> Result<Answer> {
 }
 
 fn info(arguments: &Info) -> Result<String> {
-    let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
+    let input = Input::of(&arguments.mesh)?;
     let (surface, build_ms) = build(&input, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
@@ -31,6 +31,7 @@ fn info(arguments: &Info) -> Result<String> {
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
+    report.push_animations(&input.file);
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": join_ms }));
     Ok(report.render(arguments.mesh.json))
 }

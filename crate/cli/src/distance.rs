@@ -18,7 +18,7 @@ use crate::timing::{build, go_on, join, median_solve_ms, prepare, sample};
 pub fn distance(arguments: &Distance) -> Result<String> {
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(|path| Output::distance(path, arguments.each)).transpose()?;
-    let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
+    let input = Input::of(&arguments.mesh)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
     let (surface, built_ms) = build(&input, arguments.mesh.threads())?;

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, ensure};
 use heatwalk::{Soup, io};
 use heatwalk_shapes as shapes;
 
+use crate::args::Mesh;
 use crate::report::milliseconds;
 
 /// In place of a file: a shape by its name.
@@ -15,9 +16,9 @@ const SHAPE: &str = "shape:";
 
 /// The chosen parts of a file.
 pub struct Input {
-    /// All of the file.
+    /// All of the file, with its animations, as its nodes stand.
     pub file: Soup,
-    /// The chosen parts; vertices and triangles on the command line count in it.
+    /// The chosen parts in the chosen pose; vertices and triangles on the command line count in it.
     pub soup: Soup,
     pub read_ms: f64,
 }
@@ -34,6 +35,21 @@ impl Input {
         let all: Vec<usize> = (0..file.parts.len()).collect();
         let soup = file.select(if parts.is_empty() { &all } else { parts })?;
         Ok(Self { file, soup, read_ms })
+    }
+
+    /// What the arguments of a command name.
+    pub fn of(arguments: &Mesh) -> Result<Self> {
+        let input = Self::read(&arguments.mesh, &arguments.parts)?;
+        let Some(name) = &arguments.animation else { return Ok(input) };
+        let motion = &input.file.motion;
+        let clip = motion.clip_named(name)?;
+        let (seconds, end) = (arguments.time, motion.clips()[clip].duration());
+        ensure!(
+            seconds <= end,
+            "--time {seconds} is after the end of the animation {}, which lasts {end} s",
+            motion.clips()[clip].name
+        );
+        Ok(Self { soup: input.soup.posed(clip, seconds)?, ..input })
     }
 }
 

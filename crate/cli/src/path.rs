@@ -27,7 +27,7 @@ struct Found {
 pub fn path(arguments: &Path) -> Result<String> {
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
-    let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
+    let input = Input::of(&arguments.mesh)?;
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
     let (surface, built_ms) = build(&input, arguments.mesh.threads())?;

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
+use heatwalk::surface::motion::Clip;
 use heatwalk::{Bridges, BuildReport, Soup, Stage};
 use serde_json::{Map, Value, json};
 
@@ -63,6 +64,12 @@ impl Report {
         self.push("parts", soup.parts.iter().enumerate().map(part).collect::<Vec<_>>());
     }
 
+    /// The animations of a file that has some.
+    pub fn push_animations(&mut self, soup: &Soup) {
+        let animation = |(index, clip): (usize, &Clip)| json!({ "animation": index, "name": clip.name, "seconds": clip.duration() });
+        self.push("animations", soup.motion.clips().iter().enumerate().map(animation).collect::<Vec<_>>());
+    }
+
     pub fn render(self, json: bool) -> String {
         if json { self.json() } else { self.lines() }
     }
@@ -87,6 +94,11 @@ impl Report {
                     let label = format!("part {}", part["part"]);
                     let name = part["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
                     writeln!(text, "{label:<22} {name}, {} faces", part["faces"])
+                }),
+                Value::Array(items) if name == "animations" => items.iter().try_for_each(|animation| {
+                    let label = format!("animation {}", animation["animation"]);
+                    let name = animation["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
+                    writeln!(text, "{label:<22} {name}, {} s", animation["seconds"])
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),

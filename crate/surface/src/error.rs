@@ -72,6 +72,20 @@ pub enum Error {
         /// Number of parts.
         parts: usize,
     },
+    /// There is no such clip.
+    #[error("there is no animation {clip}; {}", if clips.is_empty() { "the file has none".to_owned() } else { format!("the file has {clips}") })]
+    NoSuchClip {
+        /// The name or number asked for.
+        clip: String,
+        /// The names that there are, separated by commas.
+        clips: String,
+    },
+    /// Parts of a motion do not fit together.
+    #[error("the motion cannot be used: {problem}")]
+    Motion {
+        /// What does not fit.
+        problem: String,
+    },
     /// There is no such vertex: of the input, or of the surface where a surface was asked.
     #[error("vertex {vertex} does not exist; there are {vertices}, counted from 0")]
     NoSuchVertex {
@@ -168,6 +182,8 @@ impl Error {
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
             Self::NoSuchPart { .. } => "no-such-part",
+            Self::NoSuchClip { .. } => "no-such-clip",
+            Self::Motion { .. } => "motion",
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::UnreferencedVertex { .. } => "unreferenced-vertex",
             Self::NotAdjacent { .. } => "not-adjacent",

@@ -12,6 +12,7 @@ pub mod halfedge;
 pub mod io;
 pub mod memory;
 mod merge;
+pub mod motion;
 mod order;
 pub mod parallel;
 pub mod path;
@@ -32,6 +33,7 @@ pub use element::{
 };
 pub use error::{Error, Result};
 pub use halfedge::HalfedgeMesh;
+pub use motion::Motion;
 pub use order::along_curve;
 pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
+use crate::motion::{Motion, Pose};
 
 /// Triangles over shared vertices, in the order of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -18,6 +19,8 @@ pub struct Soup {
     pub parts: Vec<Part>,
     /// How the file wants it to look.
     pub appearance: Arc<Appearance>,
+    /// How the file lets it move.
+    pub motion: Arc<Motion>,
 }
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, a whole OFF, PLY or STL file.
@@ -43,6 +46,17 @@ impl Soup {
         if end > start {
             self.parts.push(Part { name: name.into(), triangles: start..end });
         }
+    }
+
+    /// The soup in the pose that it has so many seconds after the beginning of a clip, at whose end it stops; with normals of that
+    /// pose, and without motion.
+    ///
+    /// # Errors
+    /// As [`Motion::pose`].
+    pub fn posed(&self, clip: usize, seconds: f64) -> Result<Self> {
+        let Pose { positions, normals } = self.motion.pose(self, clip, seconds)?;
+        let appearance = Arc::new(Appearance { normals, ..Appearance::clone(&self.appearance) });
+        Ok(Self { positions, appearance, motion: Arc::default(), ..self.clone() })
     }
 
     /// The chosen parts alone, in file order, with the vertices that they use, in file order. Choosing every part
@@ -80,6 +94,10 @@ impl Soup {
             let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
             selection.appearance = Arc::new(self.appearance.select(triangles, vertices));
+        }
+        if !self.motion.is_empty() {
+            let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
+            selection.motion = Arc::new(self.motion.select(vertices));
         }
         let mut renumbered = vec![u32::MAX; self.positions.len()];
         for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {

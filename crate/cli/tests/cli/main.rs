@@ -1,5 +1,6 @@
 //! The real binary on small files.
 
+mod animations;
 mod exact;
 mod files;
 mod method;

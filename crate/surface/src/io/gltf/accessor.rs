@@ -79,6 +79,16 @@ impl<'a> Accessors<'a> {
         self.rows(index, Type::Mat4, Meaning::Quantity)
     }
 
+    /// `count × 4`: rotations of an animation, quaternions (x, y, z, w).
+    pub fn rotations(self, index: u32) -> Result<Vec<[f64; 4]>> {
+        self.rows(index, Type::Vec4, Meaning::Quantity)
+    }
+
+    /// Times and weights of an animation.
+    pub fn numbers(self, index: u32) -> Result<Vec<f64>> {
+        Ok(self.rows::<1>(index, Type::Scalar, Meaning::Quantity)?.into_iter().map(|[value]| value).collect())
+    }
+
     /// Vertex indices. They come from unsigned integers of at most 32 bits.
     pub fn indices(self, index: u32) -> Result<Vec<u32>> {
         let (_, component) = self.find(index)?;

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use glam::{DMat4, DVec3, Vec3};
+use glam::Vec3;
 use gltf::json::material::{self, AlphaMode};
 use gltf::json::mesh::{Primitive, Semantic};
 use gltf::json::texture::{self, MagFilter, WrappingMode};
@@ -28,16 +28,10 @@ pub struct Collector {
 }
 
 impl Collector {
-    /// Adds the attributes of these vertices; their normals too, where it is known how each of them was turned.
-    pub fn add_vertices(
-        &mut self,
-        accessors: Accessors,
-        primitive: &Primitive,
-        vertices: Range<usize>,
-        world_from_vertex: Option<impl Fn(usize) -> DMat4>,
-    ) {
-        let [first_set, second_set, colors, normals] = attributes_of(primitive);
-        let Range { start: first, .. } = vertices;
+    /// Adds texture coordinates and colors of these vertices.
+    pub fn add_vertices(&mut self, accessors: Accessors, primitive: &Primitive, vertices: &Range<usize>) {
+        let [first_set, second_set, colors, _] = attributes_of(primitive);
+        let Range { start: first, .. } = *vertices;
         let count = vertices.len();
         let sets = [first_set, second_set].map(|set| {
             let read = set.and_then(|index| accessors.texcoords(index).ok());
@@ -57,12 +51,6 @@ impl Collector {
             self.appearance.colors.resize(first, [u16::MAX; 4]);
             self.appearance.colors.extend(colors.into_iter().map(|color| color.map(wide)));
         }
-        let normals = normals.and_then(|index| accessors.vectors(index).ok());
-        if let Some((normals, turn)) = normals.filter(|normals| normals.len() == count).zip(world_from_vertex) {
-            self.appearance.normals.resize(first, Vec3::ZERO);
-            let turned = normals.into_iter().enumerate().map(|(vertex, normal)| turned(turn(vertex), normal).as_vec3());
-            self.appearance.normals.extend(turned);
-        }
     }
 
     /// Adds the triangles of a primitive.
@@ -71,17 +59,23 @@ impl Collector {
         self.appearance.runs.push(Run { triangles, material });
     }
 
-    /// What was collected, over so many vertices.
-    pub fn finish<'b>(self, root: &'b Root, buffers: &'b Buffers<'b>, vertices: usize) -> Appearance {
+    /// What was collected, over so many vertices. `normals`: of each, zero for none.
+    pub fn finish<'b>(
+        self,
+        root: &'b Root,
+        buffers: &'b Buffers<'b>,
+        vertices: usize,
+        normals: Vec<Vec3>,
+    ) -> Appearance {
         let mut appearance = self.appearance;
+        if normals.iter().any(|&normal| normal != Vec3::ZERO) {
+            appearance.normals = normals;
+        }
         if !appearance.texcoords.is_empty() {
             appearance.texcoords.resize(vertices, [0.0; 4]);
         }
         if !appearance.colors.is_empty() {
             appearance.colors.resize(vertices, [u16::MAX; 4]);
-        }
-        if !appearance.normals.is_empty() {
-            appearance.normals.resize(vertices, Vec3::ZERO);
         }
         if appearance.runs.iter().all(|run| run.material.is_none()) {
             appearance.runs.clear();
@@ -97,15 +91,6 @@ impl Collector {
         }
         appearance
     }
-}
-
-/// A unit normal turned by the inverse transpose of the matrix that places are turned by, here without its scale, which may
-/// be 0; zero where there is none.
-fn turned(world_from_mesh: DMat4, normal: DVec3) -> DVec3 {
-    let [x, y, z] =
-        [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis].map(|axis| axis.truncate());
-    let turned = normal.x * y.cross(z) + normal.y * z.cross(x) + normal.z * x.cross(y);
-    turned.normalize_or_zero() * x.cross(y).dot(z).signum()
 }
 
 fn read_material(given: &material::Material, images: &mut Images) -> Material {

@@ -3,6 +3,7 @@
 //! meshoptimizer.
 
 mod accessor;
+mod animation;
 mod appearance;
 mod container;
 mod deform;
@@ -15,15 +16,17 @@ mod scene;
 
 use std::sync::Arc;
 
-use glam::DMat4;
+use glam::{DMat4, DVec3, Vec3};
 use gltf::json::Root;
 
 use super::reader::Resources;
 use crate::error::{Error, Result};
+use crate::motion::{Clip, Deformer, Motion, Skin, Target};
 use crate::soup::Soup;
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
 use container::Buffers;
+use deform::Vertices;
 use draco::Compressed;
 pub use format::GLB_MAGIC;
 use format::{MAX_VERTICES, element};
@@ -35,74 +38,115 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     let buffers = Buffers::new(&root, container.binary, resources);
     let accessors = Accessors { root: &root, buffers: &buffers, compressed: None };
     let scene = Scene::new(&root)?;
-    let mut soup = Soup::default();
-    let mut collector = Collector::default();
+    let skins = deform::skins(&root, accessors)?;
+    let mut reading = Reading {
+        root: &root,
+        accessors,
+        clips: animation::clips(&root, accessors),
+        world_from_mesh: skins.iter().map(|skin| skin.world_from_mesh(&scene.world_from_node)).collect(),
+        scene: &scene,
+        skins,
+        soup: Soup::default(),
+        normals: Vec::new(),
+        collector: Collector::default(),
+        deformers: Vec::new(),
+    };
     for &index in &scene.mesh_nodes {
-        add_node(&mut soup, &mut collector, &root, accessors, &scene, index)?;
+        reading.add_node(index)?;
     }
-    soup.appearance = Arc::new(collector.finish(&root, &buffers, soup.positions.len()));
-    Ok(soup)
+    reading.finish()
 }
 
-/// Adds the mesh of a node as a part.
-fn add_node(
-    soup: &mut Soup,
-    collector: &mut Collector,
-    root: &Root,
-    accessors: Accessors,
-    scene: &Scene,
-    index: usize,
-) -> Result<()> {
-    let node = &root.nodes[index];
-    let Some(mesh_index) = node.mesh else { return Ok(()) };
-    let mesh = element(&root.meshes, mesh_index, "mesh")?;
-    let weights = node.weights.as_deref().or(mesh.weights.as_deref()).unwrap_or_default();
-    // A skin places the vertices in the scene by itself: the node's own transform is ignored (glTF 2.0, 3.7.3.3).
-    let joints = node.skin.map(|skin| deform::joint_matrices(root, accessors, scene, skin)).transpose()?;
-    let world_from_node = if joints.is_some() { DMat4::IDENTITY } else { scene.world_from_node[index] };
+/// What has been read of a file.
+struct Reading<'a> {
+    root: &'a Root,
+    accessors: Accessors<'a>,
+    scene: &'a Scene,
+    skins: Vec<Skin>,
+    /// Of each joint, for each skin.
+    world_from_mesh: Vec<Vec<DMat4>>,
+    clips: Vec<Clip>,
+    soup: Soup,
+    /// Of each vertex, zero for none.
+    normals: Vec<Vec3>,
+    collector: Collector,
+    /// Of all vertices, where there are clips.
+    deformers: Vec<Deformer>,
+}
 
-    let start = soup.triangles.len();
-    let mut first_vertices = Vec::new();
-    for primitive in &mesh.primitives {
-        let Some(position) = primitive::triangles_over(primitive)? else { continue };
-        let compressed = Compressed::of(primitive, accessors.buffers)?;
-        let accessors = accessors.of(compressed.as_ref());
-        // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
-        let attributes = (position, attributes_of(primitive), draco::view(primitive));
-        let shared = first_vertices.iter().find(|&&(known, _)| known == attributes && primitive.targets.is_none());
-        let (first, count) = if let Some(&(_, first)) = shared {
-            (first, accessors.count(position)?)
-        } else {
-            let first = soup.positions.len();
-            let mut positions = accessors.vectors(position)?;
-            if first + positions.len() > MAX_VERTICES {
-                return Err(Error::OutOfMemory { stage: "reading the glTF file" });
-            }
-            deform::morph(accessors, primitive, weights, &mut positions)?;
-            let skin = joints.as_ref().map(|joints| deform::skin(accessors, primitive, joints, positions.len()));
-            let skin = skin.transpose()?;
-            let world_from_vertex = |vertex: usize| skin.as_ref().map_or(world_from_node, |skin| skin[vertex]);
-            let places = positions.iter().enumerate();
-            soup.positions.extend(places.map(|(vertex, &point)| world_from_vertex(vertex).transform_point3(point)));
-            // Displacements of normals are not read: a morphed mesh has the normals of its triangles.
-            let is_morphed = primitive.targets.is_some() && weights.iter().any(|&weight| weight != 0.0);
-            let turn = (!is_morphed).then_some(world_from_vertex);
-            collector.add_vertices(accessors, primitive, first..soup.positions.len(), turn);
-            first_vertices.push((attributes, first));
-            (first, soup.positions.len() - first)
-        };
-        let first_triangle = soup.triangles.len();
-        primitive::append_triangles(accessors, primitive, first, count, &mut soup.triangles)?;
-        collector.add_triangles(primitive, first_triangle..soup.triangles.len());
+impl Reading<'_> {
+    /// Adds the mesh of a node as a part.
+    fn add_node(&mut self, index: usize) -> Result<()> {
+        let root = self.root;
+        let node = &root.nodes[index];
+        let Some(mesh_index) = node.mesh else { return Ok(()) };
+        let mesh = element(&root.meshes, mesh_index, "mesh")?;
+        let weights = node.weights.as_deref().or(mesh.weights.as_deref()).unwrap_or_default();
+        let is_weighted = self
+            .clips
+            .iter()
+            .flat_map(|clip| &clip.channels)
+            .any(|channel| channel.node == index && matches!(channel.target, Target::Weights(_)));
+        let start = self.soup.triangles.len();
+        let mut first_vertices = Vec::new();
+        for primitive in &mesh.primitives {
+            let Some(position) = primitive::triangles_over(primitive)? else { continue };
+            let compressed = Compressed::of(primitive, self.accessors.buffers)?;
+            let accessors = self.accessors.of(compressed.as_ref());
+            // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
+            let attributes = (position, attributes_of(primitive), draco::view(primitive));
+            let shared = first_vertices.iter().find(|&&(known, _)| known == attributes && primitive.targets.is_none());
+            let (first, count) = if let Some(&(_, first)) = shared {
+                (first, accessors.count(position)?)
+            } else {
+                let first = self.soup.positions.len();
+                let positions = accessors.vectors(position)?;
+                let range = first..first + positions.len();
+                if range.end > MAX_VERTICES {
+                    return Err(Error::OutOfMemory { stage: "reading the glTF file" });
+                }
+                self.collector.add_vertices(accessors, primitive, &range);
+                let count = positions.len();
+                let vertices = Vertices { accessors, primitive, positions, range };
+                let deformer = vertices.deformer((index, node), &self.skins, weights, is_weighted)?;
+                self.place(deformer);
+                first_vertices.push((attributes, first));
+                (first, count)
+            };
+            let first_triangle = self.soup.triangles.len();
+            primitive::append_triangles(accessors, primitive, first, count, &mut self.soup.triangles)?;
+            self.collector.add_triangles(primitive, first_triangle..self.soup.triangles.len());
+        }
+        if self.soup.triangles.len() > MAX_VERTICES {
+            return Err(Error::OutOfMemory { stage: "reading the glTF file" });
+        }
+        // A mirroring transform turns every triangle inside out (glTF 2.0, 3.7.4). A skin places the vertices in the scene by
+        // itself: the node's own transform is ignored (3.7.3.3).
+        if node.skin.is_none() && self.scene.world_from_node[index].determinant() < 0.0 {
+            self.soup.triangles[start..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        }
+        let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
+        self.soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
+        Ok(())
     }
-    if soup.triangles.len() > MAX_VERTICES {
-        return Err(Error::OutOfMemory { stage: "reading the glTF file" });
+
+    /// Places vertices as they stand in the file.
+    fn place(&mut self, deformer: Deformer) {
+        let Self { scene, world_from_mesh, soup, normals, .. } = self;
+        soup.positions.resize(deformer.vertices.end, DVec3::ZERO);
+        normals.resize(deformer.vertices.end, Vec3::ZERO);
+        deformer.place(&scene.world_from_node, world_from_mesh, &deformer.weights, &mut soup.positions, normals);
+        if !self.clips.is_empty() {
+            self.deformers.push(deformer);
+        }
     }
-    // A mirroring transform turns every triangle inside out (glTF 2.0, 3.7.4).
-    if world_from_node.determinant() < 0.0 {
-        soup.triangles[start..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
+
+    fn finish(mut self) -> Result<Soup> {
+        let Self { root, accessors, normals, collector, .. } = self;
+        let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
+        self.soup.appearance = Arc::new(appearance);
+        let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
+        self.soup.motion = Arc::new(motion);
+        Ok(self.soup)
     }
-    let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
-    soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
-    Ok(())
 }

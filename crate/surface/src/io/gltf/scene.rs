@@ -5,9 +5,12 @@ use gltf::json::{self, Root};
 
 use super::format::{GLTF, element};
 use crate::error::Result;
+use crate::motion::{Hierarchy, Node, Placement};
 
 pub struct Scene {
-    /// For every node of the file, in the scene or not: joints of a skin may stand outside.
+    /// Every node of the file, in the scene or not: joints of a skin may stand outside.
+    pub hierarchy: Hierarchy,
+    /// Where each of them stands.
     pub world_from_node: Vec<DMat4>,
     /// Nodes of the scene that carry a mesh, parents before children, in file order.
     pub mesh_nodes: Vec<usize>,
@@ -21,11 +24,11 @@ impl Scene {
             is_child[child.value()] = true;
         }
         let roots: Vec<usize> = (0..root.nodes.len()).filter(|&node| !is_child[node]).collect();
-        let mut world_from_node = vec![DMat4::IDENTITY; root.nodes.len()];
-        walk(root, &roots, |parent, node| {
-            let world_from_parent = parent.map_or(DMat4::IDENTITY, |parent: usize| world_from_node[parent]);
-            world_from_node[node] = world_from_parent * parent_from_node(&root.nodes[node]);
-        })?;
+        let mut nodes: Vec<Node> =
+            root.nodes.iter().map(|node| Node { parent: None, placement: placement(node) }).collect();
+        walk(root, &roots, |parent, node| nodes[node].parent = parent)?;
+        let hierarchy = Hierarchy::new(nodes)?;
+        let world_from_node = hierarchy.world_at_rest();
 
         let shown = match root.scene {
             Some(index) => Some(element(&root.scenes, index, "scene")?),
@@ -45,7 +48,7 @@ impl Scene {
                 mesh_nodes.push(node);
             }
         })?;
-        Ok(Self { world_from_node, mesh_nodes })
+        Ok(Self { hierarchy, world_from_node, mesh_nodes })
     }
 }
 
@@ -67,14 +70,15 @@ fn walk(root: &Root, roots: &[usize], mut visit: impl FnMut(Option<usize>, usize
     Ok(())
 }
 
-fn parent_from_node(node: &json::Node) -> DMat4 {
+fn placement(node: &json::Node) -> Placement {
     if let Some(matrix) = node.matrix {
-        return DMat4::from_cols_array(&matrix.map(f64::from));
+        return Placement::Matrix(DMat4::from_cols_array(&matrix.map(f64::from)));
     }
-    let scale = DVec3::from(node.scale.unwrap_or([1.0; 3]).map(f64::from));
     let rotation = DVec4::from(node.rotation.unwrap_or_default().0.map(f64::from));
-    // Written with f32, a quaternion is of unit length to six digits only.
-    let rotation = DQuat::from_vec4(rotation.normalize_or(DVec4::W));
-    let translation = DVec3::from(node.translation.unwrap_or_default().map(f64::from));
-    DMat4::from_scale_rotation_translation(scale, rotation, translation)
+    Placement::Parts {
+        translation: DVec3::from(node.translation.unwrap_or_default().map(f64::from)),
+        // Written with f32, a quaternion is of unit length to six digits only.
+        rotation: DQuat::from_vec4(rotation.normalize_or(DVec4::W)),
+        scale: DVec3::from(node.scale.unwrap_or([1.0; 3]).map(f64::from)),
+    }
 }
