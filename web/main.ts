@@ -28,6 +28,7 @@ import { numbersSection } from './ui/panel/numbers';
 import { buildPanel } from './ui/panel/panel';
 import { sceneSection } from './ui/panel/scene';
 import { shareSection } from './ui/panel/share';
+import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
@@ -100,6 +101,7 @@ if (!address.kiosk) {
       element: sceneSection(session, opener, dialogue.choose, folders.choose),
       open: true,
     },
+    { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },

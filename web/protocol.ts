@@ -62,6 +62,24 @@ export type Material = Plain<wasm.Material>;
 export type BuildReport = Plain<wasm.BuildReport>;
 export type SurfacePath = Plain<wasm.SurfacePath>;
 
+/** A moment of an animation: its number, and seconds from its beginning. */
+export interface Moment {
+  clip: number;
+  seconds: number;
+}
+
+export type Clip = Plain<wasm.Clip>;
+export type DrawPose = Plain<wasm.DrawPose>;
+
+/** A mesh as it stands at a moment. */
+export interface Posed {
+  surface: DrawPose;
+  /** The inactive parts that move. */
+  scenery: { part: number; pose: DrawPose }[];
+  /** The path that was traced last, as it lies there; null where there is none, or distances are measured in another pose since. */
+  path: SurfacePath | null;
+}
+
 export interface Timings {
   readMs: number;
   /** Welding and connectivity, and what windows need of it where nothing is factored. */
@@ -114,6 +132,8 @@ export interface OpenedMesh {
   shade: Shade | null;
   /** Null where the file says nothing. */
   appearance: Appearance | null;
+  /** The animations of the file. */
+  clips: Clip[];
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
@@ -201,6 +221,11 @@ export interface SolverApi {
    * those no farther apart than so much, in the unit of the file. The last field is forgotten.
    */
   bridge(rule: string): Promise<Factoring>;
+  /**
+   * Shows the mesh as it is at a moment, with null as in its file; null where it does not move. What the other calls give is
+   * drawn there. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
+   */
+  pose(moment: Moment | null, measured: boolean): Promise<Posed | null>;
   /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
   /** By so many windows of each half-edge, with or without factors. */

@@ -11,6 +11,7 @@ const QUESTION: Question = {
   windows: 2,
   parameters: DEFAULT_PARAMETERS,
   bridge: 'auto',
+  moment: null,
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,

@@ -8,7 +8,7 @@ import { until } from '../../web/state/signal';
 import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
-const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), length: 2 };
+const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), drawnLength: 1, length: 2 };
 
 function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   const field: DistanceField = {
@@ -30,13 +30,22 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     windows: STATE.windows,
     parameters: STATE.parameters,
     bridge: STATE.bridge,
+    moment: null,
     from: { vertex: 1 },
     pathKind,
     quick: false,
   };
   const timings = { readMs: 0, buildMs: 0, drawMs: 0, joinMs: 0, precomputeMs: 0 };
   const factoring = { timings, groups: 0, contacts: 0, factorNonzeros: 0, memoryBytes: 0 };
-  return { question, field, path: PATH, pathKind: pathKind === 'exact' ? 'straight' : pathKind, pathMs: 0, factoring };
+  return {
+    question,
+    posed: null,
+    field,
+    path: PATH,
+    pathKind: pathKind === 'exact' ? 'straight' : pathKind,
+    pathMs: 0,
+    factoring,
+  };
 }
 
 /** An engine whose slices reach as far as told, the last one again and again; after `failing` of them each fails. */

@@ -126,7 +126,7 @@ export class Opener {
     const state = awaited ?? { ...emptyScene(origin.reference(mesh)), ...UNTOLD };
     const load = () => Promise.resolve(origin.input(mesh));
     const request: OpenRequest = { title, load, state, choosePlaces: true, view: LANDING_VIEW };
-    if (!awaited) request.inMaterialsOfFile = true;
+    if (!awaited) request.asAuthored = true;
     await this.#open(request, ({ opened }) => {
       const wanted = awaited && 'hash' in awaited.mesh ? awaited.mesh.hash : '';
       this.#forget();

@@ -38,6 +38,10 @@ export class Overlays {
     session.scene.subscribe((state, previous) => {
       if (state.overlays !== previous.overlays || state.colorBy !== previous.colorBy) this.#latest = this.#update(true);
     });
+    session.pose.watch(() => {
+      const { overlays } = session.scene.state;
+      if (overlays.some((overlay) => overlay !== 'scenery')) this.#latest = this.#update(true);
+    });
     session.shown.watch((shown, previous) => {
       const anew =
         shown?.opened !== previous?.opened ||

@@ -1,11 +1,12 @@
 /** The first answer of a mesh that has just been opened. */
-import type { MeshInput, OpenedMesh } from '../protocol';
+import type { MeshInput, Moment, OpenedMesh } from '../protocol';
 import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { Places } from '../state/places';
-import type { SceneState } from '../state/scene';
+import { type Animation, type SceneState, STILL } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
+import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
 
 export interface Shown {
@@ -20,22 +21,37 @@ export interface OpenRequest {
   state: SceneState;
   /** Puts a source and a walker where the state has none. */
   choosePlaces: boolean;
-  /** Shows the materials of the file where it has some. */
-  inMaterialsOfFile?: true;
+  /** Shows the file as its author made it: in its materials and in motion, where it has these. */
+  asAuthored?: true;
   /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
   view: readonly [number, number] | null;
 }
 
-/** The request for a mesh that was opened, in the style that suits it. */
-export function styled(request: OpenRequest, { appearance }: OpenedMesh): OpenRequest {
-  const { inMaterialsOfFile, ...rest } = request;
-  return inMaterialsOfFile && appearance ? { ...rest, state: { ...rest.state, style: MODEL_STYLE } } : rest;
+/** The request for a mesh that was opened, in the style and the motion that suit it. */
+export function suited(request: OpenRequest, { appearance, clips }: OpenedMesh): OpenRequest {
+  const { asAuthored, ...rest } = request;
+  const state = { ...rest.state };
+  if (asAuthored && appearance) state.style = MODEL_STYLE;
+  if (asAuthored && clips.length > 0) state.animation = { ...STILL, clip: 0, plays: !reducedMotion() };
+  const { clip, seconds } = state.animation;
+  if (clip !== null) {
+    const end = clips.at(clip)?.seconds;
+    const inClip = { ...state.animation, seconds: Math.min(seconds, end ?? 0) };
+    state.animation = end === undefined ? STILL : inClip;
+  }
+  return { ...rest, state };
+}
+
+/** Where an animation stands; null: as in the file. */
+export function momentOf({ clip, seconds }: Animation): Moment | null {
+  return clip === null ? null : { clip, seconds };
 }
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, walker, pathKind } = state;
-  return { sources, method, windows, parameters, bridge, from: walker, pathKind, quick: false };
+  const { sources, windows, parameters, bridge, walker, pathKind, animation } = state;
+  const moment = animation.live ? momentOf(animation) : null;
+  return { sources, method, windows, parameters, bridge, moment, from: walker, pathKind, quick: false };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */

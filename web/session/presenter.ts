@@ -1,10 +1,13 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
-import type { DistanceField, OpenedMesh } from '../protocol';
+import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField, View } from '../view/view';
 import { Walk } from '../view/walk';
 import type { OpenRequest, Shown } from './prepare';
+
+/** A pose that is shown for longer is one to rest in. */
+const POSE_RESTS_MS = 300;
 
 export class Presenter {
   readonly walk = new Walk();
@@ -19,6 +22,9 @@ export class Presenter {
   #field: DistanceField | null = null;
   /** What the period of the style is a share of: for distance, the diameter. */
   #whole = 1;
+  /** The pose that the mesh is shown in; null: that of its file. */
+  #posed: Posed | null = null;
+  #resting: ReturnType<typeof setTimeout> | undefined;
   /** Yaw that the light is set up for, radians. */
   #facing = 0;
   /** How far the stripes have moved, in periods. */
@@ -78,7 +84,23 @@ export class Presenter {
       if (before.camera) this.#view.camera = before.camera;
       throw error;
     }
+    this.#posed = null;
+    clearTimeout(this.#resting);
     this.walk.follow(shown.answer.path?.length ?? 0, true);
+  }
+
+  /** Shows the mesh in another pose, and with it what is on it. */
+  pose(posed: Posed): void {
+    const shown = this.#shown;
+    if (!shown) return;
+    this.#posed = posed;
+    this.#showPose(false);
+    // Only a pose that stays is worth what the rest takes.
+    clearTimeout(this.#resting);
+    this.#resting = setTimeout(() => this.#showPose(true), POSE_RESTS_MS);
+    shown.places.pose(posed.surface);
+    this.#showPins();
+    if (shown.answer.path && posed.path) this.#showPath(posed.path, this.walk.arc);
   }
 
   /** Shows another answer for the same mesh; its path replaces the one shown if `withPath`. */
@@ -86,7 +108,7 @@ export class Presenter {
     this.#showField(shown);
     if (!withPath) return;
     this.walk.follow(shown.answer.path?.length ?? 0, fromStart);
-    this.#showPath(shown, this.walk.arc);
+    this.#showPath(shown.answer.path, this.walk.arc);
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
@@ -120,8 +142,20 @@ export class Presenter {
     }
   }
 
-  #showMesh({ surface, shade, scenery, appearance, drawTransform }: OpenedMesh, state: SceneState): void {
-    this.#view.setMesh(surface, shade, visible(scenery, state), appearance, drawTransform);
+  #showMesh({ surface, shade, scenery, appearance }: OpenedMesh, state: SceneState): void {
+    this.#view.setMesh(surface, shade, meshesOf(visible(scenery, state)), appearance);
+  }
+
+  #showPose(rests: boolean): void {
+    if (!this.#posed || !this.#shown) return;
+    const { surface, scenery } = this.#posed;
+    const parts = visible(this.#shown.opened.scenery, this.#state);
+    const placed = scenery.map(({ part, pose }) => [parts.findIndex((other) => other.part === part), pose] as const);
+    this.#view.setPose(
+      surface,
+      placed.filter(([index]) => index >= 0),
+      rests,
+    );
   }
 
   #showRest(shown: Shown, state: SceneState, facing: number, arc: number): void {
@@ -130,7 +164,7 @@ export class Presenter {
     this.#whole = shown.places.diameter;
     this.#showStyle();
     this.#showField(shown);
-    this.#showPath(shown, arc);
+    this.#showPath(shown.answer.path, arc);
     this.#showPins();
   }
 
@@ -140,7 +174,7 @@ export class Presenter {
     if (this.#state.colorBy === 'distance') this.paint(null);
   }
 
-  #showPath({ answer: { path } }: Shown, arc: number): void {
+  #showPath(path: SurfacePath | null, arc: number): void {
     this.#view.setPath(path);
     if (path) this.#view.setWalker(arc);
   }
@@ -169,7 +203,9 @@ export class Presenter {
   #showScenery(state: SceneState, previous: SceneState): void {
     const parts = this.#shown?.opened.scenery ?? [];
     const [now, before] = [visible(parts, state), visible(parts, previous)];
-    if (now.length !== before.length || now.some((mesh, i) => mesh !== before[i])) this.#view.setScenery(now);
+    if (now.length === before.length && now.every((part, i) => part === before[i])) return;
+    this.#view.setScenery(meshesOf(now));
+    this.#showPose(true);
   }
 
   #showPins(): void {
@@ -181,4 +217,8 @@ export class Presenter {
       selected,
     );
   }
+}
+
+function meshesOf(parts: readonly SceneryPart[]): DrawMesh[] {
+  return parts.map(({ mesh }) => mesh);
 }

@@ -1,7 +1,7 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import type { OpenedMesh, ProgressListener } from '../protocol';
+import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
-import { type Answer, type Engine, isSameField, type Question } from '../solver/engine';
+import { type Answer, type Engine, isSameField, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -11,8 +11,9 @@ import { Signal } from '../state/signal';
 import type { ShownField, View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
+import { Animator } from './animator';
 import { type Loading, type LoadingListener, whileLoading } from './loading';
-import { type OpenRequest, prepare, questionOf, type Shown, styled, wantedOf } from './prepare';
+import { type OpenRequest, prepare, questionOf, type Shown, suited, wantedOf } from './prepare';
 import { Presenter } from './presenter';
 
 /** A path that takes longer is traced only when the pointer rests. */
@@ -44,6 +45,9 @@ export class Session {
   readonly preview = new Signal<Preview | null>(null);
   /** A question to the solver failed, or the worker that holds the mesh was lost. */
   readonly failure = new Signal<Error | null>(null);
+  /** The pose that the mesh on screen is shown in; null: that of its file. */
+  readonly pose = new Signal<Moment | null>(null);
+  readonly animator: Animator;
   readonly paused = new Signal(false);
   /** Whether the model turns by itself. */
   readonly turntable = new Signal(false);
@@ -68,6 +72,8 @@ export class Session {
   #turning: SceneState | null = null;
   /** What was asked when a worker was lost last, as text. */
   #fatal = '';
+  /** While another pose is under way that distance is not measured in. */
+  #posing = false;
   #dragging = false;
   #quick = false;
 
@@ -75,9 +81,13 @@ export class Session {
     this.scene = scene;
     this.view = view;
     this.#presenter = new Presenter(scene, view);
+    this.animator = new Animator(scene);
     scene.subscribe((state, previous) => this.#follow(state, previous));
     this.paused.watch((paused) => {
       this.walk.paused = paused;
+      // What was measured in passing is measured well where it stops.
+      const answer = this.shown.value?.answer;
+      if (paused && answer && !this.#isAnswered(answer)) void this.#solve();
     });
     this.turntable.watch(() => this.showTurntable());
   }
@@ -109,7 +119,7 @@ export class Session {
         const engine = await this.#start(request, request.state, progress, built);
         this.#answering = engine;
         try {
-          const wanted = styled(request, engine.opened);
+          const wanted = suited(request, engine.opened);
           const { state, shown } = await prepare(engine, wanted);
           signal.throwIfAborted();
           this.#adopt(engine, keeps ? null : state, shown, wanted);
@@ -157,7 +167,9 @@ export class Session {
 
   /** Nothing is being opened, solved or refined, and no source is dragged. */
   get settled(): boolean {
-    return this.loading.value === null && (this.#engine === null || this.refiner.settled);
+    if (this.loading.value !== null) return false;
+    const isPosed = this.animator.plays || isSameMoment(this.pose.value, this.animator.moment.value);
+    return this.#engine === null || (this.refiner.settled && isPosed);
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
@@ -167,7 +179,35 @@ export class Session {
 
   /** Takes what moves by itself further. */
   animate(seconds: number): void {
+    if (!this.paused.value) this.animator.advance(seconds);
+    void this.#pose();
     this.#presenter.animate(seconds);
+  }
+
+  /** Shows the pose that is wanted, unless one is under way. */
+  async #pose(): Promise<void> {
+    const engine = this.#engine;
+    const moment = this.animator.moment.value;
+    if (!engine || this.#posing || !this.shown.value || isSameMoment(moment, this.pose.value)) return;
+    if (this.scene.state.animation.live) {
+      // The answer brings the pose.
+      if (!this.#isAnswered(this.shown.value.answer)) void this.#solve();
+      return;
+    }
+    this.#posing = true;
+    try {
+      const posed = await engine.pose(moment);
+      if (posed && engine === this.#engine) this.#showPose(posed, moment);
+    } catch (error) {
+      this.fail(error);
+    } finally {
+      this.#posing = false;
+    }
+  }
+
+  #showPose(posed: Posed, moment: Moment | null): void {
+    this.#presenter.pose(posed);
+    this.pose.value = moment;
   }
 
   showTurntable(): void {
@@ -194,7 +234,7 @@ export class Session {
   #preview(opened: OpenedMesh, request: OpenRequest): void {
     const triangles = opened.report.faces;
     if (triangles < LEAST_PREVIEWED) return;
-    this.#presenter.preview(opened, styled(request, opened));
+    this.#presenter.preview(opened, suited(request, opened));
     this.preview.value = { title: request.title, opened };
   }
 
@@ -217,8 +257,12 @@ export class Session {
     this.refiner.reset();
     this.failure.value = null;
     this.#count(shown.answer);
+    this.animator.clips = shown.opened.clips;
     this.shown.value = shown;
-    if (state) this.scene.load(state);
+    if (state) {
+      this.scene.load(state);
+      this.animator.restart();
+    }
     this.#rest();
   }
 
@@ -245,6 +289,8 @@ export class Session {
   #use(engine: Engine): void {
     this.#engine = engine;
     this.#lost = null;
+    // It shows the mesh as its file has it.
+    this.pose.value = null;
     void engine.lost.then((lost) => {
       if (engine !== this.#engine) return;
       this.#engine = null;
@@ -353,6 +399,7 @@ export class Session {
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
       this.#show({ ...this.#meshOf(engine, before), answer: { ...answer, pathMs } }, moved);
+      if (answer.posed && question.moment) this.#showPose(answer.posed, question.moment);
       this.failure.value = null;
       if (!this.#dragging) this.#rest();
       return true;
@@ -373,14 +420,21 @@ export class Session {
   #rest(): void {
     const { value: shown } = this.shown;
     const { state } = this.scene;
-    if (!this.#engine || !shown || !this.#isAnswered(shown.answer)) return;
+    if (!this.#engine || !shown || !this.#isAnswered(shown.answer) || this.#isLive) return;
     this.refiner.rest(this.#engine, shown.answer, { ...state, method: shown.answer.question.method });
   }
 
   /** What the scene asks now. */
   get #question(): Question {
     const { state } = this.scene;
-    return { ...questionOf(state, this.#factoring?.meanwhile ?? state.method), quick: this.#quick };
+    const moment = state.animation.live ? this.animator.moment.value : null;
+    const quick = this.#quick || this.#isLive;
+    return { ...questionOf(state, this.#factoring?.meanwhile ?? state.method), moment, quick };
+  }
+
+  /** Whether distance is measured in one pose after the other. */
+  get #isLive(): boolean {
+    return this.scene.state.animation.live && this.animator.plays && !this.paused.value;
   }
 
   /** Whether an answer is to what the scene asks. */

@@ -4,9 +4,11 @@ import type {
   EdgeKind,
   FaceField,
   Factoring,
+  Moment,
   OpenedMesh,
   Parameters,
   PathKind,
+  Posed,
   Solved,
   Source,
   SurfacePoint,
@@ -26,6 +28,8 @@ export interface Question {
   parameters: Parameters;
   /** Which components are joined. */
   bridge: Bridge;
+  /** In which pose distances are measured; null: in that of the file. */
+  moment: Moment | null;
   /** Start of the path; null: no path is wanted. */
   from: SurfacePoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
@@ -35,7 +39,7 @@ export interface Question {
 }
 
 /** What a field depends on. */
-type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'quick'>;
+type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'moment' | 'quick'>;
 
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
@@ -46,14 +50,21 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
   return (
     answered.sources === asked.sources &&
     answered.bridge === asked.bridge &&
+    isSameMoment(answered.moment, asked.moment) &&
     isByHeat === (answered.method === 'heat') &&
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
   );
 }
 
+export function isSameMoment(one: Moment | null, other: Moment | null): boolean {
+  return one?.clip === other?.clip && one?.seconds === other?.seconds;
+}
+
 export interface Answer extends TracedPath {
   question: Question;
+  /** The mesh in the pose in which the field was measured, where the one before was measured in another one. */
+  posed: Posed | null;
   /** Null when there are no sources. */
   field: DistanceField | null;
   /** What `path` is. */
@@ -75,6 +86,9 @@ export class Engine {
   #parameters: Parameters | null;
   /** What the worker has joined. */
   #bridge: Bridge = 'off';
+  /** The pose that the worker shows, and that in which it measures. */
+  #shown: Moment | null = null;
+  #measured: Moment | null = null;
   #factoring: Factoring;
   /** The field that the worker holds, and what it was asked for. */
   #held: { question: Question; field: DistanceField } | null = null;
@@ -133,6 +147,13 @@ export class Engine {
       // The time of a path is that of one traced during a drag.
       return found ? { ...answer, path: found.path, pathKind: 'exact' } : answer;
     });
+  }
+
+  /** Shows the mesh in a pose without measuring there. Null where it does not move, and where distances are measured in poses. */
+  async pose(moment: Moment | null): Promise<Posed | null> {
+    if (this.#measured) return null;
+    this.#shown = moment;
+    return this.#worker.call(this.#worker.api.pose(moment, false));
   }
 
   gradients(kind: FaceField): Promise<Float32Array> {
@@ -213,8 +234,9 @@ export class Engine {
       this.#bridge = question.bridge;
       this.#held = null;
     }
+    const posed = isSameMoment(question.moment, this.#measured) ? null : await this.#measureAt(question.moment);
     const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;
-    const about = { question, pathKind, factoring: this.#factoring };
+    const about = { question, posed, pathKind, factoring: this.#factoring };
     if (sources.length === 0) return { ...about, field: null, path: null, pathMs: 0 };
     const request = requestOf(question, pathKind);
     const held = this.#held;
@@ -234,6 +256,14 @@ export class Engine {
     );
     this.#held = { question, field: solved.field };
     return { ...about, ...solved };
+  }
+
+  async #measureAt(moment: Moment | null): Promise<Posed | null> {
+    this.#held = null;
+    this.#measured = moment;
+    // Where distances are those of the file again, what is shown stays.
+    if (moment) this.#shown = moment;
+    return this.#worker.call(this.#worker.api.pose(this.#shown, moment !== null));
   }
 
   async #path(request: PathRequest | null): Promise<TracedPath> {

@@ -30,16 +30,20 @@ import {
   SURROUNDINGS,
 } from './styles';
 import {
+  type Animation,
   type Bridge,
   LARGEST_CROWD,
   type MeshReference,
   OVERLAYS,
   type SceneState,
+  SPEEDS,
   type Windows,
   withOffset,
 } from './scene';
 
 const VERSION = '1';
+/** An hour: longer than any animation of a model. */
+const LONGEST_CLIP_SECONDS = 3600;
 
 export interface Decoded {
   /** Null where the fragment names no mesh, or none that there can be. */
@@ -75,6 +79,13 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('way', state.pathKind, start.pathKind);
   add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
+  const { animation } = state;
+  add('clip', clip(animation.clip), clip(start.animation.clip));
+  add('time', number(animation.seconds), number(start.animation.seconds));
+  add('play', flag(animation.plays), flag(start.animation.plays));
+  add('speed', number(animation.speed), number(start.animation.speed));
+  add('loop', flag(animation.loops), flag(start.animation.loops));
+  add('live', flag(animation.live), flag(start.animation.live));
   add('look', state.style.name, start.style.name);
   const style = baseStyle(state.style.name, start.style);
   add('paint', state.colorBy, start.colorBy);
@@ -135,6 +146,13 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('way', choiceOf(PATH_KIND), (pathKind) => (state.pathKind = pathKind));
   read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
   read('cam', parseCamera, (camera) => (state.camera = camera));
+  const animate = (part: Partial<Animation>) => (state.animation = { ...state.animation, ...part });
+  read('clip', parseClip, ([clip]) => animate({ clip: clip ?? null }));
+  read('time', within(0, LONGEST_CLIP_SECONDS), (seconds) => animate({ seconds }));
+  read('play', oneOf(['0', '1']), (plays) => animate({ plays: plays === '1' }));
+  read('speed', within(...SPEEDS), (speed) => animate({ speed }));
+  read('loop', oneOf(['0', '1']), (loops) => animate({ loops: loops === '1' }));
+  read('live', oneOf(['0', '1']), (live) => animate({ live: live === '1' }));
   read(
     'look',
     (name) => findStyle(name) ?? null,
@@ -227,6 +245,10 @@ function parseBridge(text: string): Bridge | null {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
 }
 
+function clip(index: number | null): string {
+  return index === null ? 'none' : String(index);
+}
+
 function flag(value: boolean): string {
   return value ? '1' : '0';
 }
@@ -290,6 +312,11 @@ function parsePoint(text: string): SurfacePoint | null {
   const sum = a + b + c;
   // The digits of a link are rounded, so the weights may miss 1 by a little.
   return Math.abs(sum - 1) < 0.01 ? { face, weights: [a / sum, b / sum, c / sum] } : null;
+}
+
+/** The number of one, or of none. */
+function parseClip(text: string): number[] | null {
+  return text === 'none' ? [] : /^\d{1,6}$/.test(text) ? [Number(text)] : null;
 }
 
 function parseIndices(text: string): number[] | null {

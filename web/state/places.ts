@@ -1,5 +1,5 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
-import type { OpenedMesh, SurfacePoint } from '../protocol';
+import type { DrawPose, OpenedMesh, SurfacePoint } from '../protocol';
 
 export type Vector = [number, number, number];
 
@@ -11,6 +11,8 @@ export interface Place {
 
 export class Places {
   readonly #mesh: OpenedMesh;
+  /** Of the drawn vertices, in the pose that is shown. */
+  #pose: DrawPose;
   /** Of each input vertex one drawn vertex, −1 where none is drawn. */
   readonly #drawnOf: Int32Array;
   /** Diagonal of the bounding box, in the unit of the file. */
@@ -20,12 +22,18 @@ export class Places {
 
   constructor(mesh: OpenedMesh) {
     this.#mesh = mesh;
+    this.#pose = mesh.surface;
     this.#drawnOf = new Int32Array(mesh.report.inputVertices).fill(-1);
     mesh.inputVertices.forEach((vertex, drawn) => {
       this.#drawnOf[vertex] = drawn;
     });
     this.drawnDiameter = boxDiagonal(mesh.surface.positions);
     this.diameter = this.drawnDiameter / mesh.drawTransform.scale;
+  }
+
+  /** Another pose is shown. Sizes stay those of the pose in the file. */
+  pose(pose: DrawPose): void {
+    this.#pose = pose;
   }
 
   /** The three drawn corners and their weights; null when the mesh has no such place. */
@@ -47,7 +55,7 @@ export class Places {
   at(point: SurfacePoint): Place | null {
     const found = this.#corners(point);
     if (!found) return null;
-    const { positions, normals } = this.#mesh.surface;
+    const { positions, normals } = this.#pose;
     return {
       position: blend(positions, found.corners, found.weights),
       normal: normalised(blend(normals, found.corners, found.weights)),

@@ -1,5 +1,5 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
-import type { DrawMesh, Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
+import type { Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
 import {
   AUTOMATIC,
   DEFAULT_PARAMETERS,
@@ -42,6 +42,26 @@ export type Windows = (typeof WINDOWS)[number];
  */
 export type Bridge = 'auto' | 'off' | number;
 
+/** Which animation of the file is shown, and how. */
+export interface Animation {
+  /** Its number; null: the mesh stands as in its file. */
+  clip: number | null;
+  /** Where it stands, or begins to play; from the beginning of the animation. */
+  seconds: number;
+  plays: boolean;
+  /** Times as fast as the file says. */
+  speed: number;
+  /** Whether it begins again at its end. */
+  loops: boolean;
+  /** Whether distance is measured in each pose; else that of the pose in the file is shown. */
+  live: boolean;
+}
+
+/** The least and the greatest speed. */
+export const SPEEDS = [0.1, 4] as const;
+
+export const STILL: Animation = { clip: null, seconds: 0, plays: false, speed: 1, loops: true, live: false };
+
 export const LARGEST_CROWD = 10_000;
 
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
@@ -73,6 +93,7 @@ export interface SceneState extends Places {
   refine: boolean;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
+  animation: Animation;
   style: Style;
   /** The field that the surface is colored by. */
   colorBy: VertexField;
@@ -100,6 +121,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     pathKind: PATH_KIND.default,
     refine: true,
     camera: null,
+    animation: STILL,
     style: DEFAULT_STYLE,
     colorBy: VERTEX_FIELD.default,
     hidden: [],
@@ -120,9 +142,9 @@ export function upOf({ up }: Pick<SceneState, 'up'>, upright: Up): Up {
 }
 
 /** The inactive parts that are shown. */
-export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): DrawMesh[] {
+export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): SceneryPart[] {
   if (!overlays.includes('scenery')) return [];
-  return scenery.filter(({ part }) => !hidden.includes(part)).map(({ mesh }) => mesh);
+  return scenery.filter(({ part }) => !hidden.includes(part));
 }
 
 /** A source at a place. An initial distance of 0 is not written, so that equal sources are equal objects. */

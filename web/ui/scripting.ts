@@ -1,5 +1,5 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
-import type { DistanceField, FaceField, PathKind, SurfacePoint } from '../protocol';
+import type { Clip, DistanceField, FaceField, Moment, PathKind, SurfacePoint } from '../protocol';
 import type { Session } from '../session/session';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
@@ -37,6 +37,8 @@ export interface Heatwalk {
     /** The axis of the file that is drawn upward. */
     up: Up;
   } | null;
+  /** The animations of the file, by name, and the moment that is shown: null where that is the pose in the file. */
+  readonly animation: { clips: readonly Clip[]; moment: Moment | null };
   /** Of the field that is shown. */
   readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
   /** Stored entries of all Cholesky factors of the mesh on screen; 0 where nothing is factored. */
@@ -73,7 +75,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     ready,
     async settled() {
       await ready;
-      await until(() => session.settled, session.loading, session.refiner.phase);
+      await until(() => session.settled, session.loading, session.refiner.phase, session.pose, session.animator.moment);
     },
     get backend() {
       return session.view.backend.value;
@@ -102,6 +104,9 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
         diameter: places.diameter,
         up: opened.drawTransform.up,
       };
+    },
+    get animation() {
+      return { clips: session.shown.value?.opened.clips ?? [], moment: session.pose.value };
     },
     get field() {
       const field = session.shown.value?.answer.field;

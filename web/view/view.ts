@@ -1,5 +1,5 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { Appearance, DistanceField, DrawMesh, DrawTransform, Shade, SurfacePath, SurfacePoint } from '../protocol';
+import type { Appearance, DistanceField, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
@@ -30,6 +30,7 @@ const ORDER = [
   'materials',
   'surface',
   'scenery',
+  'pose',
   'surroundings',
   'style',
   'offset',
@@ -43,15 +44,15 @@ const ORDER = [
   'spin',
 ] as const;
 type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
 /** What a preview has from the scene that it stands before. */
 const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 
 /** All that is shown together. */
 interface Picture {
   layers: Map<Layer, (viewer: Viewer) => void>;
-  /** Drawn length of the file's unit. */
-  scale: number;
+  /** Drawn length of a unit of the path. */
+  stride: number;
 }
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
@@ -89,7 +90,7 @@ export class View {
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
   /** What calls change. */
-  #picture: Picture = { layers: new Map(), scale: 1 };
+  #picture: Picture = { layers: new Map(), stride: 1 };
   /** What is on the canvas: that, or a preview in its place. */
   #drawn = this.#picture;
   #camera: Float64Array | null = null;
@@ -190,13 +191,7 @@ export class View {
   }
 
   /** `shade`: of the surface alone. If this throws, everything is shown as before. */
-  setMesh(
-    surface: DrawMesh,
-    shade: Shade | null,
-    scenery: readonly DrawMesh[],
-    appearance: Appearance | null,
-    { scale }: DrawTransform,
-  ): void {
+  setMesh(surface: DrawMesh, shade: Shade | null, scenery: readonly DrawMesh[], appearance: Appearance | null): void {
     const picture = this.#picture;
     const before = new Map(picture.layers);
     const { materials, images } = appearance ?? NO_APPEARANCE;
@@ -205,12 +200,22 @@ export class View {
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
       this.setScenery(scenery);
-      picture.scale = scale;
     } catch (error) {
       picture.layers = before;
       this.#redraw();
       throw error;
     }
+  }
+
+  /**
+   * Moves the vertices of the surface, and of the scenery by its indices. `rests`: for a while, so that ambient occlusion is
+   * worth its time.
+   */
+  setPose(surface: DrawPose, scenery: readonly (readonly [number, DrawPose])[], rests: boolean): void {
+    this.#show('pose', (viewer) => {
+      viewer.set_pose(surface.positions, surface.normals, rests);
+      for (const [index, { positions, normals }] of scenery) viewer.set_scenery_pose(index, positions, normals, rests);
+    });
   }
 
   setScenery(parts: readonly DrawMesh[]): void {
@@ -224,7 +229,7 @@ export class View {
   preview(draw: () => void): void {
     const scene = this.#picture;
     const common = [...scene.layers].filter(([layer]) => COMMON.has(layer));
-    this.#picture = this.#drawn = { layers: new Map(common), scale: 1 };
+    this.#picture = this.#drawn = { layers: new Map(common), stride: 1 };
     try {
       draw();
       this.#picture = scene;
@@ -294,13 +299,14 @@ export class View {
   setPath(path: SurfacePath | null): void {
     const points = path?.points ?? new Float32Array();
     const normals = path?.normals ?? new Float32Array();
+    this.#picture.stride = path && path.length > 0 ? path.drawnLength / path.length : 1;
     this.#show('path', (viewer) => viewer.set_path(points, normals));
     if (!path) this.#show('walker', (viewer) => viewer.hide_walker());
   }
 
-  /** `arc` in the unit of the file. */
+  /** `arc` of the path, in the unit of the file. */
   setWalker(arc: number): void {
-    const drawn = arc * this.#picture.scale;
+    const drawn = arc * this.#picture.stride;
     this.#show('walker', (viewer) => viewer.set_walker(drawn));
   }
 

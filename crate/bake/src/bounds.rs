@@ -17,6 +17,13 @@ impl Bounds {
     /// Stands in while nothing is shown, so that the camera always has a scale.
     pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
 
+    /// Least and greatest corner of a box that holds the points: as low as they are, as wide as the sphere elsewhere.
+    #[must_use]
+    pub fn cube(&self) -> [Vec3; 2] {
+        let (low, high) = (self.center - self.radius, self.center + self.radius);
+        [Vec3::new(low.x, self.lowest, low.z), high]
+    }
+
     /// Bounds of points, or None when there are none.
     #[must_use]
     pub fn of_points<'a>(points: impl Iterator<Item = &'a Vec3> + Clone) -> Option<Self> {

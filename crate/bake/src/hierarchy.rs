@@ -33,20 +33,28 @@ impl Hierarchy {
         let corners = |triangle: u32| triangles[triangle as usize].map(|vertex| positions[vertex as usize]);
         let middle = |triangle: usize| corners(triangle as u32).iter().sum::<Vec3>().as_dvec3();
         let order = along_curve(triangles.len(), middle, parallel::ONE);
-        let mut boxes = vec![EMPTY; box_count(order.len())];
-        let inner = boxes.len() / 2;
-        for (leaf, numbers) in boxes[inner..].iter_mut().zip(order.chunks(LEAF)) {
+        let boxes = vec![EMPTY; box_count(order.len())];
+        let mut hierarchy = Self { order, boxes };
+        hierarchy.fit(positions, triangles);
+        hierarchy
+    }
+
+    /// Fits the boxes to its triangles in other positions. The less these are neighbours there that were before, the longer
+    /// questions take.
+    pub(crate) fn fit(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
+        let inner = self.boxes.len() / 2;
+        for (leaf, numbers) in self.boxes[inner..].iter_mut().zip(self.order.chunks(LEAF)) {
+            *leaf = EMPTY;
             for &number in numbers {
-                let [a, b, c] = corners(number);
+                let [a, b, c] = triangles[number as usize].map(|vertex| positions[vertex as usize]);
                 let (low, high) = (a.min(b).min(c), a.max(b).max(c));
                 let margin = MARGIN * low.abs().max(high.abs()).max_element();
                 *leaf = around(*leaf, [low - margin, high + margin]);
             }
         }
         for node in (0..inner).rev() {
-            boxes[node] = around(boxes[2 * node + 1], boxes[2 * node + 2]);
+            self.boxes[node] = around(self.boxes[2 * node + 1], self.boxes[2 * node + 2]);
         }
-        Self { order, boxes }
     }
 
     /// Of the arrays of another one, where they are those of so many triangles.

@@ -19,6 +19,16 @@ impl Picker {
         Self { hierarchy, positions, triangles }
     }
 
+    /// Moves the vertices, to as many finite positions.
+    ///
+    /// # Panics
+    /// Where there are more or fewer.
+    pub fn pose(&mut self, positions: Vec<Vec3>) {
+        assert_eq!(positions.len(), self.positions.len(), "one position a vertex");
+        self.hierarchy.fit(&positions, &self.triangles);
+        self.positions = positions;
+    }
+
     /// The nearest triangle in front of the ray's origin, seen from either side.
     #[must_use]
     pub fn cast(&self, ray: Ray) -> Option<Hit> {
@@ -121,6 +131,27 @@ mod tests {
             }
             assert!(count < 700 || hits > 300, "the rays must meet something: {hits}");
         }
+    }
+
+    #[test]
+    fn agrees_with_brute_force_in_another_pose() {
+        let mut picker = soup(700, 7);
+        let turned = picker.positions().iter().map(|place| Vec3::new(place.y, -2.0 * place.x, place.z + place.y));
+        let turned: Vec<Vec3> = turned.collect();
+        picker.pose(turned.clone());
+        assert_eq!(picker.positions(), turned);
+        let mut random = Lcg(13);
+        let mut hits = 0;
+        for _ in 0..1000 {
+            let origin = 4.0 * random.point();
+            let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+            let nearest = (0..700)
+                .filter_map(|triangle| picker.meet(ray, triangle))
+                .min_by(|left, right| left.depth.total_cmp(&right.depth));
+            assert_eq!(picker.cast(ray), nearest);
+            hits += usize::from(nearest.is_some());
+        }
+        assert!(hits > 200, "the rays must meet something: {hits}");
     }
 
     #[test]

@@ -25,6 +25,9 @@ pub struct DrawMesh {
     pub vertex_of_drawn: Vec<VertexId>,
     /// `#D`, the input vertex of each drawn vertex, with its texture coordinates.
     pub input_of_drawn: Vec<InputVertex>,
+    /// `#D`, of each drawn vertex the first one that shares its smooth normal: itself, or one that only the file has parted it
+    /// from.
+    pub first_of_sector: Vec<u32>,
     /// `#D × 4`, two sets of texture coordinates; empty where the file has none.
     pub texcoords: Vec<f32>,
     /// `#D × 4`, linear RGBA, 65535 for 1; empty where the file has none.
@@ -43,6 +46,7 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
         normals: Vec::with_capacity(3 * vertices),
         triangles: Vec::with_capacity(3 * surface.face_count()),
         vertex_of_drawn: Vec::with_capacity(vertices),
+        first_of_sector: Vec::with_capacity(vertices),
         input_of_drawn: Vec::with_capacity(vertices),
         ..DrawMesh::default()
     };
@@ -51,8 +55,9 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
     let mut split: Vec<(HalfedgeId, u32)> = Vec::new();
     for vertex in surface.vertices() {
         let position = transform.place(surface.position(vertex)).to_array();
-        let mut draw = |normal: DVec3, input| {
+        let mut draw = |normal: DVec3, input, first: Option<u32>| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
+            drawing.first_of_sector.push(first.unwrap_or(drawn));
             drawing.positions.extend(position);
             let normal = shading.normal_of_file(input, normal).unwrap_or(normal);
             drawing.normals.extend(transform.direction(normal).as_vec3().to_array());
@@ -64,14 +69,16 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
         if shading.is_smooth[vertex] && inputs.len() == 1 {
             let corner = surface.corners_of_vertex(vertex).next();
             let normal = shading.smooth_normal(shading.sums[vertex], corner.map_or(FaceId(0), |(face, _)| face));
-            first_drawn[vertex] = draw(normal, inputs[0]);
+            first_drawn[vertex] = draw(normal, inputs[0], None);
             continue;
         }
         for sector in shading.sectors(surface, vertex).chunk_by(|a, b| a.0 == b.0) {
             let sum = sector.iter().map(|&(_, _, corner)| shading.weighted_normal(surface, corner)).sum();
+            let mut first = None;
             for group in sector.chunk_by(|a, b| a.1 == b.1) {
                 let (_, input, corner) = group[0];
-                let drawn = draw(shading.smooth_normal(sum, corner.triangle()), input);
+                let drawn = draw(shading.smooth_normal(sum, corner.triangle()), input, first);
+                first.get_or_insert(drawn);
                 split.extend(group.iter().map(|&(_, _, corner)| (corner, drawn)));
             }
         }

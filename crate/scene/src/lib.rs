@@ -1,13 +1,15 @@
-//! What pictures of surfaces need, and the solver does not: [vertices to draw](drawing), [lines of the mesh](overlay), a
-//! [crowd] of walkers, and the [transform](DrawTransform) to what is drawn.
+//! What pictures of surfaces need, and the solver does not: [vertices to draw](drawing), [lines of the mesh](overlay), [poses](posing) of
+//! both, a [crowd] of walkers, and the [transform](DrawTransform) to what is drawn.
 
 pub mod crowd;
 pub mod drawing;
 pub mod overlay;
+pub mod posing;
 mod transform;
 mod upright;
 
 pub use crowd::{Crowd, Walker};
 pub use drawing::{DrawMesh, draw_mesh};
+pub use posing::{DrawPose, Posing};
 pub use transform::DrawTransform;
 pub use upright::upright;

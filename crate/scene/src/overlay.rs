@@ -45,11 +45,12 @@ fn edge(surface: &Surface, halfedge: HalfedgeId) -> ([VertexId; 2], f64) {
 }
 
 /// The edges of the triangles that carry the operators, drawn on the surface: edges of the mesh are one segment, others
-/// cross faces. An edge that is not the shortest path between its ends is left out.
+/// cross faces. An edge that is not the shortest path between its ends is left out. They are drawn on `shown`, which is the
+/// solver's surface in whatever pose.
 ///
 /// # Errors
-/// None that a solver of a valid surface gives.
-pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
+/// [`heatwalk::Error::Surface`] with `ForeignSurface` where `shown` is another surface.
+pub fn operator_edges(solver: &HeatSolver, shown: &Surface) -> Result<Vec<Segment>> {
     let surface = solver.surface();
     let mut segments = Vec::new();
     // Ends and length of those that are no edges of the mesh, by their lower end.
@@ -59,7 +60,7 @@ pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
     for ([low, high], length) in solver.operator_edges(SAME_LENGTH) {
         match mesh.get(&[low, high]) {
             Some(&known) if is_same(known, length) => {
-                segments.push([low, high].map(|vertex| surface.position(vertex)));
+                segments.push([low, high].map(|vertex| shown.position(vertex)));
             }
             _ => crossing.entry(low).or_default().push((high, length)),
         }
@@ -77,6 +78,7 @@ pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
                 continue;
             }
             if let Ok(path) = front.path_from_vertex(high) {
+                let path = path.carried(surface, shown)?;
                 let positions: Vec<DVec3> = path.points.iter().map(|point| point.position).collect();
                 segments.extend(positions.array_windows().copied());
             }
@@ -89,9 +91,9 @@ pub fn operator_edges(solver: &HeatSolver) -> Result<Vec<Segment>> {
 pub fn contact_lines(surface: &Surface, bridges: &Bridges) -> Vec<Segment> {
     let arm = 0.5 * MARK * surface.bounding_radius();
     let mut segments = Vec::new();
-    for Portal { ends, gap } in bridges.portals() {
+    for Portal { ends, .. } in bridges.portals() {
         let middles = ends.map(|end| end.position(surface));
-        if *gap > SEEN * arm {
+        if triangle::length(middles[1] - middles[0]) > SEEN * arm {
             segments.push(middles);
         }
         for (end, middle) in ends.iter().zip(middles) {

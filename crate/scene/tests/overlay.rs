@@ -35,7 +35,7 @@ fn edges_of_the_plain_operator_are_those_of_the_mesh() {
     let edges = overlay::inner_edges(&sphere).len();
     let plain = Parameters { operator: Operator::Plain, ..Parameters::default() };
     let solver = HeatSolver::new(sphere, plain, &mut |_, _| ControlFlow::Continue(())).expect("a sphere");
-    assert_eq!(overlay::operator_edges(&solver).expect("edges").len(), edges);
+    assert_eq!(overlay::operator_edges(&solver, solver.surface()).expect("edges").len(), edges);
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn a_flipped_edge_is_drawn_across_faces_with_its_own_length() {
     };
     let solver = HeatSolver::new(tent, Parameters::default(), &mut |_, _| ControlFlow::Continue(())).expect("a tent");
     let is_on_fold = |point: &DVec3| point.y == 0.5 && point.x.abs() < 1.0;
-    let crossing: Vec<Segment> = overlay::operator_edges(&solver)
+    let crossing: Vec<Segment> = overlay::operator_edges(&solver, solver.surface())
         .expect("edges")
         .into_iter()
         .filter(|ends| ends.iter().any(is_on_fold))

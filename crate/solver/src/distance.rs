@@ -64,6 +64,17 @@ impl Distance {
         self.surface
     }
 
+    /// The same values on the same surface in another pose.
+    ///
+    /// # Errors
+    /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` where it was not solved on `from`, or `to` is not that
+    /// surface in another pose.
+    pub fn carried(&self, from: &Surface, to: &Surface) -> Result<Self> {
+        from.require_own(self.surface, "distance")?;
+        to.require_pose_of(from, "distance")?;
+        Ok(Self { surface: to.id(), ..self.clone() })
+    }
+
     /// The distance at a point, in the file's unit, interpolated linearly in its face.
     ///
     /// # Errors

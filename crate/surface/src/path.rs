@@ -71,6 +71,17 @@ impl Path {
         Ok(Self::new(surface, points))
     }
 
+    /// The same places on the same surface in another pose.
+    ///
+    /// # Errors
+    /// [`Error::ForeignSurface`] where it does not lie on `from`, or `to` is not that surface in another pose.
+    pub fn carried(&self, from: &Surface, to: &Surface) -> Result<Self> {
+        from.require_own(self.surface, "path")?;
+        to.require_pose_of(from, "path")?;
+        let moved = |point: &PathPoint| PathPoint { position: point.location.position(to), ..*point };
+        Ok(Self::new(to, self.points.iter().map(moved).collect()))
+    }
+
     /// Length, in the file's unit.
     pub fn length(&self) -> f64 {
         let segments = self.points.windows(2).map(|ends| triangle::length(ends[1].position - ends[0].position));

@@ -53,7 +53,7 @@ pub use error::Error;
 pub use heatwalk_bake::{Bounds, Hierarchy, Ray, Shade};
 pub use image::Image;
 pub use material::{CHANNELS, Material, TextureUse};
-pub use mesh::MeshArrays;
+pub use mesh::{MeshArrays, MeshPose};
 pub use pose::{CrowdPose, Pose, Track};
 pub use renderer::{Renderer, SurfaceHit};
 pub use style::{Blend, Finish, Pattern, RAMP_SIZE, Style};

@@ -23,6 +23,14 @@ pub struct MeshArrays {
     pub appearance: MeshAppearance,
 }
 
+/// The vertices of a mesh in another pose; world space.
+pub struct MeshPose {
+    /// `#D × 3`.
+    pub positions: Vec<Vec3>,
+    /// `#D × 3`, unit length.
+    pub normals: Vec<Vec3>,
+}
+
 impl MeshArrays {
     fn check(&self) -> Result<(), Error> {
         let vertex_count = self.positions.len();
@@ -65,6 +73,25 @@ impl Mesh {
         let model = (!is_bare).then(|| ModelBuffers::new(context, positions.len(), triangles.len(), appearance));
         let model = model.transpose()?;
         Ok(Some(Self { buffers, model, bounds, normals, picker: Picker::new(positions, triangles, hierarchy) }))
+    }
+
+    /// Moves the vertices.
+    ///
+    /// # Errors
+    /// When there are more or fewer, or one is no finite place; the mesh then stays as it is.
+    pub(crate) fn pose(&mut self, context: &Context, pose: MeshPose) -> Result<(), Error> {
+        let MeshPose { positions, normals } = pose;
+        let (expected, found) = (3 * self.normals.len(), 3 * positions.len());
+        if found != expected {
+            return Err(Error::WrongLength { what: "posed positions", expected, found });
+        }
+        check::same_length("posed normals", &positions, &normals)?;
+        check::places("posed positions", &positions)?;
+        check::vectors("posed normals", &normals)?;
+        self.buffers.pose(context, &positions, &normals);
+        self.picker.pose(positions);
+        self.normals = normals;
+        Ok(())
     }
 
     pub(crate) fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {

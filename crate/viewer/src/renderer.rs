@@ -60,8 +60,10 @@ pub struct Renderer {
     /// Of the surface alone, where it was given.
     shade: Option<Shade>,
     scenery: Vec<Mesh>,
-    /// Of surface and scenery together.
+    /// Of surface and scenery together, as they last came to rest.
     scene: Bounds,
+    /// Least and greatest corner of these and of all poses since, where there were any.
+    reach: Option<[Vec3; 2]>,
     track: Option<Track>,
     /// The last frame is out of date.
     dirty: bool,
@@ -96,6 +98,7 @@ impl Renderer {
             shade: None,
             scenery: Vec::new(),
             scene: Bounds::UNIT,
+            reach: None,
             track: None,
             dirty: true,
             shadows_dirty: true,
@@ -136,6 +139,11 @@ impl Renderer {
 
     fn meshes(&self) -> impl Iterator<Item = &Mesh> + Clone {
         self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery)
+    }
+
+    /// Bounds of all that has cast a shadow since the scene last came to rest.
+    fn shadowed(&self) -> Bounds {
+        self.reach.and_then(|reach| Bounds::of_points(reach.iter())).unwrap_or(self.scene)
     }
 
     fn radius(&self) -> f32 {

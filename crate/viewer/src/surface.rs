@@ -44,7 +44,7 @@ impl MeshBuffers {
         normals: &[Vec3],
         triangles: &[[u32; 3]],
     ) -> Result<Self, Error> {
-        let vertex = wgpu::BufferUsages::VERTEX;
+        let vertex = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Ok(Self {
             positions: mesh_buffer(context, "vertex positions", bytemuck::cast_slice(positions), vertex)?,
             normals: mesh_buffer(context, "vertex normals", bytemuck::cast_slice(normals), vertex)?,
@@ -56,6 +56,12 @@ impl MeshBuffers {
             )?,
             index_count: 3 * triangles.len() as u32,
         })
+    }
+
+    /// Uploads as many positions and normals again.
+    pub(crate) fn pose(&self, context: &Context, positions: &[Vec3], normals: &[Vec3]) {
+        context.queue.write_buffer(&self.positions, 0, bytemuck::cast_slice(positions));
+        context.queue.write_buffer(&self.normals, 0, bytemuck::cast_slice(normals));
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {

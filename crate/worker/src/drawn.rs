@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{Appearance, FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData, VertexId};
-use heatwalk_scene::{DrawTransform, draw_mesh};
+use heatwalk::{
+    Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
+};
+use heatwalk_scene::{DrawTransform, Posing, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -39,11 +41,18 @@ pub struct Drawn {
 
 impl Drawn {
     /// With the triangles themselves, which only the page needs.
-    pub fn new(surface: &Surface, appearance: &Appearance, transform: DrawTransform) -> (Self, DrawMesh) {
+    /// With what moves them, for a soup that moves.
+    pub fn new(
+        surface: &Surface,
+        appearance: &Appearance,
+        moving: Option<&Soup>,
+        transform: DrawTransform,
+    ) -> (Self, DrawMesh, Option<Posing>) {
         let faces = surface.faces_in_input_order().collect();
         let mut mesh = draw_mesh(surface, appearance, CREASE_ANGLE, &transform);
+        let posing = moving.and_then(|soup| Posing::new(soup, &mesh));
         let (vertices, inputs) = (std::mem::take(&mut mesh.vertex_of_drawn), std::mem::take(&mut mesh.input_of_drawn));
-        (Self { vertices, inputs, faces, transform }, DrawMesh::new(mesh))
+        (Self { vertices, inputs, faces, transform }, DrawMesh::new(mesh), posing)
     }
 
     pub fn input_vertices(&self) -> Vec<u32> {

@@ -9,6 +9,7 @@ mod appearance;
 mod drawn;
 mod failure;
 mod field;
+mod motion;
 mod parameters;
 mod results;
 mod solved;
@@ -18,7 +19,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
-use heatwalk_scene::{DrawTransform, upright};
+use heatwalk_scene::{DrawTransform, Posing, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
@@ -26,6 +27,7 @@ use wasm_bindgen::prelude::*;
 use crate::appearance::{EncodedImage, Material};
 use crate::drawn::Drawn;
 use crate::failure::Result;
+use crate::motion::{Clip, Scenery};
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
@@ -123,6 +125,11 @@ impl MeshFile {
         self.soup.appearance.images.iter().map(EncodedImage::new).collect()
     }
 
+    /// The animations that there are.
+    pub fn clips(&self) -> Vec<Clip> {
+        self.soup.motion.clips().iter().map(Clip::new).collect()
+    }
+
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
     /// or in so many MiB; 0 windows: for what is factored, before its factors.
     pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
@@ -153,16 +160,17 @@ impl MeshFile {
         };
         let surface = Surface::build(soup)?;
         let transform = DrawTransform::around(&surface, &self.soup, up);
-        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance: Arc::clone(&soup.appearance) })
+        let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
-    pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<DrawMesh> {
+    pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<Scenery> {
         let soup = self.soup.select(&[part as usize])?;
         match Surface::build(&soup) {
-            Ok(surface) => Ok(Drawn::new(&surface, &soup.appearance, beside.transform).1),
+            Ok(surface) => Ok(Scenery::new(&surface, &soup, beside.transform)),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
-            Err(heatwalk::surface::Error::Empty { .. }) => Ok(DrawMesh::default()),
+            Err(heatwalk::surface::Error::Empty { .. }) => Ok(Scenery::empty()),
             Err(error) => Err(error.into()),
         }
     }
@@ -173,6 +181,8 @@ impl MeshFile {
 pub struct ActiveSurface {
     surface: Arc<Surface>,
     appearance: Arc<Appearance>,
+    /// What it was built from, where that moves.
+    moving: Option<Soup>,
     transform: DrawTransform,
 }
 
@@ -196,8 +206,8 @@ impl ActiveSurface {
 
     /// Makes its triangles ready to be drawn.
     pub fn draw(&self) -> Drawing {
-        let (drawn, mesh) = Drawn::new(&self.surface, &self.appearance, self.transform);
-        Drawing { surface: Arc::clone(&self.surface), drawn: Arc::new(drawn), mesh }
+        let (drawn, mesh, posing) = Drawn::new(&self.surface, &self.appearance, self.moving.as_ref(), self.transform);
+        Drawing { surface: Arc::clone(&self.surface), drawn: Arc::new(drawn), mesh, posing }
     }
 }
 
@@ -207,6 +217,7 @@ pub struct Drawing {
     surface: Arc<Surface>,
     drawn: Arc<Drawn>,
     mesh: DrawMesh,
+    posing: Option<Posing>,
 }
 
 #[wasm_bindgen]
@@ -228,7 +239,7 @@ impl Drawing {
 
     /// A solver by windows; nothing is factored.
     pub fn solver(&self) -> Result<Solver> {
-        Solver::unfactored(&self.surface, &self.drawn)
+        Solver::unfactored(&self.surface, &self.drawn, self.posing.clone())
     }
 
     /// A solver by heat as well: factors the heat and Poisson matrices. `progress` is told the stages.
@@ -237,6 +248,6 @@ impl Drawing {
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] parameters: &Object,
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<Solver> {
-        Solver::factored(&self.surface, &self.drawn, parameters, progress)
+        Solver::factored(&self.surface, &self.drawn, self.posing.clone(), parameters, progress)
     }
 }

@@ -87,6 +87,31 @@ impl DrawMesh {
     }
 }
 
+/// Drawn vertices in a pose.
+#[wasm_bindgen(inspectable)]
+pub struct DrawPose(heatwalk_scene::DrawPose);
+
+impl DrawPose {
+    pub(crate) fn new(pose: heatwalk_scene::DrawPose) -> Self {
+        Self(pose)
+    }
+}
+
+#[wasm_bindgen]
+impl DrawPose {
+    /// `#D × 3`, as they are drawn.
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Float32Array {
+        self.0.positions.as_slice().into()
+    }
+
+    /// `#D × 3`, unit length.
+    #[wasm_bindgen(getter)]
+    pub fn normals(&self) -> Float32Array {
+        self.0.normals.as_slice().into()
+    }
+}
+
 /// What a surface keeps off the light around it: texels of the viewer's.
 #[wasm_bindgen(inspectable)]
 pub struct Shade(heatwalk_bake::Shade);
@@ -158,14 +183,16 @@ pub struct SurfacePath {
     points: Vec<f32>,
     normals: Vec<f32>,
     length: f64,
+    drawn_length: f32,
 }
 
 impl SurfacePath {
-    pub(crate) fn of(path: &Path, transform: &DrawTransform) -> Self {
-        let points = transform.places(path.points.iter().map(|point| point.position));
+    /// A path as it is `shown`: the path itself, or that carried to another pose.
+    pub(crate) fn of(path: &Path, shown: &Path, transform: &DrawTransform) -> Self {
+        let points = transform.places(shown.points.iter().map(|point| point.position));
         let normals =
-            path.normals.iter().flat_map(|&normal| transform.direction(normal).as_vec3().to_array()).collect();
-        Self { points, normals, length: path.length() }
+            shown.normals.iter().flat_map(|&normal| transform.direction(normal).as_vec3().to_array()).collect();
+        Self { points, normals, length: path.length(), drawn_length: transform.length(shown.length()) }
     }
 }
 
@@ -183,9 +210,15 @@ impl SurfacePath {
         self.normals.as_slice().into()
     }
 
-    /// Its length in the file's unit.
+    /// Its length in the file's unit, in the pose that distances are measured in.
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> f64 {
         self.length
+    }
+
+    /// Length of the line through the points.
+    #[wasm_bindgen(getter, js_name = drawnLength)]
+    pub fn drawn_length(&self) -> f32 {
+        self.drawn_length
     }
 }

@@ -7,18 +7,20 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    Bridges, CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
-    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
+    Bridges, CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch,
+    Propagation, PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend,
+    straighten,
 };
-use heatwalk_scene::{Crowd, overlay};
+use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
+use crate::motion::moment;
 use crate::parameters::parameters;
-use crate::results::SurfacePath;
+use crate::results::{DrawPose, SurfacePath};
 use crate::solved::{Solved, factored};
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
@@ -35,8 +37,13 @@ const CROWD_SEED: u64 = 1;
 #[wasm_bindgen]
 pub struct Solver {
     drawn: Arc<Drawn>,
+    /// The surface that distances are measured on.
     geometry: Arc<ExactGeometry>,
+    /// The same as it is shown: in another pose, if distances are measured in that of the file.
+    shown: Arc<Surface>,
+    /// Of the surface in the pose of the file.
     bridges: Bridges,
+    moving: Option<Moving>,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
     /// That of the last field by windows, kept for its memory.
@@ -47,26 +54,39 @@ pub struct Solver {
     crowd: Option<Crowd>,
 }
 
+/// What a surface that moves has besides.
+struct Moving {
+    posing: Posing,
+    /// In the pose of the file.
+    surface: Arc<Surface>,
+    /// The last path that was traced, where distances are measured.
+    path: Option<Path>,
+}
+
 impl Solver {
-    pub(crate) fn unfactored(surface: &Arc<Surface>, drawn: &Arc<Drawn>) -> Result<Self> {
+    pub(crate) fn unfactored(surface: &Arc<Surface>, drawn: &Arc<Drawn>, posing: Option<Posing>) -> Result<Self> {
         memory::require(BYTES_PER_FACE * surface.face_count() as u64, "unfolding the triangles")?;
-        Ok(Self::new(drawn, Arc::new(ExactGeometry::new(Arc::clone(surface))), None))
+        Ok(Self::new(drawn, Arc::new(ExactGeometry::new(Arc::clone(surface))), posing, None))
     }
 
     pub(crate) fn factored(
         surface: &Arc<Surface>,
         drawn: &Arc<Drawn>,
+        posing: Option<Posing>,
         given: &Object,
         progress: &Function,
     ) -> Result<Self> {
         let heat = HeatSolver::new(Arc::clone(surface), parameters(given)?, &mut reporter(progress))?;
-        Ok(Self::new(drawn, Arc::clone(heat.exact_geometry()), Some(heat)))
+        Ok(Self::new(drawn, Arc::clone(heat.exact_geometry()), posing, Some(heat)))
     }
 
-    fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, heat: Option<HeatSolver>) -> Self {
+    fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, posing: Option<Posing>, heat: Option<HeatSolver>) -> Self {
+        let surface = Arc::clone(geometry.surface());
         Self {
             drawn: Arc::clone(drawn),
             geometry,
+            moving: posing.map(|posing| Moving { posing, surface: Arc::clone(&surface), path: None }),
+            shown: surface,
             bridges: Bridges::default(),
             heat,
             propagation: None,
@@ -110,11 +130,50 @@ impl Solver {
 
     /// The last field as the page gets it; the crowd follows it.
     fn field(&mut self) -> Result<Field> {
-        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        if let Some(crowd) = &mut self.crowd {
-            crowd.follow(&solved.distance)?;
+        self.lead_crowd()?;
+        Ok(self.solved()?.field(&self.drawn))
+    }
+
+    fn lead_crowd(&mut self) -> Result<()> {
+        if let (Some(crowd), Some(solved)) = (&mut self.crowd, &self.solved) {
+            crowd.follow(&solved.distance.carried(self.geometry.surface(), &self.shown)?)?;
         }
-        Ok(solved.field(&self.drawn))
+        Ok(())
+    }
+
+    /// The last field on the surface as it is shown.
+    fn shown_distance(&self) -> Result<Distance> {
+        Ok(self.solved()?.distance.carried(self.geometry.surface(), &self.shown)?)
+    }
+
+    /// A path as it is shown, and from now on in every pose.
+    fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
+        let shown = path.carried(self.geometry.surface(), &self.shown)?;
+        let drawn = SurfacePath::of(&path, &shown, &self.drawn.transform);
+        if let Some(moving) = &mut self.moving {
+            moving.path = Some(path);
+        }
+        Ok(drawn)
+    }
+
+    /// Measures on this surface, a pose of the one so far, from now on.
+    fn measure_on(&mut self, surface: &Arc<Surface>) -> Result<()> {
+        if self.geometry.surface().id() == surface.id() {
+            return Ok(());
+        }
+        let heat = match &self.heat {
+            Some(heat) => {
+                Some(HeatSolver::new(Arc::clone(surface), heat.parameters(), &mut |_, _| ControlFlow::Continue(()))?)
+            }
+            None => None,
+        };
+        let geometry = match &heat {
+            Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
+            None => ExactGeometry::new(Arc::clone(surface)),
+        };
+        self.geometry = Arc::new(geometry.bridged(&self.bridges.carried(surface)));
+        (self.heat, self.propagation, self.solved, self.search) = (heat, None, None, None);
+        Ok(())
     }
 
     fn solved(&self) -> Result<&Solved> {
@@ -141,16 +200,45 @@ impl Solver {
 
     /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and forgets the field.
     pub fn bridge(&mut self, rule: &str) -> Result<()> {
-        let bridges = Bridges::find(self.geometry.surface(), rule.parse()?);
+        let of_file = self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface);
+        let bridges = Bridges::find(of_file, rule.parse()?);
         self.propagation = None;
         self.solved = None;
         self.search = None;
         if bridges.portals() != self.bridges.portals() {
             let geometry = ExactGeometry::clone(&self.geometry);
-            self.geometry = Arc::new(geometry.bridged(&bridges));
+            let here = bridges.carried(geometry.surface());
+            self.geometry = Arc::new(geometry.bridged(&here));
         }
         self.bridges = bridges;
         Ok(())
+    }
+
+    /// Shows the surface as it is so many seconds after the beginning of an animation, or without one in its file; none where it
+    /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
+    pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
+        let Some(moving) = &mut self.moving else { return Ok(None) };
+        moving.posing.take(moment(clip, seconds))?;
+        let posed = DrawPose::new(moving.posing.draw(&self.drawn.transform));
+        let of_file = Arc::clone(&moving.surface);
+        self.shown = match clip {
+            None => Arc::clone(&of_file),
+            Some(_) => Arc::new(of_file.posed(moving.posing.positions(&of_file))),
+        };
+        let metric = if measured { Arc::clone(&self.shown) } else { of_file };
+        self.measure_on(&metric)?;
+        if let Some(crowd) = &mut self.crowd {
+            crowd.carry(Arc::clone(&self.shown))?;
+        }
+        self.lead_crowd()?;
+        Ok(Some(posed))
+    }
+
+    /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
+    pub fn posed_path(&self) -> Option<SurfacePath> {
+        let path = self.moving.as_ref()?.path.as_ref()?;
+        let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
+        Some(SurfacePath::of(path, &shown, &self.drawn.transform))
     }
 
     /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
@@ -201,7 +289,7 @@ impl Solver {
 
     /// The path from a place to its nearest source: "descent" of the last field, the same made "straight", or "exact".
     pub fn path(
-        &self,
+        &mut self,
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
     ) -> Result<SurfacePath> {
@@ -213,7 +301,7 @@ impl Solver {
             PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?)?,
             PathKind::Exact => exact::shortest_path(&self.geometry, from, &solved.sources)?,
         };
-        Ok(SurfacePath::of(&path, &self.drawn.transform))
+        self.shown_path(path)
     }
 
     /// Searches the exact path from a place to its nearest source by about `work` windows further; none until it is found.
@@ -233,22 +321,21 @@ impl Solver {
         if path.is_none() {
             self.search = Some((from, search));
         }
-        Ok(path.map(|path| SurfacePath::of(&path, &self.drawn.transform)))
+        path.map(|path| self.shown_path(path)).transpose()
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
     pub fn tangents(&self) -> Result<Vec<i8>> {
-        let directions = self.solved()?.distance.directions(self.geometry.surface())?;
+        let directions = self.shown_distance()?.directions(&self.shown)?;
         Ok(self.drawn.spread_directions(&directions))
     }
 
     /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", of the last field.
     pub fn gradients(&self, #[wasm_bindgen(unchecked_param_type = "FaceField")] kind: &str) -> Result<Vec<f32>> {
-        let solved = self.solved()?;
-        let surface = self.geometry.surface();
+        let distance = self.shown_distance()?;
         let vectors = match kind.parse()? {
-            FaceField::Heat => solved.distance.heat_directions(surface)?,
-            FaceField::Distance => solved.distance.gradients(surface)?,
+            FaceField::Heat => distance.heat_directions(&self.shown)?,
+            FaceField::Distance => distance.gradients(&self.shown)?,
         };
         Ok(self.drawn.spread_vectors(&vectors))
     }
@@ -256,12 +343,12 @@ impl Solver {
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
     /// operators see ("operator"), drawn on the surface; or the lines that show where components meet ("contact").
     pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
-        let surface = self.geometry.surface();
+        let surface = &*self.shown;
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
             EdgeKind::Contact => overlay::contact_lines(surface, &self.bridges),
-            EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?)?,
+            EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?, surface)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }
@@ -293,13 +380,9 @@ impl Solver {
             _ if count == 0 => self.crowd = None,
             Some(crowd) => crowd.set_count(count as usize),
             None => {
-                let surface = self.geometry.surface();
-                let height = height * surface.bounding_radius();
-                let mut crowd = Crowd::new(Arc::clone(surface), count as usize, height, CROWD_SEED)?;
-                if let Some(solved) = &self.solved {
-                    crowd.follow(&solved.distance)?;
-                }
-                self.crowd = Some(crowd);
+                let height = height * self.geometry.surface().bounding_radius();
+                self.crowd = Some(Crowd::new(Arc::clone(&self.shown), count as usize, height, CROWD_SEED)?);
+                self.lead_crowd()?;
             }
         }
         Ok(())

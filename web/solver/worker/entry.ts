@@ -9,9 +9,11 @@ import type {
   FaceField,
   Factoring,
   MeshInput,
+  Moment,
   OpenedMesh,
   Parameters,
   Plain,
+  Posed,
   Solved,
   SolverApi,
   Source,
@@ -65,6 +67,8 @@ interface Current {
 /** What is drawn of a mesh that is not prepared yet. */
 let opened: { drawing: wasm.Drawing; timings: Timings; vertices: number } | undefined;
 let current: Current | undefined;
+/** The inactive parts that move. */
+let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
 
 const api: SolverApi = {
   async start(module) {
@@ -108,7 +112,10 @@ const api: SolverApi = {
     const { vertices } = report;
     progress({ stage: 'Drawing', fraction: DRAW_FROM, vertices });
     const inactive = names.map((_, part) => part).filter((part) => !active.includes(part));
-    const scenery = inactive.map((part) => ({ part, mesh: plain(file.scenery(part, surface)) }));
+    const sceneries = inactive.map((part) => ({ part, scenery: file.scenery(part, surface) }));
+    const scenery = sceneries.map(({ part, scenery: drawn }) => ({ part, mesh: plain(drawn.take_mesh()) }));
+    movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
+    const clips = file.clips().map(plain);
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -120,6 +127,7 @@ const api: SolverApi = {
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
       appearance: await appearance,
+      clips,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface, up),
       upright,
@@ -173,6 +181,21 @@ const api: SolverApi = {
     mesh.solver.bridge(rule);
     mesh.timings = { ...mesh.timings, joinMs: clock() };
     return factoringOf(mesh, memory);
+  },
+
+  pose(moment: Moment | null, measured: boolean): Promise<Posed | null> {
+    const { solver } = openMesh();
+    const surface = solver.pose(moment?.clip, moment?.seconds ?? 0, measured);
+    if (!surface) return Promise.resolve(null);
+    const scenery = movingScenery.flatMap(({ part, scenery: moving }) => {
+      const pose = moving.pose(moment?.clip, moment?.seconds ?? 0);
+      return pose ? [{ part, pose: plain(pose) }] : [];
+    });
+    const path = solver.posed_path();
+    const posed: Posed = { surface: plain(surface), scenery, path: path ? plain(path) : null };
+    const poses = [posed.surface, ...scenery.map(({ pose }) => pose)];
+    const buffers = poses.flatMap(({ positions, normals }) => [positions.buffer, normals.buffer]);
+    return Promise.resolve(transfer(posed, [...buffers, ...pathBuffersOf(posed)]));
   },
 
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
@@ -318,7 +341,7 @@ function nextWork(work: number, passed: number, wanted: number): number {
   return Math.max(LEAST_WORK, Math.round(work * change));
 }
 
-function pathBuffersOf({ path }: TracedPath): Transferable[] {
+function pathBuffersOf({ path }: Pick<TracedPath, 'path'>): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer] : [];
 }
 

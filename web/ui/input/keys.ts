@@ -89,6 +89,7 @@ export class Keys {
     const { session, tool, chooseFile, closeMessage } = this.#o;
     if (event.key in TOOL_KEYS) tool.value = TOOL_KEYS[event.key];
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
+    else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
     else if (event.key.toLowerCase() === 'o') chooseFile();
     else if (event.key.toLowerCase() === 'u') this.#turn();

@@ -7,6 +7,8 @@ export interface Section {
   element: HTMLElement;
   /** Until the user expands or collapses it. */
   open: boolean;
+  /** Until there is something to show in it. */
+  hidden?: true;
   /** The `id` that an earlier version of the page remembered it by. */
   formerId?: string;
 }
@@ -16,9 +18,14 @@ const MEMORY = 'heatwalk.panel';
 export function buildPanel(sections: readonly Section[]): HTMLElement {
   const memory = remembered();
   const body = h('div', { class: 'panel-body', id: 'panel-body' });
-  for (const { id, formerId, title, element, open } of sections) {
+  for (const { id, formerId, title, element, open, hidden } of sections) {
     const isOpen = memory[id] ?? (formerId ? memory[formerId] : undefined) ?? open;
-    const details = h('details', { open: isOpen, id: `section-${id}` }, h('summary', {}, title), element);
+    const details = h(
+      'details',
+      { open: isOpen, hidden: hidden ?? false, id: `section-${id}` },
+      h('summary', {}, title),
+      element,
+    );
     details.addEventListener('toggle', () => remember(id, details.open));
     body.append(details);
   }

@@ -81,8 +81,7 @@ impl Crowd {
             return Err(Error::BadParameter { name: "the height of walkers", value, range: "positive and finite" });
         }
         let surface = surface.into();
-        let stand = |vertex| [surface.position(vertex), surface.vertex_normal(vertex)];
-        let footing = surface.vertices().map(stand).collect();
+        let footing = footing(&surface);
         let flow = Flow::new(&surface);
         Ok(Self {
             surface,
@@ -119,6 +118,27 @@ impl Crowd {
         }
         self.surface.require_own(distance.surface(), "distance")?;
         self.flow.follow(&self.surface, distance);
+        Ok(())
+    }
+
+    /// Takes the walkers along to the same surface in another pose, where each stays at its place. They wait there for a
+    /// distance to [`follow`](Self::follow).
+    ///
+    /// # Errors
+    /// [`Error::Surface`] with `ForeignSurface` for a surface that is not this one in another pose.
+    pub fn carry(&mut self, to: impl Into<Arc<Surface>>) -> Result<()> {
+        let to = to.into();
+        to.require_pose_of(&self.surface, "crowd")?;
+        let from = std::mem::replace(&mut self.surface, to);
+        self.footing = footing(&self.surface);
+        self.flow = Flow::new(&self.surface);
+        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, turn: 1.0 };
+        for walker in &mut self.walkers {
+            let (position, upright) = ground.stand(Place { face: walker.face, weights: walker.weights });
+            let ahead = carried(walker.heading, from.corners(walker.face), self.surface.corners(walker.face));
+            let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
+            *walker = Walker { position, upright, heading, ..*walker };
+        }
         Ok(())
     }
 
@@ -220,6 +240,20 @@ impl Ground<'_> {
         let upright = if is_above { mean.normalize() } else { self.surface.face_normal(face) };
         (combined(corners, weights), upright)
     }
+}
+
+/// `#V`, position and normal.
+fn footing(surface: &Surface) -> VertexData<[DVec3; 2]> {
+    surface.vertices().map(|vertex| [surface.position(vertex), surface.vertex_normal(vertex)]).collect()
+}
+
+/// A vector along a triangle after the affine map that takes its corners to others.
+fn carried(vector: DVec3, from: [DVec3; 3], [p, q, r]: [DVec3; 3]) -> DVec3 {
+    let [b, c] = [from[1] - from[0], from[2] - from[0]];
+    let normal = b.cross(c);
+    let scale = normal.length_squared().recip();
+    let [along_b, along_c] = [vector.cross(c).dot(normal), b.cross(vector).dot(normal)];
+    (scale * along_b) * (q - p) + (scale * along_c) * (r - p)
 }
 
 /// The heading after a share of the turn to a direction, both laid at right angles to `upright`.

@@ -18,6 +18,7 @@ pub use rule::BridgeRule;
 
 use crate::point::Place;
 use crate::surface::Surface;
+use crate::triangle;
 use crate::union_find::UnionFind;
 
 /// A place to cross from one component to another, either way.
@@ -71,6 +72,16 @@ impl Bridges {
             bridges.groups.push(group);
         }
         bridges
+    }
+
+    /// The same portals on the surface in another pose, as far apart as they are there.
+    #[must_use]
+    pub fn carried(&self, to: &Surface) -> Self {
+        let moved = |portal: &Portal| {
+            let [start, end] = portal.ends.map(|place| place.position(to));
+            Portal { gap: triangle::length(end - start), ..*portal }
+        };
+        Self { portals: self.portals.iter().map(moved).collect(), ..self.clone() }
     }
 
     /// Components that are joined count once.

@@ -81,6 +81,12 @@ impl Motion {
         self.clips.is_empty()
     }
 
+    /// Whether a clip moves any vertex; not always so after [`Self::select`].
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        !self.deformers.is_empty()
+    }
+
     /// In the order of the file.
     #[must_use]
     pub fn clips(&self) -> &[Clip] {

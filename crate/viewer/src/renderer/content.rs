@@ -9,7 +9,7 @@ use crate::environment::{Environment, Surroundings};
 use crate::error::Error;
 use crate::image::Image;
 use crate::material::Material;
-use crate::mesh::{Mesh, MeshArrays};
+use crate::mesh::{Mesh, MeshArrays, MeshPose};
 use crate::model::ModelRenderer;
 use crate::pose::{CrowdPose, Track};
 use crate::style::Style;
@@ -59,6 +59,44 @@ impl Renderer {
         Ok(())
     }
 
+    /// Moves the vertices of the surface. What it keeps off the light stays until a pose comes that it is to rest in.
+    ///
+    /// # Errors
+    /// When there are more or fewer, or one is no finite place; the pose before then stays.
+    pub fn set_pose(&mut self, pose: MeshPose, rests: bool) -> Result<(), Error> {
+        let Some((mesh, _)) = &mut self.surface else { return Ok(()) };
+        mesh.pose(&self.context, pose)?;
+        self.adopt_pose(rests);
+        Ok(())
+    }
+
+    /// The same for a mesh of the scenery.
+    ///
+    /// # Errors
+    /// As [`Self::set_pose`].
+    pub fn set_scenery_pose(&mut self, index: usize, pose: MeshPose, rests: bool) -> Result<(), Error> {
+        let Some(mesh) = self.scenery.get_mut(index) else { return Ok(()) };
+        mesh.pose(&self.context, pose)?;
+        self.adopt_pose(rests);
+        Ok(())
+    }
+
+    /// Bounds only grow while poses change, so that shadows and floor stand still.
+    fn adopt_pose(&mut self, rests: bool) {
+        let grown = |reach: [Vec3; 2], &place: &Vec3| [reach[0].min(place), reach[1].max(place)];
+        let before = self.reach.unwrap_or_else(|| self.scene.cube());
+        let reach = self.meshes().flat_map(Mesh::positions).fold(before, grown);
+        self.reach = Some(reach);
+        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
+        self.camera.set_bounds(surface, self.shadowed());
+        (self.dirty, self.shadows_dirty) = (true, true);
+        if rests {
+            self.scene = self.shadowed();
+            self.shade = None;
+            self.occlusion_dirty = true;
+        }
+    }
+
     fn adopt_meshes(&mut self) {
         if self.models.is_none() && self.meshes().any(|mesh| mesh.model.is_some()) {
             self.models = Some(ModelRenderer::new(&self.context));
@@ -67,6 +105,7 @@ impl Renderer {
         let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
         let all = if self.scenery.is_empty() { None } else { all() };
         self.scene = all.unwrap_or(surface);
+        self.reach = None;
         self.camera.set_bounds(surface, self.scene);
         (self.dirty, self.shadows_dirty, self.occlusion_dirty) = (true, true, true);
     }

@@ -69,7 +69,7 @@ impl Renderer {
 
     /// Writes the frame's uniform and draws the shadows that have changed.
     fn prepare(&self, camera: &Camera) -> wgpu::CommandEncoder {
-        let shadows = ShadowView::new(self.scene, self.environment.key());
+        let shadows = ShadowView::new(self.shadowed(), self.environment.key());
         let moves = self.walkers.are_out() || !self.pins.is_empty();
         let radius = self.radius();
         self.shared.write(

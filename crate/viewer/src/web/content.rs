@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
 use super::materials::{DrawnMaterial, image, material};
-use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, points, shade};
+use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, mesh_pose, points, shade};
 use crate::environment;
 use crate::error::Error;
 use crate::pose::CrowdPose;
@@ -83,6 +83,28 @@ impl Viewer {
     pub fn set_scenery(&mut self, meshes: Vec<DrawnMesh>) -> Result<(), JsError> {
         let meshes = meshes.into_iter().map(|mesh| mesh_arrays(&mesh)).collect::<Result<_, _>>()?;
         Ok(self.renderer.set_scenery(meshes)?)
+    }
+
+    /// Moves the surface's vertices: `#D × 3` positions and unit normals. `rests`: it stays in this pose for a while.
+    ///
+    /// # Errors
+    /// Throws when there are more or fewer numbers than vertices, or one is not finite.
+    pub fn set_pose(&mut self, positions: &Float32Array, normals: &Float32Array, rests: bool) -> Result<(), JsError> {
+        Ok(self.renderer.set_pose(mesh_pose(positions, normals)?, rests)?)
+    }
+
+    /// The same for a mesh of the scenery, by its index.
+    ///
+    /// # Errors
+    /// As `set_pose`.
+    pub fn set_scenery_pose(
+        &mut self,
+        index: usize,
+        positions: &Float32Array,
+        normals: &Float32Array,
+        rests: bool,
+    ) -> Result<(), JsError> {
+        Ok(self.renderer.set_scenery_pose(index, mesh_pose(positions, normals)?, rests)?)
     }
 
     /// One value a drawn vertex, Infinity = unreachable, and the direction in which it grows, four numbers a drawn vertex,

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
-use crate::mesh::MeshArrays;
+use crate::mesh::{MeshArrays, MeshPose};
 use crate::style::Finish;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -115,6 +115,11 @@ pub(super) fn mesh_arrays(mesh: &DrawnMesh) -> Result<MeshArrays, Error> {
         hierarchy: hierarchy.ok_or(Error::WrongLength { what: "hierarchy", expected: triangles.len(), found })?,
         triangles,
     })
+}
+
+pub(super) fn mesh_pose(positions: &Float32Array, normals: &Float32Array) -> Result<MeshPose, Error> {
+    let (positions, normals) = (positions.to_vec(), normals.to_vec());
+    Ok(MeshPose { positions: groups("posed positions", positions)?, normals: groups("posed normals", normals)? })
 }
 
 fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {

@@ -1,0 +1,81 @@
+//! What moves: the animations of a file, and scenery.
+
+use heatwalk::{Soup, Surface, surface::motion};
+use heatwalk_scene::{DrawTransform, Posing};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::failure::Result;
+use crate::results::{DrawMesh, DrawPose};
+
+/// An animation of the file.
+#[wasm_bindgen(inspectable)]
+pub struct Clip {
+    name: String,
+    seconds: f64,
+}
+
+impl Clip {
+    pub(crate) fn new(clip: &motion::Clip) -> Self {
+        Self { name: clip.name.clone(), seconds: clip.duration() }
+    }
+}
+
+#[wasm_bindgen]
+impl Clip {
+    /// Its name in the file, or a made one.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    /// How long it lasts.
+    #[wasm_bindgen(getter)]
+    pub fn seconds(&self) -> f64 {
+        self.seconds
+    }
+}
+
+/// A moment of an animation, its number given: none is the pose of the file.
+pub fn moment(clip: Option<u32>, seconds: f64) -> Option<(usize, f64)> {
+    clip.map(|clip| (clip as usize, seconds))
+}
+
+/// Triangles that nobody walks on.
+#[wasm_bindgen]
+pub struct Scenery {
+    mesh: DrawMesh,
+    posing: Option<Posing>,
+    transform: DrawTransform,
+}
+
+impl Scenery {
+    pub(crate) fn new(surface: &Surface, soup: &Soup, transform: DrawTransform) -> Self {
+        let (_, mesh, posing) = Drawn::new(surface, &soup.appearance, Some(soup), transform);
+        Self { mesh, posing, transform }
+    }
+
+    pub(crate) fn empty() -> Self {
+        Self { mesh: DrawMesh::default(), posing: None, transform: DrawTransform::IDENTITY }
+    }
+}
+
+#[wasm_bindgen]
+impl Scenery {
+    /// Takes its triangles, which only the page needs.
+    pub fn take_mesh(&mut self) -> DrawMesh {
+        std::mem::take(&mut self.mesh)
+    }
+
+    /// Whether an animation moves it.
+    pub fn moves(&self) -> bool {
+        self.posing.is_some()
+    }
+
+    /// Where it is so many seconds after the beginning of an animation, or without one in its file; none where it does not move.
+    pub fn pose(&mut self, clip: Option<u32>, seconds: f64) -> Result<Option<DrawPose>> {
+        let Some(posing) = &mut self.posing else { return Ok(None) };
+        posing.take(moment(clip, seconds))?;
+        Ok(Some(DrawPose::new(posing.draw(&self.transform))))
+    }
+}

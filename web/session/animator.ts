@@ -1,0 +1,67 @@
+/** The clock of an animation: which moment of it is to be shown. */
+import type { Clip, Moment } from '../protocol';
+import type { Scene } from '../state/scene';
+import { Signal } from '../state/signal';
+import { momentOf } from './prepare';
+
+export class Animator {
+  /** Null: the mesh as its file has it. */
+  readonly moment = new Signal<Moment | null>(null);
+  readonly #scene: Scene;
+  #clips: readonly Clip[] = [];
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+    scene.subscribe(({ animation }, { animation: before }) => {
+      const { clip, seconds, plays } = animation;
+      const isElsewhere = clip !== before.clip || seconds !== before.seconds;
+      if (isElsewhere) this.moment.value = momentOf(animation);
+      // Who comes back finds the moment at which it was stopped.
+      else if (before.plays && !plays) this.#rest();
+    });
+  }
+
+  /** The animations of another mesh. */
+  set clips(clips: readonly Clip[]) {
+    this.#clips = clips;
+  }
+
+  /** Goes to where the scene says. */
+  restart(): void {
+    this.moment.value = momentOf(this.#scene.state.animation);
+  }
+
+  /** Seconds that the present clip lasts; 0 without one. */
+  get duration(): number {
+    return this.#clips[this.#scene.state.animation.clip ?? -1]?.seconds ?? 0;
+  }
+
+  get plays(): boolean {
+    return this.#scene.state.animation.plays && this.duration > 0;
+  }
+
+  advance(passed: number): void {
+    const { clip, speed, loops } = this.#scene.state.animation;
+    if (!this.plays || clip === null) return;
+    const { duration } = this;
+    const seconds = (this.moment.value?.seconds ?? 0) + passed * speed;
+    this.moment.value = { clip, seconds: loops ? seconds % duration : Math.min(seconds, duration) };
+    if (!loops && seconds >= duration) this.#rest();
+  }
+
+  /** Begins at the beginning where it was played to its end. */
+  toggle(): void {
+    const { animation } = this.#scene.state;
+    if (animation.clip === null || this.duration === 0) return;
+    const isOver = !animation.loops && animation.seconds >= this.duration;
+    const seconds = isOver && !animation.plays ? 0 : animation.seconds;
+    this.#scene.set({ animation: { ...animation, seconds, plays: !animation.plays } });
+  }
+
+  #rest(): void {
+    const { animation } = this.#scene.state;
+    const seconds = this.moment.value?.seconds ?? animation.seconds;
+    if (animation.plays || seconds !== animation.seconds)
+      this.#scene.set({ animation: { ...animation, seconds, plays: false } });
+  }
+}

@@ -1,0 +1,96 @@
+import type { Clip } from '../../protocol';
+import type { Session } from '../../session/session';
+import { type Animation, SPEEDS } from '../../state/scene';
+import { h, select, slider, toggle } from '../dom';
+
+const STEP_SECONDS = 0.01;
+
+/** Which animation of the file is shown, and how; for files that have some. */
+export function animationSection(session: Session): HTMLElement {
+  const { scene, animator } = session;
+  const change = (part: Partial<Animation>) =>
+    scene.set({ animation: { ...scene.state.animation, seconds: animator.moment.value?.seconds ?? 0, ...part } });
+
+  const clips = h('select', {
+    onchange: () => {
+      const clip = clips.selectedIndex - 1;
+      change(clip < 0 ? { clip: null, seconds: 0, plays: false } : { clip, seconds: 0 });
+    },
+  });
+  const play = h('button', {
+    class: 'small',
+    title: 'Play or stop the animation (A)',
+    onclick: () => animator.toggle(),
+  });
+  const time = slider({
+    label: 'Time',
+    min: 0,
+    max: 1,
+    step: STEP_SECONDS,
+    describe: (seconds) => `${seconds.toFixed(2)} s`,
+    change: (seconds) => change({ seconds, plays: false }),
+  });
+  time.element.classList.add('automatic');
+  time.element.querySelector('.value')?.after(play);
+  const speed = slider({
+    label: 'Speed',
+    min: SPEEDS[0],
+    max: SPEEDS[1],
+    step: 0.1,
+    describe: (value) => `${value.toFixed(1)} ×`,
+    change: (value) => change({ speed: value }),
+  });
+  const loop = toggle('Loop', (loops) => change({ loops }));
+  const measured = select<'file' | 'pose'>(
+    'Distance',
+    [
+      ['file', 'Of the pose in the file'],
+      ['pose', 'Of each pose, live'],
+    ],
+    (where) => change({ live: where === 'pose' }),
+  );
+  const element = h(
+    'div',
+    { class: 'stack' },
+    h('label', { class: 'field' }, h('span', {}, 'Animation'), clips),
+    time.element,
+    speed.element,
+    loop.element,
+    measured.element,
+  );
+
+  const fill = (choices: readonly Clip[]) => {
+    clips.replaceChildren(
+      h('option', {}, 'None, as in the file'),
+      ...choices.map(({ name, seconds }) => h('option', {}, `${name}, ${seconds.toFixed(2)} s`)),
+    );
+    // There is nothing to choose in files that stand still.
+    element.closest('details')?.toggleAttribute('hidden', choices.length === 0);
+  };
+  const show = ({ clip, plays, speed: times, loops, live }: Animation) => {
+    clips.selectedIndex = (clip ?? -1) + 1;
+    const name = plays ? 'Stop' : 'Play';
+    play.textContent = name;
+    play.setAttribute('aria-label', `${name} the animation`);
+    play.disabled = clip === null;
+    const input = time.element.querySelector('input');
+    if (input) {
+      input.max = String(Math.max(STEP_SECONDS, animator.duration));
+      input.disabled = clip === null;
+    }
+    time.show(animator.moment.value?.seconds ?? 0);
+    speed.show(times);
+    loop.show(loops);
+    measured.show(live ? 'pose' : 'file');
+  };
+  session.shown.watch((shown, previous) => {
+    if (shown?.opened === previous?.opened && shown) return;
+    fill(shown?.opened.clips ?? []);
+    show(scene.state.animation);
+  });
+  scene.subscribe(({ animation }, { animation: before }) => {
+    if (animation !== before) show(animation);
+  });
+  animator.moment.watch((moment) => time.show(moment?.seconds ?? 0));
+  return element;
+}
