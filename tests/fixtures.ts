@@ -1,3 +1,4 @@
+import { pack } from './glb';
 /** Meshes made in code, and their files. */
 
 export interface Mesh {
@@ -106,16 +107,4 @@ export function gltf(mesh: Mesh, uri?: string): { json: string; bin: Buffer } {
 export function glb(mesh: Mesh): Buffer {
   const { json, bin } = gltf(mesh);
   return pack(json, bin);
-}
-
-/** A GLB file of a document and its buffer, of whole words. */
-export function pack(json: string, bin: Buffer): Buffer {
-  const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4));
-  const chunks = [word(text.length, 0x4e4f534a), text, word(bin.length, 0x004e4942), bin];
-  const length = 12 + chunks.reduce((sum, chunk) => sum + chunk.length, 0);
-  return Buffer.concat([word(0x46546c67, 2, length), ...chunks]);
-}
-
-function word(...values: number[]): Buffer {
-  return Buffer.from(Uint32Array.from(values).buffer);
 }

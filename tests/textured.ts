@@ -1,6 +1,7 @@
 /** A glTF file with textures, vertex colors and two materials. */
 import { PNG } from 'pngjs';
-import { type Mesh, pack, sphere } from './fixtures';
+import { type Mesh, sphere } from './fixtures';
+import { GlbWriter } from './glb';
 
 /** `size²` texels, as a PNG file. */
 function image(size: number, texel: (u: number, v: number) => readonly [number, number, number]): Buffer {
@@ -28,38 +29,25 @@ const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.
 export function texturedGlb(texture: Buffer = squares()): Buffer {
   const [big, small] = [sphere(24), sphere(16)];
   small.positions = small.positions.map(([x, y, z]) => [0.4 * x, 0.4 * y + 1.38, 0.4 * z]);
-  const bytes: Buffer[] = [];
-  const bufferViews: object[] = [];
-  const accessors: object[] = [];
-  const view = (content: Buffer) => {
-    const byteOffset = bytes.reduce((sum, { length }) => sum + length, 0);
-    bytes.push(content, Buffer.alloc((4 - (content.length % 4)) % 4));
-    return bufferViews.push({ buffer: 0, byteOffset, byteLength: content.length }) - 1;
-  };
-  const accessor = (array: Float32Array | Uint32Array, type: 'SCALAR' | 'VEC2' | 'VEC3', width: number, more = {}) => {
-    const componentType = array instanceof Float32Array ? 5126 : 5125;
-    const bufferView = view(Buffer.from(array.buffer));
-    return accessors.push({ bufferView, componentType, type, count: array.length / width, ...more }) - 1;
-  };
+  const writer = new GlbWriter();
   const primitive = ({ positions, triangles }: Mesh, attributes: Record<string, number>, material: number) => ({
     attributes: {
-      POSITION: accessor(floats(positions), 'VEC3', 3, { min: [-2, -2, -2], max: [2, 2, 2] }),
+      POSITION: writer.accessor(floats(positions), 'VEC3', { min: [-2, -2, -2], max: [2, 2, 2] }),
       ...attributes,
     },
-    indices: accessor(Uint32Array.from(triangles.flat()), 'SCALAR', 1),
+    indices: writer.accessor(Uint32Array.from(triangles.flat()), 'SCALAR'),
     material,
   });
   const uv = big.positions.map(([x, y, z]) => [Math.atan2(x, z) / Math.PI, -y]);
   const colors = small.positions.map(([x, y]) => [0.5 + x, 0.9, 0.2 + 0.4 * (y - 1)]);
-  const document = {
-    asset: { version: '2.0' },
+  return writer.pack({
     nodes: [
       { mesh: 0, name: 'squares' },
       { mesh: 1, name: 'colors' },
     ],
     meshes: [
-      { primitives: [primitive(big, { TEXCOORD_0: accessor(floats(uv), 'VEC2', 2) }, 0)] },
-      { primitives: [primitive(small, { COLOR_0: accessor(floats(colors), 'VEC3', 3) }, 1)] },
+      { primitives: [primitive(big, { TEXCOORD_0: writer.accessor(floats(uv), 'VEC2') }, 0)] },
+      { primitives: [primitive(small, { COLOR_0: writer.accessor(floats(colors), 'VEC3') }, 1)] },
     ],
     materials: [
       {
@@ -69,14 +57,7 @@ export function texturedGlb(texture: Buffer = squares()): Buffer {
       { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.3 } },
     ],
     textures: [{ source: 0 }, { source: 1 }],
-    images: [texture, bumps()].map((content) => ({ bufferView: view(content), mimeType: 'image/png' })),
-    bufferViews,
-    accessors,
+    images: [texture, bumps()].map((content) => ({ bufferView: writer.view(content), mimeType: 'image/png' })),
     extensionsUsed: ['KHR_texture_transform'],
-  };
-  const bin = Buffer.concat(bytes);
-  return pack(
-    JSON.stringify({ ...document, scene: 0, scenes: [{ nodes: [0, 1] }], buffers: [{ byteLength: bin.length }] }),
-    bin,
-  );
+  });
 }

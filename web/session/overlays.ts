@@ -18,6 +18,8 @@ export class Overlays {
   readonly #session: Session;
   /** Counts what was wanted: an answer to an older wish is dropped. */
   #wish = 0;
+  /** Whether edges are to be asked for, also where the wish that said so was overtaken. */
+  #needsEdges = true;
   #latest: Promise<void> = Promise.resolve();
 
   constructor(session: Session) {
@@ -54,6 +56,7 @@ export class Overlays {
   /** Edges belong to the mesh and the parameters, the others to the field. */
   async #update(anew: boolean): Promise<void> {
     const wish = ++this.#wish;
+    this.#needsEdges ||= anew;
     const session = this.#session;
     const { view } = session;
     const { answer } = session.shown.value ?? {};
@@ -64,12 +67,15 @@ export class Overlays {
     const { method } = answer.question;
     const { overlays, colorBy } = available(session.scene.state, method);
     try {
-      const edges = anew ? await edgesOf(engine, overlays) : null;
+      const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
       if (wish !== this.#wish) return;
-      if (edges) view.setEdges(edges);
+      if (edges) {
+        view.setEdges(edges);
+        this.#needsEdges = false;
+      }
       view.setArrows(arrows);
       session.paint(other);
     } catch (error) {

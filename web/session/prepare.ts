@@ -71,7 +71,8 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   let answer = await ask(engine, { ...request.state, sources, walker });
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field.distance);
-    answer = await ask(engine, { ...request.state, sources, walker });
+    const { posed } = answer;
+    answer = { ...(await ask(engine, { ...request.state, sources, walker })), posed };
   }
   const { mesh } = request.state;
   return {

@@ -205,6 +205,11 @@ export class Session {
     }
   }
 
+  /** Shows the pose that a field was measured in. */
+  #showMeasured({ posed, question }: Answer): void {
+    if (posed && question.moment) this.#showPose(posed, question.moment);
+  }
+
   #showPose(posed: Posed, moment: Moment | null): void {
     this.#presenter.pose(posed);
     this.pose.value = moment;
@@ -263,6 +268,7 @@ export class Session {
       this.scene.load(state);
       this.animator.restart();
     }
+    this.#showMeasured(shown.answer);
     this.#rest();
   }
 
@@ -399,7 +405,7 @@ export class Session {
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
       this.#show({ ...this.#meshOf(engine, before), answer: { ...answer, pathMs } }, moved);
-      if (answer.posed && question.moment) this.#showPose(answer.posed, question.moment);
+      this.#showMeasured(answer);
       this.failure.value = null;
       if (!this.#dragging) this.#rest();
       return true;

@@ -234,10 +234,11 @@ export class Engine {
       this.#bridge = question.bridge;
       this.#held = null;
     }
-    const posed = isSameMoment(question.moment, this.#measured) ? null : await this.#measureAt(question.moment);
+    // The question follows without waiting for it: each turn of the page may take as long as a frame.
+    const posing = isSameMoment(question.moment, this.#measured) ? null : this.#measureAt(question.moment);
     const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;
-    const about = { question, posed, pathKind, factoring: this.#factoring };
-    if (sources.length === 0) return { ...about, field: null, path: null, pathMs: 0 };
+    const about = { question, posed: null, pathKind, factoring: this.#factoring };
+    if (sources.length === 0) return { ...about, posed: await posing, field: null, path: null, pathMs: 0 };
     const request = requestOf(question, pathKind);
     const held = this.#held;
     // Another path does not undo what refinement has reached, unless it is not wanted.
@@ -249,16 +250,17 @@ export class Engine {
       return { ...about, field: held.field, ...(await this.#path(request)) };
     }
     this.#held = null;
-    const solved: Solved = await this.#worker.call(
+    const solving: Promise<Solved> = this.#worker.call(
       question.method === 'heat'
         ? api.solve([...sources], question.quick, request)
         : api.propagate([...sources], question.quick ? QUICK_WINDOWS : question.windows, request),
     );
+    const [posed, solved] = await Promise.all([posing, solving]);
     this.#held = { question, field: solved.field };
-    return { ...about, ...solved };
+    return { ...about, posed, ...solved };
   }
 
-  async #measureAt(moment: Moment | null): Promise<Posed | null> {
+  #measureAt(moment: Moment | null): Promise<Posed | null> {
     this.#held = null;
     this.#measured = moment;
     // Where distances are those of the file again, what is shown stays.

@@ -1,0 +1,131 @@
+/** Files that move: poses, what rides along, and distance measured in them. */
+import { ARM, ARM_LENGTH, armGlb } from '../animated';
+import { glb, sphere } from '../fixtures';
+import { expect, type HeatwalkPage, test } from '../page';
+
+const LINK = 'p=0&s=0&w=1&method=auto';
+
+/** The arm with the state that a link gives it. */
+async function openArm(heatwalk: HeatwalkPage, options: string): Promise<void> {
+  await heatwalk.open(`#v=1&m=file&name=arm.glb&${LINK}&${options}`);
+  await heatwalk.dropAndOpen([['arm.glb', armGlb()]]);
+  await heatwalk.settled();
+}
+
+const animation = (heatwalk: HeatwalkPage) => heatwalk.page.evaluate(() => window.heatwalk.animation);
+
+/** How far apart two places are seen. */
+async function apart(heatwalk: HeatwalkPage, a: number, b: number): Promise<number> {
+  const [[ax, ay], [bx, by]] = [await heatwalk.pixelOf({ vertex: a }), await heatwalk.pixelOf({ vertex: b })];
+  return Math.hypot(ax - bx, ay - by);
+}
+
+test('a dropped file that moves plays, unless motion is unwelcome', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const section = page.locator('#section-animation');
+  await expect(section).toBeHidden();
+  await heatwalk.dropAndOpen([['arm.glb', armGlb()]]);
+  await expect(section).toBeVisible();
+  expect((await heatwalk.scene()).animation).toMatchObject({ clip: 0, plays: true, loops: true });
+  await expect(page).toHaveURL(/&clip=0&play=1/);
+  const moments = new Set<number>();
+  await expect.poll(async () => moments.add((await animation(heatwalk)).moment?.seconds ?? -1).size).toBeGreaterThan(3);
+  expect(Math.max(...moments)).toBeLessThanOrEqual(1);
+
+  await page.keyboard.press('a');
+  await heatwalk.settled();
+  const { moment } = await animation(heatwalk);
+  expect((await heatwalk.scene()).animation).toMatchObject({ plays: false, seconds: moment?.seconds });
+  await expect(page.getByRole('button', { name: 'Play the animation' })).toBeVisible();
+
+  await heatwalk.dropAndOpen([['still.glb', glb(sphere(12))]]);
+  await expect(section).toBeHidden();
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await heatwalk.dropAndOpen([['arm.glb', armGlb()]]);
+  expect((await heatwalk.scene()).animation).toMatchObject({ clip: 0, plays: false, seconds: 0 });
+});
+
+test('a link shows the moment, and distance, path and pins ride along', async ({ heatwalk }) => {
+  await openArm(heatwalk, 'clip=0');
+  const straight = await apart(heatwalk, ARM.start, ARM.end);
+  const [length, far] = [await walked(heatwalk), await heatwalk.distanceAt({ vertex: ARM.end })];
+  expect(far).toBeCloseTo(ARM_LENGTH + 1, 1);
+  expect(length).toBeCloseTo(far, 1);
+
+  await openArm(heatwalk, 'clip=0&time=1');
+  expect((await animation(heatwalk)).moment).toEqual({ clip: 0, seconds: 1 });
+  // The camera keeps its distance: the ends of a right angle are nearer to each other.
+  expect((await apart(heatwalk, ARM.start, ARM.end)) / straight).toBeLessThan(0.9);
+  expect(await heatwalk.distanceAt({ vertex: ARM.end })).toBeCloseTo(far, 9);
+  expect(await walked(heatwalk)).toBeCloseTo(length, 9);
+});
+
+test('places are found where they are seen', async ({ heatwalk, page }) => {
+  await openArm(heatwalk, 'clip=0&time=1&cam=3.1,0.3,3,0,0,0');
+  const found = await page.evaluate(() => {
+    const seen = (place: { face: number; weights: [number, number, number] }) => {
+      const pixel = window.heatwalk.pixelOf(place);
+      const under = pixel && window.heatwalk.placeAt(...pixel);
+      return under && 'face' in under && under.face === place.face;
+    };
+    const faces = Array.from({ length: 1900 }, (_, face) => face);
+    return faces.filter((face) => seen({ face, weights: [0.4, 0.3, 0.3] })).length;
+  });
+  // About half of them face away.
+  expect(found).toBeGreaterThan(600);
+});
+
+test('distance is measured in each pose where that is wanted', async ({ heatwalk, page }) => {
+  await openArm(heatwalk, 'clip=1&time=2&live=1');
+  const { maxDistance } = await heatwalk.field();
+  expect(maxDistance).toBeCloseTo(2 * (ARM_LENGTH + 1), 0);
+  expect(await heatwalk.refining()).toBe('exact');
+  expect(await walked(heatwalk)).toBeCloseTo(maxDistance, 1);
+
+  await page.getByRole('combobox', { name: 'Distance' }).selectOption('Of the pose in the file');
+  await expect.poll(async () => (await heatwalk.field()).maxDistance).toBeCloseTo(maxDistance / 2, 9);
+  await heatwalk.settled();
+  expect((await animation(heatwalk)).moment, 'the pose that is shown stays').toEqual({ clip: 1, seconds: 2 });
+  await page.getByRole('combobox', { name: 'Distance' }).selectOption('Of each pose, live');
+  await page.getByRole('slider', { name: 'Time' }).fill('1');
+  await expect.poll(async () => (await heatwalk.field()).maxDistance).toBeCloseTo((maxDistance * 3) / 4, 9);
+  await expect(page).toHaveURL(/&clip=1&time=1&live=1/);
+
+  const before = await heatwalk.solves();
+  await page.getByRole('button', { name: 'Play the animation' }).click();
+  await expect.poll(async () => (await heatwalk.solves()) - before).toBeGreaterThan(4);
+  await page.keyboard.press('p');
+  await heatwalk.settled();
+  expect(await heatwalk.refining(), 'where it stops it is measured well').toBe('exact');
+});
+
+test('heat is measured in each pose too', async ({ heatwalk }) => {
+  await openArm(heatwalk, 'method=heat&refine=0&clip=1&time=0&live=1');
+  const { maxDistance } = await heatwalk.field();
+  await openArm(heatwalk, 'method=heat&refine=0&clip=1&time=2&live=1');
+  expect((await heatwalk.field()).maxDistance / maxDistance).toBeCloseTo(2, 6);
+});
+
+test('parts that are not walked on move as well, and so does a crowd', async ({ heatwalk, page }) => {
+  await openArm(heatwalk, 'clip=1&time=0&crowd=30&cam=3.1,0.3,5,0,0,0');
+  const small = await heatwalk.drawing(0.5, true);
+  await page.getByRole('slider', { name: 'Time' }).fill('2');
+  await heatwalk.settled();
+  const covered = ({ data }: typeof small) => {
+    let pixels = 0;
+    for (let i = 3; i < data.length; i += 4) pixels += Math.sign(data[i]);
+    return pixels;
+  };
+  expect(covered(await heatwalk.drawing(0.5, true)) / covered(small)).toBeGreaterThan(2);
+});
+
+test('a link with an animation that the file has not shows it as it is', async ({ heatwalk }) => {
+  await openArm(heatwalk, 'clip=7&time=3&play=1');
+  expect((await heatwalk.scene()).animation).toMatchObject({ clip: null, plays: false });
+  expect((await animation(heatwalk)).moment).toBeNull();
+});
+
+async function walked(heatwalk: HeatwalkPage): Promise<number> {
+  const walker = await heatwalk.page.evaluate(() => window.heatwalk.walker);
+  return walker?.length ?? Number.NaN;
+}
