@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
-import { emptyScene, type MeshReference, type SceneState } from '../../web/state/scene';
+import { emptyScene, type MeshReference, type SceneState, SPEEDS, STILL } from '../../web/state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -73,6 +73,7 @@ test('every change survives the link', () => {
     pathKind: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
+    animation: { clip: 2, seconds: 1.25, plays: true, speed: 0.5, loops: false, live: true },
     colorBy: 'heat',
     hidden: [1, 3],
     overlays: ['scenery', 'boundary', 'distance'],
@@ -117,6 +118,7 @@ const SCENES: readonly Partial<SceneState>[] = [
   ...WINDOWS.map((windows) => ({ windows })),
   ...PATH_KIND.names.map((pathKind) => ({ pathKind })),
   ...VERTEX_FIELD.names.map((colorBy) => ({ colorBy })),
+  ...SPEEDS.map((speed) => ({ animation: { ...STILL, speed } })),
 ];
 
 function changed(option: string, value: unknown): Parameters {
@@ -219,6 +221,11 @@ for (const [broken, key] of [
   ['s=12@1e999', 's'],
   ['w=12@1', 'w'],
   ['cam=1,2,3', 'cam'],
+  ['clip=-1', 'clip'],
+  ['time=-0.1', 'time'],
+  ['speed=0', 'speed'],
+  ['play=yes', 'play'],
+  ['live=2', 'live'],
   ['cam=1,2,-3,0,0,0', 'cam'],
   ['look=plaid', 'look'],
   ['ramp=toString', 'ramp'],
