@@ -84,7 +84,8 @@ export class Opener {
     const preset = findPreset(id);
     if (!preset) return;
     const { title, load, view } = preset;
-    const request = { title, load, state: state ?? preset.start, choosePlaces: false, view };
+    const request: OpenRequest = { title, load, state: state ?? preset.start, choosePlaces: false, view };
+    if (!state) request.asAuthored = true;
     await this.#open(request, () => this.#forget());
   }
 

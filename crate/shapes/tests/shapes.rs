@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Error, Soup};
+use heatwalk_surface::{BridgeRule, Bridges, Error, Soup, Surface};
 
 /// The triangles of a part over vertices welded by position, degenerate ones dropped.
 struct Welded {
@@ -286,4 +286,23 @@ fn a_robot_is_made_of_closed_parts_in_materials() {
     assert!(appearance.runs.iter().all(|run| run.material.is_some_and(|index| index < appearance.materials.len())));
     let lowest = robot.positions.iter().map(|position| position.y).fold(f64::INFINITY, f64::min);
     assert!(lowest.abs() < 1e-12, "it stands on the ground");
+}
+
+#[test]
+fn the_parts_of_a_robot_stay_together_as_it_moves() {
+    let robot = shapes::robot(0.06);
+    let clips = robot.motion.clips();
+    assert_eq!(clips.iter().map(|clip| clip.name.as_str()).collect::<Vec<_>>(), ["Wave", "Walk"]);
+    for (number, clip) in clips.iter().enumerate() {
+        for step in 0..=8 {
+            let posed = robot.posed(number, clip.duration() * f64::from(step) / 8.0).unwrap();
+            let surface = Surface::build(&posed).unwrap();
+            let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+            assert_eq!(bridges.group_count(), 1, "{} at {step}/8", clip.name);
+            let apart = posed.positions.iter().zip(&robot.positions).map(|(a, b)| a.distance(*b));
+            let moved = apart.fold(0.0, f64::max);
+            assert!(step % 8 == 0 && number == 0 || moved > 0.1, "{} at {step}/8: {moved}", clip.name);
+            assert!(moved < if step % 8 == 0 && number == 0 { 1e-12 } else { 2.5 }, "{moved}");
+        }
+    }
 }
