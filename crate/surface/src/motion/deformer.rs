@@ -143,6 +143,28 @@ impl Deformer {
         }
     }
 
+    /// That of a mesh which stands below its node. Not for a skin, whose joints place the vertices.
+    #[must_use]
+    pub fn below(mut self, node_from_mesh: DMat4) -> Self {
+        if node_from_mesh == DMat4::IDENTITY {
+            return self;
+        }
+        let turn = Turn::of(node_from_mesh);
+        let turned = |normal: &mut Vec3| *normal = turn.normal(normal.as_dvec3()).as_vec3();
+        for position in &mut self.positions {
+            *position = node_from_mesh.transform_point3(*position);
+        }
+        self.normals.iter_mut().for_each(turned);
+        for target in &mut self.targets {
+            for displacement in &mut target.positions {
+                *displacement = node_from_mesh.transform_vector3(*displacement);
+            }
+            // A change of a direction has no direction of its own that could be turned.
+            target.normals.clear();
+        }
+        self
+    }
+
     /// That of some of its vertices, ascending and counted from its first, which are consecutive from `first` on.
     pub(crate) fn select(&self, own: &[usize], first: usize) -> Self {
         fn chosen<T: Copy>(values: &[T], own: &[usize]) -> Vec<T> {

@@ -55,6 +55,24 @@ fn node_transforms_compose_and_meshes_are_instanced() {
 }
 
 #[test]
+fn instances_stand_below_their_node() {
+    let mut builder = square(json!([{ "mesh": 0, "translation": [10, 0, 0] }]));
+    builder.floats("VEC3", 3, &[0., 0., 0., 0., 5., 0., 0., 0., 7.]);
+    builder.floats("VEC3", 3, &[1., 1., 1., 2., 3., 1., -1., 1., 1.]);
+    builder.root["extensionsRequired"] = json!(["EXT_mesh_gpu_instancing"]);
+    builder.root["nodes"][0]["extensions"] =
+        json!({ "EXT_mesh_gpu_instancing": { "attributes": { "TRANSLATION": 2, "SCALE": 3 } } });
+    let soup = builder.read().unwrap();
+    assert_eq!((soup.positions.len(), part_names(&soup)), (12, vec!["node 0"]));
+    assert_eq!(soup.positions[2], DVec3::new(11.0, 1.0, 0.0));
+    assert_eq!(soup.positions[6], DVec3::new(12.0, 8.0, 0.0));
+    assert_eq!(soup.positions[10], DVec3::new(9.0, 1.0, 7.0));
+    assert!(areas(&soup).iter().all(|&area| area > 0.0), "a mirrored instance keeps its outside");
+    builder.root["accessors"][3]["count"] = json!(2);
+    assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "three places and two sizes");
+}
+
+#[test]
 fn only_the_default_scene_is_read() {
     let mut builder = square(json!([{ "mesh": 0 }, { "mesh": 0, "name": "shown" }]));
     builder.root["scenes"] = json!([{ "nodes": [0] }, { "nodes": [1] }]);

@@ -5,11 +5,12 @@ use gltf::json::{Error as JsonError, Index, Root, Value};
 
 use super::draco::DRACO;
 use super::format::GLTF;
+use super::instancing::INSTANCING;
 use super::meshopt::MESHOPT;
 use crate::error::{Error, Result};
 
 /// Extensions of geometry that are read.
-const READ: [&str; 4] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization"];
+const READ: [&str; 5] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization", INSTANCING];
 
 /// Extensions found on geometry that add to it and take nothing away.
 const HARMLESS: [&str; 6] = [
@@ -144,8 +145,7 @@ fn check_extensions(root: &Root) -> Result<()> {
     })
 }
 
-/// Whether the extension changes bytes, meshes or the number of their instances. What else it can be on is a node: a
-/// light, a sound, a physical body.
+/// Whether the extension changes bytes or meshes. What else it can be on is a node: a light, a sound, a physical body.
 fn on_geometry(root: &Root, name: &str) -> bool {
     macro_rules! on {
         ($elements:expr) => {
@@ -157,5 +157,4 @@ fn on_geometry(root: &Root, name: &str) -> bool {
         || on!(root.accessors.iter())
         || on!(root.meshes.iter())
         || on!(root.meshes.iter().flat_map(|mesh| &mesh.primitives))
-        || name == "EXT_mesh_gpu_instancing" && on!(root.nodes.iter())
 }

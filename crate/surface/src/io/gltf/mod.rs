@@ -10,6 +10,7 @@ mod deform;
 mod document;
 mod draco;
 mod format;
+mod instancing;
 mod meshopt;
 mod primitive;
 mod scene;
@@ -17,7 +18,7 @@ mod scene;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
-use gltf::json::Root;
+use gltf::json::{Mesh, Node, Root};
 
 use super::reader::Resources;
 use crate::error::{Error, Result};
@@ -81,6 +82,21 @@ impl Reading<'_> {
         let node = &root.nodes[index];
         let Some(mesh_index) = node.mesh else { return Ok(()) };
         let mesh = element(&root.meshes, mesh_index, "mesh")?;
+        // What a skin places is not below its node.
+        let instances = match node.skin {
+            Some(_) => vec![DMat4::IDENTITY],
+            None => instancing::instances(self.accessors, index, node)?,
+        };
+        for &node_from_mesh in &instances {
+            self.add_instance((index, node), mesh, node_from_mesh)?;
+        }
+        let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
+        self.soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
+        Ok(())
+    }
+
+    /// Adds a mesh as it stands below its node.
+    fn add_instance(&mut self, (index, node): (usize, &Node), mesh: &Mesh, node_from_mesh: DMat4) -> Result<()> {
         let weights = node.weights.as_deref().or(mesh.weights.as_deref()).unwrap_or_default();
         let is_weighted = self
             .clips
@@ -109,7 +125,7 @@ impl Reading<'_> {
                 let count = positions.len();
                 let vertices = Vertices { accessors, primitive, positions, range };
                 let deformer = vertices.deformer((index, node), &self.skins, weights, is_weighted)?;
-                self.place(deformer);
+                self.place(deformer.below(node_from_mesh));
                 first_vertices.push((attributes, first));
                 (first, count)
             };
@@ -122,11 +138,10 @@ impl Reading<'_> {
         }
         // A mirroring transform turns every triangle inside out (glTF 2.0, 3.7.4). A skin places the vertices in the scene by
         // itself: the node's own transform is ignored (3.7.3.3).
-        if node.skin.is_none() && self.scene.world_from_node[index].determinant() < 0.0 {
+        let world_from_mesh = self.scene.world_from_node[index] * node_from_mesh;
+        if node.skin.is_none() && world_from_mesh.determinant() < 0.0 {
             self.soup.triangles[start..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
-        let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
-        self.soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
         Ok(())
     }
 
