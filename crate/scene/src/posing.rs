@@ -41,7 +41,7 @@ impl Posing {
         if !soup.motion.moves() {
             return None;
         }
-        let rest = Pose { positions: soup.positions.clone(), normals: soup.appearance.normals.clone() };
+        let rest = soup.pose();
         Some(Self {
             motion: Arc::clone(&soup.motion),
             pose: rest.clone(),
@@ -55,7 +55,7 @@ impl Posing {
     /// Takes the pose so many seconds after the beginning of a clip; without one, that of the file.
     ///
     /// # Errors
-    /// As [`Motion::pose`].
+    /// As [`Motion::apply`].
     pub fn take(&mut self, moment: Option<(usize, f64)>) -> Result<()> {
         match moment {
             Some((clip, seconds)) => self.motion.apply(clip, seconds, &mut self.pose),

@@ -21,6 +21,21 @@ pub struct Soup {
     pub appearance: Arc<Appearance>,
     /// How the file lets it move.
     pub motion: Arc<Motion>,
+    /// Whence the file wants it to be seen.
+    pub cameras: Vec<Camera>,
+}
+
+/// A camera of a file, as it stands while nothing moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Camera {
+    /// Name in the file, or a made one.
+    pub name: String,
+    /// Where it is, in the file's unit.
+    pub position: DVec3,
+    /// Unit vector to what it looks at.
+    pub forward: DVec3,
+    /// Vertical field of view in radians, between 0 and π.
+    pub field_of_view: f64,
 }
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, a whole OFF, PLY or STL file.
@@ -48,13 +63,20 @@ impl Soup {
         }
     }
 
+    /// Where its vertices are.
+    pub fn pose(&self) -> Pose {
+        Pose { positions: self.positions.clone(), normals: self.appearance.normals.clone() }
+    }
+
     /// The soup in the pose that it has so many seconds after the beginning of a clip, at whose end it stops; with normals of that
     /// pose, and without motion.
     ///
     /// # Errors
-    /// As [`Motion::pose`].
+    /// As [`Motion::apply`].
     pub fn posed(&self, clip: usize, seconds: f64) -> Result<Self> {
-        let Pose { positions, normals } = self.motion.pose(self, clip, seconds)?;
+        let mut pose = self.pose();
+        self.motion.apply(clip, seconds, &mut pose)?;
+        let Pose { positions, normals } = pose;
         let appearance = Arc::new(Appearance { normals, ..Appearance::clone(&self.appearance) });
         Ok(Self { positions, appearance, motion: Arc::default(), ..self.clone() })
     }
@@ -73,7 +95,7 @@ impl Soup {
             return Ok(self.clone());
         }
         let mut used = vec![false; self.positions.len()];
-        let mut selection = Self::default();
+        let mut selection = Self { cameras: self.cameras.clone(), ..Self::default() };
         for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
             let start = selection.triangles.len();
             for index in part.triangles.clone() {

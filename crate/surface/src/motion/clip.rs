@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3, DVec4};
 
-use super::State;
+use super::state::State;
 
 /// A named animation.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,14 +5,15 @@
 mod clip;
 mod deformer;
 mod hierarchy;
+mod state;
 
 use glam::{DVec3, Vec3};
 
 use crate::error::{Error, Result};
-use crate::soup::Soup;
 pub use clip::{Channel, Clip, Interpolation, Target, Track};
 pub use deformer::{Deformer, Influences, MorphTarget, Skin};
 pub use hierarchy::{Hierarchy, Node, Placement};
+use state::State;
 
 /// How the vertices of a soup move.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,13 +32,6 @@ pub struct Pose {
     pub positions: Vec<DVec3>,
     /// `#V × 3`, unit vectors; zero at vertices that have none. Empty where the soup has none.
     pub normals: Vec<Vec3>,
-}
-
-/// The nodes of a motion at a moment.
-struct State {
-    placements: Vec<Placement>,
-    /// Weights of the morph targets of each node's mesh, where a clip changes them.
-    weights: Vec<Option<Vec<f64>>>,
 }
 
 impl Motion {
@@ -106,20 +100,13 @@ impl Motion {
         })
     }
 
-    /// Where the vertices of its soup are, so many seconds after the beginning of a clip, at whose end they stop.
+    /// Moves any pose of its soup to that of so many seconds after the beginning of a clip, at whose end it stops.
     ///
     /// # Errors
     /// [`Error::NoSuchClip`]; [`Error::BadParameter`] for a time that is negative or not finite.
-    pub fn pose(&self, soup: &Soup, clip: usize, seconds: f64) -> Result<Pose> {
-        let mut pose = Pose { positions: soup.positions.clone(), normals: soup.appearance.normals.clone() };
-        self.apply(clip, seconds, &mut pose)?;
-        Ok(pose)
-    }
-
-    /// Moves a pose of its soup to another moment, without new memory.
     ///
-    /// # Errors
-    /// As [`Self::pose`].
+    /// # Panics
+    /// For a pose with fewer vertices than the soup.
     pub fn apply(&self, clip: usize, seconds: f64, pose: &mut Pose) -> Result<()> {
         let Some(clip) = self.clips.get(clip) else { return Err(self.no_clip(clip)) };
         if !(seconds >= 0.0 && seconds.is_finite()) {

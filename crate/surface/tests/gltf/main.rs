@@ -73,6 +73,25 @@ fn instances_stand_below_their_node() {
 }
 
 #[test]
+fn cameras_stand_where_their_nodes_do() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let mut builder = square(json!([
+        { "mesh": 0, "children": [1], "translation": [10, 0, 0] },
+        { "camera": 0, "name": "from the left", "translation": [0, 2, 0], "rotation": [0, half, 0, half] },
+        { "camera": 1 },
+        { "camera": 2 }
+    ]));
+    builder.root["cameras"] = json!([
+        { "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.1 } },
+        { "type": "orthographic", "orthographic": { "xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9 } },
+        { "type": "perspective", "perspective": { "yfov": -1, "znear": 0.1 } }
+    ]);
+    let [camera] = &builder.read().unwrap().cameras[..] else { panic!("one that can be shown") };
+    assert_eq!((camera.name.as_str(), camera.position), ("from the left", DVec3::new(10.0, 2.0, 0.0)));
+    assert!(camera.forward.distance(DVec3::NEG_X) < 1e-6 && (camera.field_of_view - 0.5).abs() < 1e-6);
+}
+
+#[test]
 fn only_the_default_scene_is_read() {
     let mut builder = square(json!([{ "mesh": 0 }, { "mesh": 0, "name": "shown" }]));
     builder.root["scenes"] = json!([{ "nodes": [0] }, { "nodes": [1] }]);

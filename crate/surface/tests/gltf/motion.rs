@@ -213,8 +213,9 @@ fn motions_made_in_code_are_checked() {
         Motion::new(Hierarchy::new(vec![node(None)])?, Vec::new(), vec![deformer], vec![clip])
     };
     let sound = motion(deformer.clone(), clip(0)).unwrap();
-    let soup = Soup::single("point", vec![DVec3::X], Vec::new());
-    assert_eq!(sound.pose(&soup, 0, 0.0).unwrap().positions, [DVec3::new(1.0, 2.0, 0.0)]);
+    let mut pose = Soup::single("point", vec![DVec3::X], Vec::new()).pose();
+    sound.apply(0, 0.0, &mut pose).unwrap();
+    assert_eq!(pose.positions, [DVec3::new(1.0, 2.0, 0.0)]);
     for broken in [
         motion(deformer.clone(), clip(1)),
         motion(Deformer { node: 1, ..deformer.clone() }, clip(0)),

@@ -5,6 +5,7 @@
 mod accessor;
 mod animation;
 mod appearance;
+mod camera;
 mod container;
 mod deform;
 mod document;
@@ -160,6 +161,7 @@ impl Reading<'_> {
         let Self { root, accessors, normals, collector, .. } = self;
         let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
         self.soup.appearance = Arc::new(appearance);
+        self.soup.cameras = camera::cameras(root, self.scene);
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
         self.soup.motion = Arc::new(motion);
         Ok(self.soup)
