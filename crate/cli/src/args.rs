@@ -56,6 +56,9 @@ pub struct Bridging {
     /// are no farther apart than D
     #[arg(long = "bridge", value_name = "auto|off|D", default_value_t, allow_negative_numbers = true)]
     pub rule: BridgeRule,
+    /// Link so many more of the groups that stay apart, each time the two that are nearest, or all of them
+    #[arg(long = "link", value_name = "N|all", default_value = "0", value_parser = links)]
+    pub links: usize,
 }
 
 impl Mesh {
@@ -203,6 +206,14 @@ impl Path {
             heat: self.options.parameters(self.linear.solver.unwrap_or_default(), MultiSource::default()),
             ..DistanceOptions::default()
         })
+    }
+}
+
+/// A number of links.
+fn links(text: &str) -> Result<usize, String> {
+    match text {
+        "all" => Ok(usize::MAX),
+        _ => text.parse().map_err(|_| "a number of links or all is needed".to_owned()),
     }
 }
 

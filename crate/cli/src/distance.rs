@@ -29,10 +29,11 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
 
     let mut report = Report::default();
-    let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
+    let joined = join(&surface, &arguments.bridging);
     report.push_surface(surface.report());
-    report.push_bridges(&bridges);
-    let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
+    report.push_joined(&joined);
+    let build_ms = built_ms + joined.join_ms;
+    let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }

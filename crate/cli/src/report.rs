@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::{Bridges, BuildReport, Soup, Stage};
+use heatwalk::{BuildReport, Link, Soup, Stage};
 use serde_json::{Map, Value, json};
+
+use crate::timing::Joined;
 
 pub fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
@@ -31,9 +33,11 @@ impl Report {
     }
 
     /// What joins components.
-    pub fn push_bridges(&mut self, bridges: &Bridges) {
-        self.push("groups", bridges.group_count());
-        self.push("contacts", bridges.contacts().len());
+    pub fn push_joined(&mut self, joined: &Joined) {
+        self.push("groups", joined.bridges.group_count());
+        self.push("contacts", joined.contacts);
+        let link = |link: &Link| json!({ "components": link.components, "gap": link.gap });
+        self.push("links", joined.links.iter().map(link).collect::<Vec<_>>());
     }
 
     /// What building found and did.
@@ -87,6 +91,11 @@ impl Report {
                     let label = format!("part {}", part["part"]);
                     let name = part["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
                     writeln!(text, "{label:<22} {name}, {} faces", part["faces"])
+                }),
+                Value::Array(items) if name == "links" => items.iter().enumerate().try_for_each(|(index, link)| {
+                    let label = format!("link {index}");
+                    let [first, second] = [0, 1].map(|of| &link["components"][of]);
+                    writeln!(text, "{label:<22} components {first} and {second}, gap {}", link["gap"])
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),

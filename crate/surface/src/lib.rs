@@ -25,7 +25,7 @@ pub mod union_find;
 mod weld;
 
 pub use appearance::Appearance;
-pub use bridges::{BridgeRule, Bridges, Contact, Portal};
+pub use bridges::{BridgeRule, Bridges, Contact, Link, Portal};
 pub use element::{
     CutVertex, CutVertexData, Element, ElementData, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData,
     InputVertex, InputVertexData, VertexData, VertexId,

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    Bridges, CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
+    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
     PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, overlay};
@@ -17,6 +17,7 @@ use wasm_bindgen::prelude::*;
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
+use crate::joined::Joined;
 use crate::parameters::parameters;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
@@ -36,7 +37,7 @@ const CROWD_SEED: u64 = 1;
 pub struct Solver {
     drawn: Arc<Drawn>,
     geometry: Arc<ExactGeometry>,
-    bridges: Bridges,
+    joined: Joined,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
     /// That of the last field by windows, kept for its memory.
@@ -67,7 +68,7 @@ impl Solver {
         Self {
             drawn: Arc::clone(drawn),
             geometry,
-            bridges: Bridges::default(),
+            joined: Joined::default(),
             heat,
             propagation: None,
             solved: None,
@@ -139,28 +140,47 @@ impl Solver {
         Ok(())
     }
 
-    /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and forgets the field.
-    pub fn bridge(&mut self, rule: &str) -> Result<()> {
-        let bridges = Bridges::find(self.geometry.surface(), rule.parse()?);
+    /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and so many links between the
+    /// nearest of the groups that stay apart; forgets the field.
+    pub fn bridge(&mut self, rule: &str, links: u32) -> Result<()> {
+        let is_changed = self.joined.join(self.geometry.surface(), rule.parse()?, links as usize);
         self.propagation = None;
         self.solved = None;
         self.search = None;
-        if bridges.portals() != self.bridges.portals() {
+        if is_changed {
             let geometry = ExactGeometry::clone(&self.geometry);
-            self.geometry = Arc::new(geometry.bridged(&bridges));
+            self.geometry = Arc::new(geometry.bridged(self.joined.bridges()));
         }
-        self.bridges = bridges;
         Ok(())
     }
 
     /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
     pub fn groups(&self) -> u32 {
-        self.bridges.group_count() as u32
+        self.joined.bridges().group_count() as u32
     }
 
-    /// Pairs of components that meet.
+    /// Pairs of components that meet, without those that are linked.
     pub fn contacts(&self) -> u32 {
-        self.bridges.contacts().len() as u32
+        self.joined.contact_count() as u32
+    }
+
+    /// Links between groups.
+    pub fn links(&self) -> u32 {
+        self.joined.linked().len() as u32
+    }
+
+    /// The widest gap that is linked, in the file's unit; 0 without links.
+    pub fn linked_gap(&self) -> f64 {
+        self.joined.linked().last().map_or(0.0, |link| link.gap)
+    }
+
+    /// With how many links, at least, the sources of the last field reach more than they do; as many as there are where they
+    /// reach all that can be linked.
+    pub fn links_to_reach_more(&mut self) -> Result<u32> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let surface = self.geometry.surface();
+        let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(surface)).collect();
+        Ok(self.joined.links_to_reach_more(surface, &components) as u32)
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.
@@ -260,7 +280,7 @@ impl Solver {
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
-            EdgeKind::Contact => overlay::contact_lines(surface, &self.bridges),
+            EdgeKind::Contact => overlay::contact_lines(surface, self.joined.bridges()),
             EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
