@@ -81,6 +81,10 @@ export interface Factoring {
   groups: number;
   /** Pairs of components that meet. */
   contacts: number;
+  /** Links between groups that would stay apart. */
+  links: number;
+  /** The widest gap that is linked, in the unit of the file; 0 without links. */
+  linkedGap: number;
   /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
   /** Bytes of wasm memory in use. */
@@ -198,9 +202,15 @@ export interface SolverApi {
   configure(parameters: Parameters): Promise<Factoring>;
   /**
    * Joins components between which paths are to lead: "auto" those that pierce or nearly touch each other, "off" none, else
-   * those no farther apart than so much, in the unit of the file. The last field is forgotten.
+   * those no farther apart than so much, in the unit of the file. Of the groups that stay apart, so many pairs are linked, the
+   * nearest first. The last field is forgotten.
    */
-  bridge(rule: string): Promise<Factoring>;
+  bridge(rule: string, links: number): Promise<Factoring>;
+  /**
+   * With how many links, at least, the sources of the last field reach more than they do; as many as there are where nothing is
+   * left to link.
+   */
+  linksToReachMore(): Promise<number>;
   /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
   /** By so many windows of each half-edge, with or without factors. */

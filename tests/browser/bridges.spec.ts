@@ -53,6 +53,47 @@ test('what is apart is bridged as far as a link says', async ({ heatwalk, page }
   expect((await heatwalk.scene()).bridge).toBe(0.25);
 });
 
+test('what is apart is linked group by group, nearest first, by a link of the page too', async ({ heatwalk, page }) => {
+  const row = [0, 2.4, 5, 7.3].map((z) => {
+    const ball = sphere(24);
+    return { ...ball, positions: ball.positions.map(([x, y, height]): [number, number, number] => [x, y, height + z]) };
+  });
+  const file = obj(Object.fromEntries(row.map((ball, index) => [`ball${index}`, ball])));
+  await heatwalk.openFile('row.obj', file, 's=0&method=auto');
+  await heatwalk.settled();
+  const apart = await page.evaluate(unreached);
+  const linkNearest = page.getByRole('button', { name: 'Link nearest' });
+
+  // The pair at the far end is nearer to each other, 0.3, than the ball that is next to the source, 0.4.
+  await linkNearest.click();
+  await expect(page).toHaveURL(/links=2/);
+  await expect.poll(() => page.evaluate(unreached)).toBeLessThan(apart ?? 0);
+  expect(await page.evaluate(unreached)).toBeGreaterThan(0);
+  await page.locator('#section-solver > summary').click();
+  await expect(page.getByText('2 links over gaps of up to 0.4 units; 2 groups.')).toBeVisible();
+
+  await linkNearest.click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(0);
+  await expect(linkNearest).toBeHidden();
+  await expect(page).toHaveURL(/links=3/);
+  // A quarter around the first ball, halfway around the others, and over all gaps.
+  const farthest = await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
+  expect(Math.abs(farthest - (3.5 * Math.PI + 0.4 + 0.6 + 0.3))).toBeLessThan(0.1);
+
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page).toHaveURL(/links=2/);
+  await page.getByRole('button', { name: 'Unlink' }).click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(apart);
+  await page.getByRole('button', { name: 'Link all' }).click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(0);
+  await expect(page).toHaveURL(/links=3/);
+
+  await heatwalk.openFile('row.obj', file, 's=0&method=auto&links=3');
+  await heatwalk.settled();
+  expect(await page.evaluate(unreached)).toBe(0);
+  await expect(page.getByRole('status').first()).toContainText('4 components, 3 links, one group');
+});
+
 test('contacts are marked where there are any', async ({ heatwalk, page }) => {
   const contacts = page.getByRole('switch', { name: 'Contacts' });
   await heatwalk.openFile('balls.obj', balls(-0.1), 's=0&method=auto&show=edges');

@@ -34,8 +34,8 @@ export function styled(request: OpenRequest, { appearance }: OpenedMesh): OpenRe
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, walker, pathKind } = state;
-  return { sources, method, windows, parameters, bridge, from: walker, pathKind, quick: false };
+  const { sources, windows, parameters, bridge, links, walker, pathKind } = state;
+  return { sources, method, windows, parameters, bridge, links, from: walker, pathKind, quick: false };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */

@@ -26,6 +26,8 @@ export interface Question {
   parameters: Parameters;
   /** Which components are joined. */
   bridge: Bridge;
+  /** How many links there are between groups that stay apart. */
+  links: number;
   /** Start of the path; null: no path is wanted. */
   from: SurfacePoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
@@ -35,7 +37,7 @@ export interface Question {
 }
 
 /** What a field depends on. */
-type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'quick'>;
+type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'links' | 'quick'>;
 
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
@@ -46,6 +48,7 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
   return (
     answered.sources === asked.sources &&
     answered.bridge === asked.bridge &&
+    answered.links === asked.links &&
     isByHeat === (answered.method === 'heat') &&
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
@@ -75,6 +78,7 @@ export class Engine {
   #parameters: Parameters | null;
   /** What the worker has joined. */
   #bridge: Bridge = 'off';
+  #links = 0;
   #factoring: Factoring;
   /** The field that the worker holds, and what it was asked for. */
   #held: { question: Question; field: DistanceField } | null = null;
@@ -155,6 +159,10 @@ export class Engine {
     return this.#worker.call(this.#worker.api.edges(kind));
   }
 
+  linksToReachMore(): Promise<number> {
+    return this.#worker.call(this.#worker.api.linksToReachMore());
+  }
+
   errors(): Promise<Float32Array | null> {
     return this.#worker.call(this.#worker.api.errors());
   }
@@ -208,9 +216,11 @@ export class Engine {
       this.#parameters = parameters;
       this.#held = null;
     }
-    if (this.opened.report.components > 1 && question.bridge !== this.#bridge) {
-      this.#factoring = await this.#worker.call(api.bridge(String(question.bridge)));
-      this.#bridge = question.bridge;
+    const { bridge, links } = question;
+    if (this.opened.report.components > 1 && (bridge !== this.#bridge || links !== this.#links)) {
+      this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
+      this.#bridge = bridge;
+      this.#links = links;
       this.#held = null;
     }
     const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;

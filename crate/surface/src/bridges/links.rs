@@ -18,8 +18,8 @@ use crate::union_find::UnionFind;
 #[cfg(test)]
 mod tests;
 
-/// Portals of a link are wider than its narrowest place by this share of the diagonal of the scene at most: over as much as
-/// components that touch may be apart.
+/// Portals of a link are wider than its narrowest place by this share of the diagonal of the scene at most, as much as
+/// components that touch may be apart. Nearer to each other than that they are of no use, however fine the components are.
 const SLACK: f64 = OF_SCENE[0];
 
 /// Where two groups of components that stay apart are nearest to each other.
@@ -47,7 +47,8 @@ impl Bridges {
         if self.group_count() < 2 {
             return Vec::new();
         }
-        let scene = Scene::new(surface);
+        let mut scene = Scene::new(surface);
+        scene.least_spacing = SLACK;
         let hierarchy = Hierarchy::new(&scene);
         let mut places = spanning_tree(&hierarchy, &self.groups);
         if places.is_empty() {
@@ -169,6 +170,9 @@ fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
         return None;
     }
     let pair = [item.corners, other.corners];
+    if triangles::plane_distance(&pair) >= least {
+        return None;
+    }
     if squared == 0.0
         && let Some([weights, _]) = triangles::crossing(&pair)
     {
