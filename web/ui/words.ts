@@ -91,7 +91,11 @@ function repairs(report: BuildReport): string[] {
   const say = (verb: string, value: number, noun: string, plural?: string) => {
     if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
   };
-  say('welded', report.weldedVertices, 'seam vertex', 'seam vertices');
+  say('welded', report.weldedVertices - report.crackVertices, 'seam vertex', 'seam vertices');
+  if (report.crackVertices > 0) {
+    const cracks = counted(report.crackVertices, 'crack vertex', 'crack vertices');
+    done.push(`welded ${cracks} within ${report.crackWidth.toPrecision(2)} units`);
+  }
   say('removed', report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
   say('removed', report.degenerateFaces, 'degenerate triangle');
   say('removed', report.duplicateFaces, 'duplicate triangle');

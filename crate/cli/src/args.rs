@@ -7,7 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up, WeldRule};
 
 use crate::method::{Given, Methods};
 use crate::options::{Linear, Options, choice, chosen};
@@ -41,6 +41,10 @@ pub struct Mesh {
     /// Take only this part of the file, counted from 0; may be repeated
     #[arg(long = "part", value_name = "N")]
     pub parts: Vec<usize>,
+    /// Vertices that become one: those of equal position (exact), also those on both sides of a crack too narrow to be seen
+    /// (auto), or no wider than D
+    #[arg(long, value_name = "exact|auto|D", default_value_t, allow_negative_numbers = true)]
+    pub weld: WeldRule,
     /// Threads that build the surface and answer --each; all that the machine has if not given
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,

@@ -23,7 +23,7 @@ pub fn run(command: &Command) -> Result<Answer> {
 
 fn info(arguments: &Info) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
-    let (surface, build_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
     let joined = join(&surface, &arguments.bridging);

@@ -21,7 +21,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut sources =
         arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
     for line in &arguments.lines {

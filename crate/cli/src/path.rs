@@ -30,7 +30,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let input = Input::read(&arguments.mesh.mesh, &arguments.mesh.parts)?;
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
-    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let from = arguments.from.on(&input.soup, &surface)?;
     let to = arguments.to.on(&input.soup, &surface)?;
     let joined = join(&surface, &arguments.bridging);

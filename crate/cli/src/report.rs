@@ -43,6 +43,8 @@ impl Report {
     /// What building found and did.
     pub fn push_build(&mut self, report: &BuildReport) {
         self.push("joined_vertices", report.welded_vertices);
+        self.push("crack_vertices", report.crack_vertices);
+        self.push("crack_width", report.crack_width);
         self.push("unreferenced_vertices", report.unreferenced_vertices);
         self.push("degenerate_faces", report.degenerate_faces);
         self.push("duplicate_faces", report.duplicate_faces);

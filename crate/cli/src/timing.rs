@@ -7,15 +7,17 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Link, Method, Stage, Step, Surface, VertexId};
+use heatwalk::{
+    Bridges, DistanceOptions, DistanceSolver, Element, Link, Method, Stage, Step, Surface, VertexId, WeldRule,
+};
 
 use crate::args::Bridging;
 use crate::input::Input;
 use crate::report::milliseconds;
 
-pub fn build(input: &Input, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
+pub fn build(input: &Input, weld: WeldRule, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
     let start = Instant::now();
-    let surface = Surface::build_on(&input.soup, threads)?;
+    let surface = Surface::build_by(&input.soup, weld, threads)?;
     Ok((Arc::new(surface), milliseconds(start)))
 }
 

@@ -82,7 +82,7 @@ pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
     InputTriangle, InputVertex, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
-    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, io,
+    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, WeldRule, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
