@@ -94,6 +94,25 @@ test('what is apart is linked group by group, nearest first, by a link of the pa
   await expect(page.getByRole('status').first()).toContainText('4 components, 3 links, one group');
 });
 
+test('distance crosses cracks, and the message tells of them', async ({ heatwalk, page }) => {
+  // Each triangle has vertices of its own, and misses its neighbors by up to 0.00001.
+  const { positions, triangles } = sphere(24);
+  const noise = (index: number) => 5e-6 * Math.sin(12.9898 * index);
+  const loose = triangles.flatMap((triangle, face) =>
+    triangle.map((vertex): [number, number, number] => {
+      const [x, y, z] = positions[vertex];
+      return [x + noise(3 * face), y + noise(3 * face + 1), z + noise(3 * face + 2)];
+    }),
+  );
+  const corners = triangles.map((_, face): [number, number, number] => [3 * face, 3 * face + 1, 3 * face + 2]);
+  await heatwalk.openFile('loose.obj', obj({ loose: { positions: loose, triangles: corners } }), 's=0&method=auto');
+  await heatwalk.settled();
+  await expect(page.getByRole('status').first()).toContainText(/welded [\d,]+ crack vertices within 0\.000\d+ units/);
+  expect(await page.evaluate(() => window.heatwalk.mesh?.components)).toBe(1);
+  const farthest = await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
+  expect(Math.abs(farthest - Math.PI)).toBeLessThan(0.02);
+});
+
 test('contacts are marked where there are any', async ({ heatwalk, page }) => {
   const contacts = page.getByRole('switch', { name: 'Contacts' });
   await heatwalk.openFile('balls.obj', balls(-0.1), 's=0&method=auto&show=edges');

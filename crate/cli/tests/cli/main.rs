@@ -2,6 +2,7 @@
 
 mod exact;
 mod files;
+mod joining;
 mod method;
 mod options;
 mod paths;
