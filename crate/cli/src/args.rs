@@ -61,7 +61,7 @@ pub struct Bridging {
     #[arg(long = "bridge", value_name = "auto|off|D", default_value_t, allow_negative_numbers = true)]
     pub rule: BridgeRule,
     /// Link so many more of the groups that stay apart, each time the two that are nearest, or all of them
-    #[arg(long = "link", value_name = "N|all", default_value = "0", value_parser = links)]
+    #[arg(long = "link", value_name = "N|all", default_value = "0", value_parser = links, allow_negative_numbers = true)]
     pub links: usize,
 }
 
