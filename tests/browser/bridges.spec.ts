@@ -11,6 +11,8 @@ function balls(gap: number): string {
   });
 }
 
+const noise = (index: number) => 5e-6 * Math.sin(12.9898 * index);
+
 const unreached = () => window.heatwalk.field?.unreachableVertices;
 
 test('stripes and the path run over parts that pierce each other, and not where they are not to', async ({
@@ -54,10 +56,7 @@ test('what is apart is bridged as far as a link says', async ({ heatwalk, page }
 });
 
 test('what is apart is linked group by group, nearest first, by a link of the page too', async ({ heatwalk, page }) => {
-  const row = [0, 2.4, 5, 7.3].map((z) => {
-    const ball = sphere(24);
-    return { ...ball, positions: ball.positions.map(([x, y, height]): [number, number, number] => [x, y, height + z]) };
-  });
+  const row = [0, 2.4, 5, 7.3].map((z) => sphere(24, [0, 0, z]));
   const file = obj(Object.fromEntries(row.map((ball, index) => [`ball${index}`, ball])));
   await heatwalk.openFile('row.obj', file, 's=0&method=auto');
   await heatwalk.settled();
@@ -97,7 +96,6 @@ test('what is apart is linked group by group, nearest first, by a link of the pa
 test('distance crosses cracks, and the message tells of them', async ({ heatwalk, page }) => {
   // Each triangle has vertices of its own, and misses its neighbors by up to 0.00001.
   const { positions, triangles } = sphere(24);
-  const noise = (index: number) => 5e-6 * Math.sin(12.9898 * index);
   const loose = triangles.flatMap((triangle, face) =>
     triangle.map((vertex): [number, number, number] => {
       const [x, y, z] = positions[vertex];

@@ -27,7 +27,7 @@ fn info(arguments: &Info) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     let joined = join(&surface, &arguments.bridging);
-    report.push_joined(&joined);
+    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);

@@ -3,10 +3,8 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::{BuildReport, Link, Soup, Stage};
+use heatwalk::{Bridges, BuildReport, Link, Soup, Stage};
 use serde_json::{Map, Value, json};
-
-use crate::timing::Joined;
 
 pub fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
@@ -32,12 +30,12 @@ impl Report {
         self.push("boundary_loops", report.boundary_loops);
     }
 
-    /// What joins components.
-    pub fn push_joined(&mut self, joined: &Joined) {
-        self.push("groups", joined.bridges.group_count());
-        self.push("contacts", joined.contacts);
+    /// What joins components: with `links` of them, groups that stay apart otherwise.
+    pub fn push_bridges(&mut self, bridges: &Bridges, contacts: usize, links: &[Link]) {
+        self.push("groups", bridges.group_count());
+        self.push("contacts", contacts);
         let link = |link: &Link| json!({ "components": link.components, "gap": link.gap });
-        self.push("links", joined.links.iter().map(link).collect::<Vec<_>>());
+        self.push("links", links.iter().map(link).collect::<Vec<_>>());
     }
 
     /// What building found and did.
