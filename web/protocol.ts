@@ -99,6 +99,10 @@ export interface Factoring {
   groups: number;
   /** Pairs of components that meet. */
   contacts: number;
+  /** Links between groups that would stay apart. */
+  links: number;
+  /** The widest gap that is linked, in the unit of the file; 0 without links. */
+  linkedGap: number;
   /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
   /** Bytes of wasm memory in use. */
@@ -218,9 +222,15 @@ export interface SolverApi {
   configure(parameters: Parameters): Promise<Factoring>;
   /**
    * Joins components between which paths are to lead: "auto" those that pierce or nearly touch each other, "off" none, else
-   * those no farther apart than so much, in the unit of the file. The last field is forgotten.
+   * those no farther apart than so much, in the unit of the file. Of the groups that stay apart, so many pairs are linked, the
+   * nearest first. The last field is forgotten.
    */
-  bridge(rule: string): Promise<Factoring>;
+  bridge(rule: string, links: number): Promise<Factoring>;
+  /**
+   * With how many links, at least, the sources of the last field reach more than they do; as many as there are where nothing is
+   * left to link.
+   */
+  linksToReachMore(): Promise<number>;
   /**
    * Shows the mesh as it is at a moment, with null as in its file; null where it does not move. What the other calls give is
    * drawn there. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.

@@ -11,6 +11,8 @@ function balls(gap: number): string {
   });
 }
 
+const noise = (index: number) => 5e-6 * Math.sin(12.9898 * index);
+
 const unreached = () => window.heatwalk.field?.unreachableVertices;
 
 test('stripes and the path run over parts that pierce each other, and not where they are not to', async ({
@@ -51,6 +53,62 @@ test('what is apart is bridged as far as a link says', async ({ heatwalk, page }
   await heatwalk.settled();
   expect(await page.evaluate(unreached)).toBe(0);
   expect((await heatwalk.scene()).bridge).toBe(0.25);
+});
+
+test('what is apart is linked group by group, nearest first, by a link of the page too', async ({ heatwalk, page }) => {
+  const row = [0, 2.4, 5, 7.3].map((z) => sphere(24, [0, 0, z]));
+  const file = obj(Object.fromEntries(row.map((ball, index) => [`ball${index}`, ball])));
+  await heatwalk.openFile('row.obj', file, 's=0&method=auto');
+  await heatwalk.settled();
+  const apart = await page.evaluate(unreached);
+  const linkNearest = page.getByRole('button', { name: 'Link nearest' });
+
+  // The pair at the far end is nearer to each other, 0.3, than the ball that is next to the source, 0.4.
+  await linkNearest.click();
+  await expect(page).toHaveURL(/links=2/);
+  await expect.poll(() => page.evaluate(unreached)).toBeLessThan(apart ?? 0);
+  expect(await page.evaluate(unreached)).toBeGreaterThan(0);
+  await page.locator('#section-solver > summary').click();
+  await expect(page.getByText('2 links over gaps of up to 0.4 units; 2 groups.')).toBeVisible();
+
+  await linkNearest.click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(0);
+  await expect(linkNearest).toBeHidden();
+  await expect(page).toHaveURL(/links=3/);
+  // A quarter around the first ball, halfway around the others, and over all gaps.
+  const farthest = await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
+  expect(Math.abs(farthest - (3.5 * Math.PI + 0.4 + 0.6 + 0.3))).toBeLessThan(0.1);
+
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page).toHaveURL(/links=2/);
+  await page.getByRole('button', { name: 'Unlink' }).click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(apart);
+  await page.getByRole('button', { name: 'Link all' }).click();
+  await expect.poll(() => page.evaluate(unreached)).toBe(0);
+  await expect(page).toHaveURL(/links=3/);
+
+  await heatwalk.openFile('row.obj', file, 's=0&method=auto&links=3');
+  await heatwalk.settled();
+  expect(await page.evaluate(unreached)).toBe(0);
+  await expect(page.getByRole('status').first()).toContainText('4 components, 3 links, one group');
+});
+
+test('distance crosses cracks, and the message tells of them', async ({ heatwalk, page }) => {
+  // Each triangle has vertices of its own, and misses its neighbors by up to 0.00001.
+  const { positions, triangles } = sphere(24);
+  const loose = triangles.flatMap((triangle, face) =>
+    triangle.map((vertex): [number, number, number] => {
+      const [x, y, z] = positions[vertex];
+      return [x + noise(3 * face), y + noise(3 * face + 1), z + noise(3 * face + 2)];
+    }),
+  );
+  const corners = triangles.map((_, face): [number, number, number] => [3 * face, 3 * face + 1, 3 * face + 2]);
+  await heatwalk.openFile('loose.obj', obj({ loose: { positions: loose, triangles: corners } }), 's=0&method=auto');
+  await heatwalk.settled();
+  await expect(page.getByRole('status').first()).toContainText(/welded [\d,]+ crack vertices within 0\.000\d+ units/);
+  expect(await page.evaluate(() => window.heatwalk.mesh?.components)).toBe(1);
+  const farthest = await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
+  expect(Math.abs(farthest - Math.PI)).toBeLessThan(0.02);
 });
 
 test('contacts are marked where there are any', async ({ heatwalk, page }) => {

@@ -12,6 +12,7 @@ const QUESTION: Question = {
   parameters: DEFAULT_PARAMETERS,
   bridge: 'auto',
   moment: null,
+  links: 0,
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,
@@ -31,8 +32,8 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
       calls.push(['propagate', windows, ...kinds(request)].join(' '));
       return solved(0);
     },
-    bridge: async (rule: string) => {
-      calls.push(`bridge ${rule}`);
+    bridge: async (rule: string, links: number) => {
+      calls.push(`bridge ${rule} ${links}`);
       return {};
     },
     refine: (request: PathRequest | null) => {
@@ -66,19 +67,22 @@ test('another path over the same field does not solve again', async () => {
   expect(calls.slice(2)).toEqual(['configure', 'solve descent']);
 });
 
-test('components are joined before the first question, and again only by another rule', async () => {
+test('components are joined before the first question, and again only by another rule or number of links', async () => {
   const { engine: it, calls } = engine(2);
   await it.ask(QUESTION);
   await it.ask({ ...QUESTION, sources: [{ vertex: 3 }] });
   await it.ask({ ...QUESTION, bridge: 0.5 });
   await it.ask({ ...QUESTION, bridge: 'off' });
+  await it.ask({ ...QUESTION, bridge: 'off', links: 2 });
   expect(calls).toEqual([
-    'bridge auto',
+    'bridge auto 0',
     'solve descent',
     'solve descent',
-    'bridge 0.5',
+    'bridge 0.5 0',
     'solve descent',
-    'bridge off',
+    'bridge off 0',
+    'solve descent',
+    'bridge off 2',
     'solve descent',
   ]);
 });

@@ -70,6 +70,7 @@ test('every change survives the link', () => {
       memory: 500,
     },
     bridge: 0.0125,
+    links: 3,
     pathKind: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
@@ -95,7 +96,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });

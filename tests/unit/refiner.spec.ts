@@ -31,12 +31,13 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     parameters: STATE.parameters,
     bridge: STATE.bridge,
     moment: null,
+    links: STATE.links,
     from: { vertex: 1 },
     pathKind,
     quick: false,
   };
   const timings = { readMs: 0, buildMs: 0, drawMs: 0, joinMs: 0, precomputeMs: 0 };
-  const factoring = { timings, groups: 0, contacts: 0, factorNonzeros: 0, memoryBytes: 0 };
+  const factoring = { timings, groups: 0, contacts: 0, links: 0, linkedGap: 0, factorNonzeros: 0, memoryBytes: 0 };
   return {
     question,
     posed: null,

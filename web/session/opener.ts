@@ -179,7 +179,7 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null });
+    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, links: 0 });
   }
 
   /** What can be done when a question to the mesh on screen has failed. */

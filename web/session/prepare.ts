@@ -49,9 +49,9 @@ export function momentOf({ clip, seconds }: Animation): Moment | null {
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, walker, pathKind, animation } = state;
+  const { sources, windows, parameters, bridge, links, walker, pathKind, animation } = state;
   const moment = animation.live ? momentOf(animation) : null;
-  return { sources, method, windows, parameters, bridge, moment, from: walker, pathKind, quick: false };
+  return { sources, method, windows, parameters, bridge, links, moment, from: walker, pathKind, quick: false };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */

@@ -28,6 +28,8 @@ export interface Question {
   parameters: Parameters;
   /** Which components are joined. */
   bridge: Bridge;
+  /** How many links there are between groups that stay apart. */
+  links: number;
   /** In which pose distances are measured; null: in that of the file. */
   moment: Moment | null;
   /** Start of the path; null: no path is wanted. */
@@ -39,7 +41,10 @@ export interface Question {
 }
 
 /** What a field depends on. */
-type FieldQuestion = Pick<Question, 'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'moment' | 'quick'>;
+type FieldQuestion = Pick<
+  Question,
+  'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'links' | 'moment' | 'quick'
+>;
 
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
@@ -51,6 +56,7 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
     answered.sources === asked.sources &&
     answered.bridge === asked.bridge &&
     isSameMoment(answered.moment, asked.moment) &&
+    answered.links === asked.links &&
     isByHeat === (answered.method === 'heat') &&
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
@@ -86,6 +92,7 @@ export class Engine {
   #parameters: Parameters | null;
   /** What the worker has joined. */
   #bridge: Bridge = 'off';
+  #links = 0;
   /** The pose that the worker shows, and that in which it measures. */
   #shown: Moment | null = null;
   #measured: Moment | null = null;
@@ -176,6 +183,10 @@ export class Engine {
     return this.#worker.call(this.#worker.api.edges(kind));
   }
 
+  linksToReachMore(): Promise<number> {
+    return this.#worker.call(this.#worker.api.linksToReachMore());
+  }
+
   errors(): Promise<Float32Array | null> {
     return this.#worker.call(this.#worker.api.errors());
   }
@@ -229,9 +240,11 @@ export class Engine {
       this.#parameters = parameters;
       this.#held = null;
     }
-    if (this.opened.report.components > 1 && question.bridge !== this.#bridge) {
-      this.#factoring = await this.#worker.call(api.bridge(String(question.bridge)));
-      this.#bridge = question.bridge;
+    const { bridge, links } = question;
+    if (this.opened.report.components > 1 && (bridge !== this.#bridge || links !== this.#links)) {
+      this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
+      this.#bridge = bridge;
+      this.#links = links;
       this.#held = null;
     }
     // The question follows without waiting for it: each turn of the page may take as long as a frame.

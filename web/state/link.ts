@@ -68,6 +68,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
   add('bridge', bridge(state.bridge), bridge(start.bridge));
+  add('links', number(state.links), number(start.links));
   const { parameters } = state;
   add('t', option(parameters.timeStep), option(start.parameters.timeStep));
   add('b', parameters.boundary, start.parameters.boundary);
@@ -135,6 +136,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));
+  read('links', parseLinks, (links) => (state.links = links));
   const { parameters } = state;
   read('t', automaticOr(within(...TIME_STEP_FACTORS)), (factor) => (parameters.timeStep = factor));
   read('b', choiceOf(BOUNDARY), (boundary) => (parameters.boundary = boundary));
@@ -247,6 +249,10 @@ function parseBridge(text: string): Bridge | null {
 
 function clip(index: number | null): string {
   return index === null ? 'none' : String(index);
+}
+
+function parseLinks(text: string): number | null {
+  return /^\d{1,9}$/.test(text) ? Number(text) : null;
 }
 
 function flag(value: boolean): string {

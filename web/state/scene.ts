@@ -72,6 +72,8 @@ export interface Places {
   sources: readonly Source[];
   /** Where the walker starts; null: no walker. */
   walker: SurfacePoint | null;
+  /** How many links there are between groups that stay apart, each time of the two that are nearest. */
+  links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
 }
@@ -113,6 +115,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     parts: [],
     sources: [],
     walker: null,
+    links: 0,
     up: 'y',
     method: 'heat',
     windows: DEFAULT_WINDOWS,
@@ -231,8 +234,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, up }: SceneState): Places {
-  return { sources, walker, up };
+function placesOf({ sources, walker, links, up }: SceneState): Places {
+  return { sources, walker, links, up };
 }
 
 function withValidSelection(state: SceneState): SceneState {

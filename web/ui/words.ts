@@ -67,10 +67,23 @@ export function openingSentence({ name, report }: OpenedMesh, factoring: Factori
 }
 
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */
-function componentWords({ components }: BuildReport, { groups, contacts }: Factoring): string {
-  const counts = counted(components, 'component');
-  if (contacts === 0) return counts;
-  return `${counts}, ${counted(contacts, 'contact')}, ${groups === 1 ? 'one group' : counted(groups, 'group')}`;
+function componentWords({ components }: BuildReport, { groups, contacts, links }: Factoring): string {
+  const joined = [];
+  if (contacts > 0) joined.push(counted(contacts, 'contact'));
+  if (links > 0) joined.push(counted(links, 'link'));
+  if (joined.length > 0) joined.push(groupWords(groups));
+  return [counted(components, 'component'), ...joined].join(', ');
+}
+
+function groupWords(groups: number): string {
+  return groups === 1 ? 'one group' : counted(groups, 'group');
+}
+
+/** How many links there are between groups and how far they reach; null without any. */
+export function linksSentence({ groups, links, linkedGap }: Factoring): string | null {
+  if (links === 0) return null;
+  const over = links === 1 ? 'a gap of' : 'gaps of up to';
+  return `${counted(links, 'link')} over ${over} ${length(linkedGap)} units; ${groupWords(groups)}.`;
 }
 
 function repairs(report: BuildReport): string[] {
@@ -78,7 +91,11 @@ function repairs(report: BuildReport): string[] {
   const say = (verb: string, value: number, noun: string, plural?: string) => {
     if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
   };
-  say('welded', report.weldedVertices, 'seam vertex', 'seam vertices');
+  say('welded', report.weldedVertices - report.crackVertices, 'seam vertex', 'seam vertices');
+  if (report.crackVertices > 0) {
+    const cracks = counted(report.crackVertices, 'crack vertex', 'crack vertices');
+    done.push(`welded ${cracks} within ${report.crackWidth.toPrecision(2)} units`);
+  }
   say('removed', report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
   say('removed', report.degenerateFaces, 'degenerate triangle');
   say('removed', report.duplicateFaces, 'duplicate triangle');
@@ -147,7 +164,7 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
   const names = unreachedParts(opened, field);
   const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
   const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A component (${share})`;
-  return `${what} is not connected to any source and is drawn hatched. Add a source there.`;
+  return `${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
 
 /** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */

@@ -7,7 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up, WeldRule};
 
 use crate::method::{Given, Methods};
 use crate::options::{Linear, Options, choice, chosen};
@@ -47,6 +47,10 @@ pub struct Mesh {
     /// Seconds after the beginning of the animation
     #[arg(long, value_name = "S", requires = "animation", default_value_t, allow_negative_numbers = true)]
     pub time: f64,
+    /// Vertices that become one: those of equal position (exact), also those on both sides of a crack too narrow to be seen
+    /// (auto), or no wider than D
+    #[arg(long, value_name = "exact|auto|D", default_value_t, allow_negative_numbers = true)]
+    pub weld: WeldRule,
     /// Threads that build the surface and answer --each; all that the machine has if not given
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -62,6 +66,9 @@ pub struct Bridging {
     /// are no farther apart than D
     #[arg(long = "bridge", value_name = "auto|off|D", default_value_t, allow_negative_numbers = true)]
     pub rule: BridgeRule,
+    /// Link so many more of the groups that stay apart, each time the two that are nearest, or all of them
+    #[arg(long = "link", value_name = "N|all", default_value = "0", value_parser = links, allow_negative_numbers = true)]
+    pub links: usize,
 }
 
 impl Mesh {
@@ -209,6 +216,14 @@ impl Path {
             heat: self.options.parameters(self.linear.solver.unwrap_or_default(), MultiSource::default()),
             ..DistanceOptions::default()
         })
+    }
+}
+
+/// A number of links.
+fn links(text: &str) -> Result<usize, String> {
+    match text {
+        "all" => Ok(usize::MAX),
+        _ => text.parse().map_err(|_| "a number of links or all is needed".to_owned()),
     }
 }
 

@@ -23,15 +23,15 @@ pub fn run(command: &Command) -> Result<Answer> {
 
 fn info(arguments: &Info) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
-    let (surface, build_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
-    let (bridges, join_ms) = join(&surface, arguments.bridging.rule);
-    report.push_bridges(&bridges);
+    let joined = join(&surface, &arguments.bridging);
+    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
     report.push_animations(&input.file);
-    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": join_ms }));
+    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": joined.join_ms }));
     Ok(report.render(arguments.mesh.json))
 }

@@ -21,7 +21,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut sources =
         arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
     for line in &arguments.lines {
@@ -29,10 +29,11 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
 
     let mut report = Report::default();
-    let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
+    let joined = join(&surface, &arguments.bridging);
     report.push_surface(surface.report());
-    report.push_bridges(&bridges);
-    let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
+    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
+    let build_ms = built_ms + joined.join_ms;
+    let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }

@@ -30,14 +30,15 @@ pub fn path(arguments: &Path) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
-    let (surface, built_ms) = build(&input, arguments.mesh.threads())?;
+    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let from = arguments.from.on(&input.soup, &surface)?;
     let to = arguments.to.on(&input.soup, &surface)?;
-    let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
+    let joined = join(&surface, &arguments.bridging);
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_bridges(&bridges);
-    let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
+    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
+    let build_ms = built_ms + joined.join_ms;
+    let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?
     } else {

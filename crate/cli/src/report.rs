@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use heatwalk::surface::motion::Clip;
-use heatwalk::{Bridges, BuildReport, Soup, Stage};
+use heatwalk::{Bridges, BuildReport, Link, Soup, Stage};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -31,15 +31,19 @@ impl Report {
         self.push("boundary_loops", report.boundary_loops);
     }
 
-    /// What joins components.
-    pub fn push_bridges(&mut self, bridges: &Bridges) {
+    /// What joins components: with `links` of them, groups that stay apart otherwise.
+    pub fn push_bridges(&mut self, bridges: &Bridges, contacts: usize, links: &[Link]) {
         self.push("groups", bridges.group_count());
-        self.push("contacts", bridges.contacts().len());
+        self.push("contacts", contacts);
+        let link = |link: &Link| json!({ "components": link.components, "gap": link.gap });
+        self.push("links", links.iter().map(link).collect::<Vec<_>>());
     }
 
     /// What building found and did.
     pub fn push_build(&mut self, report: &BuildReport) {
         self.push("joined_vertices", report.welded_vertices);
+        self.push("crack_vertices", report.crack_vertices);
+        self.push("crack_width", report.crack_width);
         self.push("unreferenced_vertices", report.unreferenced_vertices);
         self.push("degenerate_faces", report.degenerate_faces);
         self.push("duplicate_faces", report.duplicate_faces);
@@ -99,6 +103,11 @@ impl Report {
                     let label = format!("animation {}", animation["animation"]);
                     let name = animation["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
                     writeln!(text, "{label:<22} {name}, {} s", animation["seconds"])
+                }),
+                Value::Array(items) if name == "links" => items.iter().enumerate().try_for_each(|(index, link)| {
+                    let label = format!("link {index}");
+                    let [first, second] = [0, 1].map(|of| &link["components"][of]);
+                    writeln!(text, "{label:<22} components {first} and {second}, gap {}", link["gap"])
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),

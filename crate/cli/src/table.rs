@@ -7,6 +7,7 @@ use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     Bridges, DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, VertexId,
+    WeldRule,
 };
 use serde_json::{Value, json};
 
@@ -64,7 +65,7 @@ fn path_and_parts(mesh: &str) -> (&str, Vec<usize>) {
 fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
-    let (surface, build_ms) = build(&input, ONE).with_context(|| mesh.to_owned())?;
+    let (surface, build_ms) = build(&input, WeldRule::default(), ONE).with_context(|| mesh.to_owned())?;
     // The first vertex of the file, wherever it is in memory.
     let source = surface.vertex_of_input(InputVertex(0)).unwrap_or(VertexId(0));
     let exactly = DistanceOptions::by(Method::Exact);

@@ -7,22 +7,42 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId};
+use heatwalk::{
+    Bridges, DistanceOptions, DistanceSolver, Element, Link, Method, Stage, Step, Surface, VertexId, WeldRule,
+};
 
+use crate::args::Bridging;
 use crate::input::Input;
 use crate::report::milliseconds;
 
-pub fn build(input: &Input, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
+pub fn build(input: &Input, weld: WeldRule, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
     let start = Instant::now();
-    let surface = Surface::build_on(&input.soup, threads)?;
+    let surface = Surface::build_by(&input.soup, weld, threads)?;
     Ok((Arc::new(surface), milliseconds(start)))
 }
 
-/// What joins the components of a surface, and the milliseconds that finding it took.
-pub fn join(surface: &Surface, rule: BridgeRule) -> (Bridges, f64) {
+/// What joins the components of a surface.
+pub struct Joined {
+    pub bridges: Bridges,
+    /// Pairs of components that meet, without those that are linked.
+    pub contacts: usize,
+    /// Those of the bridges that link groups.
+    pub links: Vec<Link>,
+    pub join_ms: f64,
+}
+
+/// Finds what joins the components of a surface.
+pub fn join(surface: &Surface, bridging: &Bridging) -> Joined {
     let start = Instant::now();
-    let bridges = Bridges::find(surface, rule);
-    (bridges, milliseconds(start))
+    let mut bridges = Bridges::find(surface, bridging.rule);
+    let contacts = bridges.contacts().len();
+    let mut links = Vec::new();
+    if bridging.links > 0 {
+        links = bridges.links(surface);
+        links.truncate(bridging.links);
+        bridges = bridges.linked(surface, &links);
+    }
+    Joined { bridges, contacts, links, join_ms: milliseconds(start) }
 }
 
 /// A surface's solver, ready to be asked, and what that took in milliseconds.

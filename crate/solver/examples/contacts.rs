@@ -12,8 +12,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use common::pieces::{CHANGES, Errors, Pieces, wholes};
-use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Method, Surface, VertexData, VertexId};
+use common::pieces::{CHANGES, Change, Errors, Pieces, wholes};
+use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Method, Surface, VertexData, VertexId, WeldRule};
 
 /// Runs of which the least time counts.
 const RUNS: usize = 60;
@@ -27,9 +27,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let errors = of_whole.iter().map(|answer| shown(Errors::between(&answer.values, exact)));
         let times = [0, 1].map(|method: usize| format!("{:.1}", of_whole[method].ms));
         println!("| {}, whole | 1 | | | {} | {} |", whole.name, cells(errors), cells(times));
-        for (name, change) in CHANGES {
-            let pieces = Pieces::new(&whole, change);
+        let welded = CHANGES.iter().filter(|(_, change)| matches!(change, Change::Noise(_)));
+        let welded = welded.map(|&(name, change)| (format!("{name}, welded"), change, WeldRule::Automatic));
+        let apart = CHANGES.iter().map(|&(name, change)| (name.to_owned(), change, WeldRule::Exact));
+        for (name, change, rule) in apart.chain(welded) {
+            let pieces = Pieces::new(&whole, change, rule);
             let (bridges, search) = timed(|| Ok(Bridges::find(&pieces.surface, BridgeRule::Automatic)))?;
+            let components = pieces.surface.report().components;
             let portals = bridges.portals().len();
             let of_pieces = answers(&pieces.surface, bridges, pieces.source)?;
             let expected = pieces.copied(exact);
@@ -39,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 format!("{cut:.1} ({:.2})", cut / whole)
             };
             let [errors, times] = [cells(errors), cells([0, 1].map(time))];
-            println!("| {}, {name} | 10 | {portals} | {search:.1} | {errors} | {times} |", whole.name);
+            println!("| {}, {name} | {components} | {portals} | {search:.1} | {errors} | {times} |", whole.name);
         }
     }
     Ok(())

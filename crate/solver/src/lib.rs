@@ -81,8 +81,8 @@ pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
-    InputTriangle, InputVertex, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
-    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, io,
+    InputTriangle, InputVertex, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
+    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, WeldRule, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

@@ -14,7 +14,7 @@ use glam::DVec3;
 use heatwalk::exact::shortest_path;
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, Method, Path, Soup, Surface, VertexId,
-    descend, straighten,
+    WeldRule, descend, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -41,7 +41,7 @@ fn a_surface_in_pieces_has_nearly_the_distances_of_the_whole() {
         let by_heat = distance(&mut solver, whole.source, Method::Heat).values;
         let of_whole = Errors::between(&by_heat, &exact);
         for (change, how) in CHANGES {
-            let pieces = Pieces::new(&whole, how);
+            let pieces = Pieces::new(&whole, how, WeldRule::Exact);
             let bridges = Bridges::find(&pieces.surface, BridgeRule::Automatic);
             let mut solver = DistanceSolver::new(Arc::clone(&pieces.surface)).bridged(bridges);
             let expected = pieces.copied(&exact);

@@ -4,6 +4,7 @@
 
 pub mod appearance;
 pub mod bridges;
+mod cracks;
 pub mod csr;
 pub mod edges;
 pub mod element;
@@ -26,7 +27,8 @@ pub mod union_find;
 mod weld;
 
 pub use appearance::Appearance;
-pub use bridges::{BridgeRule, Bridges, Contact, Portal};
+pub use bridges::{BridgeRule, Bridges, Contact, Link, Portal};
+pub use cracks::WeldRule;
 pub use element::{
     CutVertex, CutVertexData, Element, ElementData, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData,
     InputVertex, InputVertexData, VertexData, VertexId,

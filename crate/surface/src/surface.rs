@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 
+use crate::cracks::WeldRule;
 use crate::csr::{Csr, NONE};
 use crate::edges::{Corners, Edges};
 use crate::element::{
@@ -32,7 +33,7 @@ const BYTES_PER_TRIANGLE: u64 = 128;
 const COLLAPSED: f64 = 1e-6;
 
 /// What was found and done while a [`Surface`] was built.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct BuildReport {
     /// Vertices of the input.
     pub input_vertices: usize,
@@ -42,6 +43,11 @@ pub struct BuildReport {
     pub faces: usize,
     /// Input vertices that became one with an earlier one.
     pub welded_vertices: usize,
+    /// Those of them that became one with a vertex of another position, on the other side of a crack; input vertices of one
+    /// position count once.
+    pub crack_vertices: usize,
+    /// How far the farthest of them was from the one that it became, in the file's unit.
+    pub crack_width: f64,
     /// Input vertices that no kept face uses.
     pub unreferenced_vertices: usize,
     /// Triangles dropped for a repeated corner or no area.
@@ -101,7 +107,7 @@ impl Surface {
     /// Welds, cleans and orients a soup, on the caller's thread alone.
     ///
     /// # Errors
-    /// As [`Self::build_on`].
+    /// As [`Self::build_by`].
     pub fn build(soup: &Soup) -> Result<Self> {
         Self::build_on(soup, parallel::ONE)
     }
@@ -109,14 +115,29 @@ impl Surface {
     /// Welds, cleans and orients a soup, on so many threads. The surface is the same, to the last bit, however many.
     ///
     /// # Errors
+    /// As [`Self::build_by`].
+    ///
+    /// # Panics
+    /// Where there are no threads, as on wasm32, and more than one is asked for.
+    pub fn build_on(soup: &Soup, threads: NonZeroUsize) -> Result<Self> {
+        Self::build_by(soup, WeldRule::default(), threads)
+    }
+
+    /// Welds by a rule, cleans and orients a soup, on so many threads.
+    ///
+    /// Cracks are closed between boundary vertices that are nearest to each other, where edges of both sides come together, and
+    /// are narrower than 5 % of the least altitude of the triangles there; of the vertices that become one the first keeps its
+    /// place. Layers, such as a decal on a wall, stay apart.
+    ///
+    /// # Errors
     /// [`IndexOutOfRange`](crate::Error::IndexOutOfRange); [`NotFinite`](crate::Error::NotFinite) for a used vertex;
     /// [`Empty`](crate::Error::Empty) where no triangle of non-zero area is left; [`OutOfMemory`](crate::Error::OutOfMemory).
     ///
     /// # Panics
     /// Where there are no threads, as on wasm32, and more than one is asked for.
-    pub fn build_on(soup: &Soup, threads: NonZeroUsize) -> Result<Self> {
+    pub fn build_by(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Self> {
         memory::require(BYTES_PER_TRIANGLE * soup.triangles.len() as u64, "building the surface")?;
-        let welded = weld(soup, threads)?;
+        let welded = weld(soup, rule, threads)?;
         let (positions, mut faces, mut edges, mut corners) =
             (welded.positions, welded.faces, welded.edges, welded.corners);
         let triangle_of_face = welded.triangle_of_face;
@@ -162,6 +183,8 @@ impl Surface {
             vertices: positions.len(),
             faces: faces.len(),
             welded_vertices: soup.positions.len() - unreferenced - positions.len(),
+            crack_vertices: welded.crack_vertices,
+            crack_width: welded.crack_width,
             unreferenced_vertices: unreferenced,
             degenerate_faces: welded.degenerate_faces,
             duplicate_faces: welded.duplicate_faces,

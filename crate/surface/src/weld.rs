@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec3;
 
+use crate::cracks::{Closed, Triangles, WeldRule};
 use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{
@@ -33,13 +34,16 @@ pub struct Welded {
     pub corners: Corners,
     pub degenerate_faces: usize,
     pub duplicate_faces: usize,
+    /// Vertices that became one with another across a crack, and how far the farthest of them moved.
+    pub crack_vertices: usize,
+    pub crack_width: f64,
 }
 
 /// Welds the soup.
 ///
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::NotFinite`] (a vertex that no triangle uses may be anything), [`Error::Empty`].
-pub fn weld(soup: &Soup, threads: NonZeroUsize) -> Result<Welded> {
+pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded> {
     let is_used = used_vertices(soup, threads)?;
     let (mut vertex_of_input, mut positions) = merge(&soup.positions, &is_used, threads);
     let is_gathered = gather(&soup.triangles, &mut positions, &mut vertex_of_input, threads);
@@ -66,11 +70,30 @@ pub fn weld(soup: &Soup, threads: NonZeroUsize) -> Result<Welded> {
     let group = |vertices: usize, faces: &[[VertexId; 3]]| Corners::group(vertices, faces.as_flattened(), threads);
     let mut corners = group(positions.len(), &faces);
     let (mut edges, duplicates) = Edges::new(&faces, &corners, threads);
+    let mut duplicate_faces = duplicates.len();
     if !duplicates.is_empty() {
         edges = edges.without(&duplicates);
         remove(&duplicates, &mut faces);
         remove(&duplicates, &mut triangle_of_face);
         corners = group(positions.len(), &faces);
+    }
+    let triangles = Triangles { positions: &positions, faces: &faces, edges: &edges, corners: &corners };
+    let closed = triangles.closed(rule);
+    if let Some(Closed { target, .. }) = &closed {
+        let vertices = vertex_of_input.iter_mut().filter(|vertex| **vertex != NONE);
+        for vertex in vertices.chain(faces.as_flattened_mut().iter_mut().map(|vertex| &mut vertex.0)) {
+            *vertex = target[*vertex as usize];
+        }
+        corners = group(positions.len(), &faces);
+        let duplicates;
+        (edges, duplicates) = Edges::new(&faces, &corners, threads);
+        if !duplicates.is_empty() {
+            duplicate_faces += duplicates.len();
+            edges = edges.without(&duplicates);
+            remove(&duplicates, &mut faces);
+            remove(&duplicates, &mut triangle_of_face);
+            corners = group(positions.len(), &faces);
+        }
     }
     // Surfaces part at whole edges, so that half-edges of an edge stay together; only vertices get other numbers.
     let is_merged = positions.len() < is_used.iter().filter(|&&is_used| is_used).count();
@@ -82,7 +105,7 @@ pub fn weld(soup: &Soup, threads: NonZeroUsize) -> Result<Welded> {
         let fans = Fans { corners: &corners, edges: &edges, input };
         fans.part_touching(&mut faces, &mut positions, &mut vertex_of_input)
     };
-    if !degenerate.is_empty() {
+    if !degenerate.is_empty() || closed.is_some() {
         is_renumbered |= drop_unused(&mut faces, &mut positions, &mut vertex_of_input);
     }
     if is_renumbered {
@@ -97,7 +120,9 @@ pub fn weld(soup: &Soup, threads: NonZeroUsize) -> Result<Welded> {
         edges,
         corners,
         degenerate_faces: degenerate.len(),
-        duplicate_faces: duplicates.len(),
+        duplicate_faces,
+        crack_vertices: closed.as_ref().map_or(0, |closed| closed.count),
+        crack_width: closed.map_or(0.0, |closed| closed.width),
     })
 }
 

@@ -9,6 +9,7 @@ mod appearance;
 mod drawn;
 mod failure;
 mod field;
+mod joined;
 mod motion;
 mod parameters;
 mod results;

@@ -150,6 +150,15 @@ macro_rules! counts {
     };
 }
 
+#[wasm_bindgen]
+impl BuildReport {
+    /// How far the farthest vertex was from the one that it was merged into, in the file's unit.
+    #[wasm_bindgen(getter, js_name = crackWidth)]
+    pub fn crack_width(&self) -> f64 {
+        self.0.crack_width
+    }
+}
+
 counts! {
     /// Vertices of the input.
     input_vertices as inputVertices,
@@ -159,6 +168,8 @@ counts! {
     faces as faces,
     /// Input vertices that were merged into another.
     welded_vertices as weldedVertices,
+    /// Vertices that were merged into one across a crack.
+    crack_vertices as crackVertices,
     /// Input vertices that no kept face uses.
     unreferenced_vertices as unreferencedVertices,
     /// Faces dropped because they have no area.

@@ -7,9 +7,8 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    Bridges, CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch,
-    Propagation, PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend,
-    straighten,
+    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch, Propagation,
+    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
@@ -18,6 +17,7 @@ use wasm_bindgen::prelude::*;
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
+use crate::joined::Joined;
 use crate::motion::moment;
 use crate::parameters::parameters;
 use crate::results::{DrawPose, SurfacePath};
@@ -42,7 +42,7 @@ pub struct Solver {
     /// The same as it is shown: in another pose, if distances are measured in that of the file.
     shown: Arc<Surface>,
     /// Of the surface in the pose of the file.
-    bridges: Bridges,
+    joined: Joined,
     moving: Option<Moving>,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
@@ -87,7 +87,7 @@ impl Solver {
             geometry,
             moving: posing.map(|posing| Moving { posing, surface: Arc::clone(&surface), path: None }),
             shown: surface,
-            bridges: Bridges::default(),
+            joined: Joined::default(),
             heat,
             propagation: None,
             solved: None,
@@ -156,6 +156,11 @@ impl Solver {
         Ok(drawn)
     }
 
+    /// The surface in the pose of the file.
+    fn of_file(&self) -> Arc<Surface> {
+        Arc::clone(self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface))
+    }
+
     /// Measures on this surface, a pose of the one so far, from now on.
     fn measure_on(&mut self, surface: &Arc<Surface>) -> Result<()> {
         if self.geometry.surface().id() == surface.id() {
@@ -171,7 +176,7 @@ impl Solver {
             Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
             None => ExactGeometry::new(Arc::clone(surface)),
         };
-        self.geometry = Arc::new(geometry.bridged(&self.bridges.carried(surface)));
+        self.geometry = Arc::new(geometry.bridged(&self.joined.bridges().carried(surface)));
         (self.heat, self.propagation, self.solved, self.search) = (heat, None, None, None);
         Ok(())
     }
@@ -198,19 +203,18 @@ impl Solver {
         Ok(())
     }
 
-    /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and forgets the field.
-    pub fn bridge(&mut self, rule: &str) -> Result<()> {
-        let of_file = self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface);
-        let bridges = Bridges::find(of_file, rule.parse()?);
+    /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and so many links between the
+    /// nearest of the groups that stay apart; forgets the field.
+    pub fn bridge(&mut self, rule: &str, links: u32) -> Result<()> {
+        let is_changed = self.joined.join(&self.of_file(), rule.parse()?, links as usize);
         self.propagation = None;
         self.solved = None;
         self.search = None;
-        if bridges.portals() != self.bridges.portals() {
+        if is_changed {
             let geometry = ExactGeometry::clone(&self.geometry);
-            let here = bridges.carried(geometry.surface());
+            let here = self.joined.bridges().carried(geometry.surface());
             self.geometry = Arc::new(geometry.bridged(&here));
         }
-        self.bridges = bridges;
         Ok(())
     }
 
@@ -243,12 +247,31 @@ impl Solver {
 
     /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
     pub fn groups(&self) -> u32 {
-        self.bridges.group_count() as u32
+        self.joined.bridges().group_count() as u32
     }
 
-    /// Pairs of components that meet.
+    /// Pairs of components that meet, without those that are linked.
     pub fn contacts(&self) -> u32 {
-        self.bridges.contacts().len() as u32
+        self.joined.contact_count() as u32
+    }
+
+    /// Links between groups.
+    pub fn links(&self) -> u32 {
+        self.joined.linked().len() as u32
+    }
+
+    /// The widest gap that is linked, in the file's unit; 0 without links.
+    pub fn linked_gap(&self) -> f64 {
+        self.joined.linked().last().map_or(0.0, |link| link.gap)
+    }
+
+    /// With how many links, at least, the sources of the last field reach more than they do; as many as there are where they
+    /// reach all that can be linked.
+    pub fn links_to_reach_more(&mut self) -> Result<u32> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let surface = self.of_file();
+        let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(&surface)).collect();
+        Ok(self.joined.links_to_reach_more(&surface, &components) as u32)
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.
@@ -347,7 +370,7 @@ impl Solver {
         let edges = match kind.parse()? {
             EdgeKind::Mesh => overlay::inner_edges(surface),
             EdgeKind::Boundary => overlay::boundary_edges(surface),
-            EdgeKind::Contact => overlay::contact_lines(surface, &self.bridges),
+            EdgeKind::Contact => overlay::contact_lines(surface, self.joined.bridges()),
             EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?, surface)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))

@@ -174,13 +174,17 @@ const api: SolverApi = {
     return factoringOf(mesh, memory);
   },
 
-  async bridge(rule: string): Promise<Factoring> {
+  async bridge(rule: string, links: number): Promise<Factoring> {
     const { memory } = await ready;
     const mesh = openMesh();
     const clock = stopwatch();
-    mesh.solver.bridge(rule);
+    mesh.solver.bridge(rule, links);
     mesh.timings = { ...mesh.timings, joinMs: clock() };
     return factoringOf(mesh, memory);
+  },
+
+  linksToReachMore(): Promise<number> {
+    return Promise.resolve(openMesh().solver.links_to_reach_more());
   },
 
   pose(moment: Moment | null, measured: boolean): Promise<Posed | null> {
@@ -285,6 +289,8 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
     timings,
     groups: solver.groups(),
     contacts: solver.contacts(),
+    links: solver.links(),
+    linkedGap: solver.linked_gap(),
     factorNonzeros: solver.factor_nonzeros(),
     memoryBytes: memory.buffer.byteLength,
   };

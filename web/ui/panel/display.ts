@@ -64,9 +64,9 @@ export function displaySection(session: Session): HTMLElement {
     colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
     up.show(scene.state.up);
-    const contacts = session.shown.value?.answer.factoring.contacts ?? 0;
+    const { contacts, links } = session.shown.value?.answer.factoring ?? { contacts: 0, links: 0 };
     for (const { overlay, element, show: showToggle, allow } of overlays) {
-      if (overlay === 'contacts') allow(contacts > 0);
+      if (overlay === 'contacts') allow(contacts + links > 0);
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }

@@ -35,6 +35,7 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Vertices', count(report.vertices)],
     ['Components', count(report.components)],
     ['Contacts', factoring.groups > 0 ? count(factoring.contacts) : '–'],
+    ['Links between groups', factoring.groups > 0 ? count(factoring.links) : '–'],
     ['Groups of components', factoring.groups > 0 ? count(factoring.groups) : '–'],
     ['Boundaries', count(report.boundaryLoops)],
     ['Euler characteristic', count(report.eulerCharacteristic)],

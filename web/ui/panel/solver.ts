@@ -20,7 +20,7 @@ import {
   WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
-import { count, refiningSentence } from '../words';
+import { count, linksSentence, refiningSentence } from '../words';
 
 const METHODS: Record<Method, string> = {
   auto: 'Automatic',
@@ -104,6 +104,13 @@ export function solverSection(session: Session): HTMLElement {
     (value) => scene.set({ windows: value }),
   );
   const bridge = select('Join components', BRIDGES, (value) => scene.set({ bridge: value }));
+  const linked = quiet('');
+  const unlink = h(
+    'button',
+    { class: 'small', title: 'Takes away all links between groups', onclick: () => scene.place({ links: 0 }) },
+    'Unlink',
+  );
+  const links = h('div', { class: 'linking' }, linked, unlink);
   const ofHeat = [
     factor.element,
     quiet('Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.'),
@@ -134,6 +141,9 @@ export function solverSection(session: Session): HTMLElement {
     path.show(state.pathKind);
     bridge.element.hidden = (session.shown.value?.opened.report.components ?? 1) < 2;
     bridge.show(state.bridge);
+    const factoring = session.shown.value?.answer.factoring;
+    linked.textContent = factoring ? linksSentence(factoring) : null;
+    links.hidden = linked.textContent === '';
     factor.show(
       parameters.timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(parameters.timeStep),
       Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
@@ -176,6 +186,7 @@ export function solverSection(session: Session): HTMLElement {
     refiningStatus(session),
     path.element,
     bridge.element,
+    links,
     ...ofHeat,
     h(
       'details',

@@ -1,4 +1,5 @@
 import type { SurfacePoint } from '../../protocol';
+import { linkAll, linkNearest } from '../../session/links';
 import type { Session } from '../../session/session';
 import { setInitialDistance } from '../../state/edit';
 import { h } from '../dom';
@@ -9,6 +10,27 @@ export function sourcesSection(session: Session): HTMLElement {
   const { scene } = session;
   const list = h('ul', { class: 'sources' });
   const unreached = h('p', { class: 'warning', hidden: true });
+  const nearest = h(
+    'button',
+    {
+      class: 'small',
+      title:
+        'Lets distance and paths cross to the nearest group of components that is not reached, where it is nearest',
+      onclick: () => {
+        nearest.disabled = true;
+        void linkNearest(session).finally(() => {
+          nearest.disabled = false;
+        });
+      },
+    },
+    'Link nearest',
+  );
+  const all = h(
+    'button',
+    { class: 'small', title: 'Links all groups of components', onclick: () => linkAll(session) },
+    'Link all',
+  );
+  const linking = h('div', { class: 'linking', hidden: true }, nearest, all);
   let rows: HTMLElement[] = [];
 
   const build = () => {
@@ -86,10 +108,11 @@ export function sourcesSection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     const sentence = shown?.answer.field ? unreachedSentence(shown.opened, shown.answer.field) : null;
     unreached.hidden = !sentence;
+    linking.hidden = !sentence;
     if (unreached.textContent !== (sentence ?? '')) unreached.textContent = sentence ?? '';
   });
   unreached.setAttribute('role', 'status');
-  return h('div', { class: 'stack' }, list, unreached);
+  return h('div', { class: 'stack' }, list, unreached, linking);
 }
 
 function pointName(point: SurfacePoint): string {

@@ -3,6 +3,7 @@
 mod animations;
 mod exact;
 mod files;
+mod joining;
 mod method;
 mod options;
 mod paths;

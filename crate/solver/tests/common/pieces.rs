@@ -1,10 +1,11 @@
 //! Closed surfaces cut into pieces that share no vertex, as the parts of assemblies do.
 
 use std::collections::HashMap;
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{Element, Soup, Surface, VertexData, VertexId};
+use heatwalk::{Element, Soup, Surface, VertexData, VertexId, WeldRule};
 use heatwalk_shapes as shapes;
 
 /// Pieces that a surface is cut into.
@@ -60,7 +61,7 @@ pub struct Pieces {
 
 impl Pieces {
     /// Cuts along edges and changes the pieces.
-    pub fn new(whole: &Whole, change: Change) -> Self {
+    pub fn new(whole: &Whole, change: Change, rule: WeldRule) -> Self {
         let (faces, positions) = (whole.surface.faces().as_slice(), whole.surface.positions());
         let mut pieces = vec![(Vec::<VertexId>::new(), Vec::<[u32; 3]>::new()); PIECES];
         let mut numbers = vec![HashMap::new(); PIECES];
@@ -92,7 +93,7 @@ impl Pieces {
             soup.end_part("piece");
             of_input.extend(vertices);
         }
-        let surface = Surface::build(&soup).expect("a surface");
+        let surface = Surface::build_by(&soup, rule, NonZeroUsize::MIN).expect("a surface");
         let original = |vertex| of_input[surface.inputs_of_vertex(vertex)[0].index()];
         let originals: Vec<VertexId> = surface.vertices().map(original).collect();
         let copy = originals.iter().position(|&original| original == whole.source).expect("a copy of every vertex");

@@ -12,7 +12,7 @@ use crate::surface::Surface;
 use crate::union_find::UnionFind;
 
 /// Components may be apart by this share of the diagonal of the scene; groups that are separate still, by the second one.
-const OF_SCENE: [f64; 2] = [1e-3, 3e-3];
+pub const OF_SCENE: [f64; 2] = [1e-3, 3e-3];
 
 /// And by this share of the diagonal of the smaller one.
 const OF_SMALLER: f64 = 0.05;
@@ -51,10 +51,12 @@ impl Bridges {
                 let most = scene.in_scene_unit(distance.max(0.0)).min(WIDEST);
                 let mut within = tolerance(&scene, alone, f64::INFINITY, most, SLACK);
                 if most > SLACK {
-                    within.least = distances(&scene, &hierarchy, &within);
+                    // Each component is a set of its own.
+                    let least = distances(&scene, &hierarchy, &within);
+                    within.pairs = least.into_iter().map(|(pair, least)| (pair, least + within.slack)).collect();
                 }
                 // Where no component is near another, there is nothing to look for.
-                if most > SLACK && within.least.is_empty() { Vec::new() } else { search(&scene, &hierarchy, &within) }
+                if most > SLACK && within.pairs.is_empty() { Vec::new() } else { search(&scene, &hierarchy, &within) }
             }
             _ => {
                 let [near, farther] = OF_SCENE;
@@ -68,17 +70,21 @@ impl Bridges {
                 candidates
             }
         };
-        // Gaps that differ by rounding alone are equal.
-        let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
-        // Of numbers above 0, and of 0, the bits are in the order of the numbers.
-        let key = |(place, candidate): (u32, &Candidate)| (candidate.components, gap(candidate).to_bits(), place);
-        let mut order: Vec<_> = (0..).zip(&candidates).map(key).collect();
-        order.sort_unstable();
-        let candidates: Vec<Candidate> = order.into_iter().map(|(.., place)| candidates[place as usize]).collect();
-        let contacts = candidates.chunk_by(|a, b| a.components == b.components);
-        let contact = |own: &[Candidate]| -> ([u32; 2], Vec<Portal>) { (own[0].components, portals(&scene, own)) };
-        Self::new(surface, contacts.map(contact).collect())
+        Self::new(surface, contacts(&scene, &candidates))
     }
+}
+
+/// Contacts between components, with the portals that are kept of their places.
+pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal>)> {
+    // Gaps that differ by rounding alone are equal.
+    let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
+    // Of numbers above 0, and of 0, the bits are in the order of the numbers.
+    let key = |(place, candidate): (u32, &Candidate)| (candidate.components, gap(candidate).to_bits(), place);
+    let mut order: Vec<_> = (0..).zip(found).map(key).collect();
+    order.sort_unstable();
+    let candidates: Vec<Candidate> = order.into_iter().map(|(.., place)| found[place as usize]).collect();
+    let contacts = candidates.chunk_by(|a, b| a.components == b.components);
+    contacts.map(|own| (own[0].components, portals(scene, own))).collect()
 }
 
 /// How far apart sets of components may be, given as shares of the diagonals of the smaller one and of the scene.
@@ -87,9 +93,9 @@ fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64, slack: f64) ->
     for (&set, &own) in set.iter().zip(&scene.bounds) {
         bounds[set as usize] = bounds[set as usize].around(own);
     }
-    let diagonals = bounds.into_iter().map(Bounds::diagonal).collect();
     let rounding = scene.rounding;
-    Tolerance { set, diagonals, share, most, slack: slack + rounding, least: HashMap::new(), rounding }
+    let reach = bounds.into_iter().map(|bounds| most.min(share * bounds.diagonal()) + rounding).collect();
+    Tolerance { set, reach, pairs: HashMap::new(), slack: slack + rounding }
 }
 
 /// The sets that become one by what was found, each named by its least one.

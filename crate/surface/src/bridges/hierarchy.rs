@@ -95,6 +95,23 @@ impl Hierarchy {
         leaves.flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
     }
 
+    /// What the components of all triangles below a node have in common, by node.
+    pub fn common<T: Copy + PartialEq>(&self, of: impl Fn(u32) -> T) -> Vec<Option<T>> {
+        let mut common = vec![None; self.nodes.len()];
+        for node in (0..self.nodes.len()).rev() {
+            common[node] = match (self.below(node), self.nodes[node].component) {
+                (_, Some(component)) => Some(of(component)),
+                (Below::Nodes([first, second]), None) => common[first].filter(|_| common[first] == common[second]),
+                (Below::Items(items), None) => {
+                    let mut values = items.iter().map(|item| of(item.component));
+                    let first = values.next();
+                    first.filter(|&first| values.all(|value| value == first))
+                }
+            };
+        }
+        common
+    }
+
     /// A node; 0 is the root.
     #[inline]
     pub fn node(&self, node: usize) -> &Node {

@@ -6,6 +6,7 @@
 mod bounds;
 mod find;
 mod hierarchy;
+mod links;
 mod portals;
 mod rule;
 mod scene;
@@ -14,6 +15,7 @@ mod search;
 mod tests;
 mod triangles;
 
+pub use links::Link;
 pub use rule::BridgeRule;
 
 use crate::point::Place;

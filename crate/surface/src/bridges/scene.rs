@@ -29,6 +29,8 @@ pub struct Scene<'a> {
     half_diagonal: f64,
     /// Lengths below this are noise.
     pub rounding: f64,
+    /// Portals are no nearer to each other than that, even on a fine mesh.
+    pub least_spacing: f64,
     /// `#components`.
     pub bounds: Vec<Bounds>,
     /// `#components`, mean length of the sides of the triangles.
@@ -56,6 +58,7 @@ impl<'a> Scene<'a> {
             points,
             half_diagonal,
             rounding: ROUNDINGS * f64::EPSILON * farthest.max(1.0),
+            least_spacing: 0.0,
             bounds: Vec::with_capacity(components),
             mean_sides: Vec::with_capacity(components),
             first_face,
@@ -112,6 +115,6 @@ impl<'a> Scene<'a> {
     /// How far apart the portals of two components are to be.
     #[inline]
     pub fn spacing(&self, [a, b]: [u32; 2]) -> f64 {
-        self.mean_sides[a as usize].min(self.mean_sides[b as usize]).min(MOST_SPACING)
+        self.mean_sides[a as usize].min(self.mean_sides[b as usize]).clamp(self.least_spacing, MOST_SPACING)
     }
 }

@@ -32,38 +32,32 @@ const CELLS: f64 = 8.0;
 pub struct Tolerance {
     /// `#components`, the set of each: components of one set are not joined.
     pub set: Vec<u32>,
-    /// The diagonal of each set, and the share of it that two sets may be apart by.
-    pub diagonals: Vec<f64>,
-    pub share: f64,
-    /// What no two sets may be apart by more than.
-    pub most: f64,
+    /// `#sets`, how far apart each may be from any other.
+    pub reach: Vec<f64>,
+    /// The same of pairs of sets, the lower number first, where only these are joined; empty where all are.
+    pub pairs: HashMap<[u32; 2], f64>,
     /// Places of a large triangle may be farther away than its nearest one by so much.
     pub slack: f64,
-    /// The distances of pairs of components, the lower number first, where places are to be no farther apart than that and the
-    /// slack; empty where distances do not matter.
-    pub least: HashMap<[u32; 2], f64>,
-    /// Added for rounding.
-    pub rounding: f64,
 }
 
 impl Tolerance {
     /// How far apart a component may be from any other.
     fn of(&self, component: u32) -> f64 {
-        let set = self.set[component as usize];
-        self.most.min(self.share * self.diagonals[set as usize]) + self.rounding
+        self.reach[self.set[component as usize] as usize]
     }
 
     /// How far apart places of two components may be; `None` where these are not joined however near they are.
     #[inline]
     fn between(&self, a: u32, b: u32) -> Option<f64> {
-        if self.set[a as usize] == self.set[b as usize] {
+        let [a, b] = [a, b].map(|component| self.set[component as usize]);
+        if a == b {
             return None;
         }
-        let tolerance = self.of(a).min(self.of(b));
-        if self.least.is_empty() {
+        let tolerance = self.reach[a as usize].min(self.reach[b as usize]);
+        if self.pairs.is_empty() {
             return Some(tolerance);
         }
-        self.least.get(&[a.min(b), a.max(b)]).map(|least| tolerance.min(least + self.slack))
+        self.pairs.get(&[a.min(b), a.max(b)]).map(|most| tolerance.min(*most))
     }
 }
 
@@ -80,7 +74,7 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    fn new(items: [&Item; 2], weights: Weights, gap: f64) -> Self {
+    pub fn new(items: [&Item; 2], weights: Weights, gap: f64) -> Self {
         let (components, faces) = (items.map(|item| item.component), items.map(|item| item.face));
         let mut candidate = Self { components, faces, weights, gap };
         if components[0] > components[1] {

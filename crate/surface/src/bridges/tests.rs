@@ -12,9 +12,9 @@ use crate::soup::Soup;
 const COVERED: f64 = 1.25;
 
 /// Triangles of one component.
-type Shape = (Vec<DVec3>, Vec<[u32; 3]>);
+pub type Shape = (Vec<DVec3>, Vec<[u32; 3]>);
 
-fn cuboid(low: [f64; 3], high: [f64; 3]) -> Shape {
+pub fn cuboid(low: [f64; 3], high: [f64; 3]) -> Shape {
     let corner =
         |number: usize| DVec3::from_array([0, 1, 2].map(|k| if number >> k & 1 == 1 { high[k] } else { low[k] }));
     let quads: [[u32; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -23,7 +23,7 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Shape {
 }
 
 /// With a vertex at each end of each axis.
-fn sphere(centre: [f64; 3], radius: f64) -> Shape {
+pub fn sphere(centre: [f64; 3], radius: f64) -> Shape {
     const RINGS: u32 = 16;
     const SEGMENTS: u32 = 32;
     let mut positions = vec![DVec3::Z, DVec3::NEG_Z];
@@ -49,7 +49,7 @@ fn sphere(centre: [f64; 3], radius: f64) -> Shape {
 }
 
 /// The components are numbered as the shapes are.
-fn assembled(shapes: &[Shape]) -> Surface {
+pub fn assembled(shapes: &[Shape]) -> Surface {
     let mut soup = Soup::default();
     for (positions, triangles) in shapes {
         let first = soup.positions.len() as u32;
@@ -166,7 +166,7 @@ fn both_sides_of_a_thin_plate_have_portals() {
 }
 
 #[test]
-fn spheres_are_joined_up_to_the_tolerance() {
+pub fn spheres_are_joined_up_to_the_tolerance() {
     // The diagonal is √(4² + 2² + 2²), the smaller component's √12, so that the scene decides.
     let diagonal = 24_f64.sqrt();
     for (share, count) in [(-1e-4, 1), (1e-4, 1), (0.9e-3, 1), (2.9e-3, 1), (3.1e-3, 0), (0.02, 0)] {

@@ -1,0 +1,64 @@
+//! What joins the components of the open surface, kept so that another number of links is not searched anew.
+
+use std::mem;
+
+use heatwalk::{BridgeRule, Bridges, Link, Surface};
+
+/// Bridges by a rule, and links between the groups that these leave apart.
+#[derive(Default)]
+pub struct Joined {
+    /// None before the first search.
+    rule: Option<BridgeRule>,
+    /// By the rule alone.
+    found: Bridges,
+    /// What links its groups; none before links were asked for.
+    links: Option<Vec<Link>>,
+    /// How many of them are taken.
+    linked: usize,
+    /// With the links that are taken.
+    bridges: Bridges,
+}
+
+impl Joined {
+    /// Joins components by a rule, and so many pairs of groups beyond that as are nearest. Whether that changes the portals.
+    pub fn join(&mut self, surface: &Surface, rule: BridgeRule, links: usize) -> bool {
+        if self.rule != Some(rule) {
+            self.rule = Some(rule);
+            self.found = Bridges::find(surface, rule);
+            self.links = None;
+        }
+        self.linked = 0;
+        if links > 0 {
+            self.linked = self.links.get_or_insert_with(|| self.found.links(surface)).len().min(links);
+        }
+        let bridges = self.found.linked(surface, self.linked());
+        let before = mem::replace(&mut self.bridges, bridges);
+        before.portals() != self.bridges.portals()
+    }
+
+    /// All that is joined, links too.
+    pub fn bridges(&self) -> &Bridges {
+        &self.bridges
+    }
+
+    /// Pairs of components that meet by the rule alone.
+    pub fn contact_count(&self) -> usize {
+        self.found.contacts().len()
+    }
+
+    /// The links that are taken.
+    pub fn linked(&self) -> &[Link] {
+        self.links.as_ref().map_or(&[], |links| &links[..self.linked])
+    }
+
+    /// The least number of links with which more is reached from these components than now; the number of now where there is none.
+    pub fn links_to_reach_more(&mut self, surface: &Surface, components: &[u32]) -> usize {
+        let bridges = &self.bridges;
+        let links = self.links.get_or_insert_with(|| self.found.links(surface));
+        let is_reached =
+            |component: u32| components.iter().any(|&reached| bridges.group(reached) == bridges.group(component));
+        let leads_on = |link: &Link| is_reached(link.components[0]) != is_reached(link.components[1]);
+        let next = links[self.linked..].iter().position(leads_on);
+        next.map_or(self.linked, |next| self.linked + next + 1)
+    }
+}
