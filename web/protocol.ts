@@ -114,6 +114,10 @@ export interface OpenedMesh {
   shade: Shade | null;
   /** Null where the file says nothing. */
   appearance: Appearance | null;
+  /** What the file refers to that was not given, as the file calls it. */
+  missing: string[];
+  /** Images that the browser cannot decode, as the file calls them. */
+  undecoded: string[];
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */

@@ -3,7 +3,7 @@
 /** The mesh formats by their extensions; an archive may hold meshes. */
 const MESH_FILE = /\.(obj|off|ply|stl|glb|gltf)$/i;
 const ARCHIVE = /\.zip$/i;
-export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin, alone, in a folder or in a .zip';
+export const FORMATS = 'OBJ with its .mtl, OFF, PLY, STL, GLB, glTF with its .bin, alone, in a folder or in a .zip';
 
 /** What systems put beside the files of the user. */
 const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;

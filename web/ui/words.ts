@@ -66,6 +66,27 @@ export function openingSentence({ name, report }: OpenedMesh, factoring: Factori
     : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
 }
 
+const NAMED = 4;
+
+/** What keeps a file from looking as it should; null if nothing does. */
+export function absentSentence({ name, missing, undecoded }: OpenedMesh): string | null {
+  const sentences: string[] = [];
+  if (missing.length > 0) sentences.push(`${name} refers to ${listed(missing)}, which ${were(missing)} not given.`);
+  if (undecoded.length > 0) sentences.push(`The browser cannot show ${listed(undecoded)}.`);
+  return sentences.length > 0 ? sentences.join(' ') : null;
+}
+
+function were({ length }: readonly string[]): string {
+  return length === 1 ? 'was' : 'were';
+}
+
+/** Names, of many the first ones. */
+function listed(names: readonly string[]): string {
+  const rest = names.length - NAMED;
+  const shown = rest > 0 ? [...names.slice(0, NAMED), `${count(rest)} more`] : names.map((name) => name || 'an image');
+  return shown.length === 1 ? shown[0] : `${shown.slice(0, -1).join(', ')} and ${shown.at(-1)}`;
+}
+
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */
 function componentWords({ components }: BuildReport, { groups, contacts }: Factoring): string {
   const counts = counted(components, 'component');

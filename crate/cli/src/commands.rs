@@ -31,6 +31,7 @@ fn info(arguments: &Info) -> Result<String> {
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
+    report.push("missing", input.file.appearance.missing.clone());
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": join_ms }));
     Ok(report.render(arguments.mesh.json))
 }

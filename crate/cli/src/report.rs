@@ -88,6 +88,10 @@ impl Report {
                     let name = part["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
                     writeln!(text, "{label:<22} {name}, {} faces", part["faces"])
                 }),
+                Value::Array(items) if name == "missing" => items.iter().try_for_each(|uri| {
+                    let uri = uri.as_str().unwrap_or_default().replace(char::is_control, " ");
+                    writeln!(text, "{name:<22} {uri}")
+                }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
                 // JSON has no infinity.

@@ -77,9 +77,8 @@ impl Soup {
         }
         if !self.appearance.is_empty() {
             let triangles = self.parts.iter().enumerate().filter(|&(index, _)| chosen(index));
-            let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
-            selection.appearance = Arc::new(self.appearance.select(triangles, vertices));
+            selection.appearance = Arc::new(self.appearance.select(triangles, &used));
         }
         let mut renumbered = vec![u32::MAX; self.positions.len()];
         for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {

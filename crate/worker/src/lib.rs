@@ -123,6 +123,11 @@ impl MeshFile {
         self.soup.appearance.images.iter().map(EncodedImage::new).collect()
     }
 
+    /// What it refers to that was not given.
+    pub fn missing(&self) -> Vec<String> {
+        self.soup.appearance.missing.clone()
+    }
+
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
     /// or in so many MiB; 0 windows: for what is factored, before its factors.
     pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {

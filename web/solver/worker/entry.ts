@@ -25,7 +25,7 @@ import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
-import { decodeImage } from './images';
+import { decodeImages } from './images';
 import { type Files, filesOf, readMesh, unpackedOf } from './files';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
@@ -92,7 +92,7 @@ const api: SolverApi = {
     const { name, hash, read } = await sourceOf(input);
     const clock = stopwatch();
     const file = read();
-    const appearance = appearanceOf(file);
+    const look = lookOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
     const names = file.part_names();
@@ -109,6 +109,7 @@ const api: SolverApi = {
     progress({ stage: 'Drawing', fraction: DRAW_FROM, vertices });
     const inactive = names.map((_, part) => part).filter((part) => !active.includes(part));
     const scenery = inactive.map((part) => ({ part, mesh: plain(file.scenery(part, surface)) }));
+    const missing = file.missing();
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -119,7 +120,8 @@ const api: SolverApi = {
       active: [...active],
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
-      appearance: await appearance,
+      ...(await look),
+      missing,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface, up),
       upright,
@@ -356,11 +358,11 @@ function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T>
 }
 
 /** What a file says of its looks; its images are decoded while the surface is built. */
-async function appearanceOf(file: wasm.MeshFile): Promise<Appearance | null> {
-  if (!file.has_appearance()) return null;
+async function lookOf(file: wasm.MeshFile): Promise<{ appearance: Appearance | null; undecoded: string[] }> {
+  if (!file.has_appearance()) return { appearance: null, undecoded: [] };
   const materials = file.materials().map(plain);
-  const images = await Promise.all(file.images().map((image) => decodeImage(plain(image))));
-  return { materials, images };
+  const { images, undecoded } = await decodeImages(file.images().map(plain));
+  return { appearance: { materials, images }, undecoded };
 }
 
 function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {

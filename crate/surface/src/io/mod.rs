@@ -7,6 +7,7 @@
     allow(dead_code, unreachable_code, unused_variables, reason = "each reader uses some of what they share")
 )]
 
+mod color;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(feature = "obj")]
@@ -16,6 +17,7 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod reader;
+mod seams;
 #[cfg(feature = "stl")]
 mod stl;
 mod triangulate;
@@ -39,7 +41,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, resources),
         #[cfg(feature = "obj")]
-        Format::Obj => obj::read(stem, bytes),
+        Format::Obj => obj::read(stem, bytes, resources),
         #[cfg(feature = "off")]
         Format::Off => off::read(stem, bytes),
         #[cfg(feature = "ply")]

@@ -13,7 +13,8 @@ use serde_json::{Map, Value};
 
 use super::accessor::{Accessors, number};
 use super::container::Buffers;
-use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texture, Wrap};
+use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texels, Texture, Wrap};
+use crate::error::Error;
 
 /// The accessors of a primitive's attributes: texture coordinates of both sets, colors, normals.
 pub fn attributes_of(primitive: &Primitive) -> [Option<u32>; 4] {
@@ -88,9 +89,10 @@ impl Collector {
             appearance.texcoords.clear();
             return appearance;
         }
-        let mut images = Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new() };
+        let mut images =
+            Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new(), missing: Vec::new() };
         appearance.materials = root.materials.iter().map(|material| read_material(material, &mut images)).collect();
-        appearance.images = images.images;
+        (appearance.images, appearance.missing) = (images.images, images.missing);
         let count = appearance.materials.len();
         for run in &mut appearance.runs {
             run.material = run.material.filter(|&material| material < count);
@@ -167,6 +169,7 @@ struct Images<'a> {
     /// For each image of the file, its place among those in use.
     of_file: Vec<Option<usize>>,
     images: Vec<Image>,
+    missing: Vec<String>,
 }
 
 impl Images<'_> {
@@ -210,11 +213,16 @@ impl Images<'_> {
         let image = &self.root.images[source];
         let media_type = image.mime_type.as_ref().map_or_else(String::new, |media_type| media_type.0.clone());
         let bytes = match (image.buffer_view, &image.uri) {
-            (Some(view), _) => self.buffers.view(view).ok().map(|(bytes, _)| bytes.to_vec()),
-            (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")).ok(),
-            (None, None) => None,
+            (Some(view), _) => self.buffers.view(view).map(|(bytes, _)| bytes.to_vec()),
+            (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")),
+            (None, None) => Ok(Vec::new()),
         };
-        self.images.push(Image { media_type, bytes: bytes.unwrap_or_default() });
+        let name = image.uri.as_deref().filter(|uri| !uri.starts_with("data:")).or(image.name.as_deref());
+        let name = name.unwrap_or_default().to_owned();
+        if let Err(Error::MissingResource { uri }) = &bytes {
+            self.missing.push(uri.clone());
+        }
+        self.images.push(Image { name, media_type, bytes: bytes.unwrap_or_default(), texels: Texels::Encoded });
         self.of_file[source] = Some(self.images.len() - 1);
         self.of_file[source]
     }

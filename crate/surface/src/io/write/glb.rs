@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texture, Wrap};
+use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texels, Texture, Wrap};
 use crate::soup::Soup;
 
 const SHORT: u32 = 5123;
@@ -13,7 +13,8 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 /// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
 /// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
-/// Materials, images and the attributes that these need come along, normals as well.
+/// Materials, images and the attributes that these need come along, normals as well. Vertices keep their numbers; further copies
+/// of those with several rows of attributes come after them. Textures whose images are yet to be made of others stay behind.
 ///
 /// # Panics
 /// If there is not one distance for each vertex.
@@ -23,13 +24,15 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     let mut attributes = Map::new();
     let mut add = |name: &str, accessor: usize| attributes.insert(name.to_owned(), accessor.into());
 
-    let positions: Vec<[f32; 3]> = soup.positions.iter().map(|position| position.as_vec3().to_array()).collect();
-    add("POSITION", file.bounded(&positions, "VEC3"));
-    let finite = |&distance: &f64| [if distance.is_finite() { distance as f32 } else { 0.0 }];
-    add("_DISTANCE", file.bounded(&distance.iter().map(finite).collect::<Vec<_>>(), "SCALAR"));
-    let reachable: Vec<f32> = distance.iter().map(|distance| f32::from(u8::from(distance.is_finite()))).collect();
-    add("_REACHABLE", file.accessor(&reachable, FLOAT, "SCALAR", reachable.len(), ARRAY_BUFFER));
     let look = &soup.appearance;
+    let copies = look.seams.vertices.iter().skip(distance.len()).map(|&vertex| vertex as usize);
+    let rows = || (0..distance.len()).chain(copies.clone());
+    let positions: Vec<[f32; 3]> = rows().map(|vertex| soup.positions[vertex].as_vec3().to_array()).collect();
+    add("POSITION", file.bounded(&positions, "VEC3"));
+    let finite = |vertex: usize| [if distance[vertex].is_finite() { distance[vertex] as f32 } else { 0.0 }];
+    add("_DISTANCE", file.bounded(&rows().map(finite).collect::<Vec<_>>(), "SCALAR"));
+    let reachable: Vec<f32> = rows().map(|vertex| f32::from(u8::from(distance[vertex].is_finite()))).collect();
+    add("_REACHABLE", file.accessor(&reachable, FLOAT, "SCALAR", reachable.len(), ARRAY_BUFFER));
     let count = positions.len();
     if !look.normals.is_empty() && look.normals.iter().all(|normal| normal.is_normalized()) {
         let normals: Vec<[f32; 3]> = look.normals.iter().map(|normal| normal.to_array()).collect();
@@ -49,10 +52,11 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
 
     let whole = [Run { triangles: 0..soup.triangles.len(), material: None }];
     let runs = if look.runs.is_empty() { &whole[..] } else { &look.runs[..] };
+    let triangles = if look.seams.corners.is_empty() { &soup.triangles } else { &look.seams.corners };
     let primitives: Vec<Value> = runs
         .iter()
         .map(|run| {
-            let corners = soup.triangles[run.triangles.clone()].as_flattened();
+            let corners = triangles[run.triangles.clone()].as_flattened();
             let indices = file.accessor(corners, INT, "SCALAR", corners.len(), ELEMENT_ARRAY_BUFFER);
             let mut primitive = json!({ "attributes": attributes, "indices": indices });
             if let Some(material) = run.material {
@@ -121,7 +125,11 @@ impl File {
             return;
         }
         let mut uses = Uses { place_of_image: vec![None; look.images.len()], ..Uses::default() };
-        let found = look.images.iter().enumerate().filter(|(_, image)| !image.bytes.is_empty());
+        let found = look
+            .images
+            .iter()
+            .enumerate()
+            .filter(|(_, image)| image.texels == Texels::Encoded && !image.bytes.is_empty());
         let images = found.enumerate().map(|(place, (index, image))| {
             uses.place_of_image[index] = Some(place);
             let view = self.view(&image.bytes);
@@ -129,6 +137,12 @@ impl File {
             json!({ "bufferView": self.views.len() - 1, "mimeType": media_type(&image.media_type, &image.bytes) })
         });
         let images: Vec<Value> = images.collect();
+        for (index, image) in look.images.iter().enumerate() {
+            // The alpha of a base color that is put together is lost, its color is not.
+            if let Texels::Channels([Some((color, 0)), Some(_), Some(_), _]) = image.texels {
+                uses.place_of_image[index] = uses.place_of_image[color];
+            }
+        }
         root["materials"] = look.materials.iter().map(|material| uses.material(material)).collect();
         for (name, list) in [("images", images), ("textures", uses.textures), ("samplers", uses.samplers)] {
             if !list.is_empty() {
