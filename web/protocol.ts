@@ -114,6 +114,8 @@ export interface OpenedMesh {
   shade: Shade | null;
   /** Null where the file says nothing. */
   appearance: Appearance | null;
+  /** The symbol of the unit of lengths, `mm`; empty where the format of the file does not say. */
+  unit: string;
   /** What the file refers to that was not given, as the file calls it. */
   missing: string[];
   /** Images that the browser cannot decode, as the file calls them. */

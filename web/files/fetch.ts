@@ -1,6 +1,7 @@
 /** Fetches meshes from other servers. Nothing is told about the page or its user: no cookies, no referrer. */
 import { pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
+import { isMesh } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
 import type { GivenFile } from '../protocol';
 
@@ -32,7 +33,7 @@ export async function fetchCollection(
   const fetcher = new Fetcher(progress, signal);
   const { content, base } = await fetcher.fetch(new URL(address));
   const head = await content.slice(0, HEAD_BYTES).text();
-  if (head.startsWith(ARCHIVE)) return collectArchive(content);
+  if (head.startsWith(ARCHIVE) && !isMesh(pathOf(address))) return collectArchive(content);
   if (PAGE.test(head)) throw new Error('the address gives a web page, not a mesh; use the address of the file itself');
   const mesh = pathOf(address) || 'mesh';
   const document = JSON_DOCUMENT.test(head) ? await content.text() : '';

@@ -21,6 +21,11 @@ export function length(value: number): string {
   return THREE_DIGITS.format(value);
 }
 
+/** A length in the unit of the mesh. */
+export function measure(value: number, { unit }: OpenedMesh): string {
+  return `${length(value)} ${unit || 'units'}`;
+}
+
 export function percent(share: number): string {
   return `${Math.round(100 * share)} %`;
 }

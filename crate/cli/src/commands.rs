@@ -26,6 +26,7 @@ fn info(arguments: &Info) -> Result<String> {
     let (surface, build_ms) = build(&input, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     let (bridges, join_ms) = join(&surface, arguments.bridging.rule);
     report.push_bridges(&bridges);
     report.push_build(surface.report());

@@ -31,6 +31,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let mut report = Report::default();
     let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     report.push_bridges(&bridges);
     let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
     if options.method == Method::Heat {

@@ -36,6 +36,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let (bridges, joined_ms) = join(&surface, arguments.bridging.rule);
     let mut report = Report::default();
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     report.push_bridges(&bridges);
     let mut prepared = prepare((&surface, bridges, built_ms + joined_ms), &options, arguments.mesh.threads())?;
     let found = if arguments.exact {

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
+use heatwalk::surface::soup::Unit;
 use heatwalk::{Bridges, BuildReport, Soup, Stage};
 use serde_json::{Map, Value, json};
 
@@ -28,6 +29,11 @@ impl Report {
         self.push("welded_vertices", report.vertices);
         self.push("components", report.components);
         self.push("boundary_loops", report.boundary_loops);
+    }
+
+    /// Of lengths, where the format says.
+    pub fn push_unit(&mut self, soup: &Soup) {
+        self.push("unit", soup.unit.map(Unit::symbol));
     }
 
     /// What joins components.
@@ -94,6 +100,8 @@ impl Report {
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
+                Value::Null if name == "unit" => writeln!(text, "{name:<22} unknown"),
+                Value::String(symbol) if name == "unit" => writeln!(text, "{name:<22} {symbol}"),
                 // JSON has no infinity.
                 Value::Null => writeln!(text, "{name:<22} inf"),
                 value => writeln!(text, "{name:<22} {value}"),

@@ -17,6 +17,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk::surface::soup::Unit;
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
 use heatwalk_scene::{DrawTransform, upright};
 use heatwalk_shapes as shapes;
@@ -77,7 +78,11 @@ impl MeshFile {
             Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
         };
         let soup = io::read(name, bytes, &resource)?;
-        let up = if io::is_y_up(name, bytes) { Up::Y } else { upright(&soup) };
+        let up = match io::upward(name, bytes) {
+            Some(DVec3::Z) => Up::Z,
+            Some(_) => Up::Y,
+            None => upright(&soup),
+        };
         Ok(Self { soup, up })
     }
 
@@ -121,6 +126,11 @@ impl MeshFile {
     /// The images that materials use.
     pub fn images(&self) -> Vec<EncodedImage> {
         self.soup.appearance.images.iter().map(EncodedImage::new).collect()
+    }
+
+    /// The symbol of its unit of length; empty where its format does not say.
+    pub fn unit(&self) -> String {
+        self.soup.unit.map_or("", Unit::symbol).to_owned()
     }
 
     /// What it refers to that was not given.

@@ -109,7 +109,7 @@ const api: SolverApi = {
     progress({ stage: 'Drawing', fraction: DRAW_FROM, vertices });
     const inactive = names.map((_, part) => part).filter((part) => !active.includes(part));
     const scenery = inactive.map((part) => ({ part, mesh: plain(file.scenery(part, surface)) }));
-    const missing = file.missing();
+    const [missing, unit] = [file.missing(), file.unit()];
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -122,6 +122,7 @@ const api: SolverApi = {
       surface: plain(drawing.take_mesh()),
       ...(await look),
       missing,
+      unit,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface, up),
       upright,

@@ -32,6 +32,16 @@ fn info_names_what_is_missing() {
     assert_eq!(json(&folder, &["info", "torus.ply"])["missing"], serde_json::json!([]));
 }
 
+#[test]
+fn a_unit_is_told_where_the_format_has_one() {
+    let folder = folder("unit");
+    succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", "d.glb"]);
+    assert_eq!(json(&folder, &["info", "d.glb"])["unit"], "m");
+    assert_eq!(json(&folder, &["path", "d.glb", "--from", "0", "--to", "9"])["unit"], "m");
+    assert!(succeed(&folder, &["info", "d.glb"]).contains("unit                   m\n"));
+    assert!(succeed(&folder, &["info", "torus.ply"]).contains("unit                   unknown\n"));
+}
+
 const HEAT: [&str; 6] = ["distance", "torus.ply", "--source", "0", "--method", "heat"];
 
 #[test]

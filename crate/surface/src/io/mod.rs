@@ -1,10 +1,16 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
 //!
-//! Each format that can be read is a cargo feature: `gltf`, `obj`, `off`, `ply`, `stl`, all on by default.
+//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, all on by default.
 
 #![cfg_attr(
-    not(all(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
-    allow(dead_code, unreachable_code, unused_variables, reason = "each reader uses some of what they share")
+    not(all(feature = "3mf", feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    allow(
+        dead_code,
+        unreachable_code,
+        unreachable_patterns,
+        unused_variables,
+        reason = "each reader uses some of what they share"
+    )
 )]
 
 mod color;
@@ -20,8 +26,14 @@ mod reader;
 mod seams;
 #[cfg(feature = "stl")]
 mod stl;
+#[cfg(feature = "3mf")]
+mod threemf;
 mod triangulate;
 pub mod write;
+#[cfg(feature = "3mf")]
+mod xml;
+
+use glam::DVec3;
 
 use crate::error::{Error, Result};
 use crate::soup::Soup;
@@ -48,6 +60,8 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         Format::Ply => ply::read(stem, bytes),
         #[cfg(feature = "stl")]
         Format::Stl => stl::read(stem, bytes),
+        #[cfg(feature = "3mf")]
+        Format::ThreeMf => threemf::read(stem, bytes),
     };
     let soup = soup?;
     if soup.triangles.is_empty() {
@@ -56,13 +70,15 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     Ok(soup)
 }
 
-/// Whether the format of a file says that Y points up, as glTF does. Other formats say nothing.
-pub fn is_y_up(name: &str, bytes: &[u8]) -> bool {
+/// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
+pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
     let (_, extension) = stem_and_extension(name);
-    match Format::of(without_mark(bytes), extension) {
+    match Format::of(without_mark(bytes), extension)? {
         #[cfg(feature = "gltf")]
-        Some(Format::Gltf) => true,
-        _ => false,
+        Format::Gltf => Some(DVec3::Y),
+        #[cfg(feature = "3mf")]
+        Format::ThreeMf => Some(DVec3::Z),
+        _ => None,
     }
 }
 
@@ -88,6 +104,8 @@ enum Format {
     Ply,
     #[cfg(feature = "stl")]
     Stl,
+    #[cfg(feature = "3mf")]
+    ThreeMf,
 }
 
 impl Format {
@@ -109,6 +127,10 @@ impl Format {
         if off::has_keyword(bytes) {
             return Some(Self::Off);
         }
+        #[cfg(feature = "3mf")]
+        if bytes.starts_with(threemf::MAGIC) {
+            return Some(Self::ThreeMf);
+        }
         #[cfg(feature = "stl")]
         if stl::is_binary(bytes) || stl::is_ascii(bytes) {
             return Some(Self::Stl);
@@ -128,6 +150,8 @@ impl Format {
             "ply" => Some(Self::Ply),
             #[cfg(feature = "stl")]
             "stl" => Some(Self::Stl),
+            #[cfg(feature = "3mf")]
+            "3mf" => Some(Self::ThreeMf),
             _ => None,
         }
     }

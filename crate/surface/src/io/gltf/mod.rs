@@ -20,7 +20,7 @@ use gltf::json::Root;
 
 use super::reader::Resources;
 use crate::error::{Error, Result};
-use crate::soup::Soup;
+use crate::soup::{Soup, Unit};
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
 use container::Buffers;
@@ -35,7 +35,7 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     let buffers = Buffers::new(&root, container.binary, resources);
     let accessors = Accessors { root: &root, buffers: &buffers, compressed: None };
     let scene = Scene::new(&root)?;
-    let mut soup = Soup::default();
+    let mut soup = Soup { unit: Some(Unit::Meter), ..Soup::default() };
     let mut collector = Collector::default();
     for &index in &scene.mesh_nodes {
         add_node(&mut soup, &mut collector, &root, accessors, &scene, index)?;

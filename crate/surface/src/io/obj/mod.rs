@@ -181,19 +181,21 @@ impl File {
         let normal = |&[_, normal]: &[u32; 2]| self.normals.get(normal as usize).copied();
         let vertices = self.positions.len();
         if self.attributes.iter().any(|attributes| texcoord(attributes).is_some() || normal(attributes).is_some()) {
-            let at = |place: usize| self.attributes.get(place).copied().unwrap_or([NONE; 2]);
-            let attributes: Vec<[[u32; 2]; 3]> = corners.iter().map(|places| places.map(at)).collect();
-            let value = |attributes: &[u32; 2]| {
-                let normal = normal(attributes).unwrap_or_default().to_array();
-                texcoord(attributes).unwrap_or_default().into_iter().chain(normal).map(f32::to_bits)
+            let corners = corners.as_flattened();
+            let attributes = |corner: usize| self.attributes.get(corners[corner]).copied().unwrap_or([NONE; 2]);
+            let value = |corner: usize| {
+                let attributes = attributes(corner);
+                let normal = normal(&attributes).unwrap_or_default().to_array();
+                texcoord(&attributes).unwrap_or_default().into_iter().chain(normal).map(f32::to_bits)
             };
-            let (seams, rows) = seams(vertices, triangles, &attributes, |a, b| value(a).cmp(value(b)));
+            let (seams, rows) = seams(vertices, triangles, &|a, b| value(a).cmp(value(b)));
+            let rows = || rows.iter().map(|corner| corner.map_or([NONE; 2], attributes));
             if is_textured {
-                let row = |row: &Option<[u32; 2]>| row.as_ref().and_then(texcoord).unwrap_or_default();
-                appearance.texcoords = rows.iter().map(row).map(|[u, v]| [u, v, 0.0, 0.0]).collect();
+                let texcoords = rows().map(|row| texcoord(&row).unwrap_or_default());
+                appearance.texcoords = texcoords.map(|[u, v]| [u, v, 0.0, 0.0]).collect();
             }
             if !self.normals.is_empty() {
-                appearance.normals = rows.iter().map(|row| row.as_ref().and_then(normal).unwrap_or_default()).collect();
+                appearance.normals = rows().map(|row| normal(&row).unwrap_or_default()).collect();
             }
             appearance.seams = seams;
         }
