@@ -1,9 +1,17 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
 //!
-//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, all on by default.
+//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by default.
 
 #![cfg_attr(
-    not(all(feature = "3mf", feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    not(all(
+        feature = "3mf",
+        feature = "gltf",
+        feature = "obj",
+        feature = "off",
+        feature = "ply",
+        feature = "stl",
+        feature = "vtk"
+    )),
     allow(
         dead_code,
         unreachable_code,
@@ -29,8 +37,10 @@ mod stl;
 #[cfg(feature = "3mf")]
 mod threemf;
 mod triangulate;
+#[cfg(feature = "vtk")]
+mod vtk;
 pub mod write;
-#[cfg(feature = "3mf")]
+#[cfg(any(feature = "3mf", feature = "vtk"))]
 mod xml;
 
 use glam::DVec3;
@@ -62,6 +72,8 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         Format::Stl => stl::read(stem, bytes),
         #[cfg(feature = "3mf")]
         Format::ThreeMf => threemf::read(stem, bytes),
+        #[cfg(feature = "vtk")]
+        Format::Vtk => vtk::read(stem, bytes),
     };
     let soup = soup?;
     if soup.triangles.is_empty() {
@@ -106,6 +118,8 @@ enum Format {
     Stl,
     #[cfg(feature = "3mf")]
     ThreeMf,
+    #[cfg(feature = "vtk")]
+    Vtk,
 }
 
 impl Format {
@@ -131,6 +145,10 @@ impl Format {
         if bytes.starts_with(threemf::MAGIC) {
             return Some(Self::ThreeMf);
         }
+        #[cfg(feature = "vtk")]
+        if vtk::has_header(bytes) {
+            return Some(Self::Vtk);
+        }
         #[cfg(feature = "stl")]
         if stl::is_binary(bytes) || stl::is_ascii(bytes) {
             return Some(Self::Stl);
@@ -152,6 +170,8 @@ impl Format {
             "stl" => Some(Self::Stl),
             #[cfg(feature = "3mf")]
             "3mf" => Some(Self::ThreeMf),
+            #[cfg(feature = "vtk")]
+            "vtk" | "vtp" | "vtu" => Some(Self::Vtk),
             _ => None,
         }
     }

@@ -31,6 +31,11 @@ impl Polygons {
         self.ends.push(self.corners.len());
     }
 
+    /// Polygons so far.
+    pub fn count(&self) -> usize {
+        self.ends.len()
+    }
+
     /// Corners of all polygons so far.
     pub fn corner_count(&self) -> usize {
         self.corners.len()

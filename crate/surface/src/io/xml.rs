@@ -22,6 +22,8 @@ pub enum Node<'a> {
     Start { element: BytesStart<'a>, is_empty: bool },
     /// The element of this name ends.
     End(String),
+    #[cfg(feature = "vtk")]
+    Text(Cow<'a, str>),
 }
 
 impl<'a> Document<'a> {
@@ -42,6 +44,8 @@ impl<'a> Document<'a> {
                 Event::Start(element) => Node::Start { element, is_empty: false },
                 Event::Empty(element) => Node::Start { element, is_empty: true },
                 Event::End(element) => Node::End(element.local_name().as_ref().to_owned()),
+                #[cfg(feature = "vtk")]
+                Event::Text(text) => Node::Text(text.into_inner()),
                 Event::Eof => return Ok(None),
                 _ => continue,
             }));

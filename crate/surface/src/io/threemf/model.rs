@@ -81,9 +81,12 @@ impl Model {
                     object.positions.push(position.ok_or_else(|| document.broken("a vertex needs three numbers"))?);
                 }
                 ("triangle", Some((_, object))) => {
-                    let (corners, property) = triangle(&element);
-                    let corners = corners.ok_or_else(|| document.broken("a triangle needs three vertices"))?;
-                    model.add_triangle(object, corners, property);
+                    let triangle = Triangle::of(&element);
+                    let [Some(a), Some(b), Some(c)] = triangle.corners else {
+                        return Err(document.broken("a triangle needs three vertices"));
+                    };
+                    object.triangles.push([a, b, c]);
+                    model.add_color(object, &triangle);
                 }
                 ("component", Some((_, object))) => object.components.extend(Reference::of(&element)),
                 ("item", _) => model.build.extend(Reference::of(&element)),
@@ -104,8 +107,8 @@ impl Model {
         Ok(model)
     }
 
-    fn add_triangle(&self, object: &mut Object, corners: [u32; 3], (group, indices): (Option<u32>, [Option<u32>; 3])) {
-        object.triangles.push(corners);
+    /// Adds the color of the last triangle of an object.
+    fn add_color(&self, object: &mut Object, &Triangle { group, indices, .. }: &Triangle) {
         let (group, first) = match indices[0] {
             Some(first) => (group.or(object.property.group), Some(first)),
             None => (object.property.group, object.property.index),
@@ -174,24 +177,32 @@ fn position(vertex: &BytesStart) -> Option<DVec3> {
     Some(DVec3::new(x?, y?, z?))
 }
 
-/// The corners, and the group and the indices of their colors.
-fn triangle(element: &BytesStart) -> (Option<[u32; 3]>, (Option<u32>, [Option<u32>; 3])) {
-    let (mut corners, mut group, mut indices) = ([None; 3], None, [None; 3]);
-    for (name, value) in attributes(element) {
-        let number = value.trim().parse().ok();
-        match name {
-            "v1" => corners[0] = number,
-            "v2" => corners[1] = number,
-            "v3" => corners[2] = number,
-            "pid" => group = number,
-            "p1" => indices[0] = number,
-            "p2" => indices[1] = number,
-            "p3" => indices[2] = number,
-            _ => {}
+/// A triangle, with the group and the indices of the colors of its corners.
+#[derive(Default)]
+struct Triangle {
+    corners: [Option<u32>; 3],
+    group: Option<u32>,
+    indices: [Option<u32>; 3],
+}
+
+impl Triangle {
+    fn of(element: &BytesStart) -> Self {
+        let mut triangle = Self::default();
+        for (name, value) in attributes(element) {
+            let number = value.trim().parse().ok();
+            match name {
+                "v1" => triangle.corners[0] = number,
+                "v2" => triangle.corners[1] = number,
+                "v3" => triangle.corners[2] = number,
+                "pid" => triangle.group = number,
+                "p1" => triangle.indices[0] = number,
+                "p2" => triangle.indices[1] = number,
+                "p3" => triangle.indices[2] = number,
+                _ => {}
+            }
         }
+        triangle
     }
-    let [Some(a), Some(b), Some(c)] = corners else { return (None, (group, indices)) };
-    (Some([a, b, c]), (group, indices))
 }
 
 /// Rows of a 4 × 3 matrix that row vectors are multiplied by (3MF Core 1.3, 3.3).
