@@ -81,8 +81,8 @@ export function absentSentence({ name, missing, undecoded }: OpenedMesh): string
   return sentences.length > 0 ? sentences.join(' ') : null;
 }
 
-function were({ length }: readonly string[]): string {
-  return length === 1 ? 'was' : 'were';
+function were(names: readonly string[]): string {
+  return names.length === 1 ? 'was' : 'were';
 }
 
 /** Names, of many the first ones. */

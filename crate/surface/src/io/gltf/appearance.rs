@@ -185,8 +185,13 @@ impl Images<'_> {
         extensions: Option<&Map<String, Value>>,
     ) -> Option<Texture> {
         let texture = self.root.textures.get(index.value())?;
-        let source = texture.extensions.as_ref().and_then(|extensions| webp_source(&extensions.others));
-        let image = self.image(source.unwrap_or(texture.source.value()))?;
+        let source = |name: &str| {
+            let source = texture.extensions.as_ref()?.others.get(name)?["source"].as_u64();
+            source.and_then(|source| usize::try_from(source).ok())
+        };
+        // Few programs decode Basis images.
+        let plain = Some(texture.source.value()).filter(|&source| source < self.root.images.len());
+        let image = self.image(source("EXT_texture_webp").or(plain).or(source("KHR_texture_basisu"))?)?;
         let sampler = texture.sampler.and_then(|index| self.root.samplers.get(index.value()));
         let wrap = |mode: Checked<WrappingMode>| match mode {
             Checked::Valid(WrappingMode::ClampToEdge) => Wrap::Clamp,
@@ -226,11 +231,6 @@ impl Images<'_> {
         self.of_file[source] = Some(self.images.len() - 1);
         self.of_file[source]
     }
-}
-
-/// The image in the format of EXT_texture_webp, where the texture has one.
-fn webp_source(extensions: &Map<String, Value>) -> Option<usize> {
-    extensions.get("EXT_texture_webp")?["source"].as_u64().and_then(|source| usize::try_from(source).ok())
 }
 
 /// Rows of offset · rotation · scale (KHR_texture_transform).

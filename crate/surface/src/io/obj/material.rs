@@ -1,10 +1,10 @@
 //! Materials of the MTL format (Wavefront Technologies, Advanced Visualizer manual, chapter 5), with the statements for physically
 //! based rendering that Burley's model brought (`Pr`, `Pm`, `norm`), in the metallic-roughness model.
 
-use super::numbers;
 use super::texture::{Images, Map};
 use crate::appearance::{Alpha, Channel, Material, Texels};
 use crate::io::color::light;
+use crate::io::reader::numbers;
 
 /// Alpha from which on a texture with holes is solid.
 const CUTOFF: f32 = 0.5;

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 
 use super::color::light;
-use super::reader::{Reporter, Resources};
+use super::reader::{Reporter, Resources, numbers};
 use super::seams::seams;
 use super::triangulate::Polygons;
 use crate::appearance::{Appearance, Run};
@@ -106,12 +106,6 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         }
     }
     file.assemble(groups.names, library)
-}
-
-/// The first numbers of a statement; 0 where there is none.
-fn numbers<const N: usize>(arguments: &str) -> [f32; N] {
-    let mut words = arguments.split_whitespace().map(|word| word.parse().unwrap_or(0.0));
-    std::array::from_fn(|_| words.next().filter(|number: &f32| number.is_finite()).unwrap_or(0.0))
 }
 
 impl File {

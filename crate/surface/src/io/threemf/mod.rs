@@ -1,6 +1,7 @@
 //! 3MF (3MF Consortium, Core Specification 1.3), with the parts of the Production Extension and the colors of the Materials and
 //! Properties Extension. The archive is opened by rawzip, its XML read by quick-xml.
 
+mod format;
 mod model;
 mod package;
 
@@ -10,15 +11,13 @@ use std::sync::Arc;
 use glam::DMat4;
 
 use super::color::light;
-use super::reader::Reporter;
 use super::seams::seams;
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
+use format::THREEMF;
 use model::{Model, Object, Reference, WHITE};
 use package::Package;
-
-const THREEMF: Reporter = Reporter("3MF");
 
 /// The first bytes of an archive.
 pub const MAGIC: &[u8] = b"PK\x03\x04";

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::{DMat4, DVec3, DVec4};
 use quick_xml::events::BytesStart;
 
-use super::THREEMF;
+use super::format::THREEMF;
 use crate::error::Result;
 use crate::io::xml::{Document, Node, attributes};
 use crate::soup::Unit;

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder, ZipSliceArchive};
 
-use super::THREEMF;
+use super::format::THREEMF;
 use crate::error::{Error, Result};
 use crate::io::xml::{Document, Node, attributes};
 

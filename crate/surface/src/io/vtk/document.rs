@@ -5,7 +5,7 @@ use quick_xml::events::BytesStart;
 
 use super::array::{Scalar, whole};
 use super::base64::Base64;
-use super::{Piece, VTK, cell};
+use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
 use crate::io::xml::{Document, Node, attributes};
 

@@ -1,7 +1,7 @@
 //! Legacy files: text lines, between them numbers as text or, big-endian, as bytes.
 
 use super::array::{Scalar, whole};
-use super::{Piece, VTK, cell};
+use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
 
 const HEADER: &[u8] = b"# vtk datafile";

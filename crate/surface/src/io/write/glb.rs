@@ -11,6 +11,9 @@ const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
+/// How KTX 2.0 files begin (KTX File Format 2.0, 3.1).
+const KTX2: &[u8] = b"\xABKTX 20\xBB\r\n\x1A\n";
+
 /// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
 /// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
 /// Materials, images and the attributes that these need come along, normals as well. Vertices keep their numbers; further copies
@@ -132,6 +135,7 @@ impl File {
             .filter(|(_, image)| image.texels == Texels::Encoded && !image.bytes.is_empty());
         let images = found.enumerate().map(|(place, (index, image))| {
             uses.place_of_image[index] = Some(place);
+            uses.is_basis.push(image.bytes.starts_with(KTX2));
             let view = self.view(&image.bytes);
             self.views.push(view);
             json!({ "bufferView": self.views.len() - 1, "mimeType": media_type(&image.media_type, &image.bytes) })
@@ -181,6 +185,7 @@ fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
     match told {
         "" if bytes.starts_with(b"\xFF\xD8") => "image/jpeg",
         "" if bytes.starts_with(b"RIFF") => "image/webp",
+        _ if bytes.starts_with(KTX2) => "image/ktx2",
         "" => "image/png",
         told => told,
     }
@@ -191,6 +196,8 @@ fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
 struct Uses {
     /// Those that could not be found are left out.
     place_of_image: Vec<Option<usize>>,
+    /// Of those that are written.
+    is_basis: Vec<bool>,
     textures: Vec<Value>,
     samplers: Vec<Value>,
     extensions: Vec<&'static str>,
@@ -253,7 +260,12 @@ impl Uses {
         let magnify = if texture.is_sharp { 9728 } else { 9729 };
         let sampler = json!({ "wrapS": wrap[0], "wrapT": wrap[1], "magFilter": magnify, "minFilter": 9987 });
         let sampler = place_of(&mut self.samplers, sampler);
-        let index = place_of(&mut self.textures, json!({ "source": source, "sampler": sampler }));
+        let mut texture_of_image = json!({ "source": source, "sampler": sampler });
+        if self.is_basis[source] {
+            let name = self.extension("KHR_texture_basisu");
+            texture_of_image = json!({ "sampler": sampler, "extensions": { name: { "source": source } } });
+        }
+        let index = place_of(&mut self.textures, texture_of_image);
         let mut info = json!({ "index": index, "texCoord": texture.set });
         if texture.transform != Texture::IDENTITY {
             let [[a, b, x], [c, d, y]] = texture.transform;
