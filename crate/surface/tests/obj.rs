@@ -119,6 +119,7 @@ fn statements_of_materials_mean_what_programs_write() {
     assert!(one("illum 0").is_unlit && !one("illum 2").is_unlit);
     assert_eq!((one("Pr 0.25\nPm 0.5\nNs 10").roughness, one("Pm 0.5").metalness), (0.25, 0.5));
     assert_eq!(one("KD 1 0 0\nmap_kd x.png").base_color, [1.0, 0.0, 0.0, 1.0], "keywords in any case");
+    assert_eq!(one("map_Ke missing.png").emission, [0.0; 3], "without its image nothing gives off light");
     let packed = one("map_Pr orm.png\nmap_Pm orm.png");
     assert_eq!((packed.roughness, packed.metalness), (1.0, 1.0));
     assert_eq!(one("map_Kd a.png\nmap_d a.png").alpha, Alpha::Mask(0.5));

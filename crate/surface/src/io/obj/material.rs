@@ -150,7 +150,12 @@ impl Definition {
             }
         }
         if let Some(map) = &self.emission_map {
-            set(Channel::Emission, map, images.of(folder, map, Texels::Encoded));
+            let image = images.of(folder, map, Texels::Encoded);
+            set(Channel::Emission, map, image);
+            // All of the surface would give off light in place of what the image lights.
+            if images.images[image].bytes.is_empty() {
+                material.emission = self.emission.unwrap_or_default().map(linear);
+            }
         }
         if let Some((map, texels)) = self
             .normal_map
