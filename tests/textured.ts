@@ -1,4 +1,4 @@
-/** A glTF file with textures, vertex colors and two materials. */
+/** Files with textures: glTF with vertex colors and two materials, OBJ with a material library. */
 import { PNG } from 'pngjs';
 import { type Mesh, sphere } from './fixtures';
 import { GlbWriter } from './glb';
@@ -22,6 +22,38 @@ const bumps = () =>
     const length = Math.hypot(x, y, 1);
     return [x, y, 1].map((part) => Math.round(255 * (0.5 + (0.5 * part) / length))) as [number, number, number];
   });
+
+/** Black on the left, white on the right. */
+const halves = () => image(16, (u) => (u < 0.5 ? [0, 0, 0] : [255, 255, 255]));
+
+/** Waves, as heights. */
+const waves = () =>
+  image(64, (u) => {
+    const height = Math.round(127.5 * (1 + Math.sin(16 * Math.PI * u)));
+    return [height, height, height];
+  });
+
+/** A ball in red squares with a seam, in an OBJ file; `statements` are added to its material. */
+export function texturedObj(statements: string): [string, Buffer | string][] {
+  const { positions, triangles } = sphere(24);
+  const lines = positions.map((p) => `v ${p.join(' ')}`);
+  for (const triangle of triangles) {
+    const angles = triangle.map((vertex) => Math.atan2(positions[vertex][0], positions[vertex][2]));
+    // Beyond the seam, angles go on.
+    const far = Math.max(...angles) - Math.min(...angles) > Math.PI;
+    const at = angles.map((angle) => (far && angle < 0 ? angle + 2 * Math.PI : angle));
+    lines.push(...at.map((angle, k) => `vt ${angle / Math.PI} ${positions[triangle[k]][1]}`));
+    lines.push(`f ${[-3, -2, -1].map((texcoord, k) => `${triangle[k] + 1}/${texcoord}`).join(' ')}`);
+  }
+  const library = `newmtl ball\nmap_Kd squares.png\n${statements}\n`;
+  return [
+    ['ball.obj', `mtllib ball.mtl\nusemtl ball\n${lines.join('\n')}\n`],
+    ['ball.mtl', library],
+    ['squares.png', squares()],
+    ['halves.png', halves()],
+    ['waves.png', waves()],
+  ];
+}
 
 const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.flat());
 

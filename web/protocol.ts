@@ -138,6 +138,12 @@ export interface OpenedMesh {
   appearance: Appearance | null;
   /** The animations of the file. */
   clips: Clip[];
+  /** The symbol of the unit of lengths, `mm`; empty where the format of the file does not say. */
+  unit: string;
+  /** What the file refers to that was not given, as the file calls it. */
+  missing: string[];
+  /** Images that the browser cannot decode, as the file calls them. */
+  undecoded: string[];
   /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */

@@ -110,6 +110,20 @@ test('an archive is opened with what its mesh refers to', async ({ heatwalk, pag
   await expect(page.getByLabel('Mesh to open')).toBeHidden();
 });
 
+test('a 3MF file is a mesh, though it is an archive, and tells its unit', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const vertices = BALL.positions.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('');
+  const triangles = BALL.triangles.map(([a, b, c]) => `<triangle v1="${a}" v2="${b}" v3="${c}"/>`).join('');
+  const mesh = `<mesh><vertices>${vertices}</vertices><triangles>${triangles}</triangles></mesh>`;
+  const resources = `<resources><object id="1" name="ball">${mesh}</object></resources>`;
+  const model = `<model unit="inch">${resources}<build><item objectid="1"/></build></model>`;
+  await heatwalk.dropAndOpen([['ball.3mf', Buffer.from(zipSync({ '3D/3dmodel.model': strToU8(model) }))]]);
+  expect((await heatwalk.mesh()).triangles).toBe(TRIANGLES);
+  expect((await heatwalk.mesh()).parts).toEqual(['ball']);
+  await page.locator('#section-numbers > summary').click();
+  await expect(page.locator('.numbers')).toContainText(/Diameter[\d.]+ in/);
+});
+
 test('of several meshes of an archive the others are offered', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const archive = zipSync({

@@ -1,7 +1,8 @@
 /** Files are shown in their own materials. */
+import type { PNG } from 'pngjs';
 import { glb, off, sphere } from '../fixtures';
 import { difference, expect, test } from '../page';
-import { texturedGlb } from '../textured';
+import { texturedGlb, texturedObj } from '../textured';
 
 test('a file with materials opens in them, one without as before', async ({ heatwalk, page }) => {
   await heatwalk.open();
@@ -18,21 +19,47 @@ test('a file with materials opens in them, one without as before', async ({ heat
   expect((await heatwalk.mesh()).parts).toEqual(['squares', 'colors']);
 
   // Red squares, seen in the file's materials alone.
-  const reds = async () => {
-    const { data } = await heatwalk.drawing(0.5, false);
-    let found = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i] > 2 * data[i + 1] && data[i] > 2 * data[i + 2]) found += 1;
-    return found;
-  };
-  expect(await reds()).toBeGreaterThan(2000);
+  const redTexels = async () => reds(await heatwalk.drawing(0.5, false));
+  expect(await redTexels()).toBeGreaterThan(2000);
   await surface.selectOption('porcelain');
   await heatwalk.rest();
-  expect(await reds()).toBeLessThan(200);
+  expect(await redTexels()).toBeLessThan(200);
   await expect(page).toHaveURL(/&of=style/);
   await expect(page.getByRole('combobox', { name: 'Stripes lie' })).toBeHidden();
   await surface.selectOption("the file's materials");
   await expect(surface).toHaveValue("the file's materials");
-  expect(await reds()).toBeGreaterThan(2000);
+  expect(await redTexels()).toBeGreaterThan(2000);
+});
+
+function reds({ data }: PNG): number {
+  return data.filter((red, i) => i % 4 === 0 && red > 2 * data[i + 1] && red > 2 * data[i + 2]).length;
+}
+
+test('an OBJ file is shown in the materials of its library, and what it misses is named', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  const opened = async (statements: string) => {
+    await heatwalk.dropAndOpen(texturedObj(statements));
+    expect((await heatwalk.scene()).style.name).toBe('model');
+    return heatwalk.drawing(0.5, false);
+  };
+  const plain = await opened('');
+  const status = page.getByRole('status');
+  await expect(status).not.toContainText('not given');
+  expect(reds(plain)).toBeGreaterThan(2000);
+  // The vertices are those of the file, though the drawing has more of them.
+  expect((await heatwalk.mesh()).vertices).toBe(2 + 23 * 48);
+
+  const holes = await opened('map_d halves.png');
+  expect(reds(holes)).toBeLessThan(0.7 * reds(plain));
+  const bumpy = await opened('bump waves.png');
+  expect(difference(plain, bumpy)).toBeGreaterThan(0.01);
+  await opened('map_Ke gone.png');
+  await expect(status).toContainText('ball.obj refers to gone.png, which was not given.');
+  await opened('map_Ke ball.mtl');
+  await expect(status).toContainText('The browser cannot show ball.mtl.');
 });
 
 test('stripes lie over the materials, are multiplied with them, or are left out', async ({ heatwalk, page }) => {
@@ -61,6 +88,7 @@ test('an image that cannot be decoded is left out, the rest is shown', async ({ 
   await heatwalk.open();
   await heatwalk.dropAndOpen([['balls.glb', texturedGlb(Buffer.from('no image'))]]);
   await expect(page.getByRole('alert')).toBeEmpty();
+  await expect(page.getByRole('status')).toContainText('The browser cannot show an image.');
   expect((await heatwalk.scene()).style.name).toBe('model');
   const { data, width, height } = await heatwalk.drawing(0.5, false);
   const middle = 4 * (Math.round(height / 2) * width + Math.round(width / 2));

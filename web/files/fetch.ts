@@ -1,7 +1,8 @@
 /** Fetches meshes from other servers. Nothing is told about the page or its user: no cookies, no referrer. */
-import { pathOf, percentDecoded } from './address';
+import { pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
-import { joined } from './paths';
+import { isMesh } from './paths';
+import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
 import type { GivenFile } from '../protocol';
 
 /** Of a mesh and what it refers to. */
@@ -16,6 +17,9 @@ const ARCHIVE = 'PK\u0003\u0004';
 const PAGE = /^\s*<(!doctype html|html|head|body)\b/i;
 const JSON_DOCUMENT = /^\s*\{/;
 const HEAD_BYTES = 512;
+const OBJ = /\.obj$/i;
+/** Material libraries are named before the triangles. */
+const LIBRARY_BYTES = 2 ** 20;
 
 /** `fraction`: of the file that is being fetched; null where the server does not tell its length. */
 export type FetchListener = (bytes: number, fraction: number | null) => void;
@@ -29,10 +33,17 @@ export async function fetchCollection(
   const fetcher = new Fetcher(progress, signal);
   const { content, base } = await fetcher.fetch(new URL(address));
   const head = await content.slice(0, HEAD_BYTES).text();
-  if (head.startsWith(ARCHIVE)) return collectArchive(content);
+  if (head.startsWith(ARCHIVE) && !isMesh(pathOf(address))) return collectArchive(content);
   if (PAGE.test(head)) throw new Error('the address gives a web page, not a mesh; use the address of the file itself');
   const mesh = pathOf(address) || 'mesh';
-  const companions = JSON_DOCUMENT.test(head) ? await fetcher.companions(mesh, await content.text(), base) : [];
+  const document = JSON_DOCUMENT.test(head) ? await content.text() : '';
+  const companions = document ? await fetcher.companions(gltfReferences(mesh, document), base) : [];
+  if (OBJ.test(mesh)) {
+    const libraries = await fetcher.companions(librariesOf(mesh, await content.slice(0, LIBRARY_BYTES).text()), base);
+    companions.push(...libraries);
+    for (const { path, content: library } of libraries)
+      companions.push(...(await fetcher.companions(mapsOf(mesh, path, await library.text()), base)));
+  }
   const files = [{ path: mesh, content }, ...companions];
   return { meshes: [mesh], input: () => ({ kind: 'files', mesh, files }) };
 }
@@ -41,6 +52,7 @@ class Fetcher {
   readonly #progress: FetchListener;
   readonly #signal: AbortSignal;
   #bytes = 0;
+  #files = 0;
   #toldAt = 0;
 
   constructor(progress: FetchListener, signal: AbortSignal) {
@@ -70,24 +82,18 @@ class Fetcher {
     }
   }
 
-  /** The files that a glTF document refers to, at the paths where `resolve` finds them. Images may be missing. */
-  async companions(mesh: string, document: string, base: URL): Promise<GivenFile[]> {
-    const { buffers, images } = urisOf(document);
-    if (buffers.length + images.length > MOST_FILES)
+  /** The files that a mesh refers to, those that are there. Throws where one that is needed is not. */
+  async companions(references: readonly Reference[], base: URL): Promise<GivenFile[]> {
+    this.#files += references.length;
+    if (this.#files > MOST_FILES)
       throw new Error(`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
     const found: GivenFile[] = [];
-    for (const [uris, isNeeded] of [
-      [buffers, true],
-      [images, false],
-    ] as const) {
-      for (const uri of uris) {
-        const path = joined(mesh, percentDecoded(uri));
-        try {
-          found.push({ path, content: await this.#companion(uri, base) });
-        } catch (error) {
-          this.#signal.throwIfAborted();
-          if (isNeeded) throw new Error(`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
-        }
+    for (const { uri, path, isNeeded } of references) {
+      try {
+        found.push({ path, content: await this.#companion(uri, base) });
+      } catch (error) {
+        this.#signal.throwIfAborted();
+        if (isNeeded) throw new Error(`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
       }
     }
     return found;
@@ -141,20 +147,4 @@ const ANONYMOUS = { credentials: 'omit', referrerPolicy: 'no-referrer' } as cons
 
 function tooLarge(): Error {
   return new Error(`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
-}
-
-/** What a glTF document lists by URI; a document that is none lists nothing. */
-function urisOf(text: string): Record<'buffers' | 'images', string[]> {
-  try {
-    const { buffers, images } = JSON.parse(text) as Record<string, unknown>;
-    return { buffers: listed(buffers), images: listed(images) };
-  } catch {
-    // Its reader says what is wrong.
-    return { buffers: [], images: [] };
-  }
-}
-
-function listed(entries: unknown): string[] {
-  const uris: unknown[] = Array.isArray(entries) ? entries.map((entry: { uri?: unknown } | null) => entry?.uri) : [];
-  return [...new Set(uris.filter((uri) => typeof uri === 'string').filter((uri) => !uri.startsWith('data:')))];
 }

@@ -1,9 +1,10 @@
 /** Paths of files that were given together. */
 
 /** The mesh formats by their extensions; an archive may hold meshes. */
-const MESH_FILE = /\.(obj|off|ply|stl|glb|gltf)$/i;
+const MESH_FILE = /\.(3mf|glb|gltf|obj|off|ply|stl|vtk|vtp|vtu)$/i;
 const ARCHIVE = /\.zip$/i;
-export const FORMATS = 'OBJ, OFF, PLY, STL, GLB, glTF with its .bin, alone, in a folder or in a .zip';
+export const FORMATS =
+  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), alone, in a folder or in a .zip';
 
 /** What systems put beside the files of the user. */
 const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;

@@ -21,6 +21,11 @@ export function length(value: number): string {
   return THREE_DIGITS.format(value);
 }
 
+/** A length in the unit of the mesh. */
+export function measure(value: number, { unit }: OpenedMesh): string {
+  return `${length(value)} ${unit || 'units'}`;
+}
+
 export function percent(share: number): string {
   return `${Math.round(100 * share)} %`;
 }
@@ -64,6 +69,27 @@ export function openingSentence({ name, report }: OpenedMesh, factoring: Factori
   return done.length > 0
     ? `${name}: ${done.join(', ')}; ${shape}.`
     : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+}
+
+const NAMED = 4;
+
+/** What keeps a file from looking as it should; null if nothing does. */
+export function absentSentence({ name, missing, undecoded }: OpenedMesh): string | null {
+  const sentences: string[] = [];
+  if (missing.length > 0) sentences.push(`${name} refers to ${listed(missing)}, which ${were(missing)} not given.`);
+  if (undecoded.length > 0) sentences.push(`The browser cannot show ${listed(undecoded)}.`);
+  return sentences.length > 0 ? sentences.join(' ') : null;
+}
+
+function were(names: readonly string[]): string {
+  return names.length === 1 ? 'was' : 'were';
+}
+
+/** Names, of many the first ones. */
+function listed(names: readonly string[]): string {
+  const rest = names.length - NAMED;
+  const shown = rest > 0 ? [...names.slice(0, NAMED), `${count(rest)} more`] : names.map((name) => name || 'an image');
+  return shown.length === 1 ? shown[0] : `${shown.slice(0, -1).join(', ')} and ${shown.at(-1)}`;
 }
 
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */

@@ -36,7 +36,7 @@ pub enum Command {
 /// What the commands on one mesh read and how they answer.
 #[derive(Args)]
 pub struct Mesh {
-    /// glTF, GLB, OBJ, OFF, PLY or STL file, or shape:NAME
+    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK file, or shape:NAME
     pub mesh: PathBuf,
     /// Take only this part of the file, counted from 0; may be repeated
     #[arg(long = "part", value_name = "N")]
@@ -167,7 +167,7 @@ pub struct Path {
 
 #[derive(Args)]
 pub struct Table {
-    /// glTF, GLB, OBJ, OFF, PLY or STL files, or shape:NAME; of FILE#N the part N alone, counted from 0
+    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK files, or shape:NAME; of FILE#N the part N alone, counted from 0
     #[arg(value_name = "MESH", required = true)]
     pub meshes: Vec<String>,
     #[command(flatten)]

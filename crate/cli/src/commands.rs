@@ -26,12 +26,14 @@ fn info(arguments: &Info) -> Result<String> {
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     let joined = join(&surface, &arguments.bridging);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
     report.push_animations(&input.file);
+    report.push("missing", input.file.appearance.missing.clone());
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": joined.join_ms }));
     Ok(report.render(arguments.mesh.json))
 }

@@ -31,6 +31,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let mut report = Report::default();
     let joined = join(&surface, &arguments.bridging);
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;

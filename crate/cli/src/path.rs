@@ -36,6 +36,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let joined = join(&surface, &arguments.bridging);
     let mut report = Report::default();
     report.push_surface(surface.report());
+    report.push_unit(&input.soup);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use heatwalk::surface::motion::Clip;
+use heatwalk::surface::soup::Unit;
 use heatwalk::{Bridges, BuildReport, Link, Soup, Stage};
 use serde_json::{Map, Value, json};
 
@@ -29,6 +30,11 @@ impl Report {
         self.push("welded_vertices", report.vertices);
         self.push("components", report.components);
         self.push("boundary_loops", report.boundary_loops);
+    }
+
+    /// Of lengths, where the format says.
+    pub fn push_unit(&mut self, soup: &Soup) {
+        self.push("unit", soup.unit.map(Unit::symbol));
     }
 
     /// What joins components: with `links` of them, groups that stay apart otherwise.
@@ -109,8 +115,14 @@ impl Report {
                     let [first, second] = [0, 1].map(|of| &link["components"][of]);
                     writeln!(text, "{label:<22} components {first} and {second}, gap {}", link["gap"])
                 }),
+                Value::Array(items) if name == "missing" => items.iter().try_for_each(|uri| {
+                    let uri = uri.as_str().unwrap_or_default().replace(char::is_control, " ");
+                    writeln!(text, "{name:<22} {uri}")
+                }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
+                Value::Null if name == "unit" => writeln!(text, "{name:<22} unknown"),
+                Value::String(symbol) if name == "unit" => writeln!(text, "{name:<22} {symbol}"),
                 // JSON has no infinity.
                 Value::Null => writeln!(text, "{name:<22} inf"),
                 value => writeln!(text, "{name:<22} {value}"),

@@ -39,7 +39,7 @@ pub struct DrawMesh {
 /// Makes the vertices to draw, with the `appearance` of the soup that the surface was built from. Without normals of the file, an edge is a crease where the normals of its faces differ by more
 /// than `crease_angle` (radians, 0 to π), and where the surface is cut or ends.
 pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, transform: &DrawTransform) -> DrawMesh {
-    let shading = Shading::new(surface, &appearance.normals, crease_angle.cos());
+    let shading = Shading::new(surface, appearance, crease_angle.cos());
     let vertices = surface.vertex_count();
     let mut drawing = DrawMesh {
         positions: Vec::with_capacity(3 * vertices),
@@ -53,31 +53,36 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
     let mut first_drawn: VertexData<u32> = vec![0; vertices].into();
     // Corners of vertices that are drawn more than once, with their drawn vertex.
     let mut split: Vec<(HalfedgeId, u32)> = Vec::new();
+    // Of the attributes of each drawn vertex.
+    let mut rows: Vec<u32> = Vec::with_capacity(vertices);
     for vertex in surface.vertices() {
         let position = transform.place(surface.position(vertex)).to_array();
-        let mut draw = |normal: DVec3, input, first: Option<u32>| {
+        let mut draw = |normal: DVec3, row: u32, first: Option<u32>| {
             let drawn = drawing.vertex_of_drawn.len() as u32;
             drawing.first_of_sector.push(first.unwrap_or(drawn));
             drawing.positions.extend(position);
-            let normal = shading.normal_of_file(input, normal).unwrap_or(normal);
+            let normal = shading.normal_of_file(row, normal).unwrap_or(normal);
             drawing.normals.extend(transform.direction(normal).as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
-            drawing.input_of_drawn.push(input);
+            drawing
+                .input_of_drawn
+                .push(InputVertex(appearance.seams.vertices.get(row as usize).copied().unwrap_or(row)));
+            rows.push(row);
             drawn
         };
         let inputs = surface.inputs_of_vertex(vertex);
-        if shading.is_smooth[vertex] && inputs.len() == 1 {
+        if shading.is_smooth[vertex] && inputs.len() == 1 && !shading.is_seam(inputs[0]) {
             let corner = surface.corners_of_vertex(vertex).next();
             let normal = shading.smooth_normal(shading.sums[vertex], corner.map_or(FaceId(0), |(face, _)| face));
-            first_drawn[vertex] = draw(normal, inputs[0], None);
+            first_drawn[vertex] = draw(normal, inputs[0].0, None);
             continue;
         }
         for sector in shading.sectors(surface, vertex).chunk_by(|a, b| a.0 == b.0) {
             let sum = sector.iter().map(|&(_, _, corner)| shading.weighted_normal(surface, corner)).sum();
             let mut first = None;
             for group in sector.chunk_by(|a, b| a.1 == b.1) {
-                let (_, input, corner) = group[0];
-                let drawn = draw(shading.smooth_normal(sum, corner.triangle()), input, first);
+                let (_, row, corner) = group[0];
+                let drawn = draw(shading.smooth_normal(sum, corner.triangle()), row, first);
                 first.get_or_insert(drawn);
                 split.extend(group.iter().map(|&(_, _, corner)| (corner, drawn)));
             }
@@ -90,12 +95,11 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
     }
     let (corners, _) = drawn_corners.as_chunks::<3>();
     drawing.triangles.extend(surface.faces_in_input_order().flat_map(|face| corners[face.0 as usize]));
-    let inputs = || drawing.input_of_drawn.iter().map(|input| input.0 as usize);
     if !appearance.texcoords.is_empty() {
-        drawing.texcoords = inputs().flat_map(|input| appearance.texcoords[input]).collect();
+        drawing.texcoords = rows.iter().flat_map(|&row| appearance.texcoords[row as usize]).collect();
     }
     if !appearance.colors.is_empty() {
-        drawing.colors = inputs().flat_map(|input| appearance.colors[input]).collect();
+        drawing.colors = rows.iter().flat_map(|&row| appearance.colors[row as usize]).collect();
     }
     let triangles = surface.faces_in_input_order().map(|face| surface.triangle_of_face(face).0 as usize);
     drawing.runs = appearance.runs_of(triangles);
@@ -104,8 +108,9 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
 
 /// What normals of drawn vertices are made of.
 struct Shading<'a> {
-    /// For each input vertex that of the file, zero for none; empty where it has none at all.
-    normals_of_file: &'a [Vec3],
+    appearance: &'a Appearance,
+    /// Of each input vertex; empty where none has several rows of attributes.
+    is_seam: Vec<bool>,
     face_normals: FaceData<DVec3>,
     /// Of the face normals around each vertex, weighted by angle.
     sums: VertexData<DVec3>,
@@ -116,7 +121,7 @@ struct Shading<'a> {
 
 impl<'a> Shading<'a> {
     /// `least_cosine`: of the normals on both sides of an edge that is no crease.
-    fn new(surface: &Surface, normals_of_file: &'a [Vec3], least_cosine: f64) -> Self {
+    fn new(surface: &Surface, appearance: &'a Appearance, least_cosine: f64) -> Self {
         let mesh = surface.mesh();
         let mut face_normals = Vec::with_capacity(surface.face_count());
         let mut sums: VertexData<DVec3> = vec![DVec3::ZERO; surface.vertex_count()].into();
@@ -132,7 +137,8 @@ impl<'a> Shading<'a> {
             face_normals.push(normal);
         }
         let mut shading = Self {
-            normals_of_file,
+            appearance,
+            is_seam: seams(appearance, surface.report().input_vertices),
             face_normals: face_normals.into(),
             sums,
             is_smooth: vec![true; surface.vertex_count()].into(),
@@ -159,8 +165,8 @@ impl<'a> Shading<'a> {
         !mesh.is_boundary(across) && self.face_normals[left].dot(self.face_normals[right]) >= self.least_cosine
     }
 
-    /// The corners of a vertex, each with the least one that no crease parts it from and with its input vertex; sorted.
-    fn sectors(&self, surface: &Surface, vertex: VertexId) -> Vec<(u32, InputVertex, HalfedgeId)> {
+    /// The corners of a vertex, each with the least one that no crease parts it from and with its row of attributes; sorted.
+    fn sectors(&self, surface: &Surface, vertex: VertexId) -> Vec<(u32, u32, HalfedgeId)> {
         let mut corners: Vec<HalfedgeId> =
             surface.corners_of_vertex(vertex).map(|(face, k)| face.halfedge(k)).collect();
         corners.sort_unstable();
@@ -174,26 +180,32 @@ impl<'a> Shading<'a> {
             }
         }
         let sector = |(index, &corner): (u32, &HalfedgeId)| {
-            let input = surface.inputs_of_face(corner.triangle())[corner.corner()];
+            let face = corner.triangle();
+            let input = surface.inputs_of_face(face)[corner.corner()];
+            let row = self.appearance.row(surface.triangle_of_face(face), input) as u32;
             // The file has split its vertices where its normals jump.
-            let least = if self.has_normal(input) { 0 } else { sets.least(index) };
-            (least, input, corner)
+            let least = if self.has_normal(row) { 0 } else { sets.least(index) };
+            (least, row, corner)
         };
         let mut sectors: Vec<_> = (0..).zip(&corners).map(sector).collect();
         sectors.sort_unstable();
         sectors
     }
 
-    fn has_normal(&self, input: InputVertex) -> bool {
-        self.normals_of_file.get(input.0 as usize).is_some_and(|&normal| normal != Vec3::ZERO)
+    fn is_seam(&self, vertex: InputVertex) -> bool {
+        self.is_seam.get(vertex.0 as usize).is_some_and(|&is_seam| is_seam)
     }
 
-    /// The file's normal of an input vertex, on the side of that of its triangles: where these were turned round, or the
+    fn has_normal(&self, row: u32) -> bool {
+        self.appearance.normals.get(row as usize).is_some_and(|&normal| normal != Vec3::ZERO)
+    }
+
+    /// The file's normal of a row, on the side of that of its triangles: where these were turned round, or the
     /// file is wrong, it would be dark.
-    fn normal_of_file(&self, input: InputVertex, of_triangles: DVec3) -> Option<DVec3> {
-        let normal = self.normals_of_file.get(input.0 as usize)?.as_dvec3();
+    fn normal_of_file(&self, row: u32, of_triangles: DVec3) -> Option<DVec3> {
+        let normal = self.appearance.normals.get(row as usize)?.as_dvec3();
         let side = if normal.dot(of_triangles) < 0.0 { -1.0 } else { 1.0 };
-        self.has_normal(input).then_some(side * normal)
+        self.has_normal(row).then_some(side * normal)
     }
 
     /// The normal of a corner's face, weighted by the corner's angle.
@@ -208,4 +220,12 @@ impl<'a> Shading<'a> {
         let normal = triangle::unit(sum);
         if normal == DVec3::ZERO { self.face_normals[face] } else { normal }
     }
+}
+
+/// Of each input vertex whether it has several rows of attributes; empty where none has.
+fn seams(appearance: &Appearance, vertices: usize) -> Vec<bool> {
+    let Some(copies) = appearance.seams.vertices.get(vertices..) else { return Vec::new() };
+    let mut is_seam = vec![false; vertices];
+    copies.iter().for_each(|&vertex| is_seam[vertex as usize] = true);
+    is_seam
 }

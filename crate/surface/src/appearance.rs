@@ -4,15 +4,20 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-/// Attributes have one value an input vertex, or none at all where no vertex has that attribute.
+use crate::element::{Element, InputTriangle, InputVertex};
+
+/// Attributes have one row an input vertex, or none at all where no vertex has that attribute. Where [`seams`](Self::seams)
+/// says that vertices have several, their further rows come after those of all vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Appearance {
-    /// `#V`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
+    /// `#R`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
     pub texcoords: Vec<[f32; 4]>,
-    /// `#V`, linear red, green, blue and alpha, 65535 for 1.
+    /// `#R`, linear red, green, blue and alpha, 65535 for 1.
     pub colors: Vec<[u16; 4]>,
-    /// `#V`, unit vectors; zero at vertices that have none.
+    /// `#R`, unit vectors; zero at vertices that have none.
     pub normals: Vec<Vec3>,
+    /// Which rows corners have.
+    pub seams: Seams,
     /// Consecutive triangles of one material, in the order of the triangles, which they cover without gap or overlap; none where
     /// no triangle has a material.
     pub runs: Vec<Run>,
@@ -20,6 +25,18 @@ pub struct Appearance {
     pub materials: Vec<Material>,
     /// Those that materials use.
     pub images: Vec<Image>,
+    /// What the file refers to and was not given, as the file calls it.
+    pub missing: Vec<String>,
+}
+
+/// Vertices with several rows of attributes: in some formats, corners at one vertex may have different ones. Empty where each
+/// vertex has one row, of its own number.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Seams {
+    /// `#R`, the input vertex of each row; the first `#V` rows are the vertices in their order.
+    pub vertices: Vec<u32>,
+    /// `#F × 3`, the row at each corner of the soup's triangles.
+    pub corners: Vec<[u32; 3]>,
 }
 
 /// Consecutive triangles of one material.
@@ -135,13 +152,29 @@ pub enum Wrap {
     Clamp,
 }
 
-/// An image, encoded as in the file.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// An image, encoded as in the file, or made of such.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Image {
+    /// What the file calls it; empty where it does not say.
+    pub name: String,
     /// Media type, `image/png`; empty where the file does not say.
     pub media_type: String,
-    /// The encoded image; empty where it could not be found.
+    /// The encoded image; empty where it could not be found, or is made of others.
     pub bytes: Vec<u8>,
+    /// How its texels are found.
+    pub texels: Texels,
+}
+
+/// How the texels of an image are found.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Texels {
+    /// By decoding its bytes.
+    #[default]
+    Encoded,
+    /// By decoding its bytes; where these are shades of gray they are heights, and the texels the normals of them.
+    Heights,
+    /// Red, green, blue and alpha are each a channel, 0 to 3, of an image of this index; 1 where there is none.
+    Channels([Option<(usize, usize)>; 4]),
 }
 
 impl Appearance {
@@ -151,23 +184,30 @@ impl Appearance {
         self.colors.is_empty() && self.normals.is_empty() && self.runs.is_empty()
     }
 
-    /// The appearance of the triangles and vertices that are kept, of both in ascending order.
+    /// The row of attributes that a triangle has at one of its vertices.
     #[must_use]
-    pub fn select(
-        &self,
-        triangles: impl Iterator<Item = usize>,
-        vertices: impl Iterator<Item = usize> + Clone,
-    ) -> Self {
-        fn chosen<T: Copy>(values: &[T], vertices: impl Iterator<Item = usize>) -> Vec<T> {
-            if values.is_empty() { Vec::new() } else { vertices.map(|vertex| values[vertex]).collect() }
+    pub fn row(&self, triangle: InputTriangle, vertex: InputVertex) -> usize {
+        let rows = self.seams.corners.get(triangle.index()).into_iter().flatten();
+        let mut rows = rows.map(|&row| row as usize);
+        rows.find(|&row| self.seams.vertices[row] == vertex.0).unwrap_or(vertex.index())
+    }
+
+    /// The appearance of the triangles and vertices that are kept: triangles in ascending order, vertices by a flag each.
+    #[must_use]
+    pub fn select(&self, triangles: impl Iterator<Item = usize> + Clone, is_kept: &[bool]) -> Self {
+        fn chosen<T: Copy>(values: &[T], rows: &[usize]) -> Vec<T> {
+            if values.is_empty() { Vec::new() } else { rows.iter().map(|&row| values[row]).collect() }
         }
+        let (seams, rows) = self.seams.select(triangles.clone(), is_kept);
         Self {
-            texcoords: chosen(&self.texcoords, vertices.clone()),
-            colors: chosen(&self.colors, vertices.clone()),
-            normals: chosen(&self.normals, vertices),
+            texcoords: chosen(&self.texcoords, &rows),
+            colors: chosen(&self.colors, &rows),
+            normals: chosen(&self.normals, &rows),
+            seams,
             runs: self.runs_of(triangles),
             materials: self.materials.clone(),
             images: self.images.clone(),
+            missing: self.missing.clone(),
         }
     }
 
@@ -189,5 +229,31 @@ impl Appearance {
             }
         }
         runs
+    }
+}
+
+impl Seams {
+    /// The seams of the triangles and vertices that are kept, and their rows among those of before, ascending.
+    fn select(&self, triangles: impl Iterator<Item = usize>, is_kept: &[bool]) -> (Self, Vec<usize>) {
+        let vertices = || is_kept.iter().enumerate().filter(|&(_, &is_kept)| is_kept).map(|(vertex, _)| vertex);
+        if self.corners.is_empty() {
+            return (Self::default(), vertices().collect());
+        }
+        let mut is_row_kept = vec![false; self.vertices.len()];
+        vertices().for_each(|vertex| is_row_kept[vertex] = true);
+        let mut corners: Vec<[u32; 3]> = triangles.map(|triangle| self.corners[triangle]).collect();
+        corners.iter().flatten().for_each(|&row| is_row_kept[row as usize] = true);
+        let mut number = vec![0; self.vertices.len()];
+        let mut rows = Vec::new();
+        for (row, _) in is_row_kept.iter().enumerate().filter(|&(_, &is_kept)| is_kept) {
+            number[row] = rows.len() as u32;
+            rows.push(row);
+        }
+        if rows.last().is_none_or(|&last| last < is_kept.len()) {
+            return (Self::default(), rows);
+        }
+        corners.iter_mut().flatten().for_each(|row| *row = number[*row as usize]);
+        let vertices = rows.iter().map(|&row| number[self.vertices[row] as usize]).collect();
+        (Self { vertices, corners }, rows)
     }
 }

@@ -17,6 +17,8 @@ pub struct Soup {
     pub triangles: Vec<[u32; 3]>,
     /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
     pub parts: Vec<Part>,
+    /// Of the positions; None where the format does not say.
+    pub unit: Option<Unit>,
     /// How the file wants it to look.
     pub appearance: Arc<Appearance>,
     /// How the file lets it move.
@@ -38,7 +40,40 @@ pub struct Camera {
     pub field_of_view: f64,
 }
 
-/// A selectable piece of a file: a glTF mesh node, an OBJ group or object, a whole OFF, PLY or STL file.
+/// A unit of length.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Unit {
+    /// 10⁻⁶ m.
+    Micrometer,
+    /// 10⁻³ m.
+    #[default]
+    Millimeter,
+    /// 10⁻² m.
+    Centimeter,
+    /// 0.0254 m.
+    Inch,
+    /// 0.3048 m.
+    Foot,
+    /// As in glTF.
+    Meter,
+}
+
+impl Unit {
+    /// What is written after numbers.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Micrometer => "µm",
+            Self::Millimeter => "mm",
+            Self::Centimeter => "cm",
+            Self::Inch => "in",
+            Self::Foot => "ft",
+            Self::Meter => "m",
+        }
+    }
+}
+
+/// A selectable piece of a file: a glTF mesh node, an OBJ group or object, an object of a 3MF file, a whole OFF, PLY or STL file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Part {
     /// Name in the file, or a made one.
@@ -95,7 +130,7 @@ impl Soup {
             return Ok(self.clone());
         }
         let mut used = vec![false; self.positions.len()];
-        let mut selection = Self { cameras: self.cameras.clone(), ..Self::default() };
+        let mut selection = Self { unit: self.unit, cameras: self.cameras.clone(), ..Self::default() };
         for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
             let start = selection.triangles.len();
             for index in part.triangles.clone() {
@@ -113,9 +148,8 @@ impl Soup {
         }
         if !self.appearance.is_empty() {
             let triangles = self.parts.iter().enumerate().filter(|&(index, _)| chosen(index));
-            let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
-            selection.appearance = Arc::new(self.appearance.select(triangles, vertices));
+            selection.appearance = Arc::new(self.appearance.select(triangles, &used));
         }
         if !self.motion.is_empty() {
             let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);

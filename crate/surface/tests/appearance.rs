@@ -187,6 +187,26 @@ fn a_file_without_materials_says_nothing() {
 }
 
 #[test]
+fn a_basis_image_is_taken_where_there_is_no_other() {
+    let (mut document, data) = document();
+    let ktx2 = json!({ "KHR_texture_basisu": { "source": 2 } });
+    document["textures"][0] = json!({ "extensions": ktx2, "source": 1 });
+    document["textures"][1] = json!({ "extensions": ktx2 });
+    let uri = "data:image/ktx2;base64,q0tUWCAyMLsNChoK";
+    document["images"].as_array_mut().unwrap().push(json!({ "uri": uri, "mimeType": "image/ktx2" }));
+    let soup = read(&document, &data);
+    let look = &soup.appearance;
+    let bytes = |channel| &look.images[texture(&look.materials[0], channel).image].bytes[..];
+    assert_eq!(bytes(Channel::BaseColor), b"\x89PNG of a texture");
+    assert_eq!(bytes(Channel::Normal), b"\xABKTX 20\xBB\r\n\x1A\n");
+    // It is written as the extension wants it.
+    let glb = write::distance_glb(&soup, &vec![1.0; soup.positions.len()]);
+    let back = io::read("mesh.glb", &glb, &|_| None).unwrap();
+    let normal = back.appearance.images[texture(&back.appearance.materials[0], Channel::Normal).image].clone();
+    assert_eq!((&normal.bytes[..], &normal.media_type[..]), (bytes(Channel::Normal), "image/ktx2"));
+}
+
+#[test]
 fn the_older_material_model_is_understood() {
     let (mut document, data) = document();
     document["materials"][1]["extensions"] = json!({ "KHR_materials_pbrSpecularGlossiness": {

@@ -8,7 +8,7 @@ mod reading;
 use glam::DVec3;
 use heatwalk_shapes as shapes;
 use heatwalk_surface::Error;
-use heatwalk_surface::io::{is_y_up, write};
+use heatwalk_surface::io::{upward, write};
 use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read};
@@ -284,16 +284,18 @@ fn written_meshes_read_back() {
 }
 
 #[test]
-fn only_gltf_says_that_y_is_up() {
+fn gltf_and_3mf_say_what_is_up() {
     for (name, bytes, expected) in [
-        ("a.gltf", b"{}".as_slice(), true),
-        ("a.bin", b"glTF\x02\0\0\0", true),
-        ("a.txt", b"\xEF\xBB\xBF{\"asset\":{}}", true),
-        ("a.obj", b"v 0 0 0", false),
-        ("a.stl", b"solid a", false),
-        ("gltf", b"", false),
+        ("a.gltf", b"{}".as_slice(), Some(DVec3::Y)),
+        ("a.bin", b"glTF\x02\0\0\0", Some(DVec3::Y)),
+        ("a.txt", b"\xEF\xBB\xBF{\"asset\":{}}", Some(DVec3::Y)),
+        ("a.3MF", b"", Some(DVec3::Z)),
+        ("a", b"PK\x03\x04", Some(DVec3::Z)),
+        ("a.obj", b"v 0 0 0", None),
+        ("a.stl", b"solid a", None),
+        ("gltf", b"", None),
     ] {
-        assert_eq!(is_y_up(name, bytes), expected, "{name}");
+        assert_eq!(upward(name, bytes), expected, "{name}");
     }
 }
 

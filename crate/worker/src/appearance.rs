@@ -1,7 +1,7 @@
 //! What the page gets of materials and images.
 
-use heatwalk::surface::appearance::{self, Alpha, Wrap};
-use js_sys::{Array, Float32Array, Uint8Array};
+use heatwalk::surface::appearance::{self, Alpha, Texels, Wrap};
+use js_sys::{Array, Float32Array, Int32Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 /// The types of what has none in Rust.
@@ -134,7 +134,7 @@ fn plain_texture(texture: &appearance::Texture) -> JsValue {
     object.into()
 }
 
-/// An image, encoded as in the file.
+/// An image, encoded as in the file, or made of such.
 #[wasm_bindgen(inspectable)]
 pub struct EncodedImage(appearance::Image);
 
@@ -146,15 +146,37 @@ impl EncodedImage {
 
 #[wasm_bindgen]
 impl EncodedImage {
+    /// What the file calls it; empty where it does not say.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.0.name.clone()
+    }
+
     /// `image/png`; empty where the file does not say.
     #[wasm_bindgen(getter, js_name = mediaType)]
     pub fn media_type(&self) -> String {
         self.0.media_type.clone()
     }
 
-    /// Empty where the image could not be found.
+    /// Empty where the image could not be found, or is made of others.
     #[wasm_bindgen(getter)]
     pub fn bytes(&self) -> Uint8Array {
         self.0.bytes.as_slice().into()
+    }
+
+    /// Whether shades of gray are heights, in place of which their normals are wanted.
+    #[wasm_bindgen(getter, js_name = mayBeHeights)]
+    pub fn may_be_heights(&self) -> bool {
+        self.0.texels == Texels::Heights
+    }
+
+    /// 4 × 2: for red, green, blue and alpha the index of an image and its channel, −1 for a channel of 1; empty for an image
+    /// that is not made of others.
+    #[wasm_bindgen(getter)]
+    pub fn channels(&self) -> Int32Array {
+        let Texels::Channels(channels) = self.0.texels else { return Int32Array::new_with_length(0) };
+        let pair = |channel: (usize, usize)| [channel.0 as i32, channel.1 as i32];
+        let pairs = channels.map(|channel| channel.map_or([-1; 2], pair));
+        Int32Array::from(pairs.as_flattened())
     }
 }

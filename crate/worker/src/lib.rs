@@ -19,6 +19,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk::surface::soup::Unit;
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, upright};
 use heatwalk_shapes as shapes;
@@ -80,7 +81,11 @@ impl MeshFile {
             Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
         };
         let soup = io::read(name, bytes, &resource)?;
-        let up = if io::is_y_up(name, bytes) { Up::Y } else { upright(&soup) };
+        let up = match io::upward(name, bytes) {
+            Some(DVec3::Z) => Up::Z,
+            Some(_) => Up::Y,
+            None => upright(&soup),
+        };
         Ok(Self { soup, up })
     }
 
@@ -129,6 +134,16 @@ impl MeshFile {
     /// The animations that there are.
     pub fn clips(&self) -> Vec<Clip> {
         self.soup.motion.clips().iter().map(Clip::new).collect()
+    }
+
+    /// The symbol of its unit of length; empty where its format does not say.
+    pub fn unit(&self) -> String {
+        self.soup.unit.map_or("", Unit::symbol).to_owned()
+    }
+
+    /// What it refers to that was not given.
+    pub fn missing(&self) -> Vec<String> {
+        self.soup.appearance.missing.clone()
     }
 
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is

@@ -27,7 +27,7 @@ import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
-import { decodeImage } from './images';
+import { decodeImages } from './images';
 import { type Files, filesOf, readMesh, unpackedOf } from './files';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
@@ -96,7 +96,7 @@ const api: SolverApi = {
     const { name, hash, read } = await sourceOf(input);
     const clock = stopwatch();
     const file = read();
-    const appearance = appearanceOf(file);
+    const look = lookOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
     const names = file.part_names();
@@ -116,6 +116,7 @@ const api: SolverApi = {
     const scenery = sceneries.map(({ part, scenery: drawn }) => ({ part, mesh: plain(drawn.take_mesh()) }));
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
     const clips = file.clips().map(plain);
+    const [missing, unit] = [file.missing(), file.unit()];
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -126,8 +127,10 @@ const api: SolverApi = {
       active: [...active],
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
-      appearance: await appearance,
+      ...(await look),
       clips,
+      missing,
+      unit,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface, up),
       upright,
@@ -385,11 +388,11 @@ function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T>
 }
 
 /** What a file says of its looks; its images are decoded while the surface is built. */
-async function appearanceOf(file: wasm.MeshFile): Promise<Appearance | null> {
-  if (!file.has_appearance()) return null;
+async function lookOf(file: wasm.MeshFile): Promise<{ appearance: Appearance | null; undecoded: string[] }> {
+  if (!file.has_appearance()) return { appearance: null, undecoded: [] };
   const materials = file.materials().map(plain);
-  const images = await Promise.all(file.images().map((image) => decodeImage(plain(image))));
-  return { materials, images };
+  const { images, undecoded } = await decodeImages(file.images().map(plain));
+  return { appearance: { materials, images }, undecoded };
 }
 
 function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {

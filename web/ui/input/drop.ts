@@ -50,7 +50,7 @@ export interface Dialogue {
 }
 
 export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
-  const accept = '.obj,.off,.ply,.stl,.glb,.gltf,.bin,.zip';
+  const accept = '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.png,.jpg,.jpeg,.webp,.zip';
   return dialogue({ multiple: true, accept, 'aria-label': 'Open mesh files' }, open);
 }
 

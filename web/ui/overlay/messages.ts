@@ -5,7 +5,7 @@ import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import { h } from '../dom';
-import { openingSentence } from '../words';
+import { absentSentence, openingSentence } from '../words';
 
 const SHOWN_MS = 8000;
 
@@ -15,6 +15,7 @@ export class Messages implements Voice {
   readonly #urgent = h('div', { role: 'alert' });
   readonly #chooseFile: () => void;
   #told: HTMLElement | null = null;
+  #absent: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
   #chosen: HTMLElement | null = null;
@@ -27,9 +28,12 @@ export class Messages implements Voice {
 
   /** Tells what was done; replaces what was told of the mesh before, and the last error. */
   opened({ opened, answer }: Shown): void {
-    for (const former of [this.#told, this.#failed, this.#chosen]) former?.remove();
+    for (const former of [this.#told, this.#absent, this.#failed, this.#chosen]) former?.remove();
     this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring), []);
     this.#fade(this.#told);
+    const absent = absentSentence(opened);
+    this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
+    if (this.#absent) this.#fade(this.#absent);
   }
 
   notice(text: string): void {

@@ -1,7 +1,7 @@
 import type { SurfacePoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import { h } from '../dom';
-import { length, percent } from '../words';
+import { measure, percent } from '../words';
 
 /** Distance and nearest input vertex under the pointer or the reticle. */
 export class Readout {
@@ -33,10 +33,10 @@ export class Readout {
 
 function readoutText({ shown }: Session, point: SurfacePoint): string | null {
   if (!shown.value) return null;
-  const { places, answer } = shown.value;
+  const { opened, places, answer } = shown.value;
   const vertex = `vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
   const distance = places.valueAt(point, answer.field.distance);
   if (!Number.isFinite(distance)) return `unreachable · ${vertex}`;
-  return `${length(distance)} units · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  return `${measure(distance, opened)} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

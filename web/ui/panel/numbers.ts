@@ -2,7 +2,7 @@ import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { h } from '../dom';
-import { bytes, count, finePercent, length, milliseconds, percentDown } from '../words';
+import { bytes, count, finePercent, length, measure, milliseconds, percentDown } from '../words';
 
 const PATH_WORDS: Record<PathKind, string> = { descent: 'steepest descent', straight: 'straightened', exact: 'exact' };
 
@@ -39,13 +39,13 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Groups of components', factoring.groups > 0 ? count(factoring.groups) : '–'],
     ['Boundaries', count(report.boundaryLoops)],
     ['Euler characteristic', count(report.eulerCharacteristic)],
-    ['Mean edge', `${length(opened.meanEdge)} units`],
-    ['Diameter', `${length(places.diameter)} units`],
-    ['Maximum distance', field ? `${length(field.maxDistance)} units` : '–'],
+    ['Mean edge', measure(opened.meanEdge, opened)],
+    ['Diameter', measure(places.diameter, opened)],
+    ['Maximum distance', field ? measure(field.maxDistance, opened) : '–'],
     ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
     ['Mean error before refinement', field?.error ? finePercent(field.error.mean) : '–'],
     ['Maximum error', field?.error ? finePercent(field.error.max) : '–'],
-    ['Path', path ? `${length(path.length)} units, ${PATH_WORDS[answer.pathKind]}` : '–'],
+    ['Path', path ? `${measure(path.length, opened)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
     ['Windows of a half-edge', field?.windows ? count(field.windows) : '–'],
     ['Time factor m', field?.timeFactor ? length(field.timeFactor) : '–'],
     ['Read', milliseconds(timings.readMs)],

@@ -17,7 +17,7 @@ import {
   type RampName,
 } from '../../state/styles';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { length, percent } from '../words';
+import { measure, percent } from '../words';
 
 const SINGLE_COLOR = 'single color';
 const OF_FILE = "the file's materials";
@@ -83,8 +83,8 @@ function patternControls(session: Session, change: Change): Part {
     max: 0.25,
     step: 0.005,
     describe: (value) => {
-      const diameter = session.shown.value?.places.diameter;
-      return diameter ? `${length(value * diameter)} units` : percent(value);
+      const shown = session.shown.value;
+      return shown?.places.diameter ? measure(value * shown.places.diameter, shown.opened) : percent(value);
     },
     change: (value) => change({ period: value }),
   });

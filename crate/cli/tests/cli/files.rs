@@ -20,6 +20,28 @@ fn info_counts() {
     assert!(succeed(&folder, &["info", "two.obj"]).contains("near"));
 }
 
+#[test]
+fn info_names_what_is_missing() {
+    let folder = folder("missing");
+    fs::create_dir_all(folder.join("materials")).unwrap();
+    fs::write(folder.join("materials/a.mtl"), "newmtl red\nKd 1 0 0\nmap_Kd red.png\n").unwrap();
+    let libraries = "mtllib materials/a.mtl\nmtllib ../b.mtl\n";
+    fs::write(folder.join("a.obj"), format!("{libraries}v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")).unwrap();
+    assert_eq!(json(&folder, &["info", "a.obj"])["missing"], serde_json::json!(["../b.mtl", "red.png"]));
+    assert!(succeed(&folder, &["info", "a.obj"]).contains("missing                red.png\n"));
+    assert_eq!(json(&folder, &["info", "torus.ply"])["missing"], serde_json::json!([]));
+}
+
+#[test]
+fn a_unit_is_told_where_the_format_has_one() {
+    let folder = folder("unit");
+    succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", "d.glb"]);
+    assert_eq!(json(&folder, &["info", "d.glb"])["unit"], "m");
+    assert_eq!(json(&folder, &["path", "d.glb", "--from", "0", "--to", "9"])["unit"], "m");
+    assert!(succeed(&folder, &["info", "d.glb"]).contains("unit                   m\n"));
+    assert!(succeed(&folder, &["info", "torus.ply"]).contains("unit                   unknown\n"));
+}
+
 const HEAT: [&str; 6] = ["distance", "torus.ply", "--source", "0", "--method", "heat"];
 
 #[test]

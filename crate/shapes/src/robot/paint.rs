@@ -69,5 +69,5 @@ fn image(color: impl Fn(f32, f32) -> Color) -> Image {
     };
     let texels = (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (column, row)));
     let texels: Vec<u8> = texels.flat_map(|(column, row)| texel(column, row)).collect();
-    Image { media_type: "image/png".to_owned(), bytes: png::encode(SIZE, &texels) }
+    Image { media_type: "image/png".to_owned(), bytes: png::encode(SIZE, &texels), ..Image::default() }
 }

@@ -1,12 +1,27 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
 //!
-//! Each format that can be read is a cargo feature: `gltf`, `obj`, `off`, `ply`, `stl`, all on by default.
+//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by default.
 
 #![cfg_attr(
-    not(all(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
-    allow(dead_code, unreachable_code, unused_variables, reason = "each reader uses some of what they share")
+    not(all(
+        feature = "3mf",
+        feature = "gltf",
+        feature = "obj",
+        feature = "off",
+        feature = "ply",
+        feature = "stl",
+        feature = "vtk"
+    )),
+    allow(
+        dead_code,
+        unreachable_code,
+        unreachable_patterns,
+        unused_variables,
+        reason = "each reader uses some of what they share"
+    )
 )]
 
+mod color;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(feature = "obj")]
@@ -16,10 +31,19 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod reader;
+mod seams;
 #[cfg(feature = "stl")]
 mod stl;
+#[cfg(feature = "3mf")]
+mod threemf;
 mod triangulate;
+#[cfg(feature = "vtk")]
+mod vtk;
 pub mod write;
+#[cfg(any(feature = "3mf", feature = "vtk"))]
+mod xml;
+
+use glam::DVec3;
 
 use crate::error::{Error, Result};
 use crate::soup::Soup;
@@ -39,13 +63,17 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, resources),
         #[cfg(feature = "obj")]
-        Format::Obj => obj::read(stem, bytes),
+        Format::Obj => obj::read(stem, bytes, resources),
         #[cfg(feature = "off")]
         Format::Off => off::read(stem, bytes),
         #[cfg(feature = "ply")]
         Format::Ply => ply::read(stem, bytes),
         #[cfg(feature = "stl")]
         Format::Stl => stl::read(stem, bytes),
+        #[cfg(feature = "3mf")]
+        Format::ThreeMf => threemf::read(stem, bytes),
+        #[cfg(feature = "vtk")]
+        Format::Vtk => vtk::read(stem, bytes),
     };
     let soup = soup?;
     if soup.triangles.is_empty() {
@@ -54,13 +82,15 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     Ok(soup)
 }
 
-/// Whether the format of a file says that Y points up, as glTF does. Other formats say nothing.
-pub fn is_y_up(name: &str, bytes: &[u8]) -> bool {
+/// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
+pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
     let (_, extension) = stem_and_extension(name);
-    match Format::of(without_mark(bytes), extension) {
+    match Format::of(without_mark(bytes), extension)? {
         #[cfg(feature = "gltf")]
-        Some(Format::Gltf) => true,
-        _ => false,
+        Format::Gltf => Some(DVec3::Y),
+        #[cfg(feature = "3mf")]
+        Format::ThreeMf => Some(DVec3::Z),
+        _ => None,
     }
 }
 
@@ -86,6 +116,10 @@ enum Format {
     Ply,
     #[cfg(feature = "stl")]
     Stl,
+    #[cfg(feature = "3mf")]
+    ThreeMf,
+    #[cfg(feature = "vtk")]
+    Vtk,
 }
 
 impl Format {
@@ -107,6 +141,14 @@ impl Format {
         if off::has_keyword(bytes) {
             return Some(Self::Off);
         }
+        #[cfg(feature = "3mf")]
+        if bytes.starts_with(threemf::MAGIC) {
+            return Some(Self::ThreeMf);
+        }
+        #[cfg(feature = "vtk")]
+        if vtk::has_header(bytes) {
+            return Some(Self::Vtk);
+        }
         #[cfg(feature = "stl")]
         if stl::is_binary(bytes) || stl::is_ascii(bytes) {
             return Some(Self::Stl);
@@ -126,6 +168,10 @@ impl Format {
             "ply" => Some(Self::Ply),
             #[cfg(feature = "stl")]
             "stl" => Some(Self::Stl),
+            #[cfg(feature = "3mf")]
+            "3mf" => Some(Self::ThreeMf),
+            #[cfg(feature = "vtk")]
+            "vtk" | "vtp" | "vtu" => Some(Self::Vtk),
             _ => None,
         }
     }

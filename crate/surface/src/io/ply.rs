@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::color::light;
 use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::appearance::Appearance;
@@ -185,7 +186,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
 const ALPHA: usize = 3;
 
 /// A channel of a color as linear light, 65535 for 1. Whole numbers reach up to the largest of their type, others up to 1;
-/// red, green and blue are as displays take them (IEC 61966-2-1).
+/// red, green and blue are as displays take them.
 fn channel_value(value: f64, scalar: Scalar, channel: usize) -> u16 {
     let most = match scalar {
         Scalar::I8 | Scalar::U8 => f64::from(u8::MAX),
@@ -194,13 +195,7 @@ fn channel_value(value: f64, scalar: Scalar, channel: usize) -> u16 {
         Scalar::F32 | Scalar::F64 => 1.0,
     };
     let share = (value / most).clamp(0.0, 1.0);
-    let linear = if channel == ALPHA {
-        share
-    } else if share <= 0.040_45 {
-        share / 12.92
-    } else {
-        ((share + 0.055) / 1.055).powf(2.4)
-    };
+    let linear = if channel == ALPHA { share } else { light(share) };
     (linear * f64::from(u16::MAX)).round() as u16
 }
 

@@ -32,3 +32,9 @@ impl Reporter {
         Ok(coordinates.into())
     }
 }
+
+/// The first numbers of a line; 0 where there is none, or one that is not finite.
+pub fn numbers<const N: usize>(arguments: &str) -> [f32; N] {
+    let mut words = arguments.split_whitespace().map(|word| word.parse().unwrap_or(0.0));
+    std::array::from_fn(|_| words.next().filter(|number: &f32| number.is_finite()).unwrap_or(0.0))
+}

@@ -31,45 +31,69 @@ impl Polygons {
         self.ends.push(self.corners.len());
     }
 
-    /// Appends the triangles of polygon `index` to `triangles`.
+    /// Polygons so far.
+    pub fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Corners of all polygons so far.
+    pub fn corner_count(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// The vertices at some places of the list of all corners.
+    pub fn vertices(&self, places: [usize; 3]) -> [u32; 3] {
+        places.map(|place| self.corners[place])
+    }
+
+    /// Appends the triangles of polygon `index` to `triangles`, each corner by its place in the list of all corners.
     ///
     /// # Errors
     /// [`Error::IndexOutOfRange`] where a corner names no vertex; the polygon is counted as the triangle.
-    pub fn triangulate(&self, index: usize, positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) -> Result<()> {
+    pub fn triangulate_corners(
+        &self,
+        index: usize,
+        positions: &[DVec3],
+        triangles: &mut Vec<[usize; 3]>,
+    ) -> Result<()> {
         let start = if index == 0 { 0 } else { self.ends[index - 1] };
         let corners = &self.corners[start..self.ends[index]];
         if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= positions.len()) {
             return Err(Error::IndexOutOfRange { triangle: index, vertex: vertex.into(), vertices: positions.len() });
         }
-        match corners {
-            [] | [_] | [_, _] => {}
-            &[a, b, c] => triangles.push([a, b, c]),
-            corners => polygon(corners, positions, triangles),
+        match corners.len() {
+            0..=2 => {}
+            3 => triangles.push([start, start + 1, start + 2]),
+            _ => polygon(start, corners, positions, triangles),
         }
         Ok(())
     }
 
-    /// All polygons in order.
+    /// The triangles of all polygons in order.
     ///
     /// # Errors
-    /// As [`Self::triangulate`].
+    /// As [`Self::triangulate_corners`].
     pub fn triangulate_all(&self, positions: &[DVec3]) -> Result<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.ends.len());
+        let mut corners = Vec::new();
         for index in 0..self.ends.len() {
-            self.triangulate(index, positions, &mut triangles)?;
+            corners.clear();
+            self.triangulate_corners(index, positions, &mut corners)?;
+            triangles.extend(corners.iter().map(|&places| self.vertices(places)));
         }
         Ok(triangles)
     }
 }
 
-fn polygon(corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
+/// `first`: the place of the first corner in the list of all.
+fn polygon(first: usize, corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
     let plane = project(corners, positions);
     let count = corners.len();
     let convex = (0..count).all(|i| area(plane[i], plane[(i + 1) % count], plane[(i + 2) % count]) > 0.0);
     if convex || count > MAX_EAR_CLIPPED_CORNERS {
-        triangles.extend((1..count - 1).map(|i| [corners[0], corners[i], corners[i + 1]]));
+        triangles.extend((1..count - 1).map(|i| [first, first + i, first + i + 1]));
     } else {
-        clip_ears(corners, &plane, triangles);
+        clip_ears(first, &plane, triangles);
     }
 }
 
@@ -102,8 +126,8 @@ fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-fn clip_ears(corners: &[u32], plane: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
-    let count = corners.len();
+fn clip_ears(first: usize, plane: &[DVec2], triangles: &mut Vec<[usize; 3]>) {
+    let count = plane.len();
     let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
     let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
     let turn = |previous: &[usize], next: &[usize], i: usize| area(plane[previous[i]], plane[i], plane[next[i]]);
@@ -133,7 +157,7 @@ fn clip_ears(corners: &[u32], plane: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
             current = after;
             continue;
         }
-        triangles.push([corners[before], corners[current], corners[after]]);
+        triangles.push([before, current, after].map(|corner| first + corner));
         next[before] = after;
         previous[after] = before;
         remaining -= 1;
@@ -142,5 +166,5 @@ fn clip_ears(corners: &[u32], plane: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         // Skipping a corner between ears avoids a fan of slivers.
         current = next[after];
     }
-    triangles.push([corners[previous[current]], corners[current], corners[next[current]]]);
+    triangles.push([previous[current], current, next[current]].map(|corner| first + corner));
 }

@@ -13,7 +13,8 @@ use serde_json::{Map, Value};
 
 use super::accessor::{Accessors, number};
 use super::container::Buffers;
-use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texture, Wrap};
+use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texels, Texture, Wrap};
+use crate::error::Error;
 
 /// The accessors of a primitive's attributes: texture coordinates of both sets, colors, normals.
 pub fn attributes_of(primitive: &Primitive) -> [Option<u32>; 4] {
@@ -82,9 +83,10 @@ impl Collector {
             appearance.texcoords.clear();
             return appearance;
         }
-        let mut images = Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new() };
+        let mut images =
+            Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new(), missing: Vec::new() };
         appearance.materials = root.materials.iter().map(|material| read_material(material, &mut images)).collect();
-        appearance.images = images.images;
+        (appearance.images, appearance.missing) = (images.images, images.missing);
         let count = appearance.materials.len();
         for run in &mut appearance.runs {
             run.material = run.material.filter(|&material| material < count);
@@ -152,6 +154,7 @@ struct Images<'a> {
     /// For each image of the file, its place among those in use.
     of_file: Vec<Option<usize>>,
     images: Vec<Image>,
+    missing: Vec<String>,
 }
 
 impl Images<'_> {
@@ -167,8 +170,13 @@ impl Images<'_> {
         extensions: Option<&Map<String, Value>>,
     ) -> Option<Texture> {
         let texture = self.root.textures.get(index.value())?;
-        let source = texture.extensions.as_ref().and_then(|extensions| webp_source(&extensions.others));
-        let image = self.image(source.unwrap_or(texture.source.value()))?;
+        let source = |name: &str| {
+            let source = texture.extensions.as_ref()?.others.get(name)?["source"].as_u64();
+            source.and_then(|source| usize::try_from(source).ok())
+        };
+        // Few programs decode Basis images.
+        let plain = Some(texture.source.value()).filter(|&source| source < self.root.images.len());
+        let image = self.image(source("EXT_texture_webp").or(plain).or(source("KHR_texture_basisu"))?)?;
         let sampler = texture.sampler.and_then(|index| self.root.samplers.get(index.value()));
         let wrap = |mode: Checked<WrappingMode>| match mode {
             Checked::Valid(WrappingMode::ClampToEdge) => Wrap::Clamp,
@@ -195,19 +203,19 @@ impl Images<'_> {
         let image = &self.root.images[source];
         let media_type = image.mime_type.as_ref().map_or_else(String::new, |media_type| media_type.0.clone());
         let bytes = match (image.buffer_view, &image.uri) {
-            (Some(view), _) => self.buffers.view(view).ok().map(|(bytes, _)| bytes.to_vec()),
-            (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")).ok(),
-            (None, None) => None,
+            (Some(view), _) => self.buffers.view(view).map(|(bytes, _)| bytes.to_vec()),
+            (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")),
+            (None, None) => Ok(Vec::new()),
         };
-        self.images.push(Image { media_type, bytes: bytes.unwrap_or_default() });
+        let name = image.uri.as_deref().filter(|uri| !uri.starts_with("data:")).or(image.name.as_deref());
+        let name = name.unwrap_or_default().to_owned();
+        if let Err(Error::MissingResource { uri }) = &bytes {
+            self.missing.push(uri.clone());
+        }
+        self.images.push(Image { name, media_type, bytes: bytes.unwrap_or_default(), texels: Texels::Encoded });
         self.of_file[source] = Some(self.images.len() - 1);
         self.of_file[source]
     }
-}
-
-/// The image in the format of EXT_texture_webp, where the texture has one.
-fn webp_source(extensions: &Map<String, Value>) -> Option<usize> {
-    extensions.get("EXT_texture_webp")?["source"].as_u64().and_then(|source| usize::try_from(source).ok())
 }
 
 /// Rows of offset · rotation · scale (KHR_texture_transform).

@@ -24,7 +24,7 @@ use gltf::json::{Mesh, Node, Root};
 use super::reader::Resources;
 use crate::error::{Error, Result};
 use crate::motion::{Clip, Deformer, Motion, Skin, Target};
-use crate::soup::Soup;
+use crate::soup::{Soup, Unit};
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
 use container::Buffers;
@@ -48,7 +48,7 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
         world_from_mesh: skins.iter().map(|skin| skin.world_from_mesh(&scene.world_from_node)).collect(),
         scene: &scene,
         skins,
-        soup: Soup::default(),
+        soup: Soup { unit: Some(Unit::Meter), ..Soup::default() },
         normals: Vec::new(),
         collector: Collector::default(),
         deformers: Vec::new(),

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texture, Wrap};
+use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texels, Texture, Wrap};
 use crate::soup::Soup;
 
 const SHORT: u32 = 5123;
@@ -11,9 +11,13 @@ const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
+/// How KTX 2.0 files begin (KTX File Format 2.0, 3.1).
+const KTX2: &[u8] = b"\xABKTX 20\xBB\r\n\x1A\n";
+
 /// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
 /// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
-/// Materials, images and the attributes that these need come along, normals as well.
+/// Materials, images and the attributes that these need come along, normals as well. Vertices keep their numbers; further copies
+/// of those with several rows of attributes come after them. Textures whose images are yet to be made of others stay behind.
 ///
 /// # Panics
 /// If there is not one distance for each vertex.
@@ -23,13 +27,15 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     let mut attributes = Map::new();
     let mut add = |name: &str, accessor: usize| attributes.insert(name.to_owned(), accessor.into());
 
-    let positions: Vec<[f32; 3]> = soup.positions.iter().map(|position| position.as_vec3().to_array()).collect();
-    add("POSITION", file.bounded(&positions, "VEC3"));
-    let finite = |&distance: &f64| [if distance.is_finite() { distance as f32 } else { 0.0 }];
-    add("_DISTANCE", file.bounded(&distance.iter().map(finite).collect::<Vec<_>>(), "SCALAR"));
-    let reachable: Vec<f32> = distance.iter().map(|distance| f32::from(u8::from(distance.is_finite()))).collect();
-    add("_REACHABLE", file.accessor(&reachable, FLOAT, "SCALAR", reachable.len(), ARRAY_BUFFER));
     let look = &soup.appearance;
+    let copies = look.seams.vertices.iter().skip(distance.len()).map(|&vertex| vertex as usize);
+    let rows = || (0..distance.len()).chain(copies.clone());
+    let positions: Vec<[f32; 3]> = rows().map(|vertex| soup.positions[vertex].as_vec3().to_array()).collect();
+    add("POSITION", file.bounded(&positions, "VEC3"));
+    let finite = |vertex: usize| [if distance[vertex].is_finite() { distance[vertex] as f32 } else { 0.0 }];
+    add("_DISTANCE", file.bounded(&rows().map(finite).collect::<Vec<_>>(), "SCALAR"));
+    let reachable: Vec<f32> = rows().map(|vertex| f32::from(u8::from(distance[vertex].is_finite()))).collect();
+    add("_REACHABLE", file.accessor(&reachable, FLOAT, "SCALAR", reachable.len(), ARRAY_BUFFER));
     let count = positions.len();
     if !look.normals.is_empty() && look.normals.iter().all(|normal| normal.is_normalized()) {
         let normals: Vec<[f32; 3]> = look.normals.iter().map(|normal| normal.to_array()).collect();
@@ -49,10 +55,11 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
 
     let whole = [Run { triangles: 0..soup.triangles.len(), material: None }];
     let runs = if look.runs.is_empty() { &whole[..] } else { &look.runs[..] };
+    let triangles = if look.seams.corners.is_empty() { &soup.triangles } else { &look.seams.corners };
     let primitives: Vec<Value> = runs
         .iter()
         .map(|run| {
-            let corners = soup.triangles[run.triangles.clone()].as_flattened();
+            let corners = triangles[run.triangles.clone()].as_flattened();
             let indices = file.accessor(corners, INT, "SCALAR", corners.len(), ELEMENT_ARRAY_BUFFER);
             let mut primitive = json!({ "attributes": attributes, "indices": indices });
             if let Some(material) = run.material {
@@ -121,14 +128,25 @@ impl File {
             return;
         }
         let mut uses = Uses { place_of_image: vec![None; look.images.len()], ..Uses::default() };
-        let found = look.images.iter().enumerate().filter(|(_, image)| !image.bytes.is_empty());
+        let found = look
+            .images
+            .iter()
+            .enumerate()
+            .filter(|(_, image)| image.texels == Texels::Encoded && !image.bytes.is_empty());
         let images = found.enumerate().map(|(place, (index, image))| {
             uses.place_of_image[index] = Some(place);
+            uses.is_basis.push(image.bytes.starts_with(KTX2));
             let view = self.view(&image.bytes);
             self.views.push(view);
             json!({ "bufferView": self.views.len() - 1, "mimeType": media_type(&image.media_type, &image.bytes) })
         });
         let images: Vec<Value> = images.collect();
+        for (index, image) in look.images.iter().enumerate() {
+            // The alpha of a base color that is put together is lost, its color is not.
+            if let Texels::Channels([Some((color, 0)), Some(_), Some(_), _]) = image.texels {
+                uses.place_of_image[index] = uses.place_of_image[color];
+            }
+        }
         root["materials"] = look.materials.iter().map(|material| uses.material(material)).collect();
         for (name, list) in [("images", images), ("textures", uses.textures), ("samplers", uses.samplers)] {
             if !list.is_empty() {
@@ -167,6 +185,7 @@ fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
     match told {
         "" if bytes.starts_with(b"\xFF\xD8") => "image/jpeg",
         "" if bytes.starts_with(b"RIFF") => "image/webp",
+        _ if bytes.starts_with(KTX2) => "image/ktx2",
         "" => "image/png",
         told => told,
     }
@@ -177,6 +196,8 @@ fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
 struct Uses {
     /// Those that could not be found are left out.
     place_of_image: Vec<Option<usize>>,
+    /// Of those that are written.
+    is_basis: Vec<bool>,
     textures: Vec<Value>,
     samplers: Vec<Value>,
     extensions: Vec<&'static str>,
@@ -239,7 +260,12 @@ impl Uses {
         let magnify = if texture.is_sharp { 9728 } else { 9729 };
         let sampler = json!({ "wrapS": wrap[0], "wrapT": wrap[1], "magFilter": magnify, "minFilter": 9987 });
         let sampler = place_of(&mut self.samplers, sampler);
-        let index = place_of(&mut self.textures, json!({ "source": source, "sampler": sampler }));
+        let mut texture_of_image = json!({ "source": source, "sampler": sampler });
+        if self.is_basis[source] {
+            let name = self.extension("KHR_texture_basisu");
+            texture_of_image = json!({ "sampler": sampler, "extensions": { name: { "source": source } } });
+        }
+        let index = place_of(&mut self.textures, texture_of_image);
         let mut info = json!({ "index": index, "texCoord": texture.set });
         if texture.transform != Texture::IDENTITY {
             let [[a, b, x], [c, d, y]] = texture.transform;

@@ -1,0 +1,233 @@
+//! Wavefront OBJ (Wavefront Technologies, Advanced Visualizer manual, appendix B1): vertices, polygons, objects, groups and
+//! materials, texture coordinates, normals, and colors of vertices. A material library that is missing or damaged takes nothing
+//! from the surface.
+
+mod library;
+mod material;
+mod texture;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+
+use super::color::light;
+use super::reader::{Reporter, Resources, numbers};
+use super::seams::seams;
+use super::triangulate::Polygons;
+use crate::appearance::{Appearance, Run};
+use crate::error::Result;
+use crate::soup::Soup;
+use library::Library;
+
+const OBJ: Reporter = Reporter("OBJ");
+
+/// In place of an index: there is none.
+const NONE: u32 = u32::MAX;
+
+/// Parts by object and group; a name met again continues its part.
+struct Groups {
+    names: Vec<String>,
+    by_key: HashMap<(String, String), usize>,
+    object: String,
+    current: usize,
+}
+
+impl Groups {
+    fn new(file: &str) -> Self {
+        let by_key = HashMap::from([((String::new(), String::new()), 0)]);
+        Self { names: vec![file.to_owned()], by_key, object: String::new(), current: 0 }
+    }
+
+    fn open(&mut self, object: &str, group: &str) {
+        self.object = object.to_owned();
+        let name = if group.is_empty() { object } else { group };
+        let next = self.names.len();
+        self.current = *self.by_key.entry((object.to_owned(), group.to_owned())).or_insert(next);
+        if self.current == next {
+            self.names.push(name.to_owned());
+        }
+    }
+}
+
+/// What the file holds, polygons in its order.
+#[derive(Default)]
+struct File {
+    positions: Vec<DVec3>,
+    /// Red, green and blue as displays take them; of as many vertices as there are up to the last that has one.
+    colors: Vec<[f32; 3]>,
+    /// u and v, (0, 0) at an image's upper left corner.
+    texcoords: Vec<[f32; 2]>,
+    normals: Vec<Vec3>,
+    polygons: Polygons,
+    /// Of each corner of the polygons up to the last that has any, its texture coordinate and its normal.
+    attributes: Vec<[u32; 2]>,
+    part_of_polygon: Vec<usize>,
+    material_of_polygon: Vec<Option<usize>>,
+}
+
+pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut file = File::default();
+    let mut groups = Groups::new(name);
+    let mut library = Library::new(resources);
+    let mut material = None;
+    let mut lines = text.lines().enumerate();
+    while let Some((index, line)) = lines.next() {
+        let number = index + 1;
+        let mut line = Cow::Borrowed(line);
+        while let Some(head) = line.strip_suffix('\\') {
+            let tail = lines.next().map_or("", |(_, tail)| tail);
+            line = Cow::Owned(format!("{head} {tail}"));
+        }
+        let statement = line.split('#').next().unwrap_or_default().trim();
+        let (keyword, arguments) = statement.split_once(char::is_whitespace).unwrap_or((statement, ""));
+        match keyword {
+            "v" => file.vertex(arguments, number)?,
+            "vt" => {
+                let [u, v] = numbers(arguments);
+                file.texcoords.push([u, 1.0 - v]);
+            }
+            "vn" => file.normals.push(Vec3::from(numbers(arguments)).normalize_or_zero()),
+            "f" => {
+                file.polygon(arguments, number)?;
+                file.part_of_polygon.push(groups.current);
+                file.material_of_polygon.push(material);
+            }
+            "o" => groups.open(arguments.trim(), ""),
+            "g" => {
+                let object = std::mem::take(&mut groups.object);
+                groups.open(&object, arguments.trim());
+            }
+            "mtllib" => library.open(arguments.trim()),
+            "usemtl" => material = Some(library.use_material(arguments.trim())),
+            _ => {}
+        }
+    }
+    file.assemble(groups.names, library)
+}
+
+impl File {
+    fn vertex(&mut self, arguments: &str, line: usize) -> Result<()> {
+        self.positions.push(OBJ.vertex(arguments, line)?);
+        let mut rest = arguments.split_whitespace().skip(3);
+        // A single number is the weight of a rational curve's control point.
+        if let (Some(_), Some(_), Some(_)) = (rest.next(), rest.next(), rest.next()) {
+            let [.., red, green, blue] = numbers::<6>(arguments);
+            self.colors.resize(self.positions.len() - 1, [1.0; 3]);
+            self.colors.push([red, green, blue]);
+        }
+        Ok(())
+    }
+
+    fn polygon(&mut self, arguments: &str, line: usize) -> Result<()> {
+        for word in arguments.split_whitespace() {
+            let mut indices = word.split('/');
+            let vertex = vertex(indices.next().unwrap_or_default(), line, self.positions.len())?;
+            self.polygons.corner(vertex, self.positions.len())?;
+            let texcoord = attribute(indices.next(), self.texcoords.len());
+            let attributes = [texcoord, attribute(indices.next(), self.normals.len())];
+            if attributes != [NONE; 2] {
+                self.attributes.resize(self.polygons.corner_count() - 1, [NONE; 2]);
+                self.attributes.push(attributes);
+            }
+        }
+        self.polygons.close();
+        Ok(())
+    }
+
+    /// Brings the polygons of each part together and drops parts without triangles.
+    fn assemble(self, names: Vec<String>, library: Library) -> Result<Soup> {
+        let mut members = vec![Vec::new(); names.len()];
+        for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
+            members[part].push(polygon);
+        }
+        let mut corners = Vec::with_capacity(self.part_of_polygon.len());
+        let mut runs: Vec<Run> = Vec::new();
+        let mut soup = Soup::default();
+        for (name, members) in names.into_iter().zip(members) {
+            for polygon in members {
+                let start = corners.len();
+                self.polygons.triangulate_corners(polygon, &self.positions, &mut corners)?;
+                let material = self.material_of_polygon[polygon];
+                match runs.last_mut().filter(|run| run.material == material) {
+                    Some(run) => run.triangles.end = corners.len(),
+                    None => runs.push(Run { triangles: start..corners.len(), material }),
+                }
+            }
+            soup.triangles.extend(corners[soup.triangles.len()..].iter().map(|&places| self.polygons.vertices(places)));
+            soup.end_part(name);
+        }
+        runs.retain(|run| !run.triangles.is_empty());
+        let mut appearance = library.finish(runs);
+        self.add_attributes(&soup.triangles, &corners, &mut appearance);
+        soup.appearance = Arc::new(appearance);
+        soup.positions = self.positions;
+        Ok(soup)
+    }
+
+    /// Adds the attributes of vertices; `corners` are places among those of the polygons.
+    fn add_attributes(&self, triangles: &[[u32; 3]], corners: &[[usize; 3]], appearance: &mut Appearance) {
+        let is_textured = appearance.materials.iter().any(|material| material.textures.iter().any(Option::is_some));
+        let texcoord =
+            |&[texcoord, _]: &[u32; 2]| self.texcoords.get(texcoord as usize).filter(|_| is_textured).copied();
+        let normal = |&[_, normal]: &[u32; 2]| self.normals.get(normal as usize).copied();
+        let vertices = self.positions.len();
+        if self.attributes.iter().any(|attributes| texcoord(attributes).is_some() || normal(attributes).is_some()) {
+            let corners = corners.as_flattened();
+            let attributes = |corner: usize| self.attributes.get(corners[corner]).copied().unwrap_or([NONE; 2]);
+            let value = |corner: usize| {
+                let attributes = attributes(corner);
+                let normal = normal(&attributes).unwrap_or_default().to_array();
+                texcoord(&attributes).unwrap_or_default().into_iter().chain(normal).map(f32::to_bits)
+            };
+            let (seams, rows) = seams(vertices, triangles, &|a, b| value(a).cmp(value(b)));
+            let rows = || rows.iter().map(|corner| corner.map_or([NONE; 2], attributes));
+            if is_textured {
+                let texcoords = rows().map(|row| texcoord(&row).unwrap_or_default());
+                appearance.texcoords = texcoords.map(|[u, v]| [u, v, 0.0, 0.0]).collect();
+            }
+            if !self.normals.is_empty() {
+                appearance.normals = rows().map(|row| normal(&row).unwrap_or_default()).collect();
+            }
+            appearance.seams = seams;
+        }
+        if !self.colors.is_empty() {
+            appearance.colors = self.linear_colors();
+            let copies = appearance.seams.vertices.iter().skip(vertices);
+            let colors: Vec<_> = copies.map(|&vertex| appearance.colors[vertex as usize]).collect();
+            appearance.colors.extend(colors);
+        }
+    }
+
+    /// Of every vertex; white where it has none. Some programs write numbers up to 255 instead of up to 1.
+    fn linear_colors(&self) -> Vec<[u16; 4]> {
+        let is_large = self.colors.as_flattened().iter().any(|&channel| channel > 1.0);
+        let scale = if is_large { 255.0 } else { 1.0 };
+        let wide =
+            |channel: f32| (light((f64::from(channel) / scale).clamp(0.0, 1.0)) * f64::from(u16::MAX)).round() as u16;
+        let colors = self.colors.iter().map(|color| color.map(wide)).map(|[r, g, b]| [r, g, b, u16::MAX]);
+        let mut colors: Vec<_> = colors.collect();
+        colors.resize(self.positions.len(), [u16::MAX; 4]);
+        colors
+    }
+}
+
+/// A 0-based vertex; negative counts back from the last vertex so far.
+fn vertex(word: &str, line: usize, vertices: usize) -> Result<u64> {
+    match word.parse::<i64>() {
+        Ok(index) if index > 0 => Ok(index.unsigned_abs() - 1),
+        Ok(index) if index < 0 => (vertices as u64)
+            .checked_sub(index.unsigned_abs())
+            .ok_or_else(|| OBJ.line(line, format!("vertex {index} counts back beyond the {vertices} vertices so far"))),
+        _ => Err(OBJ.line(line, format!("{word:?} is not a vertex index; they count from 1"))),
+    }
+}
+
+/// A 0-based texture coordinate or normal, counted as vertices are; [`NONE`] where there is no sound one.
+fn attribute(word: Option<&str>, count: usize) -> u32 {
+    let index = word.and_then(|word| word.parse::<i64>().ok()).unwrap_or(0);
+    let index = if index < 0 { index.saturating_add_unsigned(count as u64) } else { index - 1 };
+    u32::try_from(index).unwrap_or(NONE)
+}

@@ -1,0 +1,158 @@
+//! 3MF (3MF Consortium, Core Specification 1.3), with the parts of the Production Extension and the colors of the Materials and
+//! Properties Extension. The archive is opened by rawzip, its XML read by quick-xml.
+
+mod format;
+mod model;
+mod package;
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::DMat4;
+
+use super::color::light;
+use super::seams::seams;
+use crate::appearance::Appearance;
+use crate::error::{Error, Result};
+use crate::soup::Soup;
+use format::THREEMF;
+use model::{Model, Object, Reference, WHITE};
+use package::Package;
+
+/// The first bytes of an archive.
+pub const MAGIC: &[u8] = b"PK\x03\x04";
+
+/// Some kilobytes of XML can name one mesh thousands of times; beyond this many vertices (1.6 GB) we give up.
+const MOST_VERTICES: usize = 1 << 26;
+/// Components that are visited, with or without vertices.
+const MOST_REFERENCES: usize = 1 << 20;
+/// Components in components: more are a circle.
+const MOST_LEVELS: usize = 64;
+
+pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+    let package = Package::open(bytes)?;
+    let root = package.root()?;
+    let mut models = HashMap::new();
+    load(&package, &root, &mut models)?;
+    let mut assembly = Assembly { file: name, models, soup: Soup::default(), colors: Vec::new(), visited: 0 };
+    assembly.soup.unit = assembly.models.get(&root).map(|model| model.unit);
+    assembly.build(&root)?;
+    Ok(assembly.finish())
+}
+
+/// Reads a model part and those that it names.
+fn load(package: &Package, root: &str, models: &mut HashMap<String, Model>) -> Result<()> {
+    let mut wanted = vec![root.to_owned()];
+    while let Some(path) = wanted.pop() {
+        if models.contains_key(&path) {
+            continue;
+        }
+        let model = Model::parse(&path, &package.text(&path)?)?;
+        let components = model.objects.values().flat_map(|object| &object.components);
+        wanted.extend(components.chain(&model.build).filter_map(|reference| reference.path.clone()));
+        models.insert(path, model);
+    }
+    Ok(())
+}
+
+/// The soup as it grows.
+struct Assembly<'a> {
+    file: &'a str,
+    models: HashMap<String, Model>,
+    soup: Soup,
+    /// Of the corners of as many triangles as there are up to the last that has any.
+    colors: Vec<[u32; 3]>,
+    visited: usize,
+}
+
+/// An object that is to be placed.
+struct Step<'m> {
+    path: &'m str,
+    reference: &'m Reference,
+    world_from_parent: DMat4,
+    /// Of the nearest object around it that has one.
+    name: &'m str,
+    level: usize,
+}
+
+impl Assembly<'_> {
+    /// Places what is to be built; an explicit stack, since files can be deep.
+    fn build(&mut self, root: &str) -> Result<()> {
+        let models = std::mem::take(&mut self.models);
+        let Some((root, model)) = models.get_key_value(root) else { return Ok(()) };
+        let start = |reference| Step { path: root, reference, world_from_parent: DMat4::IDENTITY, name: "", level: 0 };
+        let mut stack: Vec<Step> = model.build.iter().rev().map(start).collect();
+        while let Some(Step { path, reference, world_from_parent, name, level }) = stack.pop() {
+            self.visited += 1;
+            if level == MOST_LEVELS || self.visited > MOST_REFERENCES {
+                return Err(THREEMF.at(
+                    format!("object {}", reference.object),
+                    "its components are nested in a circle or without end; save the model again",
+                ));
+            }
+            let path = reference.path.as_deref().unwrap_or(path);
+            let object = models.get(path).and_then(|model| model.objects.get(&reference.object));
+            let object = object.ok_or_else(|| {
+                THREEMF.at(format!("object {}", reference.object), "it is used and not defined; save the model again")
+            })?;
+            if object.is_support {
+                continue;
+            }
+            let world_from_object = world_from_parent * reference.transform;
+            let name = if object.name.is_empty() { name } else { &object.name };
+            self.add_mesh(object, name, world_from_object)?;
+            let inside =
+                |reference| Step { path, reference, world_from_parent: world_from_object, name, level: level + 1 };
+            stack.extend(object.components.iter().rev().map(inside));
+        }
+        Ok(())
+    }
+
+    fn add_mesh(&mut self, object: &Object, name: &str, world_from_object: DMat4) -> Result<()> {
+        let (soup, count) = (&mut self.soup, object.positions.len());
+        let first = soup.positions.len();
+        if first + count > MOST_VERTICES || soup.triangles.len() + object.triangles.len() > 2 * MOST_VERTICES {
+            return Err(Error::OutOfMemory { stage: "reading the 3MF file" });
+        }
+        soup.positions.extend(object.positions.iter().map(|&position| world_from_object.transform_point3(position)));
+        // A mirroring transform turns every triangle inside out.
+        let is_mirrored = world_from_object.determinant() < 0.0;
+        let turned = |mut corners: [u32; 3]| {
+            if is_mirrored {
+                corners.swap(1, 2);
+            }
+            corners
+        };
+        if !object.colors.is_empty() {
+            self.colors.resize(soup.triangles.len(), [WHITE; 3]);
+            self.colors.extend(object.colors.iter().map(|&colors| turned(colors)));
+        }
+        for (triangle, &corners) in object.triangles.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= count) {
+                return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices: count });
+            }
+            soup.triangles.push(turned(corners).map(|vertex| first as u32 + vertex));
+        }
+        soup.end_part(if name.is_empty() { self.file } else { name });
+        Ok(())
+    }
+
+    fn finish(self) -> Soup {
+        let Self { mut soup, mut colors, .. } = self;
+        if colors.iter().flatten().any(|&color| color != WHITE) {
+            colors.resize(soup.triangles.len(), [WHITE; 3]);
+            let color = colors.as_flattened();
+            let (seams, rows) = seams(soup.positions.len(), &soup.triangles, &|a, b| color[a].cmp(&color[b]));
+            let colors = rows.into_iter().map(|corner| linear(corner.map_or(WHITE, |corner| color[corner]))).collect();
+            soup.appearance = Arc::new(Appearance { colors, seams, ..Appearance::default() });
+        }
+        soup
+    }
+}
+
+/// Linear red, green, blue and alpha, 65535 for 1, of a color in sRGB.
+fn linear(color: u32) -> [u16; 4] {
+    let [channels @ .., alpha] = color.to_be_bytes().map(|channel| f64::from(channel) / 255.0);
+    let [red, green, blue] = channels.map(light);
+    [red, green, blue, alpha].map(|share| (share * f64::from(u16::MAX)).round() as u16)
+}

@@ -1,0 +1,58 @@
+//! Base64 (RFC 4648), one text after another: a header and what it is of may be encoded apart.
+
+/// Text that is decoded as far as it is taken.
+pub struct Base64<'a> {
+    text: &'a [u8],
+    /// Decoded and not taken yet.
+    rest: Vec<u8>,
+}
+
+impl<'a> Base64<'a> {
+    pub fn new(text: &'a [u8]) -> Self {
+        Self { text, rest: Vec::new() }
+    }
+
+    /// The next bytes; none where there are not so many.
+    pub fn take(&mut self, count: usize) -> Option<Vec<u8>> {
+        if count / 3 > self.text.len() / 4 + 1 {
+            return None;
+        }
+        let mut bytes = Vec::with_capacity(count + 3);
+        bytes.append(&mut self.rest);
+        while bytes.len() < count {
+            self.group(&mut bytes)?;
+        }
+        self.rest = bytes.split_off(count);
+        Some(bytes)
+    }
+
+    /// Decodes four letters, of which padding may be the last two.
+    fn group(&mut self, bytes: &mut Vec<u8>) -> Option<()> {
+        let (mut bits, mut letters, mut padding) = (0_u32, 0, 0);
+        while letters + padding < 4 {
+            let (&letter, rest) = self.text.split_first()?;
+            self.text = rest;
+            let value = match letter {
+                b'A'..=b'Z' => letter - b'A',
+                b'a'..=b'z' => letter - b'a' + 26,
+                b'0'..=b'9' => letter - b'0' + 52,
+                b'+' => 62,
+                b'/' => 63,
+                b'=' if letters >= 2 => {
+                    padding += 1;
+                    continue;
+                }
+                letter if letter.is_ascii_whitespace() => continue,
+                _ => return None,
+            };
+            if padding > 0 {
+                return None;
+            }
+            bits = bits << 6 | u32::from(value);
+            letters += 1;
+        }
+        let decoded = (bits << (6 * padding)).to_be_bytes();
+        bytes.extend(&decoded[1..4 - padding]);
+        Some(())
+    }
+}

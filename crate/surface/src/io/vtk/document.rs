@@ -1,0 +1,211 @@
+//! XML files: pieces with arrays of numbers, in the document or appended to it.
+
+use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use quick_xml::events::BytesStart;
+
+use super::array::{Scalar, whole};
+use super::base64::Base64;
+use super::piece::{Piece, VTK, cell};
+use crate::error::{Error, Result};
+use crate::io::xml::{Document, Node, attributes};
+
+/// Bytes in which the root element begins.
+const HEAD: usize = 1024;
+/// Bytes that an array may be inflated to.
+const MOST_BYTES: usize = 1 << 30;
+
+const ROOT: &[u8] = b"<VTKFile";
+const APPENDED: &[u8] = b"<AppendedData";
+
+pub fn has_header(bytes: &[u8]) -> bool {
+    find(&bytes[..bytes.len().min(HEAD)], ROOT).is_some()
+}
+
+fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
+    bytes.windows(wanted.len()).position(|window| window == wanted)
+}
+
+/// How arrays of a file are written.
+struct Encoding<'a> {
+    is_little: bool,
+    /// Of lengths before data.
+    header: Scalar,
+    is_compressed: bool,
+    /// What follows the underscore, where there is one.
+    appended: &'a [u8],
+    is_appended_raw: bool,
+}
+
+/// An array that is read.
+struct Array {
+    /// The element around it: `Points`, `Polys`, `Strips`, `Cells`.
+    section: String,
+    name: String,
+    numbers: Vec<f64>,
+}
+
+pub fn read(bytes: &[u8]) -> Result<Vec<Piece>> {
+    // What is appended raw is no XML.
+    let end = find(bytes, APPENDED).unwrap_or(bytes.len());
+    let text = String::from_utf8_lossy(&bytes[..end]);
+    let mut encoding = Encoding::appended(&bytes[end..]);
+    let mut document = Document::new(VTK, "document", &text);
+    let (mut pieces, mut arrays) = (Vec::new(), Vec::new());
+    let mut section = String::new();
+    while let Some(node) = document.next()? {
+        match node {
+            Node::Start { element, is_empty } => match element.local_name().as_ref() {
+                "VTKFile" => encoding.read(&element)?,
+                name @ ("Points" | "Polys" | "Strips" | "Cells" | "PointData" | "CellData") => {
+                    name.clone_into(&mut section);
+                }
+                "DataArray" if matches!(section.as_str(), "Points" | "Polys" | "Strips" | "Cells") => {
+                    let text = if is_empty { String::new() } else { text_of(&mut document)? };
+                    arrays
+                        .push(encoding.array(&section, &element, &text).map_err(|problem| document.broken(&problem))?);
+                }
+                _ => {}
+            },
+            Node::End(name) if name == "Piece" => pieces.push(piece(&std::mem::take(&mut arrays))?),
+            Node::End(_) | Node::Text(_) => {}
+        }
+    }
+    Ok(pieces)
+}
+
+/// The text up to the end of the element.
+fn text_of(document: &mut Document) -> Result<String> {
+    let mut text = String::new();
+    loop {
+        match document.next()? {
+            Some(Node::Text(more)) => text.push_str(&more),
+            Some(Node::End(name)) if name == "DataArray" => return Ok(text),
+            Some(_) => {}
+            None => return Err(document.broken("the file is cut short; copy it again")),
+        }
+    }
+}
+
+fn piece(arrays: &[Array]) -> Result<Piece> {
+    let array = |section: &str, name: &str| {
+        let array = arrays.iter().find(|array| array.section == section && (name.is_empty() || array.name == name));
+        array.map_or(&[][..], |array| &array.numbers)
+    };
+    let mut piece = Piece::default();
+    piece.set_positions(array("Points", ""));
+    for (section, kind) in [("Polys", cell::POLYGON), ("Strips", cell::STRIP)] {
+        piece.add_cells(array(section, "connectivity"), array(section, "offsets"), |_| Some(kind))?;
+    }
+    let types = array("Cells", "types");
+    let kind = |index: usize| types.get(index).copied().and_then(whole);
+    piece.add_cells(array("Cells", "connectivity"), array("Cells", "offsets"), kind)?;
+    Ok(piece)
+}
+
+impl<'a> Encoding<'a> {
+    /// With the element of what is appended, up to the end of the file.
+    fn appended(element: &'a [u8]) -> Self {
+        let start = find(element, b">").map_or(element.len(), |end| end + 1);
+        let (tag, data) = element.split_at(start);
+        let data = find(data, b"_").map_or(&[][..], |underscore| &data[underscore + 1..]);
+        let is_raw = find(tag, b"\"raw\"").or(find(tag, b"'raw'")).is_some();
+        Self { is_little: true, header: Scalar::U32, is_compressed: false, appended: data, is_appended_raw: is_raw }
+    }
+
+    fn read(&mut self, root: &BytesStart) -> Result<()> {
+        let unsupported = |feature: String, remedy: &str| {
+            Err(Error::Unsupported { format: "VTK", feature, remedy: remedy.to_owned() })
+        };
+        for (name, value) in attributes(root) {
+            match (name, &*value) {
+                ("type", "PolyData" | "UnstructuredGrid") => {}
+                ("type", other) => {
+                    return unsupported(format!("the dataset {other}"), "extract its surface and save it as PolyData");
+                }
+                ("byte_order", order) => self.is_little = order != "BigEndian",
+                ("header_type", kind) => self.header = if kind == "UInt64" { Scalar::U64 } else { Scalar::U32 },
+                ("compressor", "vtkZLibDataCompressor") => self.is_compressed = true,
+                ("compressor", other) => {
+                    return unsupported(format!("compression by {other}"), "save it compressed by zlib or not at all");
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The array of an element; what is wrong with it otherwise.
+    fn array(&self, section: &str, element: &BytesStart, text: &str) -> std::result::Result<Array, String> {
+        let (mut name, mut scalar, mut format, mut offset) = (String::new(), None, String::new(), None);
+        for (key, value) in attributes(element) {
+            match key {
+                "Name" => name = value.into_owned(),
+                "type" => scalar = Scalar::parse(&value),
+                "format" => format = value.into_owned(),
+                "offset" => offset = value.parse::<usize>().ok(),
+                _ => {}
+            }
+        }
+        let damaged = || format!("the array {name:?} is damaged or cut short; save the file again");
+        let scalar = scalar.ok_or_else(|| format!("the array {name:?} has no type of numbers; save the file again"))?;
+        let bytes = match format.as_str() {
+            "appended" => {
+                let data = offset.and_then(|offset| self.appended.get(offset..)).ok_or_else(damaged)?;
+                let source = if self.is_appended_raw { Source::Raw(data) } else { Source::Base64(Base64::new(data)) };
+                self.bytes(source)
+            }
+            "binary" => self.bytes(Source::Base64(Base64::new(text.as_bytes()))),
+            _ => {
+                let numbers = text.split_ascii_whitespace().map(|word| word.parse().ok());
+                let numbers = numbers.collect::<Option<Vec<f64>>>().ok_or_else(damaged)?;
+                return Ok(Array { section: section.to_owned(), name, numbers });
+            }
+        };
+        let numbers = scalar.numbers(&bytes.ok_or_else(damaged)?, self.is_little);
+        Ok(Array { section: section.to_owned(), name, numbers })
+    }
+
+    /// The bytes of an array, inflated; none where they are damaged.
+    fn bytes(&self, mut source: Source) -> Option<Vec<u8>> {
+        let mut lengths = |count: usize| {
+            let bytes = source.take(count.checked_mul(self.header.size())?)?;
+            let lengths = self.header.numbers(&bytes, self.is_little).into_iter();
+            lengths
+                .map(|length| whole(length).and_then(|length| usize::try_from(length).ok()))
+                .collect::<Option<Vec<_>>>()
+        };
+        if !self.is_compressed {
+            let length = lengths(1)?[0];
+            return source.take(length);
+        }
+        // The number of blocks, the length of a block and of the last one where that is shorter, then that of each packed block.
+        let [blocks, length, last] = lengths(3)?[..] else { return None };
+        let packed = lengths(blocks)?;
+        let mut bytes = Vec::new();
+        for (index, &packed) in packed.iter().enumerate() {
+            let length = if index + 1 == blocks && last > 0 { last } else { length };
+            let most = length.min(MOST_BYTES.checked_sub(bytes.len())?);
+            bytes.extend(decompress_to_vec_zlib_with_limit(&source.take(packed)?, most).ok()?);
+        }
+        Some(bytes)
+    }
+}
+
+/// Bytes that are taken one after another.
+enum Source<'a> {
+    Raw(&'a [u8]),
+    Base64(Base64<'a>),
+}
+
+impl Source<'_> {
+    fn take(&mut self, count: usize) -> Option<Vec<u8>> {
+        match self {
+            Self::Raw(bytes) => {
+                let (own, rest) = bytes.split_at_checked(count)?;
+                *bytes = rest;
+                Some(own.to_vec())
+            }
+            Self::Base64(text) => text.take(count),
+        }
+    }
+}
