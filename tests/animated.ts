@@ -11,7 +11,8 @@ export const ARM = { start: 0, end: 1, ring: (ring: number, place: number) => 2 
 
 /**
  * A closed round arm with a joint in its middle, and a box beside it as a part of its own. In the first animation the arm
- * bends to a right angle in a second, in the second arm and box become twice as large in two.
+ * bends to a right angle in a second, in the second arm and box become twice as large in two. A camera
+ * looks at the arm from +x.
  */
 export function armGlb(): Buffer {
   const writer = new GlbWriter();
@@ -53,12 +54,14 @@ export function armGlb(): Buffer {
   };
   const turn = Math.SQRT1_2;
   return writer.pack({
-    scenes: [{ nodes: [0] }],
+    scenes: [{ nodes: [0, 4] }],
+    cameras: [{ type: 'perspective', perspective: { yfov: 0.3, znear: 0.1 } }],
     nodes: [
       { name: 'root', children: [1, 2, 3] },
       { name: 'arm', mesh: 0, skin: 0 },
       { name: 'joint', translation: [0, half, 0] },
       { name: 'box', mesh: 1, translation: [2, 0.4, 0] },
+      { name: 'from the side', camera: 0, translation: [20, 2, 0], rotation: [0, turn, 0, turn] },
     ],
     meshes: [{ primitives: [{ attributes, indices }] }, { primitives: [box] }],
     skins: [{ joints: [0, 2], inverseBindMatrices: writer.accessor(floats([identity, back]), 'MAT4') }],

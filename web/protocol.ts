@@ -69,6 +69,7 @@ export interface Moment {
 }
 
 export type Clip = Plain<wasm.Clip>;
+export type CameraView = Plain<wasm.CameraView>;
 export type DrawPose = Plain<wasm.DrawPose>;
 
 /** A mesh as it stands at a moment. */
@@ -138,6 +139,8 @@ export interface OpenedMesh {
   appearance: Appearance | null;
   /** The animations of the file. */
   clips: Clip[];
+  /** Its cameras. */
+  cameras: CameraView[];
   /** The symbol of the unit of lengths, `mm`; empty where the format of the file does not say. */
   unit: string;
   /** What the file refers to that was not given, as the file calls it. */

@@ -119,6 +119,22 @@ test('parts that are not walked on move as well, and so does a crowd', async ({ 
   expect(covered(await heatwalk.drawing(0.5, true)) / covered(small)).toBeGreaterThan(2);
 });
 
+test('the cameras of a file are gone to', async ({ heatwalk, page }) => {
+  await openArm(heatwalk, 'show=scenery');
+  await page.locator('#section-display > summary').click();
+  const cameras = page.getByRole('combobox', { name: 'Cameras of the file' });
+  await cameras.selectOption('from the side');
+  const [yaw, pitch, distance, ...offset] = (await page.evaluate(() => window.heatwalk.camera)) ?? [];
+  expect([yaw, pitch]).toEqual([expect.closeTo(Math.PI / 2, 4), expect.closeTo(0, 4)]);
+  // Half the field of view is twice as near: 20 of the file's units away, in bounding radii of the arm.
+  const radius = Math.hypot(0.5, 2, 0);
+  expect(distance).toBeCloseTo(((20 / radius) * Math.tan(0.15)) / Math.tan(0.3), 1);
+  for (const shift of offset) expect(shift).toBeCloseTo(0, 4);
+  await expect(page).toHaveURL(/&cam=1.5708,0,/);
+  await heatwalk.dropAndOpen([['still.glb', glb(sphere(12))]]);
+  await expect(cameras).toBeHidden();
+});
+
 test('a link with an animation that the file has not shows it as it is', async ({ heatwalk }) => {
   await openArm(heatwalk, 'clip=7&time=3&play=1');
   expect((await heatwalk.scene()).animation).toMatchObject({ clip: null, plays: false });

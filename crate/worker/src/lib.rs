@@ -6,6 +6,7 @@
 #![cfg(target_arch = "wasm32")]
 
 mod appearance;
+mod camera;
 mod drawn;
 mod failure;
 mod field;
@@ -19,6 +20,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk::surface::Camera;
 use heatwalk::surface::soup::Unit;
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, upright};
@@ -27,6 +29,7 @@ use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
+use crate::camera::CameraView;
 use crate::drawn::Drawn;
 use crate::failure::Result;
 use crate::motion::{Clip, Scenery};
@@ -177,7 +180,7 @@ impl MeshFile {
         let surface = Surface::build(soup)?;
         let transform = DrawTransform::around(&surface, &self.soup, up);
         let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
-        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving })
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras: soup.cameras.clone() })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
@@ -199,6 +202,7 @@ pub struct ActiveSurface {
     appearance: Arc<Appearance>,
     /// What it was built from, where that moves.
     moving: Option<Soup>,
+    cameras: Vec<Camera>,
     transform: DrawTransform,
 }
 
@@ -223,7 +227,13 @@ impl ActiveSurface {
     /// Makes its triangles ready to be drawn.
     pub fn draw(&self) -> Drawing {
         let (drawn, mesh, posing) = Drawn::new(&self.surface, &self.appearance, self.moving.as_ref(), self.transform);
-        Drawing { surface: Arc::clone(&self.surface), drawn: Arc::new(drawn), mesh, posing }
+        Drawing {
+            surface: Arc::clone(&self.surface),
+            drawn: Arc::new(drawn),
+            mesh,
+            posing,
+            cameras: self.cameras.clone(),
+        }
     }
 }
 
@@ -234,6 +244,7 @@ pub struct Drawing {
     drawn: Arc<Drawn>,
     mesh: DrawMesh,
     posing: Option<Posing>,
+    cameras: Vec<Camera>,
 }
 
 #[wasm_bindgen]
@@ -241,6 +252,12 @@ impl Drawing {
     /// What its triangles keep off the light where there are no others; to be asked before they are taken.
     pub fn shade(&self) -> Shade {
         self.mesh.shade()
+    }
+
+    /// The cameras of the file; to be asked before the triangles are taken.
+    pub fn cameras(&self) -> Vec<CameraView> {
+        let bounds = self.mesh.bounds();
+        self.cameras.iter().map(|camera| CameraView::new(camera, &self.drawn.transform, bounds)).collect()
     }
 
     /// Takes its triangles, which only the page needs.

@@ -23,11 +23,19 @@ impl DrawMesh {
         Self { mesh, hierarchy }
     }
 
+    /// Of the triangles as they are drawn.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let positions: &[Vec3] = bytemuck::cast_slice(&self.mesh.positions);
+        Bounds::of_points(positions.iter()).unwrap_or(Bounds::UNIT)
+    }
+
     /// What the triangles keep off the light around them.
     pub(crate) fn shade(&self) -> Shade {
         let positions: &[Vec3] = bytemuck::cast_slice(&self.mesh.positions);
-        let bounds = Bounds::of_points(positions.iter()).unwrap_or(Bounds::UNIT);
-        Shade(heatwalk_bake::Shade::new(bounds, [(positions, bytemuck::cast_slice(&self.mesh.triangles))].into_iter()))
+        Shade(heatwalk_bake::Shade::new(
+            self.bounds(),
+            [(positions, bytemuck::cast_slice(&self.mesh.triangles))].into_iter(),
+        ))
     }
 }
 

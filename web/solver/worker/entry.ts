@@ -125,6 +125,7 @@ const api: SolverApi = {
       hash,
       parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
       active: [...active],
+      cameras: drawing.cameras().map(plain),
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
       ...(await look),

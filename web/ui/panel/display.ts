@@ -37,6 +37,7 @@ export function displaySection(session: Session): HTMLElement {
     scene.place({ up: value }),
   );
   up.element.title = 'The axis of the file that points up (U: the next one)';
+  const cameras = camerasControl(session);
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
     const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
@@ -88,7 +89,30 @@ export function displaySection(session: Session): HTMLElement {
     ...overlays.map(({ element }) => element),
     crowd.element,
     up.element,
+    cameras,
   );
+}
+
+/** Where a file has cameras, goes to one of them. */
+function camerasControl(session: Session): HTMLElement {
+  const views = h('select', {
+    onchange: () => {
+      const camera = session.shown.value?.opened.cameras[views.selectedIndex - 1];
+      views.selectedIndex = 0;
+      if (!camera) return;
+      const { view, scene } = session;
+      view.camera = [...camera.view];
+      scene.set({ camera: view.camera });
+    },
+  });
+  const element = h('label', { class: 'field' }, h('span', {}, 'Cameras of the file'), views);
+  session.shown.watch((shown, previous) => {
+    if (shown && shown !== previous && shown.opened === previous?.opened) return;
+    const cameras = shown?.opened.cameras ?? [];
+    element.hidden = cameras.length === 0;
+    views.replaceChildren(h('option', {}, 'Go to…'), ...cameras.map(({ name }) => h('option', {}, name)));
+  });
+  return element;
 }
 
 function walkersAt(step: number): number {

@@ -1,0 +1,49 @@
+//! Cameras of a file as views of the page.
+
+use glam::DVec3;
+use heatwalk::surface::Camera;
+use heatwalk_bake::Bounds;
+use heatwalk_scene::DrawTransform;
+use wasm_bindgen::prelude::*;
+
+/// Vertical field of view of the page's camera; radians.
+const FIELD_OF_VIEW: f64 = 0.6;
+/// What is looked at is at least so many bounding radii away: a camera inside a room looks at something.
+const NEAREST: f64 = 0.2;
+
+/// A camera of the file.
+#[wasm_bindgen(inspectable)]
+pub struct CameraView {
+    name: String,
+    view: [f64; 6],
+}
+
+impl CameraView {
+    /// Looks where the camera does, upright, from where the page's field of view covers as much at the distance of the
+    /// surface, which has these bounds as it is drawn.
+    pub(crate) fn new(camera: &Camera, transform: &DrawTransform, surface: Bounds) -> Self {
+        let (center, radius) = (surface.center.as_dvec3(), f64::from(surface.radius));
+        let eye = transform.place(camera.position).as_dvec3();
+        let forward = transform.direction(camera.forward);
+        let distance = (center - eye).dot(forward).max(NEAREST * radius);
+        let DVec3 { x, y, z } = (eye + distance * forward - center) / radius;
+        let magnification = (0.5 * camera.field_of_view).tan() / (0.5 * FIELD_OF_VIEW).tan();
+        let (yaw, pitch) = ((-forward.x).atan2(-forward.z), (-forward.y).clamp(-1.0, 1.0).asin());
+        Self { name: camera.name.clone(), view: [yaw, pitch, distance / radius * magnification, x, y, z] }
+    }
+}
+
+#[wasm_bindgen]
+impl CameraView {
+    /// Its name in the file, or a made one.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    /// Six numbers, as the camera of a scene has them.
+    #[wasm_bindgen(getter)]
+    pub fn view(&self) -> Vec<f64> {
+        self.view.to_vec()
+    }
+}
