@@ -9,6 +9,8 @@ export const ARM_LENGTH = 4;
 /** A vertex of the arm: of its axis at one end or the other, or of a ring. */
 export const ARM = { start: 0, end: 1, ring: (ring: number, place: number) => 2 + ring * AROUND + (place % AROUND) };
 
+const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.flat());
+
 /**
  * A closed round arm with a joint in its middle, and a box beside it as a part of its own. In the first animation the arm
  * bends to a right angle in a second, in the second arm and box become twice as large in two. A camera
@@ -36,7 +38,6 @@ export function armGlb(): Buffer {
   const half = ARM_LENGTH / 2;
   const back = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -half, 0, 1];
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.flat());
   const bounds = { min: [-0.5, 0, -0.5], max: [0.5, ARM_LENGTH, 0.5] };
   const attributes = {
     POSITION: writer.accessor(floats(positions), 'VEC3', bounds),

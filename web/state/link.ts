@@ -81,7 +81,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
   const { animation } = state;
-  add('clip', clip(animation.clip), clip(start.animation.clip));
+  add('clip', clipNumber(animation.clip), clipNumber(start.animation.clip));
   add('time', number(animation.seconds), number(start.animation.seconds));
   add('play', flag(animation.plays), flag(start.animation.plays));
   add('speed', number(animation.speed), number(start.animation.speed));
@@ -247,7 +247,7 @@ function parseBridge(text: string): Bridge | null {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
 }
 
-function clip(index: number | null): string {
+function clipNumber(index: number | null): string {
   return index === null ? 'none' : String(index);
 }
 
