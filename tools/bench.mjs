@@ -23,6 +23,7 @@ const FEW_ROUNDS = 3;
 const SOURCES = 10;
 const PEERS = ['plain', 'robust', 'libigl', 'cholmod'];
 const DRAGGED = ['bunny', 'dragon'];
+const ANIMATED = 'robot';
 
 const { values } = parseArgs({
   options: {
@@ -72,6 +73,8 @@ for (const mesh of meshes) await measure(mesh);
 console.log('\n— Dragging a source');
 const drags = [];
 for (const preset of DRAGGED) drags.push(await page.drag(preset));
+console.log('\n— Playing an animation');
+const live = await page.live(ANIMATED);
 const firstPicture = await page.firstPicture();
 report();
 await page.close();
@@ -116,6 +119,7 @@ function report() {
     meshes: meshes.map(({ file: _file, who: _who, ...mesh }) => mesh),
     growth: growthOf(meshes),
     drags,
+    live,
     firstPicture,
     skipped: peers.skipped,
   };

@@ -13,7 +13,7 @@ function compare(row, what, mesh, reached, bar, aim, { more = false, unit = '' }
   return { row, what, mesh, reached, bar, aim, unit, verdict };
 }
 
-export function bars({ meshes, growth, drags, firstPicture }) {
+export function bars({ meshes, growth, drags, live, firstPicture }) {
   const all = [
     ...meshes.flatMap(ofMesh),
     ...(growth ? [compare(7, 'growth of native precompute, exponent', growth.name, growth.exponent, 1.3, 1.3)] : []),
@@ -22,6 +22,7 @@ export function bars({ meshes, growth, drags, firstPicture }) {
       compare(9, 'fields while a source is dragged', preset, fields, 30, 60, { more: true, unit: '/s' }),
       compare(9, "longest answer on the page's thread", preset, longest, 16, 16, { unit: ' ms' }),
     ]),
+    compare(11, 'fields of a playing animation', live.preset, live.fields, 30, 60, { more: true, unit: '/s' }),
     compare(10, 'bytes to the first picture', 'page', firstPicture.bytes / 1e6, 1.2, 0.9, { unit: ' MB' }),
   ];
   return all.toSorted((a, b) => a.row - b.row);

@@ -11,6 +11,7 @@ import { requireChromium, root } from '../steps.mjs';
 
 const dist = join(root, 'dist');
 const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];
+const UNDRAWN = ['--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 const SILENCE_MS = 300_000;
@@ -102,6 +103,30 @@ export class Page {
       await tab.mouse.up();
       return { preset, triangles: await tab.evaluate(() => window.heatwalk.mesh.triangles), ...dragged };
     });
+  }
+
+  /**
+   * Fields a second, each with its path, while a preset's first animation plays and distance is measured in each pose; by a
+   * browser that draws nothing, since drawing by software would set the rate.
+   */
+  async live(preset) {
+    const browser = await chromium.launch({ executablePath: requireChromium(), args: [...ALWAYS, ...UNDRAWN] });
+    try {
+      const tab = await browser.newPage({ viewport: WINDOW });
+      const address = `/#v=1&m=${preset}&clip=0&play=1&live=1`;
+      await tab.goto(new URL(address, this.#server.resolvedUrls.local[0]).href);
+      await tab.evaluate(() => window.heatwalk.ready);
+      // The browser optimises the solver's code in the first second or two.
+      await tab.waitForTimeout(1000 * DRAG_SECONDS);
+      const now = () => tab.evaluate(() => [performance.now() / 1000, window.heatwalk.solves]);
+      const [start, before] = await now();
+      await tab.waitForTimeout(1000 * DRAG_SECONDS);
+      const [end, after] = await now();
+      const triangles = await tab.evaluate(() => window.heatwalk.mesh.triangles);
+      return { preset, triangles, fields: (after - before) / (end - start) };
+    } finally {
+      await browser.close();
+    }
   }
 
   /** The files that the page loads until its first picture, with their bytes after brotli. */
