@@ -36,6 +36,7 @@ test('a dropped file that moves plays, unless motion is unwelcome', async ({ hea
   await heatwalk.settled();
   const { moment } = await animation(heatwalk);
   expect((await heatwalk.scene()).animation).toMatchObject({ plays: false, seconds: moment?.seconds });
+  await expect(page).toHaveURL(new RegExp(`&clip=0&time=${Number(moment?.seconds.toFixed(4))}$`));
   await expect(page.getByRole('button', { name: 'Play the animation' })).toBeVisible();
 
   await heatwalk.dropAndOpen([['still.glb', glb(sphere(12))]]);

@@ -13,11 +13,8 @@ export class Animator {
   constructor(scene: Scene) {
     this.#scene = scene;
     scene.subscribe(({ animation }, { animation: before }) => {
-      const { clip, seconds, plays } = animation;
-      const isElsewhere = clip !== before.clip || seconds !== before.seconds;
-      if (isElsewhere) this.moment.value = momentOf(animation);
-      // Who comes back finds the moment at which it was stopped.
-      else if (before.plays && !plays) this.#rest();
+      const { clip, seconds } = animation;
+      if (clip !== before.clip || seconds !== before.seconds) this.moment.value = momentOf(animation);
     });
   }
 
@@ -46,22 +43,16 @@ export class Animator {
     const { duration } = this;
     const seconds = (this.moment.value?.seconds ?? 0) + passed * speed;
     this.moment.value = { clip, seconds: loops ? seconds % duration : Math.min(seconds, duration) };
-    if (!loops && seconds >= duration) this.#rest();
+    if (!loops && seconds >= duration) this.toggle();
   }
 
-  /** Begins at the beginning where it was played to its end. */
+  /** Plays, from the beginning where it was played to its end; or stops at the moment that is shown. */
   toggle(): void {
     const { animation } = this.#scene.state;
     if (animation.clip === null || this.duration === 0) return;
-    const isOver = !animation.loops && animation.seconds >= this.duration;
-    const seconds = isOver && !animation.plays ? 0 : animation.seconds;
+    const shown = this.moment.value?.seconds ?? 0;
+    const isOver = !animation.loops && shown >= this.duration;
+    const seconds = isOver && !animation.plays ? 0 : shown;
     this.#scene.set({ animation: { ...animation, seconds, plays: !animation.plays } });
-  }
-
-  #rest(): void {
-    const { animation } = this.#scene.state;
-    const seconds = this.moment.value?.seconds ?? animation.seconds;
-    if (animation.plays || seconds !== animation.seconds)
-      this.#scene.set({ animation: { ...animation, seconds, plays: false } });
   }
 }
