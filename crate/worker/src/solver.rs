@@ -1,5 +1,7 @@
 //! A surface that answers questions, the field solved last, and who walks on it.
 
+mod pose;
+
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -7,7 +9,7 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch, Propagation,
+    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
     PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
 };
 use heatwalk_scene::{Crowd, Posing, overlay};
@@ -18,9 +20,9 @@ use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
 use crate::joined::Joined;
-use crate::motion::moment;
+use crate::motion::Moving;
 use crate::parameters::parameters;
-use crate::results::{DrawPose, SurfacePath};
+use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
@@ -52,15 +54,6 @@ pub struct Solver {
     /// The exact path that is searched on it, and whence.
     search: Option<(SurfacePoint, PathSearch)>,
     crowd: Option<Crowd>,
-}
-
-/// What a surface that moves has besides.
-struct Moving {
-    posing: Posing,
-    /// In the pose of the file.
-    surface: Arc<Surface>,
-    /// The last path that was traced, where distances are measured.
-    path: Option<Path>,
 }
 
 impl Solver {
@@ -141,46 +134,6 @@ impl Solver {
         Ok(())
     }
 
-    /// The last field on the surface as it is shown.
-    fn shown_distance(&self) -> Result<Distance> {
-        Ok(self.solved()?.distance.carried(self.geometry.surface(), &self.shown)?)
-    }
-
-    /// A path as it is shown, and from now on in every pose.
-    fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
-        let shown = path.carried(self.geometry.surface(), &self.shown)?;
-        let drawn = SurfacePath::of(&path, &shown, &self.drawn.transform);
-        if let Some(moving) = &mut self.moving {
-            moving.path = Some(path);
-        }
-        Ok(drawn)
-    }
-
-    /// The surface in the pose of the file.
-    fn of_file(&self) -> Arc<Surface> {
-        Arc::clone(self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface))
-    }
-
-    /// Measures on this surface, a pose of the one so far, from now on.
-    fn measure_on(&mut self, surface: &Arc<Surface>) -> Result<()> {
-        if self.geometry.surface().id() == surface.id() {
-            return Ok(());
-        }
-        let heat = match &self.heat {
-            Some(heat) => {
-                Some(HeatSolver::new(Arc::clone(surface), heat.parameters(), &mut |_, _| ControlFlow::Continue(()))?)
-            }
-            None => None,
-        };
-        let geometry = match &heat {
-            Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
-            None => ExactGeometry::new(Arc::clone(surface)),
-        };
-        self.geometry = Arc::new(geometry.bridged(&self.joined.bridges().carried(surface)));
-        (self.heat, self.propagation, self.solved, self.search) = (heat, None, None, None);
-        Ok(())
-    }
-
     fn solved(&self) -> Result<&Solved> {
         self.solved.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
     }
@@ -216,33 +169,6 @@ impl Solver {
             self.geometry = Arc::new(geometry.bridged(&here));
         }
         Ok(())
-    }
-
-    /// Shows the surface as it is so many seconds after the beginning of an animation, or without one in its file; none where it
-    /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
-    pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
-        let Some(moving) = &mut self.moving else { return Ok(None) };
-        moving.posing.take(moment(clip, seconds))?;
-        let posed = DrawPose::new(moving.posing.draw(&self.drawn.transform));
-        let of_file = Arc::clone(&moving.surface);
-        self.shown = match clip {
-            None => Arc::clone(&of_file),
-            Some(_) => Arc::new(of_file.posed(moving.posing.positions(&of_file))),
-        };
-        let metric = if measured { Arc::clone(&self.shown) } else { of_file };
-        self.measure_on(&metric)?;
-        if let Some(crowd) = &mut self.crowd {
-            crowd.carry(Arc::clone(&self.shown))?;
-        }
-        self.lead_crowd()?;
-        Ok(Some(posed))
-    }
-
-    /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
-    pub fn posed_path(&self) -> Option<SurfacePath> {
-        let path = self.moving.as_ref()?.path.as_ref()?;
-        let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
-        Some(SurfacePath::of(path, &shown, &self.drawn.transform))
     }
 
     /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).

@@ -1,0 +1,85 @@
+//! A surface that moves: in which pose it is shown, and in which distances are measured.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use heatwalk::exact::ExactGeometry;
+use heatwalk::{Distance, HeatSolver, Path, Surface};
+use wasm_bindgen::prelude::*;
+
+use super::Solver;
+use crate::failure::Result;
+use crate::motion::moment;
+use crate::results::{DrawPose, SurfacePath};
+
+impl Solver {
+    /// The last field on the surface as it is shown.
+    pub(super) fn shown_distance(&self) -> Result<Distance> {
+        Ok(self.solved()?.distance.carried(self.geometry.surface(), &self.shown)?)
+    }
+
+    /// A path as it is shown, and from now on in every pose.
+    pub(super) fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
+        let shown = path.carried(self.geometry.surface(), &self.shown)?;
+        let drawn = SurfacePath::of(&path, &shown, &self.drawn.transform);
+        if let Some(moving) = &mut self.moving {
+            moving.path = Some(path);
+        }
+        Ok(drawn)
+    }
+
+    /// The surface in the pose of the file.
+    pub(super) fn of_file(&self) -> Arc<Surface> {
+        Arc::clone(self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface))
+    }
+
+    /// Measures on this surface, a pose of the one so far, from now on.
+    fn measure_on(&mut self, surface: &Arc<Surface>) -> Result<()> {
+        if self.geometry.surface().id() == surface.id() {
+            return Ok(());
+        }
+        let heat = match &self.heat {
+            Some(heat) => {
+                Some(HeatSolver::new(Arc::clone(surface), heat.parameters(), &mut |_, _| ControlFlow::Continue(()))?)
+            }
+            None => None,
+        };
+        let geometry = match &heat {
+            Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
+            None => ExactGeometry::new(Arc::clone(surface)),
+        };
+        self.geometry = Arc::new(geometry.bridged(&self.joined.bridges().carried(surface)));
+        (self.heat, self.propagation, self.solved, self.search) = (heat, None, None, None);
+        Ok(())
+    }
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Shows the surface as it is so many seconds after the beginning of an animation, or without one in its file; none where it
+    /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
+    pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
+        let Some(moving) = &mut self.moving else { return Ok(None) };
+        moving.posing.take(moment(clip, seconds))?;
+        let posed = DrawPose::new(moving.posing.draw(&self.drawn.transform));
+        let of_file = Arc::clone(&moving.surface);
+        self.shown = match clip {
+            None => Arc::clone(&of_file),
+            Some(_) => Arc::new(of_file.posed(moving.posing.positions(&of_file))),
+        };
+        let metric = if measured { Arc::clone(&self.shown) } else { of_file };
+        self.measure_on(&metric)?;
+        if let Some(crowd) = &mut self.crowd {
+            crowd.carry(Arc::clone(&self.shown))?;
+        }
+        self.lead_crowd()?;
+        Ok(Some(posed))
+    }
+
+    /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
+    pub fn posed_path(&self) -> Option<SurfacePath> {
+        let path = self.moving.as_ref()?.path.as_ref()?;
+        let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
+        Some(SurfacePath::of(path, &shown, &self.drawn.transform))
+    }
+}
