@@ -67,8 +67,9 @@ export class Presenter {
   replace(shown: Shown, state: SceneState, from: OpenRequest['view']): void {
     const previewed = this.#previewed?.opened === shown.opened ? this.#previewed : null;
     const { camera } = previewed ?? this.#view;
-    const before = { shown: this.#shown, state: this.#state, facing: this.#facing, camera };
+    const before = { shown: this.#shown, state: this.#state, facing: this.#facing, camera, posed: this.#posed };
     this.#previewed = null;
+    this.#posed = null;
     try {
       if (previewed) this.#view.adoptPreview();
       else this.#showMesh(shown.opened, state);
@@ -80,11 +81,11 @@ export class Presenter {
       if (before.shown) {
         this.#showMesh(before.shown.opened, before.state);
         this.#showRest(before.shown, before.state, before.facing, this.walk.arc);
+        if (before.posed) this.pose(before.posed);
       }
       if (before.camera) this.#view.camera = before.camera;
       throw error;
     }
-    this.#posed = null;
     clearTimeout(this.#resting);
     this.walk.follow(shown.answer.path?.length ?? 0, true);
   }

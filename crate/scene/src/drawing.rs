@@ -64,9 +64,7 @@ pub fn draw_mesh(surface: &Surface, appearance: &Appearance, crease_angle: f64, 
             let normal = shading.normal_of_file(row, normal).unwrap_or(normal);
             drawing.normals.extend(transform.direction(normal).as_vec3().to_array());
             drawing.vertex_of_drawn.push(vertex);
-            drawing
-                .input_of_drawn
-                .push(InputVertex(appearance.seams.vertices.get(row as usize).copied().unwrap_or(row)));
+            drawing.input_of_drawn.push(appearance.vertex_of_row(row));
             rows.push(row);
             drawn
         };

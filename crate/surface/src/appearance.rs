@@ -184,6 +184,12 @@ impl Appearance {
         self.colors.is_empty() && self.normals.is_empty() && self.runs.is_empty()
     }
 
+    /// The input vertex that a row of attributes is of.
+    #[must_use]
+    pub fn vertex_of_row(&self, row: u32) -> InputVertex {
+        InputVertex(self.seams.vertices.get(row as usize).copied().unwrap_or(row))
+    }
+
     /// The row of attributes that a triangle has at one of its vertices.
     #[must_use]
     pub fn row(&self, triangle: InputTriangle, vertex: InputVertex) -> usize {

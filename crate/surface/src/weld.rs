@@ -68,15 +68,17 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         return Err(Error::Empty { reason });
     }
     let group = |vertices: usize, faces: &[[VertexId; 3]]| Corners::group(vertices, faces.as_flattened(), threads);
-    let mut corners = group(positions.len(), &faces);
-    let (mut edges, duplicates) = Edges::new(&faces, &corners, threads);
-    let mut duplicate_faces = duplicates.len();
-    if !duplicates.is_empty() {
-        edges = edges.without(&duplicates);
-        remove(&duplicates, &mut faces);
-        remove(&duplicates, &mut triangle_of_face);
-        corners = group(positions.len(), &faces);
-    }
+    let connect = |faces: &mut Vec<_>, triangle_of_face: &mut Vec<_>| {
+        let corners = group(positions.len(), faces);
+        let (edges, duplicates) = Edges::new(faces, &corners, threads);
+        if duplicates.is_empty() {
+            return (corners, edges, 0);
+        }
+        remove(&duplicates, faces);
+        remove(&duplicates, triangle_of_face);
+        (group(positions.len(), faces), edges.without(&duplicates), duplicates.len())
+    };
+    let (mut corners, mut edges, mut duplicate_faces) = connect(&mut faces, &mut triangle_of_face);
     let triangles = Triangles { positions: &positions, faces: &faces, edges: &edges, corners: &corners };
     let closed = triangles.closed(rule);
     if let Some(Closed { target, .. }) = &closed {
@@ -84,16 +86,9 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         for vertex in vertices.chain(faces.as_flattened_mut().iter_mut().map(|vertex| &mut vertex.0)) {
             *vertex = target[*vertex as usize];
         }
-        corners = group(positions.len(), &faces);
-        let duplicates;
-        (edges, duplicates) = Edges::new(&faces, &corners, threads);
-        if !duplicates.is_empty() {
-            duplicate_faces += duplicates.len();
-            edges = edges.without(&duplicates);
-            remove(&duplicates, &mut faces);
-            remove(&duplicates, &mut triangle_of_face);
-            corners = group(positions.len(), &faces);
-        }
+        let more;
+        (corners, edges, more) = connect(&mut faces, &mut triangle_of_face);
+        duplicate_faces += more;
     }
     // Surfaces part at whole edges, so that half-edges of an edge stay together; only vertices get other numbers.
     let is_merged = positions.len() < is_used.iter().filter(|&&is_used| is_used).count();
