@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::Result;
 use crate::exact::ExactGeometry;
-use crate::propagation::{Propagation, PropagationOptions};
+use crate::propagation::{Propagation, PropagationOptions, REFRACTED, Windows};
 use heatwalk_surface::{Place, Source, ToSource, VertexId};
 
 /// Sources, and after them the corners of the faces by which paths from these enter other components, as sources with an
@@ -37,7 +37,9 @@ impl CarriedSources {
         if geometry.portals().places().is_empty() {
             return Ok(Self { sources: carried, given, crossings: Vec::new() });
         }
-        let mut propagation = Propagation::new(Arc::clone(geometry), &carried, PropagationOptions::default())?;
+        let windows = if geometry.costs().is_some() { REFRACTED } else { Windows::default() };
+        let options = PropagationOptions { windows, ..PropagationOptions::default() };
+        let mut propagation = Propagation::new(Arc::clone(geometry), &carried, options)?;
         propagation.advance(f64::INFINITY, usize::MAX);
         let Distance { values, crossings, .. } = propagation.distance();
         let faces = crossings.iter().flat_map(|crossing| crossing.from.faces(surface));

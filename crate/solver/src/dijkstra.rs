@@ -4,6 +4,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use crate::cost::Costs;
 use crate::error::{Error, Result};
 use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
@@ -101,9 +102,10 @@ fn search(
     Some(path)
 }
 
-/// The largest extent of a connected component along edges, found by two sweeps over each; at least half the true one.
-pub(crate) fn extent(surface: &Surface) -> f64 {
-    let mut sweep = Sweep::new(surface);
+/// The largest extent of a connected component along edges, where faces have costs or not, found by two sweeps over each; at
+/// least half the true one.
+pub(crate) fn extent(surface: &Surface, costs: Option<&Costs>) -> f64 {
+    let mut sweep = Sweep::new(surface, costs);
     let mut first = vec![f32::INFINITY; surface.vertex_count()];
     let mut second = first.clone();
     let mut extent: f32 = 0.0;
@@ -140,7 +142,7 @@ impl Sweep {
     /// Most buckets, for meshes with edges far longer than the mean.
     const MOST: f32 = 4096.0;
 
-    fn new(surface: &Surface) -> Self {
+    fn new(surface: &Surface, costs: Option<&Costs>) -> Self {
         let mut start = Vec::with_capacity(surface.vertex_count() + 1);
         let mut edges = Vec::with_capacity(surface.mesh().halfedge_count());
         let mut longest: f32 = 0.0;
@@ -148,18 +150,19 @@ impl Sweep {
         start.push(0);
         for vertex in surface.vertices() {
             let position = surface.position(vertex);
-            let mut add = |tip: VertexId| {
-                let length = triangle::length(surface.position(tip) - position) / surface.mean_edge();
+            let mut add = |tip: VertexId, cost: f64| {
+                let length = cost * triangle::length(surface.position(tip) - position) / surface.mean_edge();
                 longest = longest.max(length as f32);
                 edges.push((tip, length as f32));
             };
             for (face, k) in surface.corners_of_vertex(vertex) {
                 let before = (k + 2) % 3;
-                add(faces[face.index()][(k + 1) % 3]);
+                let cost = costs.map_or(1.0, |costs| costs.of(face));
+                add(faces[face.index()][(k + 1) % 3], cost);
                 // An inner edge leaves the vertex in the face on its left, but one with nothing there in none.
                 let twin = surface.mesh().twin(face.halfedge(before));
                 if twin.index() >= 3 * faces.len() {
-                    add(faces[face.index()][before]);
+                    add(faces[face.index()][before], cost);
                 }
             }
             start.push(edges.len() as u32);

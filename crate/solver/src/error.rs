@@ -91,6 +91,11 @@ pub enum Error {
         /// What was being done.
         stage: &'static str,
     },
+    /// Exact distances or paths were asked for where faces have different costs.
+    #[error(
+        "exact distances and paths are not known where faces have different costs; ask for auto, propagation with a number of windows, or heat"
+    )]
+    NotExact,
     /// Heat was asked of a distance that was found by other means.
     #[error("this distance was not found by heat; ask for the heat method")]
     NoHeat,
@@ -122,6 +127,7 @@ impl Error {
             Self::MeshTooLarge { .. } => "mesh-too-large",
             Self::TooManyWindows { .. } => "too-many-windows",
             Self::OutOfMemory { .. } => "out-of-memory",
+            Self::NotExact => "not-exact",
             Self::NoHeat => "no-heat",
             Self::Unreachable => "unreachable",
             Self::Cancelled => "cancelled",

@@ -50,6 +50,7 @@
 pub mod accuracy;
 mod bridged;
 mod choice;
+mod cost;
 mod dijkstra;
 mod distance;
 mod error;
@@ -74,6 +75,7 @@ pub use heatwalk_surface as surface;
 pub use accuracy::RelativeError;
 pub use bridged::CarriedSources;
 pub use choice::{Choice, UnknownChoice};
+pub use cost::{Costs, tobler};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use distance::{Distance, PortalCrossing};
 pub use error::{Error, Result};
@@ -82,7 +84,7 @@ pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
     InputTriangle, InputVertex, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
-    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, WeldRule, io,
+    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, Walls, WeldRule, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

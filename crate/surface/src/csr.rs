@@ -45,6 +45,16 @@ impl<R: Element, I: Element> Csr<R, I> {
         lists.enumerate().map(|(row, list)| (R::from_index(row), list))
     }
 
+    /// The same lists, and after them copies of some of them.
+    pub(crate) fn with_copies(&self, of: &[R]) -> Self {
+        let mut lists = Self { start: self.start.clone(), items: self.items.clone(), row: PhantomData };
+        for &row in of {
+            lists.items.extend_from_slice(self.row(row));
+            lists.start.push(lists.items.len() as u32);
+        }
+        lists
+    }
+
     /// All items, list after list.
     pub fn items_mut(&mut self) -> &mut [I] {
         &mut self.items

@@ -121,6 +121,16 @@ impl Edges {
         Self { next: self.halfedges().filter(|&halfedge| is_kept(halfedge)).map(next_kept).collect() }
     }
 
+    /// The edges with only half-edges of one class on each. `is_apart` tells whether two half-edges of an edge are of
+    /// different classes.
+    pub(crate) fn parted(&self, is_apart: impl Fn(HalfedgeId, HalfedgeId) -> bool) -> Self {
+        let next_alike = |halfedge: HalfedgeId| {
+            let alike = self.around(halfedge).skip(1).find(|&other| !is_apart(halfedge, other));
+            alike.unwrap_or(halfedge)
+        };
+        Self { next: self.halfedges().map(next_alike).collect() }
+    }
+
     /// The edges after corners 1 and 2 of some faces changed places.
     pub fn flipped(&self, is_flipped: impl Fn(FaceId) -> bool) -> Self {
         let moved = |halfedge: HalfedgeId| {

@@ -64,6 +64,12 @@ pub enum Error {
         /// Vertex of the input, counted from 0.
         vertex: usize,
     },
+    /// A source lies where walls are all around.
+    #[error("a source lies in a wall, at face {face}; move it, or open the wall there")]
+    SourceInWall {
+        /// Triangle of the input, counted from 0.
+        face: u32,
+    },
     /// There is no such part.
     #[error("there is no part {part}; the file has {parts}, counted from 0")]
     NoSuchPart {
@@ -181,6 +187,7 @@ impl Error {
             Self::Empty { .. } => "empty",
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
+            Self::SourceInWall { .. } => "source-in-wall",
             Self::NoSuchPart { .. } => "no-such-part",
             Self::NoSuchClip { .. } => "no-such-clip",
             Self::Motion { .. } => "motion",

@@ -40,4 +40,4 @@ pub use order::along_curve;
 pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Camera, Soup};
-pub use surface::{BuildReport, Surface, SurfaceId};
+pub use surface::{BuildReport, Surface, SurfaceId, Walls};

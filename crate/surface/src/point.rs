@@ -293,13 +293,14 @@ pub trait ToSource: Copy {
     /// The source on this surface.
     ///
     /// # Errors
-    /// As [`ToPoint::to_point`]; [`Error::BadParameter`] for an initial distance that is negative or not finite.
+    /// As [`ToPoint::to_point`]; [`Error::BadParameter`] for an initial distance that is negative or not finite;
+    /// [`Error::SourceInWall`].
     fn to_source(self, surface: &Surface) -> Result<Source>;
 }
 
 impl<P: ToPoint> ToSource for P {
     fn to_source(self, surface: &Surface) -> Result<Source> {
-        Ok(self.to_point(surface)?.into())
+        surface.source(self, 0.0)
     }
 }
 
@@ -335,6 +336,11 @@ impl Surface {
             let value = initial_distance.to_string();
             return Err(Error::BadParameter { name: "the initial distance of a source", value, range: "0 or more" });
         }
-        Ok(Source { point: place.to_point(self)?, initial_distance })
+        let point = place.to_point(self)?;
+        if self.is_in_wall(point.place) {
+            let face = point.place.faces(self)[0];
+            return Err(Error::SourceInWall { face: self.triangle_of_face(face).0 });
+        }
+        Ok(Source { point, initial_distance })
     }
 }

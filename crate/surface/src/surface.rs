@@ -4,13 +4,18 @@
 //! faces, a Möbius strip) the half-edge mesh is cut, and several of its vertices share one welded vertex; heat, distance
 //! and paths live on welded vertices and do not see the cut.
 
+mod connectivity;
 mod pose;
+mod walls;
+
+pub use walls::Walls;
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 
+use self::connectivity::{Connectivity, component_count};
 use crate::cracks::WeldRule;
 use crate::csr::{Csr, NONE};
 use crate::edges::{Corners, Edges};
@@ -24,7 +29,6 @@ use crate::memory;
 use crate::parallel;
 use crate::soup::Soup;
 use crate::triangle;
-use crate::union_find::UnionFind;
 use crate::weld::weld;
 
 /// Bytes that welding, edges and half-edges take at once, a triangle of the soup: about as many as are kept.
@@ -97,6 +101,8 @@ pub struct Surface {
     components: VertexData<u32>,
     is_boundary: VertexData<bool>,
     is_oriented_manifold: bool,
+    /// Whether paths never cross a face; empty where there are no walls.
+    is_wall: FaceData<bool>,
     mean_edge: f64,
     report: BuildReport,
 }
@@ -156,24 +162,8 @@ impl Surface {
             }
             twins = edges.twins(faces.as_slice(), threads).0;
         }
-        let (mesh, vertex_of_cut) = HalfedgeMesh::from_twins(faces.as_slice(), &corners, twins, threads);
-
-        let mut is_boundary: VertexData<bool> = vec![false; positions.len()].into();
-        let mut is_oriented_manifold = true;
-        for outer in (3 * faces.len() as u32..mesh.halfedge_count() as u32).map(HalfedgeId) {
-            if edges.is_single(mesh.twin(outer)) {
-                for vertex in [mesh.vertex(outer), mesh.tip(outer)] {
-                    is_boundary[vertex_of_cut[vertex]] = true;
-                }
-            } else {
-                is_oriented_manifold = false;
-            }
-        }
-        let is_true_boundary = |halfedge: HalfedgeId| edges.is_single(mesh.twin(halfedge));
-        let boundary_loops =
-            mesh.boundary_loops().filter(|&cap| mesh.halfedges_of_face(cap).any(is_true_boundary)).count();
-
-        let (components, component_count) = connected_components(faces.as_slice(), positions.len(), threads);
+        let Connectivity { mesh, vertex_of_cut, is_boundary, is_oriented_manifold, boundary_loops, components } =
+            Connectivity::new(faces.as_slice(), &corners, &edges, twins, threads);
         let sums = EdgeSums::new(&edges, &faces, &positions, threads);
         let unreferenced = welded.vertex_of_input.iter().filter(|vertex| vertex.is_none()).count();
         let report = BuildReport {
@@ -188,7 +178,7 @@ impl Surface {
             duplicate_faces: welded.duplicate_faces,
             flipped_faces: flipped.len(),
             non_manifold_edges: sums.branching,
-            components: component_count,
+            components: component_count(&components),
             boundary_loops,
             euler_characteristic: positions.len() as i64 - sums.count as i64 + faces.len() as i64,
         };
@@ -228,6 +218,7 @@ impl Surface {
             components,
             is_boundary,
             is_oriented_manifold,
+            is_wall: FaceData::default(),
             mean_edge: sums.length / sums.count as f64,
             report,
         })
@@ -437,25 +428,6 @@ impl Surface {
         });
         triangle::unit(weighted.sum())
     }
-}
-
-/// Connected component of each vertex, and their number.
-fn connected_components(faces: &[[VertexId; 3]], vertices: usize, threads: NonZeroUsize) -> (VertexData<u32>, usize) {
-    let sets = UnionFind::new(vertices);
-    parallel::map(parallel::ranges(faces.len(), threads), |range| {
-        for &[a, b, c] in &faces[range] {
-            sets.join(a.0, b.0);
-            sets.join(b.0, c.0);
-        }
-    });
-    let mut component: Vec<u32> = Vec::with_capacity(vertices);
-    let mut count = 0;
-    for vertex in 0..vertices as u32 {
-        let least = sets.least(vertex);
-        component.push(if least == vertex { count } else { component[least as usize] });
-        count += u32::from(least == vertex);
-    }
-    (component.into(), count as usize)
 }
 
 /// Half-edges whose lengths are summed before anything else, so that rounding does not depend on the number of threads.

@@ -9,6 +9,7 @@ use bytemuck::Zeroable;
 
 use super::portals::Portals;
 use super::window::GRAZE;
+use crate::cost::Costs;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
 use heatwalk_surface::{parallel, triangle};
@@ -187,6 +188,10 @@ pub struct ExactGeometry {
     /// `#V`.
     pub(super) bends: Vec<Bend>,
     portals: Portals,
+    /// Mean length of the edges, times its cost.
+    mean_edge: f64,
+    /// Where they are not the same everywhere.
+    costs: Option<Costs>,
 }
 
 impl ExactGeometry {
@@ -208,8 +213,15 @@ impl ExactGeometry {
         for copy in mesh.vertices().skip(surface.vertex_count()) {
             is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
-        let mut geometry =
-            Self { surface: Arc::clone(&surface), threads, frames, bends: Vec::new(), portals: Portals::default() };
+        let mut geometry = Self {
+            mean_edge: surface.mean_edge(),
+            surface: Arc::clone(&surface),
+            threads,
+            frames,
+            bends: Vec::new(),
+            portals: Portals::default(),
+            costs: None,
+        };
         let bend = |number| {
             let vertex = VertexId::from_index(number);
             let mut angle = AngleSum::default();
@@ -234,6 +246,32 @@ impl ExactGeometry {
     pub fn bridged(mut self, bridges: &Bridges) -> Self {
         self.portals = Portals::new(bridges, |place| self.faces_at(&self.surface, place));
         self
+    }
+
+    /// The same where faces have costs, of a geometry without any. One cost everywhere makes all lengths as many times as
+    /// large; with different ones, only [propagation](crate::propagation) finds distances.
+    ///
+    /// # Panics
+    /// Where there is not one cost a face.
+    #[must_use]
+    pub fn weighted(mut self, costs: &Costs) -> Self {
+        assert_eq!(costs.of_faces().len(), self.frames.len(), "one cost a face");
+        self.mean_edge *= costs.mean();
+        let Some(cost) = costs.constant() else { return Self { costs: Some(costs.clone()), ..self } };
+        for side in self.frames.iter_mut().flat_map(|frame| &mut frame.0) {
+            side.length *= cost;
+        }
+        Self { portals: self.portals.scaled(cost), ..self }
+    }
+
+    /// Mean length of the edges, times the mean cost.
+    pub(crate) fn mean_edge(&self) -> f64 {
+        self.mean_edge
+    }
+
+    /// What a unit of length costs, where that is not the same everywhere.
+    pub fn costs(&self) -> Option<&Costs> {
+        self.costs.as_ref()
     }
 
     /// The portals that paths cross.

@@ -37,6 +37,7 @@ pub(crate) use geometry::{Side, after, before};
 pub(crate) use portals::Portals;
 pub(crate) use queue::Ring;
 pub use wavefront::Wavefront;
+pub(crate) use wavefront::checked_sources;
 pub(crate) use window::{Beam, Window, length};
 
 use crate::error::{Error, Result};
@@ -62,7 +63,7 @@ pub fn exact_distance<S: ToSource>(
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    let sources = wavefront::checked_sources(surface, sources)?;
+    let sources = checked_sources(surface, sources)?;
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut wavefront = Wavefront::of_checked(geometry, sources, &[]);
     while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS) {

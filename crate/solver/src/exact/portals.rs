@@ -23,6 +23,12 @@ impl Portals {
         Self { places, gaps, in_faces: Arc::new(in_faces) }
     }
 
+    /// The same with gaps so many times as large.
+    pub fn scaled(mut self, factor: f64) -> Self {
+        self.gaps.iter_mut().for_each(|gap| *gap *= factor);
+        self
+    }
+
     /// Where the ends are.
     pub fn places(&self) -> &[Place] {
         &self.places

@@ -12,7 +12,7 @@ use super::portals::Portals;
 use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{Beam, Window, length};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
@@ -57,6 +57,7 @@ impl Wavefront {
     /// Those of [`ToSource::to_source`].
     pub fn new<S: ToSource>(geometry: Arc<ExactGeometry>, sources: &[S]) -> Result<Self> {
         let sources = checked_sources(&geometry.surface, sources)?;
+        require_one_cost(&geometry)?;
         Ok(Self::of_checked(geometry, sources, &[]))
     }
 
@@ -70,6 +71,7 @@ impl Wavefront {
         targets: &[T],
     ) -> Result<Self> {
         let sources = checked_sources(&geometry.surface, sources)?;
+        require_one_cost(&geometry)?;
         let place = |target: &T| Ok(target.to_point(&geometry.surface)?.place());
         let targets = targets.iter().map(place).collect::<Result<Vec<Place>>>()?;
         Ok(Self::of_checked(geometry, sources, &targets))
@@ -90,7 +92,7 @@ impl Wavefront {
             origins: vec![Origin::None; vertices],
             reached: Vec::new(),
             waiting: Lists::new(halfedges),
-            queue: Buckets::new(items, base, BUCKET * surface.mean_edge()),
+            queue: Buckets::new(items, base, BUCKET * geometry.mean_edge()),
             propagated: 0,
             batch: Vec::new(),
             crossing: Vec::new(),
@@ -468,10 +470,15 @@ fn base(sources: &[Source]) -> f64 {
     sources.iter().map(Source::initial_distance).fold(f64::MAX, f64::min)
 }
 
+/// Refuses exact distances where no search finds them.
+fn require_one_cost(geometry: &ExactGeometry) -> Result<()> {
+    if geometry.costs().is_some() { Err(Error::NotExact) } else { Ok(()) }
+}
+
 /// Sources of one surface.
 ///
 /// # Errors
 /// Those of [`ToSource::to_source`].
-pub(super) fn checked_sources<S: ToSource>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
+pub(crate) fn checked_sources<S: ToSource>(surface: &Surface, sources: &[S]) -> Result<Vec<Source>> {
     sources.iter().map(|source| Ok(source.to_source(surface)?)).collect()
 }

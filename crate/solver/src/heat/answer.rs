@@ -12,6 +12,7 @@ use crate::heat::query::Query;
 use crate::heat::source_heat::SourceHeat;
 use crate::heat::unit_field::divergence;
 use crate::options::MultiSource;
+use crate::propagation::{Propagation, PropagationOptions, REFRACTED};
 use crate::refinement;
 use heatwalk_surface::{Source, ToSource, VertexData};
 
@@ -36,6 +37,13 @@ impl Factorization {
     pub fn distance(&self, query: &Query) -> Result<Distance> {
         let question = self.question(query)?;
         let sources = &question.sources;
+        let mean_edge = self.operators().mean_edge();
+        if self.exact_geometry().costs().is_some() {
+            let options = PropagationOptions { windows: REFRACTED, ..PropagationOptions::default() };
+            let mut front = Propagation::new(Arc::clone(self.exact_geometry()), sources, options)?;
+            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge);
+            return Ok(Distance { exact_below: 0.0, ..self.answer(&question, &region)? });
+        }
         // A panic while the front is out leaves none, so what a lock holds is right even after one.
         let kept = self.front.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut front = match kept {
@@ -45,7 +53,6 @@ impl Factorization {
             }
             None => self.start_wavefront(sources.clone()),
         };
-        let mean_edge = self.operators().mean_edge();
         let answer = {
             let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge);
             self.answer(&question, &region)

@@ -1,10 +1,13 @@
-//! The exact region: exact distances around the sources, where the heat method is off by 15 to 20 % on any mesh.
+//! The exact region: exact distances around the sources, where the heat method is off by 15 to 20 % on any mesh. Where faces
+//! have different costs, it has those of refracted windows.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::exact::Wavefront;
 use crate::heat::constraint::Constraint;
 use crate::options::ExactRadius;
+use crate::propagation::Propagation;
 use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 
@@ -29,10 +32,61 @@ fn windows(vertices: usize) -> usize {
     (WINDOWS * vertices.powf(0.25) * (vertices / FEW_VERTICES).min(1.0)).max(LEAST_WINDOWS) as usize
 }
 
+/// What grows outward from the sources.
+pub(super) trait Outward {
+    /// Grows until every value below `radius` is final, or about `work` windows have crossed a face.
+    fn advance(&mut self, radius: f64, work: usize);
+
+    /// Every value below this is final; infinity when all is done.
+    fn radius(&self) -> f64;
+
+    /// `#V`.
+    fn values(&self) -> &VertexData<f64>;
+
+    /// All vertices with a value, in any order.
+    fn reached(&self) -> Cow<'_, [VertexId]>;
+}
+
+impl Outward for Wavefront {
+    fn advance(&mut self, radius: f64, work: usize) {
+        self.advance(radius, work);
+    }
+
+    fn radius(&self) -> f64 {
+        if self.is_done() { f64::INFINITY } else { self.radius() }
+    }
+
+    fn values(&self) -> &VertexData<f64> {
+        self.values()
+    }
+
+    fn reached(&self) -> Cow<'_, [VertexId]> {
+        self.reached().into()
+    }
+}
+
+impl Outward for Propagation {
+    fn advance(&mut self, radius: f64, work: usize) {
+        self.advance(radius, work);
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius()
+    }
+
+    fn values(&self) -> &VertexData<f64> {
+        self.values()
+    }
+
+    fn reached(&self) -> Cow<'_, [VertexId]> {
+        self.surface().vertices().filter(|&vertex| self.values()[vertex] < f64::INFINITY).collect()
+    }
+}
+
 /// Exact distances around the sources: those of a wavefront that are below a radius.
 pub(super) struct ExactRegion<'a> {
     distances: &'a VertexData<f64>,
-    reached: &'a [VertexId],
+    reached: Cow<'a, [VertexId]>,
     /// Every distance below it is in the region; infinite when all are.
     pub(super) radius: f64,
 }
@@ -46,13 +100,14 @@ pub(super) struct Touched {
 
 impl<'a> ExactRegion<'a> {
     /// What a wavefront knows for certain: all where it is done, else what is below a radius.
-    pub(super) fn of(front: &'a Wavefront, radius: f64) -> Self {
-        let radius = if front.is_done() { f64::INFINITY } else { radius.min(front.radius()) };
+    pub(super) fn of(front: &'a impl Outward, radius: f64) -> Self {
+        let is_done = front.radius() == f64::INFINITY;
+        let radius = if is_done { f64::INFINITY } else { radius.min(front.radius()) };
         Self { distances: front.values(), reached: front.reached(), radius }
     }
 
     /// The region of this radius around the sources that a wavefront starts from.
-    pub(super) fn within(radius: ExactRadius, front: &'a mut Wavefront, sources: &[Source], mean_edge: f64) -> Self {
+    pub(super) fn within(radius: ExactRadius, front: &'a mut impl Outward, sources: &[Source], mean_edge: f64) -> Self {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);
         match radius {
             ExactRadius::Edges(0.0) => Self { distances: front.values(), reached: front.reached(), radius: least },

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
+use crate::cost::Costs;
 use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
@@ -28,6 +29,8 @@ const BYTES_PER_FACE: u64 = 256;
 #[derive(Debug)]
 pub struct Factorization {
     surface: Arc<Surface>,
+    /// What a unit of length costs, where that is not 1 everywhere.
+    costs: Option<Costs>,
     options: FactorOptions,
     systems: Arc<Systems>,
     poisson: Poisson,
@@ -38,7 +41,7 @@ pub struct Factorization {
     dirichlet: Option<Condition>,
     /// The m that suits the triangles that carry the operators.
     suited_factor: f64,
-    /// Largest distance along edges, in the file's unit.
+    /// Largest distance along edges, in the file's unit times cost.
     extent: f64,
     exact: Arc<ExactGeometry>,
     /// The wavefront of the last exact region, kept for its memory.
@@ -53,23 +56,40 @@ impl Factorization {
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite); [`TooLarge`](crate::Error::TooLarge) where the factors
     /// do not fit, before any is made; [`OutOfMemory`](crate::Error::OutOfMemory).
     pub fn new(surface: impl Into<Arc<Surface>>, options: FactorOptions, progress: Progress<'_>) -> Result<Self> {
+        Self::weighted(surface, None, options, progress)
+    }
+
+    /// The same where faces have costs.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// Where there is not one cost a face.
+    pub fn weighted(
+        surface: impl Into<Arc<Surface>>,
+        costs: Option<Costs>,
+        options: FactorOptions,
+        progress: Progress<'_>,
+    ) -> Result<Self> {
         let surface = surface.into();
         options.check()?;
         report(progress, Stage::Assembling, 0.0)?;
         memory::require(BYTES_PER_FACE * surface.face_count() as u64, "assembling the matrices")?;
-        let extent = dijkstra::extent(&surface);
-        let exact = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
-        Self::assemble(surface, options, extent, exact, progress)
+        let extent = dijkstra::extent(&surface, costs.as_ref());
+        let exact = ExactGeometry::new(Arc::clone(&surface));
+        let exact = Arc::new(costs.as_ref().map_or(exact.clone(), |costs| exact.weighted(costs)));
+        Self::assemble(surface, costs, options, (extent, exact), progress)
     }
 
     fn assemble(
         surface: Arc<Surface>,
+        costs: Option<Costs>,
         options: FactorOptions,
-        extent: f64,
-        exact: Arc<ExactGeometry>,
+        (extent, exact): (f64, Arc<ExactGeometry>),
         progress: Progress<'_>,
     ) -> Result<Self> {
-        let operators = Operators::new(&surface, options.operator);
+        let operators = Operators::weighted(&surface, costs.as_ref(), options.operator);
         let mean_edge = operators.mean_edge();
         let suited_factor = suited_factor(&operators, extent);
         let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
@@ -89,6 +109,7 @@ impl Factorization {
             poisson: Poisson::with_system(&systems, poisson),
             flows: vec![HeatFlow::with_system(&systems, time, condition, heat)],
             surface,
+            costs,
             options,
             systems,
             neumann,
@@ -115,7 +136,7 @@ impl Factorization {
         }
         report(progress, Stage::Assembling, 0.0)?;
         let (surface, exact) = (Arc::clone(&self.surface), Arc::clone(&self.exact));
-        *self = Self::assemble(surface, options, self.extent, exact, progress)?;
+        *self = Self::assemble(surface, self.costs.clone(), options, (self.extent, exact), progress)?;
         Ok(())
     }
 

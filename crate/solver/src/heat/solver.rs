@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::cost::Costs;
 use crate::distance::Distance;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
@@ -25,8 +26,22 @@ impl HeatSolver {
     /// # Errors
     /// As [`Factorization::new`].
     pub fn new(surface: impl Into<Arc<Surface>>, parameters: Parameters, progress: Progress<'_>) -> Result<Self> {
+        Self::weighted(surface, None, parameters, progress)
+    }
+
+    /// The same where faces have costs.
+    ///
+    /// # Errors
+    /// As [`Factorization::new`].
+    pub fn weighted(
+        surface: impl Into<Arc<Surface>>,
+        costs: Option<Costs>,
+        parameters: Parameters,
+        progress: Progress<'_>,
+    ) -> Result<Self> {
         parameters.check()?;
-        Ok(Self { factorization: Factorization::new(surface, parameters.factor_options(), progress)?, parameters })
+        let factorization = Factorization::weighted(surface, costs, parameters.factor_options(), progress)?;
+        Ok(Self { factorization, parameters })
     }
 
     /// Changes parameters; factors only what this touches.

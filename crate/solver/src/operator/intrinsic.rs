@@ -30,6 +30,9 @@ pub struct IntrinsicTriangulation {
     /// How often the surface is covered: 1, or 2 by the tufted cover.
     sheets: u32,
     flips: usize,
+    /// `#F` of one sheet, or empty: what lengths in each face count. No edge between two costs is flipped, so that a face
+    /// keeps its cost.
+    costs: Vec<f64>,
 }
 
 impl IntrinsicTriangulation {
@@ -37,6 +40,11 @@ impl IntrinsicTriangulation {
     /// no boundary edge lies opposite an obtuse angle; otherwise it lives on the tufted cover, where every edge has two
     /// sides and can be flipped, so that no cotan weight is negative in either case.
     pub fn delaunay(surface: &Surface) -> Self {
+        Self::delaunay_within(surface, &[])
+    }
+
+    /// The same within areas of one cost (`#F`, or none).
+    pub(crate) fn delaunay_within(surface: &Surface, costs: &[f64]) -> Self {
         let slots = 3 * surface.face_count() as u32;
         let mut triangulation = Self {
             faces: surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect(),
@@ -45,6 +53,7 @@ impl IntrinsicTriangulation {
             twins: (0..slots).map(|slot| surface.mesh().twin(HalfedgeId(slot)).0).collect(),
             sheets: 1,
             flips: 0,
+            costs: costs.to_vec(),
         };
         triangulation.mollify(surface.mean_edge());
         let cotans = triangulation.lengths.as_chunks().0.iter().flat_map(|&sides| cotans_opposite(sides));
@@ -163,7 +172,15 @@ impl IntrinsicTriangulation {
     /// Whether a side has two triangles and is not Delaunay.
     fn is_to_flip(&self, slot: u32) -> bool {
         let (slot, twin) = (slot as usize, self.twins[slot as usize] as usize);
-        !self.is_open(slot) && twin / 3 != slot / 3 && self.cotans[slot] + self.cotans[twin] < -FLIP_TOLERANCE
+        !self.is_open(slot)
+            && twin / 3 != slot / 3
+            && self.cotans[slot] + self.cotans[twin] < -FLIP_TOLERANCE
+            && self.cost(slot / 3) == self.cost(twin / 3)
+    }
+
+    /// What lengths in a face count.
+    fn cost(&self, face: usize) -> f64 {
+        if self.costs.is_empty() { 1.0 } else { self.costs[face % self.costs.len()] }
     }
 
     /// Replaces a side by the other diagonal of the two triangles beside it.
@@ -225,8 +242,10 @@ impl IntrinsicTriangulation {
 
     /// The triangles laid out in the plane. Where both sheets have the same one, it is there once.
     pub(crate) fn elements(self) -> Elements {
-        let (mean_edge, deviation) = edge_statistics(&self.lengths, |slot| self.is_open(slot));
-        let lengths = self.lengths.as_chunks().0;
+        let weighted = self.lengths.iter().enumerate().map(|(slot, length)| length * self.cost(slot / 3));
+        let weighted: Vec<f64> = weighted.collect();
+        let (mean_edge, deviation) = edge_statistics(&weighted, |slot| self.is_open(slot));
+        let lengths = weighted.as_chunks().0;
         let sheet = self.faces.len() / self.sheets as usize;
         let is_alone = |face: usize| {
             let ([a, b, c], [ab, bc, ca]) = (self.faces[face], lengths[face]);

@@ -4,6 +4,7 @@ use heatwalk_surface::surface::Surface;
 use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{HalfedgeId, VertexId};
 
+use crate::cost::Costs;
 use crate::error::{Error, Result};
 use crate::operator::elements::Elements;
 use crate::operator::intrinsic::IntrinsicTriangulation;
@@ -26,10 +27,20 @@ impl Operators {
     /// Of a surface, on the triangles that `operator` chooses. Those of [`Operator::Plain`] are the surface's faces, in
     /// order; others differ in number.
     pub fn new(surface: &Surface, operator: Operator) -> Self {
+        Self::weighted(surface, None, operator)
+    }
+
+    /// The same where faces have costs, which make all lengths in them so many times as large. No edge between faces of
+    /// different costs is flipped.
+    ///
+    /// The cotan weights stay, the mass of a face grows with the square of its cost, and the gradient of a distance there has
+    /// its cost for a length.
+    pub fn weighted(surface: &Surface, costs: Option<&Costs>, operator: Operator) -> Self {
+        let of_faces = || costs.map(|costs| costs.of_faces().as_slice()).unwrap_or_default();
         let elements = match operator {
-            Operator::Delaunay => IntrinsicTriangulation::delaunay(surface).elements(),
-            Operator::Plain => plain(surface),
-            Operator::Relocate => plain(&surface.with_positions(relocate::relocated(surface).0)),
+            Operator::Delaunay => IntrinsicTriangulation::delaunay_within(surface, of_faces()).elements(),
+            Operator::Plain => plain(surface, of_faces()),
+            Operator::Relocate => plain(&surface.with_positions(relocate::relocated(surface).0), of_faces()),
         };
         Self::assemble(elements, surface.components().as_slice().to_vec())
     }
@@ -147,12 +158,16 @@ impl Operators {
     }
 }
 
-/// The faces of a surface as they are.
-fn plain(surface: &Surface) -> Elements {
+/// The faces of a surface as they are, with lengths that count as many times as their costs say, if there are any.
+fn plain(surface: &Surface, costs: &[f64]) -> Elements {
     let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
     let sides = 3 * faces.len();
     let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
-    Elements::from_lengths(faces, &surface.side_lengths(), is_boundary)
+    let mut lengths = surface.side_lengths();
+    for (sides, cost) in lengths.chunks_exact_mut(3).zip(costs) {
+        sides.iter_mut().for_each(|length| *length *= cost);
+    }
+    Elements::from_lengths(faces, &lengths, is_boundary)
 }
 
 /// Per vertex, the connected component of the faces around.

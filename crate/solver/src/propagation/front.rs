@@ -1,14 +1,16 @@
 //! The front beyond the exact search: windows that wait at half-edges, vertices that wait to send some, and their way
-//! across faces.
+//! across faces. Windows of a half-edge have distances in units of the cost of its face, so that a face is crossed in the
+//! same way whatever it costs; values of vertices and the queues have distances themselves.
 
 use std::fmt::Debug;
 use std::sync::Arc;
 
 use super::labels::{Bar, Count, Fixed, Labels};
+use super::medium::{Medium, Uniform, head_wave, refracted};
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{Surface, VertexData, VertexId};
+use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;
@@ -23,6 +25,9 @@ pub(super) const NOWHERE: u32 = u32::MAX;
 pub(super) trait Grow: Debug + Send + Sync {
     /// Goes on, alone, from where an exact search has come to.
     fn start(&mut self, exact: &Wavefront);
+
+    /// Goes on, alone, from sources.
+    fn start_at(&mut self, sources: &[Source]);
 
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face.
     fn advance(&mut self, radius: f64, work: usize);
@@ -48,17 +53,19 @@ pub(super) trait Grow: Debug + Send + Sync {
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize) -> Result<Box<dyn Grow>> {
-    Ok(match stretches {
-        1 => Box::new(Front::new(geometry, Fixed::<1>)?),
-        2 => Box::new(Front::new(geometry, Fixed::<2>)?),
-        _ => Box::new(Front::new(geometry, stretches)?),
+    Ok(match (geometry.costs().cloned(), stretches) {
+        (Some(costs), _) => Box::new(Front::new(geometry, costs, stretches)?),
+        (None, 1) => Box::new(Front::new(geometry, Uniform, Fixed::<1>)?),
+        (None, 2) => Box::new(Front::new(geometry, Uniform, Fixed::<2>)?),
+        (None, _) => Box::new(Front::new(geometry, Uniform, stretches)?),
     })
 }
 
 #[derive(Debug)]
-struct Front<C> {
+struct Front<C, M> {
     surface: Arc<Surface>,
     geometry: Arc<ExactGeometry>,
+    medium: M,
     /// `#V`, as its other lists empty before the first start.
     values: VertexData<f64>,
     /// `#V`, number of the source that each value comes from.
@@ -77,21 +84,22 @@ struct Front<C> {
     batch: Vec<u32>,
 }
 
-impl<C: Count> Front<C> {
-    fn new(geometry: Arc<ExactGeometry>, stretches: C) -> Result<Self> {
+impl<C: Count, M: Medium> Front<C, M> {
+    fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C) -> Result<Self> {
         let surface = Arc::clone(geometry.surface());
         Ok(Self {
             values: VertexData::default(),
             nearest: VertexData::default(),
-            labels: Labels::new(3 * surface.face_count(), stretches, surface.mean_edge(), geometry.threads)?,
-            crossing: Ring::new(0.0, BUCKET * surface.mean_edge()),
-            sending: Ring::new(0.0, BUCKET * surface.mean_edge()),
+            labels: Labels::new(3 * surface.face_count(), stretches, geometry.mean_edge(), geometry.threads)?,
+            crossing: Ring::new(0.0, BUCKET * geometry.mean_edge()),
+            sending: Ring::new(0.0, BUCKET * geometry.mean_edge()),
             ends: Vec::new(),
             waits: Vec::new(),
             crossed: 0,
             batch: Vec::new(),
             surface,
             geometry,
+            medium,
         })
     }
 
@@ -139,7 +147,8 @@ impl<C: Count> Front<C> {
         let sides = frame.seen_from(k);
         let [a, b, c] = sides.map(|side| side.vertex);
         let opposite = frame.opposite(k);
-        let [at_a, at_b] = self.distances([a, b]);
+        let cost = self.medium.cost(halfedge / 3);
+        let [at_a, at_b] = self.distances([a, b]).map(|value| value / cost);
         let bar = Bar { length: sides[0].length, ends: [at_a, at_b], opposite: None };
         let mut crossed: Option<Beam> = None;
         for stretch in 0..self.labels.stretches() {
@@ -151,11 +160,11 @@ impl<C: Count> Front<C> {
             self.crossed += 1;
             let crossing = Crossing::new(beam, opposite);
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
-            self.offer(c, beam.at(at) + length(opposite[0] - at, opposite[1]), beam.root);
+            self.offer(c, cost * (beam.at(at) + length(opposite[0] - at, opposite[1])), beam.root);
             if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
-            let at_c = self.values[VertexId(c)];
+            let at_c = self.values[VertexId(c)] / cost;
             let first = halfedge - k as u32;
             if let Some(beam) = crossing.to_left(sides) {
                 self.leave(geometry, first + before(k) as u32, sides[2], &beam, [at_a, at_c]);
@@ -182,12 +191,17 @@ impl<C: Count> Front<C> {
                 self.see_straight(geometry, (face.0, weights), value, source);
             }
             let [from, out, last] = geometry.frame(face.0).seen_from(k);
-            self.offer(out.vertex, value + from.length, source);
-            // Where another face lies there, it has offered that.
-            if last.twin().is_none() {
-                self.offer(last.vertex, value + last.length, source);
+            let cost = self.medium.cost(face.0);
+            self.offer(out.vertex, value + cost * from.length, source);
+            // Where another face lies there, it has offered that, unless it costs more.
+            if !M::IS_UNIFORM || last.twin().is_none() {
+                self.offer(last.vertex, value + cost * last.length, source);
             }
-            let ends = self.distances([last.vertex, out.vertex]);
+            if !M::IS_UNIFORM {
+                self.send_along(geometry, (face.0, k), (value / cost, source));
+            }
+            let ends = self.distances([last.vertex, out.vertex]).map(|value| value / cost);
+            let value = value / cost;
             // Whatever lies behind the edge, its ends are nearer.
             if value + larger(from.length, last.length) >= smaller(ends[0], ends[1]) + out.length {
                 continue;
@@ -202,11 +216,12 @@ impl<C: Count> Front<C> {
     #[cold]
     fn see(&mut self, geometry: &ExactGeometry, halfedge: u32, beam: &Beam) {
         let (frame, k) = geometry.frame_of(halfedge);
+        let cost = self.medium.cost(halfedge / 3);
         for point in geometry.portals().in_faces().in_face(halfedge / 3) {
             let [x, y] = frame.place(k, point.weights);
             let crosses = beam.x + (x - beam.x) * beam.depth / (beam.depth + y);
             let at = smaller(larger(crosses, beam.begin), beam.end);
-            self.offer_end(point.point as u32, beam.at(at) + length(x - at, y), beam.root);
+            self.offer_end(point.point as u32, cost * (beam.at(at) + length(x - at, y)), beam.root);
         }
     }
 
@@ -214,9 +229,10 @@ impl<C: Count> Front<C> {
     #[cold]
     fn see_straight(&mut self, geometry: &ExactGeometry, (face, from): (u32, [f64; 3]), value: f64, source: u32) {
         let frame = geometry.frame(face);
+        let cost = self.medium.cost(face);
         for point in geometry.portals().in_faces().in_face(face) {
             let [a, b] = [from, point.weights].map(|weights| frame.place(0, weights));
-            self.offer_end(point.point as u32, value + length(a[0] - b[0], a[1] - b[1]), source);
+            self.offer_end(point.point as u32, value + cost * length(a[0] - b[0], a[1] - b[1]), source);
         }
     }
 
@@ -238,19 +254,42 @@ impl<C: Count> Front<C> {
         }
         self.ends[other as usize] = End { value, source, is_entered: true };
         for (face, weights) in geometry.faces_at(surface, portals.places()[other as usize]) {
-            let frame = geometry.frame(face);
-            for k in 0..3 {
-                let [x, depth] = frame.place(k, weights);
-                self.offer(frame[k].vertex, value + length(x, depth), source);
-                if depth > 0.0 {
-                    let side = &frame[k];
-                    let ends = self.distances([frame[after(k)].vertex, side.vertex]);
-                    let beam =
-                        Beam { begin: 0.0, end: side.length, x: side.length - x, depth, offset: value, root: source };
-                    self.leave(geometry, 3 * face + k as u32, side, &beam, ends);
-                }
+            self.light(geometry, (face, weights), value, source);
+        }
+    }
+
+    /// Sends windows from a place in a face, given by barycentric weights, out of it, and straight lines to its corners.
+    fn light(&mut self, geometry: &ExactGeometry, (face, weights): (u32, [f64; 3]), value: f64, source: u32) {
+        let frame = geometry.frame(face);
+        let cost = self.medium.cost(face);
+        for k in 0..3 {
+            let [x, depth] = frame.place(k, weights);
+            self.offer(frame[k].vertex, value + cost * length(x, depth), source);
+            if depth > 0.0 {
+                let side = &frame[k];
+                let ends = self.distances([frame[after(k)].vertex, side.vertex]).map(|value| value / cost);
+                let (x, offset) = (side.length - x, value / cost);
+                let beam = Beam { begin: 0.0, end: side.length, x, depth, offset, root: source };
+                self.leave(geometry, 3 * face + k as u32, side, &beam, ends);
             }
-            self.see_straight(geometry, (face, weights), value, source);
+        }
+        self.see_straight(geometry, (face, weights), value, source);
+    }
+
+    /// Sends a face the waves of paths that run from one of its corners along the edges there, where these have cheaper
+    /// ground on their other side. The distance of the corner is in units of the face's cost.
+    fn send_along(&mut self, geometry: &ExactGeometry, (face, k): (u32, usize), (distance, source): (f64, u32)) {
+        let frame = geometry.frame(face);
+        let cost = self.medium.cost(face);
+        for (side, is_against) in [(k, false), (before(k), true)] {
+            let halfedge = 3 * face + side as u32;
+            let cheapest = geometry.across(halfedge).map(|(other, _)| self.medium.cost(other / 3)).reduce(smaller);
+            let Some(share) = cheapest.map(|cheapest| cheapest / cost).filter(|&share| share < 1.0) else { continue };
+            let length = frame[side].length;
+            let wave = head_wave(length, distance, share, source);
+            let wave = if is_against { wave.mirrored(length) } else { wave };
+            let ends = self.distances([side, after(side)].map(|k| frame[k].vertex)).map(|value| value / cost);
+            self.keep(halfedge, &wave, &Bar { length, ends, opposite: None });
         }
     }
 
@@ -260,7 +299,7 @@ impl<C: Count> Front<C> {
     fn leave(&mut self, geometry: &ExactGeometry, halfedge: u32, side: &Side, beam: &Beam, ends: [f64; 2]) {
         let length = side.length;
         if let Some(twin) = side.twin() {
-            self.keep(twin, beam, &Bar { length, ends, opposite: Some(halfedge) });
+            self.keep_behind((halfedge, twin), beam, &Bar { length, ends, opposite: Some((halfedge, 1.0)) });
         } else {
             self.leave_fan(geometry, halfedge, beam, &Bar { length, ends, opposite: None });
         }
@@ -272,9 +311,27 @@ impl<C: Count> Front<C> {
         for (target, is_mirrored) in geometry.across(halfedge) {
             if is_mirrored {
                 let [begin, end] = bar.ends;
-                self.keep(target, &beam.mirrored(bar.length), &Bar { ends: [end, begin], ..*bar });
+                let bar = Bar { ends: [end, begin], ..*bar };
+                self.keep_behind((halfedge, target), &beam.mirrored(bar.length), &bar);
             } else {
-                self.keep(target, beam, bar);
+                self.keep_behind((halfedge, target), beam, bar);
+            }
+        }
+    }
+
+    /// Keeps a window that leaves a face by its half-edge `from`, seen in units of that face's cost, at the half-edge `to` of
+    /// the face behind.
+    #[inline(always)]
+    fn keep_behind(&mut self, (from, to): (u32, u32), beam: &Beam, bar: &Bar) {
+        let [before, behind] = [from, to].map(|halfedge| self.medium.cost(halfedge / 3));
+        if before == behind {
+            self.keep(to, beam, bar);
+        } else {
+            let ratio = before / behind;
+            let opposite = bar.opposite.map(|(opposite, _)| (opposite, ratio));
+            let bar = Bar { ends: bar.ends.map(|value| value * ratio), opposite, ..*bar };
+            if let Some(beam) = refracted(beam, ratio) {
+                self.keep(to, &beam, &bar);
             }
         }
     }
@@ -282,21 +339,27 @@ impl<C: Count> Front<C> {
     #[inline(always)]
     fn keep(&mut self, halfedge: u32, beam: &Beam, bar: &Bar) {
         if let Some(nearest) = self.labels.offer(halfedge, beam, bar) {
-            self.crossing.push(halfedge, nearest);
+            self.crossing.push(halfedge, nearest * self.medium.cost(halfedge / 3));
         }
     }
-}
 
-impl<C: Count> Grow for Front<C> {
-    fn start(&mut self, exact: &Wavefront) {
+    /// Forgets all that was found from earlier sources, to begin from so many at the least distance.
+    fn clear(&mut self, sources: usize, least: f64) {
         let vertices = self.surface.vertex_count();
         self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY).into();
         self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE).into();
         self.waits = refilled(std::mem::take(&mut self.waits), vertices, false);
-        self.labels.clear(exact.sources().len());
-        self.crossing.clear(exact.base(), |_| ());
-        self.sending.clear(exact.base(), |_| ());
+        self.labels.clear(sources);
+        self.crossing.clear(least, |_| ());
+        self.sending.clear(least, |_| ());
         self.crossed = 0;
+    }
+}
+
+impl<C: Count, M: Medium> Grow for Front<C, M> {
+    fn start(&mut self, exact: &Wavefront) {
+        let vertices = self.surface.vertex_count();
+        self.clear(exact.sources().len(), exact.base());
         let found = (0..).zip(exact.end_values());
         self.ends = found
             .map(|(end, &value)| End {
@@ -324,6 +387,20 @@ impl<C: Count> Grow for Front<C> {
             let corners = [k, after(k)].map(|corner| frame[corner].vertex);
             corners.into_iter().for_each(|vertex| self.send_from(vertex));
             self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners), opposite: None });
+        }
+    }
+
+    fn start_at(&mut self, sources: &[Source]) {
+        let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller);
+        self.clear(sources.len(), least);
+        let geometry = Arc::clone(&self.geometry);
+        self.ends.clear();
+        let unreached = End { value: f64::INFINITY, source: NOWHERE, is_entered: false };
+        self.ends.resize(geometry.portals().places().len(), unreached);
+        for (number, source) in (0..).zip(sources) {
+            for at in geometry.faces_at(&self.surface, source.place()) {
+                self.light(&geometry, at, source.initial_distance(), number);
+            }
         }
     }
 

@@ -20,8 +20,8 @@ struct Label {
     /// Position of the source along the half-edge and behind it.
     x: f64,
     depth: f64,
-    /// Distance of the stretch's middle by the window, in mean edges, bent at its end where it does not reach so far.
-    /// Negative while the window has still to cross the face. Infinite where there is no window.
+    /// Distance of the stretch's middle by the window, in mean edges that cost as the half-edge's face does, bent at its end
+    /// where it does not reach so far. Negative while the window has still to cross the face. Infinite where there is no window.
     value: f32,
     /// Where the interval begins and ends, in [`SHARES`] of the half-edge, rounded inward.
     begin: u16,
@@ -55,8 +55,9 @@ pub(super) struct Bar {
     pub length: f64,
     /// Distances of the half-edge's ends.
     pub ends: [f64; 2],
-    /// The half-edge that runs against it, where there is just one.
-    pub opposite: Option<u32>,
+    /// The half-edge that runs against it, where there is just one, and the cost of that one's face over the cost of this
+    /// one's.
+    pub opposite: Option<(u32, f64)>,
 }
 
 impl Bar {
@@ -162,9 +163,9 @@ impl<C: Count> Labels<C> {
             let middle = self.middle(stretch, bar.length);
             let value = beam.bent_at(middle);
             let edges = (value * self.per_edge) as f32;
-            let against = bar
-                .opposite
-                .map_or(f32::INFINITY, |opposite| self.value((opposite as usize + 1) * self.stretches() - 1 - stretch));
+            let against = bar.opposite.map_or(f32::INFINITY, |(opposite, ratio)| {
+                self.value((opposite as usize + 1) * self.stretches() - 1 - stretch) * ratio as f32
+            });
             // One branch: which of these fails is as good as random.
             let is_sooner =
                 (value < bar.by_ends(middle)) & (edges < self.value(first + stretch) - MARGIN) & (edges < against);

@@ -12,16 +12,17 @@
 
 mod front;
 mod labels;
+mod medium;
 mod options;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-pub use options::{ALL, ExactSearch, PropagationOptions, Windows};
+pub use options::{ALL, ExactSearch, PropagationOptions, REFRACTED, Windows};
 
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, Wavefront};
+use crate::exact::{ExactGeometry, Wavefront, checked_sources};
 use front::{Grow, NOWHERE, front};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
 
@@ -44,17 +45,21 @@ pub struct Propagation {
 }
 
 impl Propagation {
-    /// Starts at sources on the geometry's surface.
+    /// Starts at sources on the geometry's surface. Where its faces have different costs, no exact search goes first, and
+    /// windows that cross an edge between two costs are refracted.
     ///
     /// # Errors
-    /// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::OutOfMemory`].
+    /// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::OutOfMemory`]; [`Error::NotExact`] for
+    /// [`Windows::All`] where faces have different costs.
     pub fn new<S: ToSource>(geometry: Arc<ExactGeometry>, sources: &[S], options: PropagationOptions) -> Result<Self> {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
-        let exact = Wavefront::new(Arc::clone(&geometry), sources)?;
+        let sources = checked_sources(geometry.surface(), sources)?;
+        let exact = Wavefront::of_checked(Arc::clone(&geometry), sources, &[]);
         let faces = geometry.surface().face_count();
         let front = match options.windows {
+            Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
             Windows::All => None,
             Windows::AtMost(count) => Some(front(Arc::clone(&geometry), usize::from(count.get()))?),
         };
@@ -62,7 +67,17 @@ impl Propagation {
             ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
             ExactSearch::AtMost(windows) => windows,
         };
-        Ok(Self { options, geometry, exact, exact_windows, front, is_beyond: false })
+        let mut propagation = Self { options, geometry, exact, exact_windows, front, is_beyond: false };
+        propagation.begin();
+        Ok(propagation)
+    }
+
+    /// Lets the front begin at the sources where no exact search may go first.
+    fn begin(&mut self) {
+        self.is_beyond = self.geometry.costs().is_some();
+        if let Some(front) = self.front.as_mut().filter(|_| self.is_beyond) {
+            front.start_at(self.exact.sources());
+        }
     }
 
     /// Starts at sources, in the memory of an earlier one where that has the same geometry and options.
@@ -94,7 +109,7 @@ impl Propagation {
             return Err(Error::NoSource);
         }
         self.exact.restart(sources)?;
-        self.is_beyond = false;
+        self.begin();
         Ok(())
     }
 
@@ -143,9 +158,9 @@ impl Propagation {
         self.beyond().is_none()
     }
 
-    /// Every value below this is exact, once it is final; infinity when all are.
+    /// Every value below this is exact, once it is final; infinity when all are. 0 where faces have different costs.
     pub fn exact_below(&self) -> f64 {
-        self.exact.radius()
+        if self.geometry.costs().is_some() { 0.0 } else { self.exact.radius() }
     }
 
     /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.

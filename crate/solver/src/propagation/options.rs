@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 pub const ALL: &str = "all";
 
 /// Windows that propagation keeps of each half-edge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Windows {
     /// So many.
     AtMost(NonZeroU16),
@@ -23,6 +23,10 @@ impl Default for Windows {
         Self::AtMost(NonZeroU16::MIN)
     }
 }
+
+/// Windows of each half-edge that [`Method::Auto`](crate::Method::Auto) keeps at least where faces have different costs and no
+/// exact search goes first: errors are a fifteenth of those of one, in three times the time.
+pub const REFRACTED: Windows = Windows::AtMost(NonZeroU16::new(4).expect("not zero"));
 
 /// A number, or [`ALL`].
 impl FromStr for Windows {

@@ -13,3 +13,14 @@ pub struct Answer {
     /// Windows that crossed a face; 0 with [`Method::Heat`].
     pub windows: usize,
 }
+
+impl Answer {
+    /// The same where all lengths are so many times as large.
+    pub(super) fn times(mut self, factor: f64) -> Self {
+        let Distance { values, exact_below, crossings, .. } = &mut self.distance;
+        values.iter_mut().for_each(|value| *value *= factor);
+        *exact_below *= factor;
+        crossings.iter_mut().for_each(|crossing| crossing.distance *= factor);
+        self
+    }
+}

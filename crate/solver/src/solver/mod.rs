@@ -16,11 +16,13 @@ pub use answer::Answer;
 pub use options::DistanceOptions;
 
 use crate::bridged::CarriedSources;
+use crate::cost::Costs;
 use crate::error::{Error, Result};
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::progress::{Step, Steps};
+use crate::propagation::PropagationOptions;
 use heatwalk_surface::{Bridges, Source, Surface, ToSource, parallel};
 use search::Search;
 
@@ -32,6 +34,8 @@ pub struct DistanceSolver {
     threads: NonZeroUsize,
     /// What paths cross from one component to another.
     bridges: Bridges,
+    /// What a unit of length costs, where that is not 1 everywhere.
+    costs: Option<Costs>,
     geometry: Option<Arc<ExactGeometry>>,
     heat: Option<HeatSolver>,
     /// One for each thread that has answered.
@@ -50,6 +54,7 @@ impl DistanceSolver {
             surface: surface.into(),
             threads,
             bridges: Bridges::default(),
+            costs: None,
             geometry: None,
             heat: None,
             searches: Vec::new(),
@@ -60,6 +65,33 @@ impl DistanceSolver {
     #[must_use]
     pub fn bridged(self, bridges: Bridges) -> Self {
         Self { bridges, geometry: None, ..self }
+    }
+
+    /// The same where faces have costs: distances are the least costs of paths. Where faces have different ones,
+    /// [`Method::Auto`] and [`Method::Propagation`] refract windows, and there are no exact distances.
+    ///
+    /// # Panics
+    /// Where there is not one cost a face.
+    #[must_use]
+    pub fn weighted(mut self, costs: Costs) -> Self {
+        self.set_costs(Some(costs));
+        self
+    }
+
+    /// Changes what faces cost, `None` for 1 everywhere. What is factored has to be factored again.
+    ///
+    /// # Panics
+    /// Where there is not one cost a face.
+    pub fn set_costs(&mut self, costs: Option<Costs>) {
+        if let Some(costs) = &costs {
+            assert_eq!(costs.of_faces().len(), self.surface.face_count(), "one cost a face");
+        }
+        (self.costs, self.geometry, self.heat) = (costs, None, None);
+    }
+
+    /// What a unit of length costs, where that is not 1 everywhere.
+    pub fn costs(&self) -> Option<&Costs> {
+        self.costs.as_ref()
     }
 
     /// Makes what a method needs before its first question: factors for [`Method::Heat`], the unfolded triangles for the
@@ -89,13 +121,14 @@ impl DistanceSolver {
         progress: Steps<'_>,
     ) -> Result<Answer> {
         options.check()?;
-        let sources = self.checked(sources)?;
-        let Some(propagation) = options.propagation(self.surface.face_count()) else {
+        let (sources, cost) = (self.checked(sources)?, self.constant_cost());
+        let Some(propagation) = self.propagation(options)? else {
             let carried = self.carried(&sources)?;
-            return by_heat(self.factored(options.heat, progress)?, &carried);
+            return Ok(by_heat(self.factored(options.heat, progress)?, &carried)?.times(cost));
         };
         let geometry = Arc::clone(self.exact_geometry());
-        self.searches(1)[0].answer(&geometry, &sources, (options, propagation), progress)
+        let options = options.per(cost);
+        Ok(self.searches(1)[0].answer(&geometry, &sources, (&options, propagation), progress)?.times(cost))
     }
 
     /// The distances from each source by itself, in the order of the sources, on so many threads. They are those that
@@ -114,18 +147,20 @@ impl DistanceSolver {
         progress: Steps<'_>,
     ) -> Result<Vec<Answer>> {
         options.check()?;
-        let sources = self.checked(sources)?;
+        let (sources, cost) = (self.checked(sources)?, self.constant_cost());
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
-        let Some(propagation) = options.propagation(self.surface.face_count()) else {
+        let Some(propagation) = self.propagation(options)? else {
             let carried = sources.iter().map(|&source| self.carried(&[source])).collect::<Result<Vec<_>>>()?;
             let mut solvers = vec![self.factored(options.heat, progress)?; threads];
-            let answer = |solver: &mut &HeatSolver, question: usize| by_heat(solver, &carried[question]);
+            let answer =
+                |solver: &mut &HeatSolver, question: usize| Ok(by_heat(solver, &carried[question])?.times(cost));
             return questions::answers(&mut solvers, count, answer, progress);
         };
         let geometry = Arc::clone(self.exact_geometry());
+        let options = options.per(cost);
         let answer = |search: &mut Search, question: usize| {
             let go_on = &mut |_| ControlFlow::Continue(());
-            search.answer(&geometry, &[sources[question]], (options, propagation), go_on)
+            Ok(search.answer(&geometry, &[sources[question]], (&options, propagation), go_on)?.times(cost))
         };
         questions::answers(self.searches(threads), count, answer, progress)
     }
@@ -135,12 +170,20 @@ impl DistanceSolver {
         &self.surface
     }
 
-    /// What exact distances and paths need of the surface, made here unless it was before.
+    /// What exact distances and paths need of the surface, made here unless it was before. It does not know of a cost that all
+    /// faces have.
     pub fn exact_geometry(&mut self) -> &Arc<ExactGeometry> {
+        let costs = self.several_costs().cloned();
         let Self { surface, heat, bridges, threads, .. } = self;
         self.geometry.get_or_insert_with(|| match heat {
             Some(heat) if bridges.portals().is_empty() => Arc::clone(heat.exact_geometry()),
-            _ => Arc::new(ExactGeometry::on_threads(Arc::clone(surface), *threads).bridged(bridges)),
+            _ => {
+                let geometry = ExactGeometry::on_threads(Arc::clone(surface), *threads).bridged(bridges);
+                Arc::new(match costs {
+                    Some(costs) => geometry.weighted(&costs),
+                    None => geometry,
+                })
+            }
         })
     }
 
@@ -159,14 +202,39 @@ impl DistanceSolver {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
-        sources.iter().map(|source| Ok(source.to_source(&self.surface)?)).collect()
+        let cost = self.constant_cost();
+        let checked = |source: &S| {
+            let source = source.to_source(&self.surface)?;
+            Ok(self.surface.source(source.point(), source.initial_distance() / cost)?)
+        };
+        sources.iter().map(checked).collect()
+    }
+
+    /// The cost of all faces, where they have one. All is computed as if it were 1, and then multiplied.
+    fn constant_cost(&self) -> f64 {
+        self.costs.as_ref().and_then(Costs::constant).unwrap_or(1.0)
+    }
+
+    /// The costs, where they are not the same everywhere.
+    fn several_costs(&self) -> Option<&Costs> {
+        self.costs.as_ref().filter(|costs| costs.constant().is_none())
+    }
+
+    /// How windows are propagated; `None` for heat.
+    fn propagation(&self, options: &DistanceOptions) -> Result<Option<PropagationOptions>> {
+        match self.several_costs() {
+            None => Ok(options.propagation(self.surface.face_count())),
+            Some(_) => options.refraction(),
+        }
     }
 
     /// The solver of heat with these parameters. Factors what is absent.
     fn factored(&mut self, parameters: Parameters, progress: Steps<'_>) -> Result<&HeatSolver> {
         let progress = &mut |stage, done| progress(Step::Precompute(stage, done));
         let Some(mut solver) = self.heat.take() else {
-            return Ok(self.heat.insert(HeatSolver::new(Arc::clone(&self.surface), parameters, progress)?));
+            let solver =
+                HeatSolver::weighted(Arc::clone(&self.surface), self.several_costs().cloned(), parameters, progress)?;
+            return Ok(self.heat.insert(solver));
         };
         let changed = solver.set_parameters(parameters, progress);
         let solver = self.heat.insert(solver);

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::options::{Method, Parameters};
-use crate::propagation::{ExactSearch, PropagationOptions, Windows};
+use crate::propagation::{ExactSearch, PropagationOptions, REFRACTED, Windows};
 
 /// Windows that [`Method::Auto`] propagates exactly: about a second.
 const AFFORDABLE_WINDOWS: usize = 8_000_000;
@@ -55,6 +55,11 @@ impl DistanceOptions {
         Ok(())
     }
 
+    /// The same where all lengths are so many times as small.
+    pub(super) fn per(&self, factor: f64) -> Self {
+        Self { max_distance: self.max_distance / factor, ..*self }
+    }
+
     /// How windows are propagated on a surface of so many faces; `None` for heat.
     pub(super) fn propagation(&self, faces: usize) -> Option<PropagationOptions> {
         let windows = self.windows;
@@ -64,6 +69,20 @@ impl DistanceOptions {
             Method::Exact => Some(PropagationOptions { windows: Windows::All, exact: ExactSearch::Automatic }),
             Method::Propagation => Some(PropagationOptions { windows, exact: ExactSearch::Automatic }),
             Method::Auto => Some(PropagationOptions { windows, exact: ExactSearch::AtMost(affordable) }),
+        }
+    }
+
+    /// The same where faces have different costs.
+    ///
+    /// # Errors
+    /// [`Error::NotExact`] for exact distances.
+    pub(super) fn refraction(&self) -> Result<Option<PropagationOptions>> {
+        let exact = ExactSearch::Automatic;
+        match (self.method, self.windows) {
+            (Method::Heat, _) => Ok(None),
+            (Method::Exact, _) | (_, Windows::All) => Err(Error::NotExact),
+            (Method::Auto, windows) => Ok(Some(PropagationOptions { windows: windows.max(REFRACTED), exact })),
+            (Method::Propagation, windows) => Ok(Some(PropagationOptions { windows, exact })),
         }
     }
 }

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test binary uses some of it")]
 
 pub mod exact_distances;
+pub mod media;
 pub mod meshes;
 pub mod pieces;
 pub mod shortness;

@@ -1,0 +1,173 @@
+//! Walls: faces and edges that no path crosses. They part what lies on their two sides, so that whatever is computed on the
+//! surface respects them without knowing of them.
+
+use super::connectivity::{Connectivity, component_count};
+use super::{Surface, SurfaceId};
+use crate::csr::Csr;
+use crate::element::{Element, FaceData, FaceId, HalfedgeId, VertexId};
+use crate::error::{Error, Result};
+use crate::parallel;
+use crate::point::Place;
+
+/// What no path crosses.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Walls {
+    /// Faces that are not walked on. Paths may pass where two of them touch in a vertex.
+    pub faces: Vec<FaceId>,
+    /// Edges that are not crossed, as half-edges of triangles, in either direction. Paths may run along them on either side,
+    /// and around the ends of a line of them.
+    pub edges: Vec<HalfedgeId>,
+}
+
+impl Walls {
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty() && self.edges.is_empty()
+    }
+}
+
+impl Surface {
+    /// The same surface parted at walls. Faces and half-edges of triangles keep their numbers. Vertices keep theirs on the
+    /// first side of the walls; the other sides get copies of them, after all others. The faces of walls are components of
+    /// their own. It is another surface, with an id of its own: no distance, path or point of this one holds there.
+    ///
+    /// # Errors
+    /// [`NoSuchFace`](Error::NoSuchFace); [`NoSuchHalfedge`](Error::NoSuchHalfedge) also for one of the boundary.
+    pub fn walled(&self, walls: &Walls) -> Result<Self> {
+        let mut is_wall: FaceData<bool> = vec![false; self.face_count()].into();
+        for &face in &walls.faces {
+            if face.index() >= self.face_count() {
+                return Err(Error::NoSuchFace { face: face.index(), faces: self.face_count() });
+            }
+            is_wall[face] = true;
+        }
+        let mut is_closed = vec![false; 3 * self.face_count()];
+        for &halfedge in &walls.edges {
+            if halfedge.index() >= is_closed.len() {
+                return Err(Error::NoSuchHalfedge { halfedge: halfedge.index(), halfedges: is_closed.len() });
+            }
+            self.edges.around(halfedge).for_each(|halfedge| is_closed[halfedge.index()] = true);
+        }
+        let edges = self.edges.parted(|a, b| is_closed[a.index()] || is_wall[a.triangle()] != is_wall[b.triangle()]);
+
+        let mut faces = self.faces.clone();
+        let mut copied: Vec<VertexId> = Vec::new();
+        for vertex in self.vertices() {
+            let is_touched = |&corner: &HalfedgeId| {
+                is_wall[corner.triangle()]
+                    || [corner, corner.previous_in_triangle()].iter().any(|side| is_closed[side.index()])
+            };
+            if !self.corners.row(vertex).iter().any(is_touched) {
+                continue;
+            }
+            for sector in self.sectors(vertex, &is_wall, &is_closed).into_iter().skip(1) {
+                let copy = VertexId::from_index(self.vertex_count() + copied.len());
+                copied.push(vertex);
+                for corner in sector {
+                    faces[corner.triangle()][corner.corner()] = copy;
+                }
+            }
+        }
+
+        let mut positions = self.positions.clone().into_vec();
+        positions.extend(copied.iter().map(|&vertex| self.positions[vertex]));
+        let corners = Csr::group(positions.len(), faces.as_slice().as_flattened(), parallel::ONE);
+        let twins = edges.twins(faces.as_slice(), parallel::ONE).0;
+        let Connectivity { mesh, vertex_of_cut, is_boundary, is_oriented_manifold, boundary_loops, components } =
+            Connectivity::new(faces.as_slice(), &corners, &edges, twins, parallel::ONE);
+        let mut report = self.report.clone();
+        report.vertices = positions.len();
+        report.components = component_count(&components);
+        report.boundary_loops = boundary_loops;
+        report.non_manifold_edges = edges.representatives().filter(|&edge| edges.is_branching(edge)).count();
+        report.euler_characteristic =
+            positions.len() as i64 - edges.representatives().count() as i64 + faces.len() as i64;
+        let id = SurfaceId::unique();
+        Ok(Self {
+            id,
+            connectivity: id,
+            mesh,
+            inputs_of_vertex: self.inputs_of_vertex.with_copies(&copied),
+            edges,
+            positions: positions.into(),
+            faces,
+            corners,
+            vertex_of_cut,
+            components,
+            is_boundary,
+            is_oriented_manifold,
+            is_wall,
+            report,
+            vertex_of_input: self.vertex_of_input.clone(),
+            face_of_triangle: self.face_of_triangle.clone(),
+            triangle_of_face: self.triangle_of_face.clone(),
+            inputs_of_face: self.inputs_of_face.clone(),
+            mean_edge: self.mean_edge,
+        })
+    }
+
+    /// Whether a face is a wall of a surface that was [parted](Self::walled).
+    pub fn is_wall(&self, face: FaceId) -> bool {
+        self.is_wall.get(face).copied().unwrap_or(false)
+    }
+
+    /// Whether a place touches walls alone, so that no path leads there.
+    pub fn is_in_wall(&self, place: Place) -> bool {
+        !self.is_wall.is_empty() && place.faces(self).into_iter().all(|face| self.is_wall(face))
+    }
+
+    /// A place of the surface before it was [parted](Self::walled), on this one: on an edge of walls, on the side of the
+    /// triangle named; at a vertex there, on the vertex's first side.
+    pub fn place_across_walls(&self, before: &Self, place: Place) -> Place {
+        match place {
+            Place::Edge { halfedge, fraction } if halfedge.index() >= 3 * before.face_count() => {
+                Place::Edge { halfedge: before.mesh.twin(halfedge), fraction: 1.0 - fraction }
+            }
+            Place::Edge { halfedge, fraction } if self.is_wall(halfedge.triangle()) => {
+                // The other side of the edge may be open.
+                let is_open = |other: &HalfedgeId| !self.is_wall(other.triangle());
+                let Some(other) = before.edges.around(halfedge).find(is_open) else { return place };
+                let is_against = before.ends(other) != before.ends(halfedge);
+                Place::Edge { halfedge: other, fraction: if is_against { 1.0 - fraction } else { fraction } }
+            }
+            _ => place,
+        }
+    }
+
+    /// The corners of a vertex by sectors, which paths reach from each other. The first one keeps the vertex's number: an open
+    /// one, where there is any; those of walls come last.
+    fn sectors(&self, vertex: VertexId, is_wall: &FaceData<bool>, is_closed: &[bool]) -> Vec<Vec<HalfedgeId>> {
+        let corners = self.corners.row(vertex);
+        let (walls, open): (Vec<HalfedgeId>, Vec<HalfedgeId>) =
+            corners.iter().partition(|corner| is_wall[corner.triangle()]);
+        let sides = |corner: HalfedgeId| [corner, corner.previous_in_triangle()];
+        let has_closed_edge = open.iter().any(|&corner| sides(corner).iter().any(|side| is_closed[side.index()]));
+        let mut sectors = Vec::new();
+        let mut rest = open;
+        if !has_closed_edge && !rest.is_empty() {
+            sectors.push(std::mem::take(&mut rest));
+        }
+        while let Some(first) = rest.first().copied() {
+            let mut fan = vec![first];
+            rest.remove(0);
+            let mut done = 0;
+            while let Some(&corner) = fan.get(done) {
+                done += 1;
+                for side in sides(corner).into_iter().filter(|side| !is_closed[side.index()]) {
+                    for other in self.edges.around(side).skip(1) {
+                        let is_beside = |&at: &HalfedgeId| at.triangle() == other.triangle();
+                        if let Some(found) = rest.iter().position(is_beside) {
+                            fan.push(rest.remove(found));
+                        }
+                    }
+                }
+            }
+            sectors.push(fan);
+        }
+        if !walls.is_empty() {
+            sectors.push(walls);
+        }
+        sectors
+    }
+}
