@@ -1,5 +1,6 @@
 //! The answer of every method.
 
+use crate::cost::Costs;
 use crate::error::{Error, Result};
 use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
 
@@ -7,7 +8,9 @@ use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distance {
     pub(crate) surface: SurfaceId,
-    /// `#V`, in the file's unit, non-negative, never NaN; infinity on components without a source. At a source that is a
+    /// What a unit of length costs, where that is not the same everywhere.
+    pub(crate) costs: Option<Costs>,
+    /// `#V`, in the file's unit, times cost where faces have costs, non-negative, never NaN; infinity on components without a source. At a source that is a
     /// vertex it is exactly its initial distance; with summed sources, the mean over the sources of a component is 0
     /// before values below 0 become 0.
     pub values: VertexData<f64>,
@@ -50,13 +53,24 @@ impl Distance {
     /// By lengths of paths, without heat.
     pub(crate) fn of_paths(surface: &Surface, values: VertexData<f64>, sources: &[Source], exact_below: f64) -> Self {
         let sources = places_that_remain(surface, sources, &values);
-        Self { surface: surface.id(), values, heat: None, sources, exact_below, crossings: Vec::new() }
+        Self { surface: surface.id(), costs: None, values, heat: None, sources, exact_below, crossings: Vec::new() }
     }
 
     /// The same where paths cross these portals.
     pub(crate) fn crossing(mut self, portals: Vec<PortalCrossing>) -> Self {
         self.crossings = portals;
         self
+    }
+
+    /// The same where faces have different costs.
+    pub(crate) fn weighted(mut self, costs: Option<&Costs>) -> Self {
+        self.costs = costs.cloned();
+        self
+    }
+
+    /// What a unit of length costs on the surface, where that is not the same everywhere.
+    pub fn costs(&self) -> Option<&Costs> {
+        self.costs.as_ref()
     }
 
     /// The surface that it was solved on.

@@ -90,7 +90,7 @@ pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
     Method, MultiSource, Operator, Parameters, PathKind, TimeStep, Up, VertexField, WINDOWS,
 };
-pub use path::{PathSearch, Straightest, descend, straighten, straightest};
+pub use path::{PathSearch, Straightest, descend, refract, straighten, straightest};
 pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;

@@ -132,6 +132,7 @@ impl Factorization {
         let sources = places_that_remain(surface, sources, &values);
         Ok(Distance {
             surface: surface.id(),
+            costs: self.exact_geometry().costs().cloned(),
             values,
             heat: Some(heat.clone().into()),
             sources,

@@ -1,6 +1,7 @@
 //! Paths down the distance to the nearest source: face by face, along edges where gradients oppose, through vertices.
 //!
-//! The distance must fall at every step. Where no direction falls (a cut locus, a badly shaped triangle) the path
+//! Where faces have costs, the steepest direction is that in which the distance falls most for what it costs. The distance must
+//! fall at every step. Where no direction falls (a cut locus, a badly shaped triangle) the path
 //! takes edges to the nearest lower vertex, so that it always arrives. Where the shortest path crosses a portal to another
 //! component, so does this one.
 
@@ -8,6 +9,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
+use crate::cost::Costs;
 use crate::dijkstra;
 use crate::distance::Distance;
 use crate::error::{Error, Result};
@@ -55,6 +57,7 @@ struct Goal {
 struct Descent<'a> {
     surface: &'a Surface,
     values: &'a VertexData<f64>,
+    costs: Option<&'a Costs>,
     /// Goals on each face from which they are seen along a straight line.
     goals_of_face: HashMap<FaceId, Vec<Goal>>,
     location: Place,
@@ -78,7 +81,7 @@ impl<'a> Descent<'a> {
         }
         let face = location.faces(surface).first().copied().unwrap_or(FaceId(0));
         let points = vec![PathPoint { position: location.position(surface), location, face }];
-        Self { surface, values: &distance.values, goals_of_face, location, points }
+        Self { surface, values: &distance.values, costs: distance.costs(), goals_of_face, location, points }
     }
 
     fn value(&self) -> f64 {
@@ -111,13 +114,13 @@ impl<'a> Descent<'a> {
         false
     }
 
-    /// The goal in sight that is nearest to its source by way of a straight line, the line's length, and a face that it is in.
+    /// The goal in sight that is nearest to its source by way of a straight line, what the line costs, and a face that it is in.
     fn nearest_goal(&self) -> Option<(f64, Goal, FaceId)> {
         let here = self.location.position(self.surface);
         let mut nearest: Option<(f64, Goal, FaceId)> = None;
         for face in self.location.faces(self.surface) {
             for &goal in self.goals_of_face.get(&face).into_iter().flatten() {
-                let length = triangle::length(goal.place.position(self.surface) - here);
+                let length = self.cost(face) * triangle::length(goal.place.position(self.surface) - here);
                 if nearest.is_none_or(|(best, other, _)| length + goal.distance < best + other.distance) {
                     nearest = Some((length, goal, face));
                 }
@@ -137,13 +140,13 @@ impl<'a> Descent<'a> {
         let (here, value) = (self.location.position(self.surface), self.value());
         for face in self.location.faces(self.surface) {
             if let Some((slope, location)) = self.cross(face) {
-                offer(slope, location, face);
+                offer(slope / self.cost(face), location, face);
             }
             if !matches!(self.location, Place::Face { .. }) {
                 for vertex in self.surface.faces()[face] {
                     // Along an edge: to its ends from inside, to the neighbours from a vertex.
                     if self.is_on_edge_to(vertex) {
-                        let length = triangle::length(self.surface.position(vertex) - here);
+                        let length = self.cost(face) * triangle::length(self.surface.position(vertex) - here);
                         offer((value - self.values[vertex]) / length, Place::Vertex(vertex), face);
                     }
                 }
@@ -151,6 +154,11 @@ impl<'a> Descent<'a> {
         }
         let (_, location, face) = best?;
         (location.interpolate(self.surface, self.values) < value).then_some((location, face))
+    }
+
+    /// What a unit of length costs in a face.
+    fn cost(&self, face: FaceId) -> f64 {
+        self.costs.map_or(1.0, |costs| costs.of(face))
     }
 
     fn is_on_edge_to(&self, vertex: VertexId) -> bool {

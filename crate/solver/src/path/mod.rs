@@ -1,14 +1,16 @@
-//! Curves made on the surface: down a distance, straightened, straightest.
+//! Curves made on the surface: down a distance, straightened, refracted, straightest.
 
 pub mod descent;
 mod funnel;
 mod link;
+pub mod refract;
 mod search;
 pub mod straighten;
 pub mod straightest;
 mod strip;
 
 pub use descent::descend;
+pub use refract::refract;
 pub use search::PathSearch;
 pub use straighten::straighten;
 pub use straightest::{Straightest, straightest};

@@ -189,6 +189,7 @@ impl Propagation {
     pub fn distance(&self) -> Distance {
         Distance::of_paths(self.surface(), self.values().clone(), self.exact.sources(), self.exact_below())
             .crossing(self.crossings())
+            .weighted(self.geometry.costs())
     }
 
     /// The portals that shortest paths cross.

@@ -1,0 +1,88 @@
+//! Paths where faces have costs.
+
+mod common;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::media::{jittered_square, least_cost, two_media};
+use common::{nearest, random, surface};
+use glam::DVec3;
+use heatwalk::{Costs, DistanceOptions, DistanceSolver, FaceId, VertexId, descend, refract, straighten};
+use heatwalk_shapes::torus;
+
+#[test]
+fn paths_over_two_media_cost_what_snell_says() {
+    for cost in [2.0, 10.0] {
+        let square = Arc::new(surface(&jittered_square(40, 1)));
+        let costs = two_media(&square, cost);
+        for source in [DVec3::new(0.2, 0.5, 0.0), DVec3::new(0.55, 0.1, 0.0)] {
+            let source = nearest(&square, source);
+            let mut solver = DistanceSolver::new(Arc::clone(&square)).weighted(costs.clone());
+            let go_on = &mut |_| ControlFlow::Continue(());
+            let distance = solver.distance(&[source], &DistanceOptions::default(), go_on).expect("a source").distance;
+            let mut seed = 1;
+            let (mut before, mut after, mut worst, count) = (0.0, 0.0, 0.0_f64, 200);
+            for _ in 0..count {
+                let from = VertexId(random(&mut seed, square.vertex_count()) as u32);
+                if from == source {
+                    continue;
+                }
+                let steepest = descend(&square, &distance, from).expect("connected");
+                let path = refract(&square, &costs, &steepest).expect("a path of this surface");
+                let [first, last] = [path.points[0].location, path.points[path.points.len() - 1].location];
+                assert_eq!([first.vertex(&square), last.vertex(&square)], [Some(from), Some(source)]);
+                for pair in path.points.windows(2) {
+                    assert!(pair.iter().all(|point| point.location.faces(&square).contains(&pair[0].face)));
+                }
+                let expected = least_cost(square.position(source).truncate(), square.position(from).truncate(), cost);
+                let excess = |path| costs.of_path(&square, path) / expected - 1.0;
+                assert!(excess(&path) > -1e-9, "no path is cheaper than the least");
+                before += excess(&steepest) / f64::from(count);
+                after += excess(&path) / f64::from(count);
+                worst = worst.max(excess(&path));
+            }
+            assert!(after < 1e-4 && worst < 5e-3, "1:{cost}: {before} before, {after} after, {worst} at most");
+        }
+    }
+}
+
+#[test]
+fn with_one_cost_refracted_paths_are_straight() {
+    let ring = surface(&torus(1.0, 0.4, 40, 20));
+    let costs = Costs::new(&ring, (0..ring.face_count()).map(|_| 2.5).collect()).expect("in range");
+    let mut solver = DistanceSolver::new(ring.clone());
+    let go_on = &mut |_| ControlFlow::Continue(());
+    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), go_on).expect("a source").distance;
+    for from in (10..800).step_by(50).map(VertexId) {
+        let steepest = descend(&ring, &distance, from).expect("connected");
+        let [straight, refracted] = [straighten(&ring, &steepest), refract(&ring, &costs, &steepest)]
+            .map(|path| path.expect("of this surface"));
+        assert!(
+            (refracted.length() / straight.length() - 1.0).abs() < 1e-6,
+            "{} {}",
+            refracted.length(),
+            straight.length()
+        );
+        assert!((costs.of_path(&ring, &refracted) - 2.5 * refracted.length()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn random_costs_break_no_path() {
+    let ring = surface(&torus(1.0, 0.4, 40, 20));
+    let mut seed = 5;
+    let of_face = (0..ring.face_count()).map(|_| 10.0_f64.powf(3.0 * (random(&mut seed, 1000) as f64 / 500.0 - 1.0)));
+    let costs = Costs::new(&ring, of_face.collect()).expect("in range");
+    let mut solver = DistanceSolver::new(ring.clone()).weighted(costs.clone());
+    let go_on = &mut |_| ControlFlow::Continue(());
+    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), go_on).expect("a source").distance;
+    assert!(distance.values.iter().all(|value| value.is_finite()));
+    for from in (10..800).step_by(10).map(VertexId) {
+        let steepest = descend(&ring, &distance, from).expect("connected");
+        let path = refract(&ring, &costs, &steepest).expect("a path of this surface");
+        let [before, after] = [&steepest, &path].map(|path| costs.of_path(&ring, path));
+        assert!(after <= before && after > 0.5 * distance.values[from], "{before} {after} {}", distance.values[from]);
+    }
+    assert!(costs.of(FaceId(0)) > 0.0);
+}
