@@ -6,9 +6,10 @@ use std::thread::available_parallelism;
 
 use anyhow::Result;
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand};
+use clap::{ArgGroup, Args, Parser, Subcommand};
 use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up, WeldRule};
 
+use crate::ground::Ground;
 use crate::method::{Given, Methods};
 use crate::options::{Linear, Options, choice, chosen};
 use crate::place::{Line, Place, SourcePlace};
@@ -88,6 +89,7 @@ pub struct Info {
 }
 
 #[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
 pub struct Distance {
     #[command(flatten)]
     pub mesh: Mesh,
@@ -102,6 +104,8 @@ pub struct Distance {
     pub closed: bool,
     #[command(flatten)]
     pub bridging: Bridging,
+    #[command(flatten)]
+    pub ground: Ground,
     #[command(flatten)]
     pub methods: Methods,
     /// The same as --method exact
@@ -126,14 +130,15 @@ pub struct Distance {
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
     /// Write the distances to a .csv, .ply or .glb file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
-    /// The axis of the mesh that points up: in the output it becomes Y
-    #[arg(long, requires = "output", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
+    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
+    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
     pub up: Up,
 }
 
 #[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
 pub struct Path {
     #[command(flatten)]
     pub mesh: Mesh,
@@ -145,6 +150,8 @@ pub struct Path {
     pub to: Place,
     #[command(flatten)]
     pub bridging: Bridging,
+    #[command(flatten)]
+    pub ground: Ground,
     #[command(flatten)]
     pub methods: Methods,
     #[command(flatten)]
@@ -158,10 +165,10 @@ pub struct Path {
     #[arg(long, conflicts_with_all = ["straighten", "method"])]
     pub exact: bool,
     /// Write the points to an .obj or .csv file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
-    /// The axis of the mesh that points up: in the output it becomes Y
-    #[arg(long, requires = "output", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
+    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
+    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
     pub up: Up,
 }
 

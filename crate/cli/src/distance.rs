@@ -22,10 +22,11 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
     let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
+    let ground = arguments.ground.on(&input.soup, &surface, arguments.up)?;
     let mut sources =
-        arguments.sources.iter().map(|source| source.on(&input.soup, &surface)).collect::<Result<Vec<_>>>()?;
+        arguments.sources.iter().map(|source| source.on(&input.soup, &ground.surface)).collect::<Result<Vec<_>>>()?;
     for line in &arguments.lines {
-        sources.extend(line.on(&surface, arguments.closed)?);
+        sources.extend(line.on(&ground.surface, arguments.closed)?);
     }
 
     let mut report = Report::default();
@@ -34,7 +35,8 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     report.push_unit(&input.soup);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
-    let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;
+    let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());
+    let mut prepared = prepare((solver, build_ms), &options)?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }

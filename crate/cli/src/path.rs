@@ -5,7 +5,8 @@ use std::time::Instant;
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
 use heatwalk::{
-    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, SurfacePoint, descend, straighten,
+    Answer, Choice, Costs, DistanceOptions, DistanceSolver, HeatSolver, Method, SurfacePoint, descend, refract,
+    straighten,
 };
 use serde_json::json;
 
@@ -31,15 +32,17 @@ pub fn path(arguments: &Path) -> Result<String> {
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
     let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
-    let from = arguments.from.on(&input.soup, &surface)?;
-    let to = arguments.to.on(&input.soup, &surface)?;
+    let ground = arguments.ground.on(&input.soup, &surface, arguments.up)?;
+    let from = arguments.from.on(&input.soup, &ground.surface)?;
+    let to = arguments.to.on(&input.soup, &ground.surface)?;
     let joined = join(&surface, &arguments.bridging);
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(&input.soup);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
-    let mut prepared = prepare((&surface, joined.bridges, build_ms), &options, arguments.mesh.threads())?;
+    let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());
+    let mut prepared = prepare((solver, build_ms), &options)?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?
     } else {
@@ -53,6 +56,9 @@ pub fn path(arguments: &Path) -> Result<String> {
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     report.push("distance", found.distance);
     report.push("length", found.path.length());
+    if let Some(costs) = prepared.solver.costs() {
+        report.push("cost", costs.of_path(prepared.solver.surface(), &found.path));
+    }
     report.push("points", points);
     report.push(
         "timings_ms",
@@ -77,7 +83,10 @@ fn by_descent(
     let surface = solver.surface();
     let mut path = descend(surface, &distance, from)?;
     if arguments.straighten {
-        path = straighten(surface, &path)?;
+        path = match solver.costs() {
+            Some(costs) => refract(surface, costs, &path)?,
+            None => straighten(surface, &path)?,
+        };
     }
     Ok(Found { path, distance: distance.at(surface, from)?, method, solve_ms, path_ms: milliseconds(start) })
 }
@@ -87,5 +96,6 @@ fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) ->
     let path = shortest_path(solver.exact_geometry(), from, &[to])?;
     // One search gives distance and path.
     let solve_ms = milliseconds(start);
-    Ok(Found { distance: path.length(), path, method: Method::Exact, solve_ms, path_ms: 0.0 })
+    let cost = solver.costs().and_then(Costs::constant).unwrap_or(1.0);
+    Ok(Found { distance: cost * path.length(), path, method: Method::Exact, solve_ms, path_ms: 0.0 })
 }

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
-    Bridges, DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, VertexId,
-    WeldRule,
+    DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, VertexId, WeldRule,
 };
 use serde_json::{Value, json};
 
@@ -75,7 +74,7 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
         let heat = arguments.options.parameters(linear_solver, MultiSource::default());
         let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
         let Prepared { mut solver, precompute_ms, .. } =
-            prepare((&surface, Bridges::default(), build_ms), &options, ONE)?;
+            prepare((DistanceSolver::new(Arc::clone(&surface)), build_ms), &options)?;
         let mut solve = |source| Ok(solver.distance(&[source], &options, &mut go_on)?.distance.values);
         let solve_ms = median_solve_ms(&sample(&surface, sources), &mut solve)?;
         let error = match &exact {

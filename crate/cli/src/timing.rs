@@ -56,15 +56,10 @@ pub struct Prepared {
     pub stages_ms: Vec<(Stage, f64)>,
 }
 
-/// `surface`: with the milliseconds that building it and finding its bridges took.
-pub fn prepare(
-    (surface, bridges, build_ms): (&Arc<Surface>, Bridges, f64),
-    options: &DistanceOptions,
-    threads: NonZeroUsize,
-) -> Result<Prepared> {
+/// `solver`: with the milliseconds that building its surface and finding its bridges took.
+pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &DistanceOptions) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    let mut solver = DistanceSolver::on_threads(Arc::clone(surface), threads).bridged(bridges);
     solver.prepare(options, &mut |step| {
         if let Step::Precompute(stage, _) = step {
             begun.push((stage, milliseconds(start)));

@@ -30,6 +30,9 @@
 //!   distances, and where a [`Boundary`] condition is wanted.
 //! - [`Method::Exact`] and [`Method::Propagation`] where the one or the other is wanted whatever it takes.
 //!
+//! Where the ground is not the same everywhere, [`DistanceSolver::weighted`] takes [`Costs`] of faces, and [`Surface::walled`]
+//! puts up [`Walls`].
+//!
 //! The methods by themselves are [`HeatSolver`], [`exact`] and [`propagation`]. The heat method is made of
 //! [`Operators`](operator::Operators) (edge lengths only) → [`Factorization`] (what is factored, by [`FactorOptions`]) →
 //! [`Query`] (what is asked); [`HeatSolver`] holds a factorization with the options of its queries.
@@ -40,7 +43,7 @@
 //!
 //! [`HeatFlow`](heat::HeatFlow) and [`Poisson`](heat::Poisson) take any right side and any constraints, and
 //! [`Operators`](operator::Operators) have gradient and divergence of any field, so that related methods are compositions;
-//! `tests/composition.rs` has one of each. A *weighted* or anisotropic metric is its edge lengths
+//! `tests/composition.rs` has one of each. An *anisotropic* metric is its edge lengths
 //! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
 //! such a distance has no exact region. *Signed distance* lets the normals of a curve flow, then solves Poisson for their
 //! directions. *Transport* of vectors needs the connection Laplacian, a complex matrix of the same pattern that

@@ -1,5 +1,8 @@
 //! Paths where faces have costs.
 
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
 mod common;
 
 use std::ops::ControlFlow;

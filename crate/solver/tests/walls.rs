@@ -1,5 +1,8 @@
 //! Distances and paths with walls.
 
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
 mod common;
 
 use std::ops::ControlFlow;

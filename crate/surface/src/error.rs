@@ -78,6 +78,14 @@ pub enum Error {
         /// Number of parts.
         parts: usize,
     },
+    /// There is no such attribute.
+    #[error("the vertices have no attribute {name}; {}", if names.is_empty() { "the file gives them none".to_owned() } else { format!("the file has {names}") })]
+    NoSuchAttribute {
+        /// The name asked for.
+        name: String,
+        /// The names that there are, separated by commas.
+        names: String,
+    },
     /// There is no such clip.
     #[error("there is no animation {clip}; {}", if clips.is_empty() { "the file has none".to_owned() } else { format!("the file has {clips}") })]
     NoSuchClip {
@@ -189,6 +197,7 @@ impl Error {
             Self::NotFinite { .. } => "not-finite",
             Self::SourceInWall { .. } => "source-in-wall",
             Self::NoSuchPart { .. } => "no-such-part",
+            Self::NoSuchAttribute { .. } => "no-such-attribute",
             Self::NoSuchClip { .. } => "no-such-clip",
             Self::Motion { .. } => "motion",
             Self::NoSuchVertex { .. } => "no-such-vertex",

@@ -25,6 +25,18 @@ pub struct Soup {
     pub motion: Arc<Motion>,
     /// Whence the file wants it to be seen.
     pub cameras: Vec<Camera>,
+    /// Further numbers that the file gives each vertex.
+    pub attributes: Vec<Attribute>,
+}
+
+/// Numbers of a file for its vertices that are neither shape nor look: an attribute `_NAME` of glTF, a scalar property of PLY's
+/// vertices by its own name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attribute {
+    /// As the file calls it.
+    pub name: String,
+    /// `#V`; NaN where the file has none.
+    pub values: Vec<f64>,
 }
 
 /// A camera of a file, as it stands while nothing moves.
@@ -98,6 +110,18 @@ impl Soup {
         }
     }
 
+    /// The attribute of this name (`#V`, NaN where the file has none).
+    ///
+    /// # Errors
+    /// [`Error::NoSuchAttribute`].
+    pub fn attribute(&self, name: &str) -> Result<&[f64]> {
+        let found = self.attributes.iter().find(|attribute| attribute.name == name);
+        found.map(|attribute| attribute.values.as_slice()).ok_or_else(|| Error::NoSuchAttribute {
+            name: name.to_owned(),
+            names: self.attributes.iter().map(|attribute| attribute.name.as_str()).collect::<Vec<_>>().join(", "),
+        })
+    }
+
     /// Where its vertices are.
     pub fn pose(&self) -> Pose {
         Pose { positions: self.positions.clone(), normals: self.appearance.normals.clone() }
@@ -155,6 +179,11 @@ impl Soup {
             let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             selection.motion = Arc::new(self.motion.select(vertices));
         }
+        let of_used = |attribute: &Attribute| {
+            let values = attribute.values.iter().zip(&used).filter(|&(_, &used)| used).map(|(&value, _)| value);
+            Attribute { name: attribute.name.clone(), values: values.collect() }
+        };
+        selection.attributes = self.attributes.iter().map(of_used).collect();
         let mut renumbered = vec![u32::MAX; self.positions.len()];
         for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
             renumbered[vertex] = selection.positions.len() as u32;

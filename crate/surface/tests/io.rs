@@ -173,6 +173,17 @@ fn ply_in_three_encodings() {
 }
 
 #[test]
+fn further_properties_of_ply_vertices_are_attributes() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float mud\nproperty float y\nproperty float z\n\
+               property uchar flag\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+               0 2.5 0 0 7\n1 0.5 0 0 8\n0 1 1 0 9\n3 0 1 2\n";
+    let soup = read("mud.ply", ply).unwrap();
+    assert_eq!(soup.positions[1], DVec3::X);
+    assert_eq!(soup.attribute("mud").unwrap(), [2.5, 0.5, 1.0]);
+    assert_eq!(soup.attribute("flag").unwrap(), [7.0, 8.0, 9.0]);
+}
+
+#[test]
 fn ply_colors_are_light() {
     let colored = |kind: &str, color: &str| {
         let file = format!(
@@ -262,7 +273,8 @@ fn written_meshes_read_back() {
     let mut distance: Vec<f64> = soup.positions.iter().map(|position| position.x + 2.0).collect();
     distance[3] = f64::INFINITY;
     let ply = read("torus.ply", write::distance_ply(&soup, &distance)).unwrap();
-    assert_eq!(ply, soup);
+    assert_eq!(ply.attribute("distance").unwrap(), distance);
+    assert_eq!(Soup { attributes: Vec::new(), ..ply }, soup);
     let glb = write::distance_glb(&soup, &distance);
     let back = read("torus.glb", &glb).unwrap();
     assert_eq!(back.triangles, soup.triangles);

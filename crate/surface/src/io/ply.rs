@@ -10,7 +10,7 @@ use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::appearance::Appearance;
 use crate::error::Result;
-use crate::soup::Soup;
+use crate::soup::{Attribute, Soup};
 
 const PLY: Reporter = Reporter("PLY");
 
@@ -113,6 +113,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     };
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
+    let mut attributes: Vec<Attribute> = Vec::new();
     let mut polygons = Polygons::default();
     let mut list = Vec::new();
     for element in &elements {
@@ -120,6 +121,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         if let Role::Vertex { .. } = role {
             // Three coordinates take at least three bytes, so a count beyond that is a lie and must not be reserved.
             positions.reserve((bytes.len() / 3).min(element.count as usize));
+            attributes = attributes_of(element);
         }
         // Elements without properties take no bytes; a count of them could keep the loop below busy for ever.
         let count = if element.properties.is_empty() { 0 } else { element.count };
@@ -132,6 +134,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
             };
             let mut position = [0.0; 3];
             let mut color = [0; 4];
+            let mut further = attributes.iter_mut();
             for (column, property) in element.properties.iter().enumerate() {
                 match property.kind {
                     Kind::Scalar(scalar) => {
@@ -143,6 +146,10 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                                 && let Some(channel) = channels.iter().position(|&channel| channel == Some(column))
                             {
                                 color[channel] = channel_value(value, scalar, channel);
+                            } else if !KNOWN.contains(&property.name.as_str())
+                                && let Some(attribute) = further.next()
+                            {
+                                attribute.values.push(value);
                             }
                         }
                     }
@@ -177,6 +184,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     }
     let triangles = polygons.triangulate_all(&positions)?;
     let mut soup = Soup::single(name, positions, triangles);
+    soup.attributes = attributes;
     if colors.len() == soup.positions.len() {
         soup.appearance = Arc::new(Appearance { colors, ..Appearance::default() });
     }
@@ -184,6 +192,17 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
 }
 
 const ALPHA: usize = 3;
+
+/// Scalar properties of vertices that are shape or look.
+const KNOWN: [&str; 14] = ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "s", "t", "u", "v"];
+
+/// The further properties of vertices, in order, without values yet.
+fn attributes_of(vertices: &Element) -> Vec<Attribute> {
+    let is_further =
+        |property: &&Property| matches!(property.kind, Kind::Scalar(_)) && !KNOWN.contains(&property.name.as_str());
+    let further = vertices.properties.iter().filter(is_further);
+    further.map(|property| Attribute { name: property.name.clone(), values: Vec::new() }).collect()
+}
 
 /// A channel of a color as linear light, 65535 for 1. Whole numbers reach up to the largest of their type, others up to 1;
 /// red, green and blue are as displays take them.

@@ -55,6 +55,23 @@ fn node_transforms_compose_and_meshes_are_instanced() {
 }
 
 #[test]
+fn attributes_of_an_application_are_read_by_their_names() {
+    let mut builder = square(json!([{ "mesh": 0 }, { "mesh": 0 }]));
+    builder.floats("SCALAR", 4, &[1., 2., 3., 4.]);
+    builder.floats("VEC3", 4, &[0.; 12]);
+    builder.root["meshes"][0]["primitives"][0]["attributes"]["_WEIGHT"] = json!(2);
+    builder.root["meshes"][0]["primitives"][0]["attributes"]["_FLOW"] = json!(3);
+    builder.root["meshes"][0]["primitives"][0]["attributes"]["_GONE"] = json!(99);
+    let soup = builder.read().unwrap();
+    assert_eq!(soup.attribute("_WEIGHT").unwrap(), [1., 2., 3., 4., 1., 2., 3., 4.]);
+    let names: Vec<&str> = soup.attributes.iter().map(|attribute| attribute.name.as_str()).collect();
+    assert_eq!(names, ["_WEIGHT"], "a vector and what is not there are left out");
+    assert_eq!(soup.select(&[1]).unwrap().attribute("_WEIGHT").unwrap(), [1., 2., 3., 4.]);
+    let error = soup.attribute("_MUD").unwrap_err();
+    assert!(error.to_string().contains("_MUD") && error.to_string().contains("_WEIGHT"), "{error}");
+}
+
+#[test]
 fn instances_stand_below_their_node() {
     let mut builder = square(json!([{ "mesh": 0, "translation": [10, 0, 0] }]));
     builder.floats("VEC3", 3, &[0., 0., 0., 0., 5., 0., 0., 0., 7.]);

@@ -5,6 +5,7 @@
 mod accessor;
 mod animation;
 mod appearance;
+mod attributes;
 mod camera;
 mod container;
 mod deform;
@@ -27,6 +28,7 @@ use crate::motion::{Clip, Deformer, Motion, Skin, Target};
 use crate::soup::{Soup, Unit};
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
+use attributes::Named;
 use container::Buffers;
 use deform::Vertices;
 use draco::Compressed;
@@ -47,6 +49,7 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
         clips: animation::clips(&root, accessors),
         world_from_mesh: skins.iter().map(|skin| skin.world_from_mesh(&scene.world_from_node)).collect(),
         scene: &scene,
+        named: Named::new(container.json),
         skins,
         soup: Soup { unit: Some(Unit::Meter), ..Soup::default() },
         normals: Vec::new(),
@@ -64,6 +67,8 @@ struct Reading<'a> {
     root: &'a Root,
     accessors: Accessors<'a>,
     scene: &'a Scene,
+    /// Attributes of no meaning to glTF.
+    named: Named,
     skins: Vec<Skin>,
     /// Of each joint, for each skin.
     world_from_mesh: Vec<Vec<DMat4>>,
@@ -106,7 +111,7 @@ impl Reading<'_> {
             .any(|channel| channel.node == index && matches!(channel.target, Target::Weights(_)));
         let start = self.soup.triangles.len();
         let mut first_vertices = Vec::new();
-        for primitive in &mesh.primitives {
+        for (number, primitive) in mesh.primitives.iter().enumerate() {
             let Some(position) = primitive::triangles_over(primitive)? else { continue };
             let compressed = Compressed::of(primitive, self.accessors.buffers)?;
             let accessors = self.accessors.of(compressed.as_ref());
@@ -123,6 +128,8 @@ impl Reading<'_> {
                     return Err(Error::OutOfMemory { stage: "reading the glTF file" });
                 }
                 self.collector.add_vertices(accessors, primitive, &range);
+                let place = (node.mesh.map_or(0, |mesh| mesh.value()), number);
+                self.named.add(accessors, place, &range, &mut self.soup.attributes);
                 let count = positions.len();
                 let vertices = Vertices { accessors, primitive, positions, range };
                 let deformer = vertices.deformer((index, node), &self.skins, weights, is_weighted)?;
@@ -160,6 +167,8 @@ impl Reading<'_> {
     fn finish(mut self) -> Result<Soup> {
         let Self { root, accessors, normals, collector, .. } = self;
         let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
+        let vertices = self.soup.positions.len();
+        self.soup.attributes.iter_mut().for_each(|attribute| attribute.values.resize(vertices, f64::NAN));
         self.soup.appearance = Arc::new(appearance);
         self.soup.cameras = camera::cameras(root, self.scene);
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;

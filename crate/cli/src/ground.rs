@@ -1,0 +1,227 @@
+//! What the ground costs, and where nobody may walk, from the command line.
+
+use std::collections::HashMap;
+use std::fs;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::sync::Arc;
+
+use anyhow::{Context, Result, bail, ensure};
+use clap::{Args, ValueEnum};
+use glam::DVec3;
+use heatwalk::{
+    Bridges, Costs, DistanceSolver, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, Soup, Surface,
+    Up, Walls, tobler,
+};
+
+/// Ground of different difficulty.
+#[derive(Args)]
+pub struct Ground {
+    /// What a unit of length costs, 0.001 to 1000: a CSV file with rows of triangle,cost (1 where there is none), or
+    /// attribute:NAME, numbers that the file gives its vertices; of attribute:COLOR white costs 1, black 10
+    #[arg(long, value_name = "FILE|attribute:NAME")]
+    pub weights: Option<Weights>,
+    /// Cost by how steep the ground is against --up: Tobler's hiking function, the mean of both directions
+    #[arg(long, value_name = "NAME", group = "turned")]
+    pub slope_cost: Option<SlopeCost>,
+    /// Where nobody may walk: a CSV file with a triangle a row, or the two vertices of an edge
+    #[arg(long, value_name = "FILE")]
+    pub walls: Option<PathBuf>,
+}
+
+/// Where costs come from.
+#[derive(Debug, Clone)]
+pub enum Weights {
+    File(PathBuf),
+    Attribute(String),
+}
+
+impl FromStr for Weights {
+    type Err = std::convert::Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(match text.strip_prefix("attribute:") {
+            Some(name) => Self::Attribute(name.to_owned()),
+            None => Self::File(text.into()),
+        })
+    }
+}
+
+/// A cost by slope.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum SlopeCost {
+    Tobler,
+}
+
+/// In place of an attribute's name: the colors of the vertices.
+const COLOR: &str = "COLOR";
+
+/// What black costs.
+const COST_OF_BLACK: f64 = 10.0;
+
+impl Ground {
+    /// What these mean on a surface.
+    pub fn on(&self, soup: &Soup, surface: &Arc<Surface>, up: Up) -> Result<Walkable> {
+        let walled = match &self.walls {
+            Some(path) => Arc::new(surface.walled(&walls(path, soup, surface)?)?),
+            None => Arc::clone(surface),
+        };
+        let weights = match &self.weights {
+            Some(Weights::File(path)) => Some(of_file(path, soup, surface)?),
+            Some(Weights::Attribute(name)) => Some(of_attribute(name, soup, surface)?),
+            None => None,
+        };
+        let slope = self.slope_cost.map(|SlopeCost::Tobler| Costs::of_slope(surface, axis(up), tobler)).transpose()?;
+        let costs = match (weights, slope) {
+            (Some(weights), Some(slope)) => {
+                let product = weights.of_faces().iter().zip(slope.of_faces()).map(|(weight, slope)| weight * slope);
+                Some(Costs::new(surface, product.collect())?)
+            }
+            (weights, slope) => weights.or(slope),
+        };
+        Ok(Walkable { surface: walled, costs })
+    }
+}
+
+/// Where one can walk, and at what cost.
+pub struct Walkable {
+    /// Parted at the walls.
+    pub surface: Arc<Surface>,
+    costs: Option<Costs>,
+}
+
+impl Walkable {
+    /// Its solver, where bridges join the components of the surface without walls.
+    pub fn solver(&self, before: &Arc<Surface>, bridges: Bridges, threads: NonZeroUsize) -> DistanceSolver {
+        let bridges =
+            if Arc::ptr_eq(before, &self.surface) { bridges } else { bridges.across_walls(before, &self.surface) };
+        let mut solver = DistanceSolver::on_threads(Arc::clone(&self.surface), threads).bridged(bridges);
+        solver.set_costs(self.costs.clone());
+        solver
+    }
+}
+
+/// What points up in the file.
+fn axis(up: Up) -> DVec3 {
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+    axes.into_iter().find(|&axis| up.turned(axis) == DVec3::Y).unwrap_or(DVec3::Y)
+}
+
+/// The rows of a CSV file, as numbers, with the lines that they are on. A first row of words is a heading.
+fn rows(path: &Path) -> Result<Vec<(usize, Vec<f64>)>> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut rows = Vec::new();
+    for (line, row) in (1..).zip(text.lines()).filter(|(_, row)| !row.trim().is_empty()) {
+        let numbers: Result<Vec<f64>, _> = row.split(',').map(|cell| cell.trim().parse()).collect();
+        match numbers {
+            Ok(numbers) => rows.push((line, numbers)),
+            Err(_) if line == 1 => {}
+            Err(_) => bail!("{}, line {line}: {row:?} is no row of numbers", path.display()),
+        }
+    }
+    Ok(rows)
+}
+
+/// A whole number of a row that counts something of the file.
+fn number(value: f64, count: usize, what: &str, (path, line): (&Path, usize)) -> Result<u32> {
+    ensure!(
+        value.fract() == 0.0 && (0.0..count as f64).contains(&value),
+        "{}, line {line}: there is no {what} {value}; the file has {count}, counted from 0",
+        path.display()
+    );
+    Ok(value as u32)
+}
+
+fn of_file(path: &Path, soup: &Soup, surface: &Surface) -> Result<Costs> {
+    let mut costs: FaceData<f64> = vec![1.0; surface.face_count()].into();
+    for (line, row) in rows(path)? {
+        let &[triangle, cost] = row.as_slice() else {
+            bail!("{}, line {line}: give a triangle and its cost, such as 12,2.5", path.display());
+        };
+        let triangle = number(triangle, soup.triangles.len(), "triangle", (path, line))?;
+        ensure!(
+            Costs::RANGE.contains(&cost),
+            "{}, line {line}: the cost is {cost}; it must be from {} to {}; name triangles that nobody may enter in --walls",
+            path.display(),
+            Costs::RANGE.start(),
+            Costs::RANGE.end()
+        );
+        // One that was dropped for being degenerate has no face.
+        if let Some(face) = surface.face_of_triangle(InputTriangle(triangle)) {
+            costs[face] = cost;
+        }
+    }
+    Ok(Costs::new(surface, costs)?)
+}
+
+fn of_attribute(name: &str, soup: &Soup, surface: &Surface) -> Result<Costs> {
+    let of_vertex: Vec<f64> = if name == COLOR {
+        let colors = &soup.appearance.colors;
+        ensure!(colors.len() == soup.positions.len(), "the file gives its vertices no colors");
+        // Luminance of linear light (ITU-R BT.709).
+        let luminance = |&[red, green, blue, _]: &[u16; 4]| {
+            [(red, 0.2126), (green, 0.7152), (blue, 0.0722)]
+                .map(|(channel, share)| f64::from(channel) / f64::from(u16::MAX) * share)
+                .iter()
+                .sum::<f64>()
+        };
+        colors.iter().map(|color| COST_OF_BLACK.powf(1.0 - luminance(color))).collect()
+    } else {
+        soup.attribute(name)?.to_vec()
+    };
+    if let Some(vertex) = of_vertex.iter().position(|cost| !Costs::RANGE.contains(cost)) {
+        let is_used = surface.vertex_of_input(InputVertex(vertex as u32)).is_some();
+        ensure!(
+            !is_used,
+            "the cost by {name} is {} at vertex {vertex}; it must be from {} to {}",
+            of_vertex[vertex],
+            Costs::RANGE.start(),
+            Costs::RANGE.end()
+        );
+    }
+    Ok(Costs::of_input_vertices(surface, &of_vertex)?)
+}
+
+fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {
+    let mut walls = Walls::default();
+    let mut edges: Option<HashMap<[u32; 2], HalfedgeId>> = None;
+    for (line, row) in rows(path)? {
+        let at = (path, line);
+        match *row.as_slice() {
+            [triangle] => {
+                let triangle = number(triangle, soup.triangles.len(), "triangle", at)?;
+                walls.faces.extend(surface.face_of_triangle(InputTriangle(triangle)));
+            }
+            [a, b] => {
+                let mut ends = [a, b];
+                let mut vertices = [0; 2];
+                for (end, vertex) in ends.iter_mut().zip(&mut vertices) {
+                    let input = number(*end, soup.positions.len(), "vertex", at)?;
+                    let welded = surface.vertex_of_input(InputVertex(input));
+                    *vertex = welded.map_or(u32::MAX, |welded| welded.0);
+                }
+                vertices.sort_unstable();
+                let edges = edges.get_or_insert_with(|| halfedges(surface));
+                match edges.get(&vertices) {
+                    Some(&halfedge) => walls.edges.push(halfedge),
+                    None => bail!("{}, line {line}: no edge joins the vertices {a} and {b}", path.display()),
+                }
+            }
+            _ => bail!("{}, line {line}: give a triangle, or the two vertices of an edge", path.display()),
+        }
+    }
+    Ok(walls)
+}
+
+/// A half-edge of each edge, by its vertices in ascending order.
+fn halfedges(surface: &Surface) -> HashMap<[u32; 2], HalfedgeId> {
+    let sides = (0..surface.face_count()).flat_map(|face| [0, 1, 2].map(|k| FaceId::from_index(face).halfedge(k)));
+    sides
+        .map(|halfedge| {
+            let mut ends = surface.ends(halfedge).map(|vertex| vertex.0);
+            ends.sort_unstable();
+            (ends, halfedge)
+        })
+        .collect()
+}
