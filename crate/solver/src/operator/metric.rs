@@ -7,7 +7,7 @@ use heatwalk_surface::{HalfedgeId, VertexId};
 use crate::error::{Error, Result};
 use crate::operator::elements::Elements;
 use crate::operator::intrinsic::IntrinsicTriangulation;
-use crate::operator::laplacian::Laplacian;
+use crate::operator::laplacian::{Discretization, Laplacian};
 use crate::operator::relocate;
 use crate::options::Operator;
 
@@ -144,6 +144,16 @@ impl Operators {
             self.elements.add_divergence(triangle, shape.divergence(vector), &mut divergence);
         }
         divergence
+    }
+}
+
+impl Discretization for Operators {
+    fn laplacian(&self) -> &Laplacian {
+        &self.laplacian
+    }
+
+    fn components(&self) -> &[u32] {
+        &self.components
     }
 }
 
