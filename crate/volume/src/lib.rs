@@ -26,6 +26,7 @@
 mod distance;
 mod error;
 mod heat;
+pub mod io;
 mod lists;
 pub mod march;
 pub mod mesh;
