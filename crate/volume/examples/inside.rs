@@ -23,7 +23,9 @@ fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let folder = arguments.iter().position(|argument| argument == "--write").and_then(|place| arguments.get(place + 1));
     let sizes = if arguments.iter().any(|argument| argument == "--large") { 3 } else { 2 };
-    println!("| mesh | tetrahedra | source | march mean / max (%) | heat mean / max (%) | march (ms) | heat precompute / solve (ms) |");
+    println!(
+        "| mesh | tetrahedra | source | march mean / max (%) | heat mean / max (%) | march (ms) | heat precompute / solve (ms) |"
+    );
     println!("| --- | ---: | --- | ---: | ---: | ---: | ---: |");
     for size in 0..sizes {
         let scale = 1 << size;
@@ -67,8 +69,7 @@ fn measure(name: &str, soup: &TetSoup, sources: &[(&str, DVec3)], exact: Exact, 
             far(*a).total_cmp(&far(*b))
         };
         let source = VertexId((0..mesh.vertex_count()).min_by(nearest).expect("a vertex") as u32);
-        let truth: Vec<f64> =
-            mesh.positions().iter().map(|&position| exact(mesh.position(source), position)).collect();
+        let truth: Vec<f64> = mesh.positions().iter().map(|&position| exact(mesh.position(source), position)).collect();
         let start = Instant::now();
         let marched = march.distance(&[source], &VolumeOptions::default()).expect("a vertex");
         let march_ms = milliseconds(start);

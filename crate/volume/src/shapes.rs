@@ -126,7 +126,8 @@ fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) ->
                     weights.iter_mut().filter(|weight| weight.1 == 0).for_each(|weight| *weight = (0, 0));
                     weights.sort_unstable();
                     *numbers.entry(weights).or_insert_with(|| {
-                        let mut direction: DVec3 = weights.iter().map(|&(corner, weight)| corners[corner] * weight as f64).sum();
+                        let mut direction: DVec3 =
+                            weights.iter().map(|&(corner, weight)| corners[corner] * weight as f64).sum();
                         let mut layer = x as f64;
                         if x > first && x < layers {
                             let mut shift = || jitter * (2.0 * random(&mut state) - 1.0);

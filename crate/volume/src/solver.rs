@@ -171,7 +171,9 @@ impl VolumeSolver {
         let source = source.checked(&self.mesh)?;
         let is_open = |tetrahedron: u32| self.medium.cost(tetrahedron).is_finite();
         let is_reached = match source.point {
-            TetPoint::Vertex(vertex) => self.mesh.around().row(vertex.0).iter().any(|&tetrahedron| is_open(tetrahedron)),
+            TetPoint::Vertex(vertex) => {
+                self.mesh.around().row(vertex.0).iter().any(|&tetrahedron| is_open(tetrahedron))
+            }
             TetPoint::Inside { tetrahedron, .. } => is_open(tetrahedron.0),
         };
         if is_reached { Ok(source) } else { Err(Error::SourceInWall { source_number: number }) }

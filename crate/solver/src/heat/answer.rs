@@ -81,8 +81,7 @@ impl Factorization {
         let constraint =
             |source: &Source| Constraint::new(source.place().support(self.surface()), source.initial_distance());
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
-        let SourceHeat { values, is_active } =
-            SourceHeat::new(self.needed_flows(), &constraints, query.multi_source)?;
+        let SourceHeat { values, is_active } = SourceHeat::new(self.needed_flows(), &constraints, query.multi_source)?;
         Ok(Question { sources, multi_source: query.multi_source, heat: values, is_active })
     }
 

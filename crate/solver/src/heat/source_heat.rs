@@ -69,7 +69,8 @@ fn exact(flow: &HeatFlow<impl Discretization>, sources: &[Constraint]) -> Result
             Constraint { functional: source.functional.clone(), value: level(source) }
         };
         let constraints: Vec<Constraint> = active.iter().map(constraint).collect();
-        let (values, supplies) = flow.solve_constrained(&vec![0.0; flow.systems().operators().laplacian().size()], &constraints)?;
+        let (values, supplies) =
+            flow.solve_constrained(&vec![0.0; flow.systems().operators().laplacian().size()], &constraints)?;
         // Sources of the least initial distance always give heat; rounding must not drop one of them.
         let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].value > least;
         let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();

@@ -12,9 +12,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
-use heatwalk::{
-    Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData,
-};
+use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
 
 use crate::error::Result;
 use crate::march::Medium;
@@ -24,7 +22,7 @@ pub(crate) use elements::{Elements, gradient_in};
 use region::Region;
 
 /// m in t = m h² where it is chosen: of those measured on cubes, balls and tubes the one of the least mean error.
-const TIME_FACTOR: f64 = 1.0;
+const TIME_FACTOR: f64 = 0.5;
 
 /// Heat falls by about one e-fold per √t of distance; √t is at least the extent over this, which the range of floats leaves room
 /// for.
@@ -123,8 +121,7 @@ impl VolumeHeat {
         parameters: &Parameters,
     ) -> Result<Found> {
         parameters.exact_radius.check()?;
-        let constraint =
-            |source: &TetSource| Constraint::new(source.point.support(mesh), source.initial_distance);
+        let constraint = |source: &TetSource| Constraint::new(source.point.support(mesh), source.initial_distance);
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
         let SourceHeat { values: heat, is_active } =
             SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
@@ -164,8 +161,11 @@ fn conditions(mesh: &TetMesh, systems: &Systems<Elements>, boundary: Boundary) -
     for (&component, is_on_boundary) in components.iter().zip(&is_on_boundary) {
         has_inside[component as usize] |= !is_on_boundary;
     }
-    let is_cold: VertexData<bool> =
-        components.iter().zip(is_on_boundary).map(|(&component, boundary)| boundary && has_inside[component as usize]).collect();
+    let is_cold: VertexData<bool> = components
+        .iter()
+        .zip(is_on_boundary)
+        .map(|(&component, boundary)| boundary && has_inside[component as usize])
+        .collect();
     if !is_cold.iter().any(|&cold| cold) {
         return vec![Condition::Neumann];
     }

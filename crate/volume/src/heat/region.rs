@@ -12,8 +12,8 @@ use crate::march::{March, Medium};
 use crate::mesh::{NONE, TetMesh};
 use crate::point::TetSource;
 
-/// Share of the vertices that the region may have where its radius is chosen: the march there takes a fraction of a solve.
-const SHARE: f64 = 0.125;
+/// Share of the vertices that the region has where its radius is chosen: the march there takes no more time than the rest of a solve.
+const SHARE: f64 = 0.5;
 
 /// Vertices that it may have on any mesh.
 const LEAST_VERTICES: usize = 300;
@@ -82,7 +82,9 @@ impl Region {
                     let heat = corners.map(|vertex| heat[vertex as usize]);
                     // Heat falls by hundreds of orders of magnitude; only ratios within the tetrahedron matter.
                     let largest = heat.iter().map(|value| value.abs()).fold(0.0, f64::max);
-                    if largest == 0.0 { DVec3::ZERO } else {
+                    if largest == 0.0 {
+                        DVec3::ZERO
+                    } else {
                         -cost * elements.gradient(heat.map(|value| value / largest), tetrahedron).normalize_or_zero()
                     }
                 }

@@ -129,7 +129,8 @@ impl Medium {
             if !corners.contains(&b) || self.cost(tetrahedron).is_infinite() {
                 continue;
             }
-            let is_it = |&&[i, j]: &&[usize; 2]| [corners[i], corners[j]] == [a, b] || [corners[j], corners[i]] == [a, b];
+            let is_it =
+                |&&[i, j]: &&[usize; 2]| [corners[i], corners[j]] == [a, b] || [corners[j], corners[i]] == [a, b];
             let edge = EDGES.iter().position(|ends| is_it(&ends)).expect("a tetrahedron with both ends has the edge");
             sum += dihedral_angles(mesh.corners(TetId(tetrahedron)))[edge];
         }

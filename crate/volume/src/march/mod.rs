@@ -95,8 +95,8 @@ impl Waves {
             let Wave { cost, ends, .. } = self.waves[wave as usize];
             let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
             let sight = medium.sight(mesh);
-            let is_clear = ray.from == place
-                || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
+            let is_clear =
+                ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
             is_clear.then_some(Leg { to: ray.from, cost, ends })
         })
     }

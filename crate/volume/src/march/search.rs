@@ -204,7 +204,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn send_around(&mut self, ends: [u32; 2], positions: [DVec3; 2], distances: [f64; 2], initial: f64, cost: f64, parents: [u32; 2]) {
+    fn send_around(
+        &mut self,
+        ends: [u32; 2],
+        positions: [DVec3; 2],
+        distances: [f64; 2],
+        initial: f64,
+        cost: f64,
+        parents: [u32; 2],
+    ) {
         let Some(wave) = Wave::from_edge(ends, positions, distances, initial, cost) else { return };
         let wave = self.add(wave.after(parents));
         let mesh = self.mesh;
@@ -285,7 +293,9 @@ impl<'a> Search<'a> {
             }
             let around = mesh.around().row(vertex).iter();
             let mut open = around.filter(|&&tetrahedron| self.medium.cost(tetrahedron).is_finite());
-            if open.any(|&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].iter().any(|&corner| !is_reached(corner))) {
+            if open
+                .any(|&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].iter().any(|&corner| !is_reached(corner)))
+            {
                 self.send_from(vertex);
                 is_any = true;
             }

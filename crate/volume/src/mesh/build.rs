@@ -63,11 +63,8 @@ impl TetMesh {
     pub fn build(soup: &TetSoup) -> Result<Self> {
         let TetSoup { positions, tetrahedra } = soup;
         check(soup)?;
-        let mut report = MeshReport {
-            input_vertices: positions.len(),
-            input_tetrahedra: tetrahedra.len(),
-            ..MeshReport::default()
-        };
+        let mut report =
+            MeshReport { input_vertices: positions.len(), input_tetrahedra: tetrahedra.len(), ..MeshReport::default() };
         let (kept, tetrahedron_of_input) = clean(soup, &mut report);
         if kept.is_empty() {
             return Err(Error::AllFlat { tetrahedra: tetrahedra.len() });
@@ -82,10 +79,10 @@ impl TetMesh {
             input_of_vertex.push(input as u32);
         }
         let positions: Vec<DVec3> = input_of_vertex.iter().map(|&input| positions[input as usize]).collect();
-        let kept: Vec<[u32; 4]> = kept.iter().map(|corners| corners.map(|input| vertex_of_input[input as usize])).collect();
-        let neighbors = faces::neighbors(positions.len(), &kept).map_err(|error| {
-            in_numbers_of_input(error, &tetrahedron_of_input, &input_of_vertex)
-        })?;
+        let kept: Vec<[u32; 4]> =
+            kept.iter().map(|corners| corners.map(|input| vertex_of_input[input as usize])).collect();
+        let neighbors = faces::neighbors(positions.len(), &kept)
+            .map_err(|error| in_numbers_of_input(error, &tetrahedron_of_input, &input_of_vertex))?;
 
         let vertices = positions.len();
         let corner = |(tetrahedron, corners): (usize, &[u32; 4])| corners.map(|vertex| (vertex, tetrahedron as u32));

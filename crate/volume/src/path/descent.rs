@@ -58,7 +58,13 @@ impl Descent<'_> {
             Start::Vertex(vertex) => self.mesh.around().row(vertex).iter().copied().filter(open).collect(),
             Start::Edge([a, b]) => {
                 let has_edge = |tetrahedron: &u32| self.mesh.tetrahedra()[*tetrahedron as usize].contains(&b);
-                self.mesh.around().row(a).iter().copied().filter(|tetrahedron| open(tetrahedron) && has_edge(tetrahedron)).collect()
+                self.mesh
+                    .around()
+                    .row(a)
+                    .iter()
+                    .copied()
+                    .filter(|tetrahedron| open(tetrahedron) && has_edge(tetrahedron))
+                    .collect()
             }
         }
     }
@@ -80,7 +86,9 @@ impl Descent<'_> {
     fn source_beside(&self, start: Start, value: f64) -> Option<(DVec3, f64)> {
         let around = self.around(start);
         let sources = self.distance.sources.iter().filter(|source| match start {
-            Start::Vertex(vertex) => **source == TetPoint::Vertex(heatwalk::VertexId(vertex)) || !matches!(source, TetPoint::Vertex(_)),
+            Start::Vertex(vertex) => {
+                **source == TetPoint::Vertex(heatwalk::VertexId(vertex)) || !matches!(source, TetPoint::Vertex(_))
+            }
             _ => true,
         });
         let mut found = sources.filter_map(|&source| {
@@ -89,7 +97,8 @@ impl Descent<'_> {
                 TetPoint::Inside { tetrahedron: own, .. } => own.0 == tetrahedron,
             };
             let tetrahedron = *around.iter().find(is_beside)?;
-            let is_lower = source.interpolate(self.mesh, &self.distance.values) <= value || matches!(source, TetPoint::Inside { .. });
+            let is_lower = source.interpolate(self.mesh, &self.distance.values) <= value
+                || matches!(source, TetPoint::Inside { .. });
             is_lower.then(|| (source.position(self.mesh), self.medium.cost(tetrahedron)))
         });
         found.next()

@@ -50,7 +50,8 @@ fn skip(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         let (mut next, mut stride) = (current + 1, 1);
         while stride > 0 {
             let target = next + stride;
-            let is_seen = target < corners.len() && sees(mesh, medium, &corners[current], corners[target].place).is_some();
+            let is_seen =
+                target < corners.len() && sees(mesh, medium, &corners[current], corners[target].place).is_some();
             if is_seen {
                 next = target;
                 stride *= 2;
