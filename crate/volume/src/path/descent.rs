@@ -12,30 +12,46 @@ use crate::point::TetPoint;
 /// Weights of a place below this are on a face; far above rounding, and not seen.
 const ON_FACE: f64 = 1e-9;
 
-/// Goes on from the last corner to a source. Distance falls at each step, so it arrives: where the gradient leads nowhere, on to the
-/// lowest vertex around.
-pub(super) fn go_down(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, corners: &mut Vec<Corner>) {
-    let Some(&first) = corners.last() else { return };
-    let (mut place, mut start) = (first.place, first.start);
-    let mut descent = Descent { mesh, medium, distance };
-    let mut value = descent.value(place, start);
+/// Where a descent ended.
+pub(super) enum Descent {
+    /// At a source.
+    Arrived,
+    /// After one step.
+    Continues,
+    /// Where nothing around is lower.
+    Stuck,
+}
+
+/// Goes on from the last corner, by one step where distance has waves to go back along afterwards, else as far as it gets. Distance
+/// falls at each step: where the gradient leads nowhere, on to the lowest vertex around.
+pub(super) fn go_down(
+    mesh: &TetMesh,
+    medium: &Medium,
+    distance: &VolumeDistance,
+    corners: &mut Vec<Corner>,
+) -> Descent {
+    let slopes = Slopes { mesh, medium, distance };
     loop {
-        if let Some((source, cost)) = descent.source_beside(start, value) {
+        let Some(&Corner { place, start, .. }) = corners.last() else { return Descent::Stuck };
+        let value = slopes.value(place, start);
+        if let Some((source, cost)) = slopes.source_beside(start, value) {
             corners.last_mut().expect("there is a last").cost = cost;
             if source != place {
                 corners.push(Corner { place: source, start, cost });
             }
-            return;
+            return Descent::Arrived;
         }
-        let step = descent.step(place, start).filter(|step| step.value < value);
-        let Some(step) = step.or_else(|| descent.lowest(place, start, value)) else { return };
+        let step = slopes.step(place, start).filter(|step| step.value < value);
+        let Some(step) = step.or_else(|| slopes.lowest(place, start, value)) else { return Descent::Stuck };
         corners.last_mut().expect("there is a last").cost = step.cost;
         corners.push(Corner { place: step.place, start: step.start, cost: step.cost });
-        (place, start, value) = (step.place, step.start, step.value);
+        if distance.waves.is_some() {
+            return Descent::Continues;
+        }
     }
 }
 
-struct Descent<'a> {
+struct Slopes<'a> {
     mesh: &'a TetMesh,
     medium: &'a Medium,
     distance: &'a VolumeDistance,
@@ -49,7 +65,7 @@ struct Step {
     cost: f64,
 }
 
-impl Descent<'_> {
+impl Slopes<'_> {
     /// The tetrahedra that a place touches.
     fn around(&self, start: Start) -> Vec<u32> {
         let open = |tetrahedron: &u32| self.medium.cost(*tetrahedron).is_finite();
@@ -105,7 +121,7 @@ impl Descent<'_> {
     }
 
     /// The steepest step down the gradient.
-    fn step(&mut self, place: DVec3, start: Start) -> Option<Step> {
+    fn step(&self, place: DVec3, start: Start) -> Option<Step> {
         let mut steepest: Option<(f64, Step)> = None;
         for tetrahedron in self.around(start) {
             let gradient = self.distance.gradient_in(self.mesh, tetrahedron);

@@ -1,7 +1,7 @@
 //! Shortest paths inside of a mesh.
 //!
 //! A march's path goes back along its waves, straight from bend to bend. Any other descends the distance from tetrahedron to
-//! tetrahedron. Where all costs are one, it is then pulled taut.
+//! tetrahedron. It is then pulled taut where costs do not change.
 
 mod descent;
 mod taut;
@@ -10,9 +10,10 @@ use glam::DVec3;
 
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
-use crate::march::Medium;
+use crate::march::{March, Medium, Waves};
 use crate::mesh::{MeshId, Start, TetMesh};
-use crate::point::TetPoint;
+use crate::point::{TetPoint, TetSource};
+use descent::Descent;
 
 /// Bends of a path, at most: more than there are concave edges on any way.
 const MOST_BENDS: usize = 1 << 20;
@@ -56,12 +57,24 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
         TetPoint::Inside { tetrahedron, .. } => Start::Inside(tetrahedron.0),
     };
     let mut corners = vec![Corner { place: from.position(mesh), start, cost: 1.0 }];
-    if !go_back(mesh, medium, distance, &mut corners) {
-        descent::go_down(mesh, medium, distance, &mut corners);
+    // Where distance is refracted there is no wave to go back along, but there is one again in the medium of the source.
+    let waves = distance.waves.as_ref();
+    while !waves.is_some_and(|waves| go_back(mesh, medium, waves, &mut corners)) {
+        match descent::go_down(mesh, medium, distance, &mut corners) {
+            Descent::Arrived => break,
+            Descent::Continues => {}
+            Descent::Stuck => {
+                // Distance by heat may have a lowest place that is no source.
+                let sources: Vec<TetSource> = distance.sources.iter().map(|&source| source.into()).collect();
+                let mut march = March::new(mesh, medium, &sources);
+                march.advance(f64::INFINITY, usize::MAX);
+                let (_, waves) = march.finish();
+                go_back(mesh, medium, &waves, &mut corners);
+                break;
+            }
+        }
     }
-    if medium.is_uniform() {
-        taut::pull(mesh, medium, &mut corners);
-    }
+    taut::pull(mesh, medium, &mut corners);
     let legs = || corners.windows(2).map(|ends| (ends[0].place.distance(ends[1].place), ends[0].cost));
     Ok(VolumePath {
         mesh: mesh.id(),
@@ -72,8 +85,7 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
 }
 
 /// Goes back along the waves of a march. Returns whether it arrived.
-fn go_back(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, corners: &mut Vec<Corner>) -> bool {
-    let Some(waves) = &distance.waves else { return false };
+fn go_back(mesh: &TetMesh, medium: &Medium, waves: &Waves, corners: &mut Vec<Corner>) -> bool {
     for _ in 0..MOST_BENDS {
         let Some(&Corner { place, start, .. }) = corners.last() else { return false };
         let near: Vec<u32> = match start {

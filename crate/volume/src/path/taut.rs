@@ -1,4 +1,5 @@
-//! Paths pulled taut: corners are left out where straight lines see past them, and cut where they do not.
+//! Paths pulled taut: corners are left out where straight lines see past them, and cut where they do not. Lines stay in tetrahedra of
+//! one cost, so corners where a path refracts stay where they are.
 
 use super::Corner;
 use crate::march::Medium;
@@ -37,7 +38,7 @@ fn length_of(corners: &[Corner]) -> f64 {
 
 /// The tetrahedron that the straight line from a corner to a place ends in, if it stays inside.
 fn sees(mesh: &TetMesh, medium: &Medium, from: &Corner, to: glam::DVec3) -> Option<u32> {
-    let may_enter = |tetrahedron: u32| medium.cost(tetrahedron).is_finite();
+    let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == from.cost;
     medium.sight(mesh).walk(from.start, [from.place, to], may_enter, |_| Crossing::On)
 }
 
@@ -75,6 +76,10 @@ fn cut(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
             let inside = sees(mesh, medium, &corner, place)?;
             Some(Corner { place, start: Start::Inside(inside), cost: corner.cost })
         };
+        if before.cost != corner.cost {
+            pulled.push(corner);
+            continue;
+        }
         let across = (1..=HALVINGS).find_map(|halving| {
             let share = 0.5_f64.powi(halving as i32);
             let (near, far) = (at(&before, share)?, at(&after, share)?);
