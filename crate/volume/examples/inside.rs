@@ -16,6 +16,9 @@ use heatwalk_volume::{TetMesh, TetSoup, VolumeMethod, VolumeOptions, VolumeSolve
 /// Exact distance between two places.
 type Exact = fn(DVec3, DVec3) -> f64;
 
+/// Name, mesh, places of sources by their names, and exact distances.
+type Case = (&'static str, TetSoup, [(&'static str, DVec3); 2], Exact);
+
 const HOLE: f64 = 0.4;
 const INNER: f64 = 0.5;
 
@@ -31,7 +34,7 @@ fn main() {
         let scale = 1 << size;
         let straight: Exact = DVec3::distance;
         let beside = |x, y, z| [("middle", DVec3::ZERO), ("aside", DVec3::new(x, y, z))];
-        let cases: [(&str, TetSoup, [(&str, DVec3); 2], Exact); 5] = [
+        let cases: [Case; 5] = [
             ("cube", shapes::cube(12 * scale, 0.2), beside(-0.7, 0.4, 0.9), straight),
             ("ball", shapes::ball(8 * scale, 0.2), beside(-0.7, 0.4, 0.3), straight),
             ("tube", shapes::straight_tube(4.0, 7 * scale, 0.2), beside(-3.7, 0.4, 0.3), straight),

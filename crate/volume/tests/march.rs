@@ -161,7 +161,7 @@ fn paths_into_a_dearer_medium_refract() {
             let source = nearest(&mesh, DVec3::new(0.25, -0.25, -0.5));
             let values = distances(&mut solver, &[source]);
             let [mean, _] = errors(&values, &truth(&mesh, mesh.position(source), refracted(cost)));
-            assert!(mean < 2e-3, "cost {cost}, {cells} cells: {mean}");
+            assert!(mean < 5e-3, "cost {cost}, {cells} cells: {mean}");
         }
     }
 }

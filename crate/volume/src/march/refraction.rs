@@ -83,9 +83,9 @@ fn through_face([a, b, c]: [DVec3; 3], [to_a, to_b, to_c]: [f64; 3], place: DVec
     } else {
         // A plane wave, of the slope that is known in the triangle.
         let slope = ((to_b - to_a) * ac.cross(normal) + (to_c - to_a) * normal.cross(ab)) / (area * area);
-        // Written so that not a number has no direction.
+        // Not a number where the slope is above 1.
         let upward = (1.0 - slope.length_squared()).sqrt();
-        if !(upward > 0.0) {
+        if upward.is_nan() || upward == 0.0 {
             return None;
         }
         (target_foot - slope * (target_height / upward), to_a + slope.dot(target_foot) + upward * target_height)
