@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
-use heatwalk::{LinearSolver, MultiSource, Up};
+use heatwalk::{MultiSource, Up};
 use heatwalk_volume::{MeshReport, TetMesh, VolumeOptions, VolumeSolver};
 use serde_json::json;
 
@@ -96,7 +96,7 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
         bail!("--straighten has no effect inside of tetrahedra, where paths are as short as they get");
     }
     let method = arguments.methods.chosen_inside(arguments.options.given().or(arguments.linear.given()))?;
-    let solver = arguments.linear.solver.unwrap_or(LinearSolver::default());
+    let solver = arguments.linear.solver.unwrap_or_default();
     let options = VolumeOptions {
         method,
         heat: arguments.options.parameters(solver, MultiSource::default()),
