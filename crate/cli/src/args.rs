@@ -37,7 +37,7 @@ pub enum Command {
 /// What the commands on one mesh read and how they answer.
 #[derive(Args)]
 pub struct Mesh {
-    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK file, or shape:NAME
+    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK file, or shape:NAME; of tetrahedra: Gmsh, Medit, VTK or TetGen file
     pub mesh: PathBuf,
     /// Take only this part of the file, counted from 0; may be repeated
     #[arg(long = "part", value_name = "N")]
@@ -93,7 +93,7 @@ pub struct Info {
 pub struct Distance {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Source: a vertex V or a place F:b0,b1,b2 in a triangle, with @D if it starts from a distance D; may be repeated
+    /// Source: a vertex V or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron, with @D if it starts from a distance D; may be repeated
     #[arg(long = "source", value_name = "S", required_unless_present = "lines")]
     pub sources: Vec<SourcePlace>,
     /// Sources: all vertices along the shortest path on edges through these ones, V,V[,V...]; may be repeated
@@ -129,7 +129,7 @@ pub struct Distance {
     /// Time the median solve over so many single sources
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
-    /// Write the distances to a .csv, .ply or .glb file
+    /// Write the distances to a .csv, .ply or .glb file; of tetrahedra to a .csv, .vtu or .msh file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
@@ -142,7 +142,7 @@ pub struct Distance {
 pub struct Path {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle
+    /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron
     #[arg(long, value_name = "S")]
     pub from: Place,
     /// Where it ends

@@ -11,6 +11,7 @@ use crate::path::path;
 use crate::report::Report;
 use crate::table::table;
 use crate::timing::{build, join};
+use crate::volume;
 
 pub fn run(command: &Command) -> Result<Answer> {
     match command {
@@ -22,6 +23,9 @@ pub fn run(command: &Command) -> Result<Answer> {
 }
 
 fn info(arguments: &Info) -> Result<String> {
+    if let Some(input) = volume::Input::of(&arguments.mesh)? {
+        return volume::info(arguments, &input);
+    }
     let input = Input::of(&arguments.mesh)?;
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();

@@ -14,8 +14,12 @@ use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
 use crate::timing::{build, go_on, join, median_solve_ms, prepare, sample};
+use crate::volume;
 
 pub fn distance(arguments: &Distance) -> Result<String> {
+    if let Some(input) = volume::Input::of(&arguments.mesh)? {
+        return volume::distance(arguments, &input);
+    }
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(|path| Output::distance(path, arguments.each)).transpose()?;
     let input = Input::of(&arguments.mesh)?;

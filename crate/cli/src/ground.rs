@@ -14,6 +14,7 @@ use heatwalk::{
     Bridges, Costs, DistanceSolver, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, Soup, Surface,
     Up, Walls, tobler,
 };
+use heatwalk_volume::{TetMesh, TetSoup};
 
 /// Ground of different difficulty.
 #[derive(Args)]
@@ -84,6 +85,39 @@ impl Ground {
     }
 }
 
+impl Ground {
+    /// What these mean inside of tetrahedra: the cost of each (`#T`), infinite for walls, where any are given.
+    pub fn inside(&self, soup: &TetSoup, mesh: &TetMesh) -> Result<Option<Vec<f64>>> {
+        ensure!(self.slope_cost.is_none(), "--slope-cost is for surfaces and has no effect inside of tetrahedra");
+        let weights = match &self.weights {
+            Some(Weights::File(path)) => Some(path),
+            Some(Weights::Attribute(_)) => bail!("attributes are for surfaces; give --weights of tetrahedra in a file"),
+            None => None,
+        };
+        if weights.is_none() && self.walls.is_none() {
+            return Ok(None);
+        }
+        let mut costs = vec![1.0; mesh.tetrahedron_count()];
+        let count = soup.tetrahedra.len();
+        for (line, row) in weights.map(|path| rows(path)).transpose()?.unwrap_or_default() {
+            let at = (weights.map_or(Path::new(""), PathBuf::as_path), line);
+            let (tetrahedron, cost) = weighted(&row, count, "tetrahedron", at)?;
+            if let Some(tetrahedron) = mesh.tetrahedron_of_input(tetrahedron as usize) {
+                costs[tetrahedron.index()] = cost;
+            }
+        }
+        for (line, row) in self.walls.as_deref().map(rows).transpose()?.unwrap_or_default() {
+            let path = self.walls.as_deref().unwrap_or(Path::new(""));
+            let &[tetrahedron] = row.as_slice() else { bail!("{}, line {line}: give a tetrahedron", path.display()) };
+            let tetrahedron = number(tetrahedron, count, "tetrahedron", (path, line))?;
+            if let Some(tetrahedron) = mesh.tetrahedron_of_input(tetrahedron as usize) {
+                costs[tetrahedron.index()] = f64::INFINITY;
+            }
+        }
+        Ok(Some(costs))
+    }
+}
+
 /// Where one can walk, and at what cost.
 pub struct Walkable {
     /// Parted at the walls.
@@ -133,20 +167,27 @@ fn number(value: f64, count: usize, what: &str, (path, line): (&Path, usize)) ->
     Ok(value as u32)
 }
 
+/// The number and the cost of a row.
+fn weighted(row: &[f64], count: usize, what: &str, at: (&Path, usize)) -> Result<(u32, f64)> {
+    let (path, line) = at;
+    let &[element, cost] = row else {
+        bail!("{}, line {line}: give a {what} and its cost, such as 12,2.5", path.display());
+    };
+    let element = number(element, count, what, at)?;
+    ensure!(
+        Costs::RANGE.contains(&cost),
+        "{}, line {line}: the cost is {cost}; it must be from {} to {}; what nobody may enter belongs in --walls",
+        path.display(),
+        Costs::RANGE.start(),
+        Costs::RANGE.end()
+    );
+    Ok((element, cost))
+}
+
 fn of_file(path: &Path, soup: &Soup, surface: &Surface) -> Result<Costs> {
     let mut costs: FaceData<f64> = vec![1.0; surface.face_count()].into();
     for (line, row) in rows(path)? {
-        let &[triangle, cost] = row.as_slice() else {
-            bail!("{}, line {line}: give a triangle and its cost, such as 12,2.5", path.display());
-        };
-        let triangle = number(triangle, soup.triangles.len(), "triangle", (path, line))?;
-        ensure!(
-            Costs::RANGE.contains(&cost),
-            "{}, line {line}: the cost is {cost}; it must be from {} to {}; name triangles that nobody may enter in --walls",
-            path.display(),
-            Costs::RANGE.start(),
-            Costs::RANGE.end()
-        );
+        let (triangle, cost) = weighted(&row, soup.triangles.len(), "triangle", (path, line))?;
         // One that was dropped for being degenerate has no face.
         if let Some(face) = surface.face_of_triangle(InputTriangle(triangle)) {
             costs[face] = cost;

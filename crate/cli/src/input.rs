@@ -12,7 +12,7 @@ use crate::args::Mesh;
 use crate::report::milliseconds;
 
 /// In place of a file: a shape by its name.
-const SHAPE: &str = "shape:";
+pub const SHAPE: &str = "shape:";
 
 /// The chosen parts of a file.
 pub struct Input {
@@ -62,12 +62,12 @@ fn read_mesh(path: &Path) -> Result<Soup> {
 }
 
 /// Devices and pipes may never end, so only plain files are read.
-fn read_file(path: &Path) -> Result<Vec<u8>> {
+pub fn read_file(path: &Path) -> Result<Vec<u8>> {
     ensure!(fs::metadata(path)?.is_file(), "it is not a file");
     Ok(fs::read(path)?)
 }
 
 /// A mesh may bring in files beside or below it, never from elsewhere on the disk.
-fn beside(uri: &Path) -> bool {
+pub fn beside(uri: &Path) -> bool {
     uri.components().all(|component| matches!(component, Component::Normal(_) | Component::CurDir))
 }

@@ -16,6 +16,7 @@ mod report;
 mod sentence;
 mod table;
 mod timing;
+mod volume;
 
 use std::io::{self, Write};
 use std::process::ExitCode;

@@ -6,14 +6,23 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
+use glam::DVec3;
 use heatwalk::io::write;
 use heatwalk::{Soup, Up};
+use heatwalk_volume::TetSoup;
 
 #[derive(Clone, Copy)]
 pub enum DistanceFormat {
     Csv,
     Ply,
     Glb,
+}
+
+#[derive(Clone, Copy)]
+pub enum VolumeFormat {
+    Csv,
+    Vtu,
+    Msh,
 }
 
 #[derive(Clone, Copy)]
@@ -59,6 +68,27 @@ impl Output<DistanceFormat> {
     }
 }
 
+impl Output<VolumeFormat> {
+    pub fn volume(path: &Path) -> Result<Self> {
+        let format = match extension(path).as_str() {
+            "csv" => VolumeFormat::Csv,
+            "vtu" => VolumeFormat::Vtu,
+            "msh" => VolumeFormat::Msh,
+            _ => bail!("{}: distances inside of tetrahedra are written as .csv, .vtu or .msh", path.display()),
+        };
+        Self::new(path, format)
+    }
+
+    /// `distance`: one value an input vertex.
+    pub fn write_volume(&self, soup: &TetSoup, distance: Vec<f64>) -> Result<()> {
+        self.save(&match self.format {
+            VolumeFormat::Csv => distance_csv(&[("distance".to_owned(), distance)]),
+            VolumeFormat::Vtu => heatwalk_volume::io::write::vtu(soup, Some(&distance)),
+            VolumeFormat::Msh => heatwalk_volume::io::write::msh(soup, Some(&distance)),
+        })
+    }
+}
+
 impl Output<PathFormat> {
     pub fn path(path: &Path) -> Result<Self> {
         let format = match extension(path).as_str() {
@@ -69,8 +99,9 @@ impl Output<PathFormat> {
         Self::new(path, format)
     }
 
-    pub fn write(&self, path: &heatwalk::Path, up: Up) -> Result<()> {
-        let points: Vec<_> = path.points.iter().map(|point| up.turned(point.position)).collect();
+    /// The polyline through these points.
+    pub fn write(&self, points: impl Iterator<Item = DVec3>, up: Up) -> Result<()> {
+        let points: Vec<_> = points.map(|point| up.turned(point)).collect();
         self.save(&match self.format {
             PathFormat::Obj => write::polyline_obj(&points),
             PathFormat::Csv => {

@@ -15,6 +15,7 @@ use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
 use crate::timing::{build, go_on, join, prepare};
+use crate::volume;
 
 /// A path, the distance that belongs to it, and what they took.
 struct Found {
@@ -26,6 +27,9 @@ struct Found {
 }
 
 pub fn path(arguments: &Path) -> Result<String> {
+    if let Some(input) = volume::Input::of(&arguments.mesh)? {
+        return volume::path(arguments, &input);
+    }
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let input = Input::of(&arguments.mesh)?;
@@ -49,7 +53,7 @@ pub fn path(arguments: &Path) -> Result<String> {
         by_descent(&mut prepared.solver, from, to, (arguments, &options))?
     };
     if let Some(output) = output {
-        output.write(&found.path, arguments.up)?;
+        output.write(found.path.points.iter().map(|point| point.position), arguments.up)?;
     }
     let points: Vec<_> = found.path.points.iter().map(|point| json!(point.position.to_array())).collect();
     report.push("method", found.method.name());

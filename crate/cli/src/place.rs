@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{Element, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
 
-/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle, of the chosen parts.
+/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, of the chosen parts.
 #[derive(Debug, Clone, Copy)]
 pub enum Place {
     Vertex(usize),
@@ -15,13 +15,18 @@ pub enum Place {
         triangle: usize,
         weights: [f64; 3],
     },
+    /// Barycentric weights of the corners, in the file's order.
+    Tetrahedron {
+        tetrahedron: usize,
+        weights: [f64; 4],
+    },
 }
 
 /// A place and the distance that it starts from, `S` or `S@D`.
 #[derive(Debug, Clone, Copy)]
 pub struct SourcePlace {
     pub place: Place,
-    initial_distance: f64,
+    pub initial_distance: f64,
 }
 
 /// Vertices `V,V[,V...]` that a line of sources goes through.
@@ -34,14 +39,18 @@ impl FromStr for Place {
     fn from_str(text: &str) -> Result<Self, String> {
         let place = match text.split_once(':') {
             None => text.parse().ok().map(Self::Vertex),
-            Some((triangle, weights)) => {
+            Some((element, weights)) => {
                 let weights: Option<Vec<f64>> = weights.split(',').map(|weight| weight.parse().ok()).collect();
-                let weights = weights.and_then(|weights| weights.try_into().ok());
-                triangle.parse().ok().zip(weights).map(|(triangle, weights)| Self::Triangle { triangle, weights })
+                element.parse().ok().zip(weights).and_then(|(element, weights)| match weights[..] {
+                    [a, b, c] => Some(Self::Triangle { triangle: element, weights: [a, b, c] }),
+                    [a, b, c, d] => Some(Self::Tetrahedron { tetrahedron: element, weights: [a, b, c, d] }),
+                    _ => None,
+                })
             }
         };
         place.ok_or_else(|| {
-            "give a vertex, such as 12, or a triangle and three weights, such as 5:0.2,0.3,0.5".to_owned()
+            "give a vertex, such as 12, or a triangle and three weights, such as 5:0.2,0.3,0.5 (of a tetrahedron, four)"
+                .to_owned()
         })
     }
 }
@@ -81,13 +90,15 @@ impl Place {
             Self::Triangle { triangle, .. } if triangle >= triangles => {
                 bail!("triangle {triangle} does not exist; there are {triangles}, counted from 0")
             }
+            Self::Tetrahedron { .. } => bail!("four weights are for tetrahedra; a place in a triangle has three"),
             Self::Vertex(_) | Self::Triangle { .. } => Ok(()),
         }
     }
 
-    /// The point of the surface.
+    /// The point of the surface, after [`Place::check`].
     pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
         match *self {
+            Self::Tetrahedron { .. } => self.check(soup).and_then(|()| bail!("a surface has no tetrahedra")),
             Self::Vertex(vertex) => Ok(surface.point(welded_vertex(surface, vertex)?)?),
             Self::Triangle { triangle, weights } => {
                 let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {

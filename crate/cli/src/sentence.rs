@@ -13,7 +13,10 @@ pub fn sentence(error: &Error) -> String {
 fn code(error: &Error) -> Option<&'static str> {
     error.chain().find_map(|cause| {
         let surface = || cause.downcast_ref::<heatwalk::surface::Error>().map(heatwalk::surface::Error::code);
-        cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code).or_else(surface)
+        let volume = || cause.downcast_ref::<heatwalk_volume::Error>().map(heatwalk_volume::Error::code);
+        let file = || cause.downcast_ref::<heatwalk_volume::io::Error>().map(heatwalk_volume::io::Error::code);
+        let solver = cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code);
+        solver.or_else(surface).or_else(volume).or_else(file)
     })
 }
 

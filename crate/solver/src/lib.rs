@@ -47,8 +47,8 @@
 //! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
 //! such a distance has no exact region. *Signed distance* lets the normals of a curve flow, then solves Poisson for their
 //! directions. *Transport* of vectors needs the connection Laplacian, a complex matrix of the same pattern that
-//! [`sparse`] factors; it would stand beside `HeatFlow`. *Tetrahedra* need elements and a boundary of their own; systems,
-//! flow and Poisson see matrices only.
+//! [`sparse`] factors; it would stand beside `HeatFlow`. Systems, flow and Poisson see matrices only: any
+//! [`Discretization`](operator::Discretization) will do, as that of tetrahedra in the crate `heatwalk-volume` does.
 
 pub mod accuracy;
 mod bridged;

@@ -130,3 +130,23 @@ fn bad_rows_are_named_by_their_lines() {
     assert!(missing.contains("none.csv"), "{missing}");
     assert!(!run(&folder, &["distance", "flat.ply", "--source", "0", "--slope-cost", "steep"]).status.success());
 }
+
+#[test]
+fn tetrahedra_have_costs_and_walls_too() {
+    let folder = folder("tetrahedra-ground");
+    let mesh = ["shape:cave", "--source", "0"];
+    let plain = distances(&folder, &mesh);
+    let tetrahedra = json(&folder, &["info", "shape:cave"])["tetrahedra"].as_u64().unwrap();
+    let costs: String = (0..tetrahedra).map(|tetrahedron| format!("{tetrahedron},2.5\n")).collect();
+    fs::write(folder.join("costs.csv"), costs).unwrap();
+    let dear = distances(&folder, &[&mesh[..], &["--weights", "costs.csv"]].concat());
+    let scaled: Vec<f64> = plain.iter().map(|value| 2.5 * value).collect();
+    assert!(difference(&dear, &scaled) < 1e-9);
+    // Walls around everything but the first tetrahedron.
+    let walls: String = (1..tetrahedra).map(|tetrahedron| format!("{tetrahedron}\n")).collect();
+    fs::write(folder.join("walls.csv"), walls).unwrap();
+    let shut = json(&folder, &["distance", "shape:cave", "--source", "0:0.25,0.25,0.25,0.25", "--walls", "walls.csv"]);
+    assert_eq!(shut["unreachable"].as_u64().unwrap() + 4, plain.len() as u64, "{shut}");
+    let told = refused(&folder, &["distance", "shape:cave", "--source", "0", "--slope-cost", "tobler"]);
+    assert!(told.contains("--slope-cost"), "{told}");
+}

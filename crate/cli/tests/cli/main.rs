@@ -11,6 +11,7 @@ mod paths;
 mod sources;
 mod table;
 mod usage;
+mod volume;
 
 use std::fs;
 use std::path::{Path, PathBuf};

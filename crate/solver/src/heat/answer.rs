@@ -6,6 +6,7 @@ use crate::distance::{Distance, is_nearest_to_itself, places_that_remain};
 use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::extremum::larger;
+use crate::heat::constraint::Constraint;
 use crate::heat::exact_region::ExactRegion;
 use crate::heat::factorization::Factorization;
 use crate::heat::query::Query;
@@ -84,8 +85,10 @@ impl Factorization {
 
     fn question(&self, query: &Query) -> Result<Question> {
         let sources = query.checked(self.surface())?;
-        let SourceHeat { values, is_active } =
-            SourceHeat::new(self.surface(), self.operators(), self.needed_flows(), &sources, query.multi_source)?;
+        let constraint =
+            |source: &Source| Constraint::new(source.place().support(self.surface()), source.initial_distance());
+        let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
+        let SourceHeat { values, is_active } = SourceHeat::new(self.needed_flows(), &constraints, query.multi_source)?;
         Ok(Question { sources, multi_source: query.multi_source, heat: values, is_active })
     }
 

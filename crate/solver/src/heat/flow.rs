@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
+use crate::operator::{Discretization, Operators};
 use heatwalk_sparse::{Functional, SchurComplement, SymmetricMatrix, System};
 use heatwalk_surface::{VertexData, VertexId};
 
@@ -43,36 +44,41 @@ impl Condition {
 /// Heat `u` after one implicit step of time t: `(M / t + L) u = supply`. It is linear in the supply, and any function will
 /// do as one: a point, a curve, or a coordinate of a vector field.
 #[derive(Debug)]
-pub struct HeatFlow {
-    systems: Arc<Systems>,
+pub struct HeatFlow<D = Operators> {
+    systems: Arc<Systems<D>>,
     time: f64,
     condition: Condition,
     system: CachedSystem,
 }
 
-impl HeatFlow {
+impl<D: Discretization> HeatFlow<D> {
     /// Factors the matrix. `time` is in the unit of the lengths, squared.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
     /// [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn new(systems: &Arc<Systems>, time: f64, condition: Condition) -> Result<Self> {
+    pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition) -> Result<Self> {
         let system = systems.system(Self::matrix(systems, time, &condition), HEAT_MATRIX)?;
         Ok(Self::with_system(systems, time, condition, system))
     }
 
-    pub(super) fn matrix(systems: &Systems, time: f64, condition: &Condition) -> SymmetricMatrix {
+    pub(super) fn matrix(systems: &Systems<D>, time: f64, condition: &Condition) -> SymmetricMatrix {
         systems.operators().laplacian().combine(1.0 / time, |vertex| condition.is_cold(vertex as u32))
     }
 
     /// With the matrix made ready elsewhere.
-    pub(super) fn with_system(systems: &Arc<Systems>, time: f64, condition: Condition, system: System) -> Self {
+    pub(super) fn with_system(systems: &Arc<Systems<D>>, time: f64, condition: Condition, system: System) -> Self {
         Self { systems: Arc::clone(systems), time, condition, system: CachedSystem::new(system) }
     }
 
     /// The time t, in the unit of the lengths, squared.
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// How the system is solved.
+    pub(super) fn systems(&self) -> &Systems<D> {
+        &self.systems
     }
 
     /// What becomes of heat at the boundary.
@@ -118,7 +124,7 @@ impl HeatFlow {
     pub fn solve_constrained(&self, supply: &[f64], constraints: &[Constraint]) -> Result<(Vec<f64>, Vec<f64>)> {
         let laplacian = self.systems.operators().laplacian();
         let vertices: Vec<u32> = constraints.iter().filter_map(Constraint::vertex).collect();
-        let count = self.systems.operators().vertex_count();
+        let count = laplacian.size();
         let mut is_fixed: Vec<bool> = (0..count as u32).map(|vertex| self.condition.is_cold(vertex)).collect();
         let factored;
         let factors_anew = vertices.len() > 1 && self.systems.is_cheaper_to_factor(vertices.len());

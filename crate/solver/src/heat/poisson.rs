@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
+use crate::operator::{Discretization, Operators};
 use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, SymmetricMatrix, System, evaluate};
 
 /// Name of the matrix in errors.
@@ -17,30 +18,30 @@ const SCHUR_SHIFT: f64 = 1.0;
 
 /// `L φ = divergence`: the function whose gradient is nearest to a field. On each connected component a constant is free.
 #[derive(Debug)]
-pub struct Poisson {
-    systems: Arc<Systems>,
+pub struct Poisson<D = Operators> {
+    systems: Arc<Systems<D>>,
     system: CachedSystem,
     /// The first vertex of each component, where the solution is 0 before its constant is known.
     grounded: Vec<u32>,
 }
 
-impl Poisson {
+impl<D: Discretization> Poisson<D> {
     /// Factors the matrix.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
     /// [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn new(systems: &Arc<Systems>) -> Result<Self> {
+    pub fn new(systems: &Arc<Systems<D>>) -> Result<Self> {
         let system = systems.system(Self::matrix(systems), POISSON_MATRIX)?;
         Ok(Self::with_system(systems, system))
     }
 
-    pub(super) fn matrix(systems: &Systems) -> SymmetricMatrix {
+    pub(super) fn matrix(systems: &Systems<D>) -> SymmetricMatrix {
         constrained_matrix(systems, grounded(systems).into_iter())
     }
 
     /// With the matrix made ready elsewhere.
-    pub(super) fn with_system(systems: &Arc<Systems>, system: System) -> Self {
+    pub(super) fn with_system(systems: &Arc<Systems<D>>, system: System) -> Self {
         Self { system: CachedSystem::new(system), grounded: grounded(systems), systems: Arc::clone(systems) }
     }
 
@@ -228,7 +229,7 @@ fn functionals(free: &FreeConstraints) -> Vec<Functional> {
 }
 
 /// The stiffness with these vertices constrained.
-fn constrained_matrix(systems: &Systems, vertices: impl Iterator<Item = u32>) -> SymmetricMatrix {
+fn constrained_matrix(systems: &Systems<impl Discretization>, vertices: impl Iterator<Item = u32>) -> SymmetricMatrix {
     let laplacian = systems.operators().laplacian();
     let mut is_constrained = vec![false; laplacian.size()];
     for vertex in vertices {
@@ -238,7 +239,7 @@ fn constrained_matrix(systems: &Systems, vertices: impl Iterator<Item = u32>) ->
 }
 
 /// The first vertex of each component.
-fn grounded(systems: &Systems) -> Vec<u32> {
+fn grounded(systems: &Systems<impl Discretization>) -> Vec<u32> {
     let mut first = Vec::new();
     for (vertex, &component) in systems.operators().components().iter().enumerate() {
         if component as usize == first.len() {

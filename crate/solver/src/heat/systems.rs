@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{Error, Result};
-use crate::operator::Operators;
+use crate::operator::{Discretization, Operators};
 use crate::options::{LinearSolver, MemoryLimit};
 use crate::progress::{Progress, Stage, report};
 use heatwalk_sparse::{
@@ -27,25 +27,25 @@ const SHARES: [f64; 2] = [0.1, 0.2];
 /// Operators and how systems of their pattern are solved. Every matrix has the same pattern, so that one elimination order
 /// and one symbolic analysis serve all of them.
 #[derive(Debug)]
-pub struct Systems {
-    operators: Operators,
+pub struct Systems<D = Operators> {
+    operators: D,
     /// None for conjugate gradients.
     symbolic: Option<Arc<Symbolic>>,
 }
 
-impl Systems {
+impl<D: Discretization> Systems<D> {
     /// Chooses an elimination order and finds the pattern of the factors; with conjugate gradients there is nothing to do.
     ///
     /// # Errors
     /// [`Error::Cancelled`]; [`Error::OutOfMemory`].
-    pub fn new(operators: Operators, solver: LinearSolver, progress: Progress<'_>) -> Result<Arc<Self>> {
+    pub fn new(operators: D, solver: LinearSolver, progress: Progress<'_>) -> Result<Arc<Self>> {
         Self::numbered(operators, None, solver, progress)
     }
 
     /// The same for the operators of a surface whose vertices came in another order: see
     /// [`Permutation::fill_reducing_by`].
     pub(super) fn numbered(
-        operators: Operators,
+        operators: D,
         numbering: Option<Vec<u32>>,
         solver: LinearSolver,
         progress: Progress<'_>,
@@ -68,7 +68,7 @@ impl Systems {
     }
 
     /// The operators.
-    pub fn operators(&self) -> &Operators {
+    pub fn operators(&self) -> &D {
         &self.operators
     }
 
@@ -76,7 +76,7 @@ impl Systems {
     ///
     /// # Errors
     /// [`Error::TooLarge`].
-    pub(super) fn check_memory(&self, kept: usize, matrices: usize, limit: MemoryLimit) -> Result<()> {
+    pub fn check_memory(&self, kept: usize, matrices: usize, limit: MemoryLimit) -> Result<()> {
         let Some(symbolic) = &self.symbolic else { return Ok(()) };
         if matrices == 0 {
             return Ok(());

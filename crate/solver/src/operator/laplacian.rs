@@ -13,8 +13,18 @@ use heatwalk_sparse::{Pattern, SymmetricMatrix};
 pub struct Laplacian {
     /// Cotan stiffness of each stored entry: positive semidefinite (−Δ), rows of the whole matrix sum to 0. No unit.
     pub stiffness: SymmetricMatrix,
-    /// `#V`, a third of the area of the triangles around each vertex; file's unit squared, non-negative.
+    /// `#V`, each vertex's share of the triangles (or of whatever elements) around it: a third of their area; file's unit squared,
+    /// non-negative.
     pub mass: Vec<f64>,
+}
+
+/// Linear elements of some kind, as linear systems see them: matrices alone.
+pub trait Discretization {
+    /// Stiffness and mass.
+    fn laplacian(&self) -> &Laplacian;
+
+    /// The connected component of each vertex (`#V`), counted from 0 in the order of their first vertices.
+    fn components(&self) -> &[u32];
 }
 
 impl Laplacian {

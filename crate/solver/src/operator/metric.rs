@@ -8,7 +8,7 @@ use crate::cost::Costs;
 use crate::error::{Error, Result};
 use crate::operator::elements::Elements;
 use crate::operator::intrinsic::IntrinsicTriangulation;
-use crate::operator::laplacian::Laplacian;
+use crate::operator::laplacian::{Discretization, Laplacian};
 use crate::operator::relocate;
 use crate::options::Operator;
 
@@ -155,6 +155,16 @@ impl Operators {
             self.elements.add_divergence(triangle, shape.divergence(vector), &mut divergence);
         }
         divergence
+    }
+}
+
+impl Discretization for Operators {
+    fn laplacian(&self) -> &Laplacian {
+        &self.laplacian
+    }
+
+    fn components(&self) -> &[u32] {
+        &self.components
     }
 }
 

@@ -7,4 +7,5 @@ pub mod laplacian;
 mod metric;
 mod relocate;
 
+pub use laplacian::Discretization;
 pub use metric::Operators;

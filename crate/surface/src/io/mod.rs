@@ -38,7 +38,7 @@ mod stl;
 mod threemf;
 mod triangulate;
 #[cfg(feature = "vtk")]
-mod vtk;
+pub mod vtk;
 pub mod write;
 #[cfg(any(feature = "3mf", feature = "vtk"))]
 mod xml;

@@ -1,6 +1,6 @@
 //! VTK (Kitware, "VTK File Formats"): the surfaces of polygonal data and unstructured grids, in legacy files (`.vtk`), ASCII or
 //! binary, and in XML files (`.vtp`, `.vtu`), ASCII, base64 or appended, compressed by zlib or not. Of curved cells the corners are
-//! read.
+//! read. What fills space is no surface; [`volumes`] gives it to those who know what to do with it.
 
 mod array;
 mod base64;
@@ -8,18 +8,68 @@ mod document;
 mod legacy;
 mod piece;
 
+use glam::DVec3;
+
+use self::array::whole;
+use self::piece::{Piece, VTK};
 use crate::error::{Error, Result};
 use crate::soup::Soup;
+
+/// The cells of a file that fill space, of all its pieces.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct VolumeCells {
+    /// `#P × 3`, all points in file order, in the file's unit.
+    pub positions: Vec<DVec3>,
+    /// The type of each cell, as in `vtkCellType.h`.
+    pub kinds: Vec<u64>,
+    /// The points of all cells, one cell after another, as indices into `positions`.
+    pub points: Vec<u32>,
+    /// Of each cell, where its points end.
+    pub ends: Vec<usize>,
+    /// How many cells are faces, which are left out.
+    pub faces: usize,
+}
 
 /// Whether the file begins as one of either kind does.
 pub fn has_header(bytes: &[u8]) -> bool {
     legacy::has_header(bytes) || document::has_header(bytes)
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    let pieces = if document::has_header(bytes) { document::read(bytes)? } else { vec![legacy::read(bytes)?] };
+fn pieces(bytes: &[u8]) -> Result<Vec<Piece>> {
+    Ok(if document::has_header(bytes) { document::read(bytes)? } else { vec![legacy::read(bytes)?] })
+}
+
+/// The cells of a file that fill space; none where there is none such.
+///
+/// # Errors
+/// [`Error::Malformed`] and [`Error::Unsupported`], as [`read`](super::read).
+pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
+    let mut all = VolumeCells::default();
+    for piece in pieces(bytes)? {
+        let (first, before, count) = (all.positions.len(), all.points.len(), piece.positions.len());
+        for (place, &point) in piece.volumes.points.iter().enumerate() {
+            let index = whole(point).and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count);
+            let number = index.and_then(|index| u32::try_from(first + index).ok());
+            all.points.push(number.ok_or_else(|| {
+                let cell = piece.volumes.ends.partition_point(|&end| end <= place);
+                VTK.at(
+                    format!("volume cell {cell}"),
+                    format!("it uses point {point}, but there are only {count}; repair the file"),
+                )
+            })?);
+        }
+        all.ends.extend(piece.volumes.ends.iter().map(|end| before + end));
+        all.kinds.extend(piece.volumes.kinds);
+        all.positions.extend(piece.positions);
+        all.faces += piece.faces.count();
+    }
+    Ok(all)
+}
+
+pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+    let pieces = pieces(bytes)?;
     let mut soup = Soup::default();
-    let (count, has_volumes) = (pieces.len(), pieces.iter().any(|piece| piece.has_volumes));
+    let (count, has_volumes) = (pieces.len(), pieces.iter().any(|piece| !piece.volumes.kinds.is_empty()));
     for (index, piece) in pieces.into_iter().enumerate() {
         let first = soup.positions.len() as u32;
         let triangles = piece.faces.triangulate_all(&piece.positions)?;

@@ -14,8 +14,17 @@ pub const VTK: Reporter = Reporter("VTK");
 pub struct Piece {
     pub positions: Vec<DVec3>,
     pub faces: Polygons,
-    /// Whether there are cells that are no faces.
-    pub has_volumes: bool,
+    /// The cells that are no faces.
+    pub volumes: Volumes,
+}
+
+/// Cells that are neither faces nor lines nor points, by their types and points.
+#[derive(Default)]
+pub struct Volumes {
+    pub kinds: Vec<u64>,
+    pub points: Vec<f64>,
+    /// Of each cell, where its points end.
+    pub ends: Vec<usize>,
 }
 
 /// Types of cells (`vtkCellType.h`) that are more than one face, or not simply a polygon of their points.
@@ -82,7 +91,9 @@ impl Piece {
             }
             cell::Corners::Thin => Ok(()),
             cell::Corners::Volume => {
-                self.has_volumes = true;
+                self.volumes.kinds.push(kind);
+                self.volumes.points.extend(points);
+                self.volumes.ends.push(self.volumes.points.len());
                 Ok(())
             }
         }

@@ -1,0 +1,112 @@
+//! Files of tetrahedra and what refers to them on the command line.
+
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail, ensure};
+use heatwalk::WeldRule;
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk_volume::io::{self, Format};
+use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, shapes};
+
+use crate::args::{Bridging, Mesh};
+use crate::input::{SHAPE, beside, read_file};
+use crate::place::{Place, SourcePlace};
+use crate::report::milliseconds;
+
+/// Tetrahedra of a file, or of a shape made in code.
+pub struct Input {
+    pub soup: TetSoup,
+    pub read_ms: f64,
+}
+
+impl Input {
+    /// What the arguments of a command name; none where that is a surface.
+    pub fn of(arguments: &Mesh) -> Result<Option<Self>> {
+        let start = Instant::now();
+        let path = &arguments.mesh;
+        let soup = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
+            Some(name) => shapes::by_name(name),
+            None => read(path)?,
+        };
+        let Some(soup) = soup else { return Ok(None) };
+        let given = [
+            ("--part", !arguments.parts.is_empty()),
+            ("--animation", arguments.animation.is_some()),
+            ("--weld", arguments.weld != WeldRule::default()),
+        ];
+        refuse(&given)?;
+        Ok(Some(Self { soup, read_ms: milliseconds(start) }))
+    }
+}
+
+/// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.
+fn read(path: &Path) -> Result<Option<TetSoup>> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let Some(format) = Format::of_name(&name) else { return Ok(None) };
+    let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
+    match io::read(&name, &bytes, &companion) {
+        Ok(file) => Ok(Some(file.soup)),
+        // What is wrong with it is told by the reader of surfaces.
+        Err(_) if format == Format::Vtk => Ok(None),
+        Err(error) => Err(error).with_context(|| path.display().to_string()),
+    }
+}
+
+/// Refuses options that are for surfaces.
+pub fn refuse(given: &[(&str, bool)]) -> Result<()> {
+    match given.iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => bail!("{option} is for surfaces and has no effect inside of tetrahedra"),
+        None => Ok(()),
+    }
+}
+
+/// Refuses to join the components of tetrahedra.
+pub fn refuse_bridging(bridging: &Bridging) -> Result<()> {
+    refuse(&[("--bridge", bridging.rule != heatwalk::BridgeRule::default()), ("--link", bridging.links > 0)])
+}
+
+/// The point of a mesh. Vertices and tetrahedra are counted as in the file.
+pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
+    match place {
+        Place::Vertex(vertex) => {
+            let vertices = soup.positions.len();
+            ensure!(vertex < vertices, SurfaceError::NoSuchVertex { vertex, vertices });
+            let Some(vertex) = mesh.vertex_of_input(vertex) else {
+                bail!("vertex {vertex} is in no tetrahedron; choose another");
+            };
+            Ok(TetPoint::Vertex(vertex))
+        }
+        Place::Triangle { .. } => bail!("three weights are for triangles; a place in a tetrahedron has four"),
+        Place::Tetrahedron { tetrahedron, weights } => {
+            let tetrahedra = soup.tetrahedra.len();
+            ensure!(
+                tetrahedron < tetrahedra,
+                "tetrahedron {tetrahedron} does not exist; there are {tetrahedra}, counted from 0"
+            );
+            let Some(own) = mesh.tetrahedron_of_input(tetrahedron) else {
+                bail!(
+                    "tetrahedron {tetrahedron} has no volume or repeats an earlier one and was left out; choose another"
+                );
+            };
+            // Its corners may have been turned.
+            let of_input = soup.tetrahedra[tetrahedron];
+            let weight_of = |vertex: u32| {
+                let input = mesh.input_of_vertex(heatwalk::VertexId(vertex)) as u32;
+                of_input.iter().position(|&corner| corner == input).map_or(0.0, |corner| weights[corner])
+            };
+            let own_weights = mesh.tetrahedra()[own.index()].map(weight_of);
+            TetPoint::Inside { tetrahedron: own, weights: own_weights }.checked(mesh).map_err(|_| {
+                // In the file's words.
+                heatwalk_volume::Error::BadWeights { tetrahedron, weights }.into()
+            })
+        }
+    }
+}
+
+/// The source in a mesh.
+pub fn source(source: &SourcePlace, soup: &TetSoup, mesh: &TetMesh) -> Result<TetSource> {
+    Ok(TetSource { point: point(source.place, soup, mesh)?, initial_distance: source.initial_distance })
+}

@@ -1,0 +1,103 @@
+//! Tetrahedra: what the commands answer and what they refuse.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use heatwalk_volume::io::write;
+use heatwalk_volume::shapes;
+
+use super::{distances, folder, json, refused, succeed};
+
+/// A folder with a pierced cube, in which vertex 0 is at a corner of the hole's rim.
+fn with_mesh(test: &str) -> PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join("pierced.msh"), write::msh(&shapes::pierced_cube(0.4, 2, 0.0), None)).unwrap();
+    folder
+}
+
+#[test]
+fn info_tells_tetrahedra_volume_and_angles() {
+    let folder = with_mesh("volume_info");
+    let info = json(&folder, &["info", "pierced.msh"]);
+    assert_eq!(info["tetrahedra"], 6 * 2 * 16 * 4);
+    assert_eq!(info["components"], 1);
+    let hole = 16.0 / 2.0 * 0.4_f64.powi(2) * (std::f64::consts::TAU / 16.0).sin();
+    let volume = info["volume"].as_f64().unwrap();
+    assert!((volume - 2.0 * (4.0 - hole)).abs() < 1e-9, "{volume}");
+    let angle = |name: &str| info[name].as_f64().unwrap();
+    assert!(angle("least_dihedral_angle") > 5.0 && angle("largest_dihedral_angle") < 170.0);
+    assert!(succeed(&folder, &["info", "shape:cave"]).contains("mean least dihedral angle"));
+}
+
+#[test]
+fn distances_are_those_inside_by_either_method() {
+    let folder = with_mesh("volume_distance");
+    let marched = distances(&folder, &["pierced.msh", "--source", "0"]);
+    assert_eq!(marched[0], 0.0);
+    let answer = json(&folder, &["distance", "pierced.msh", "--source", "0"]);
+    assert_eq!((answer["method"].as_str(), answer["factor_nonzeros"].as_u64()), (Some("march"), Some(0)));
+    let heated = distances(&folder, &["pierced.msh", "--source", "0", "--method", "heat", "--near", "2"]);
+    let mean = heated.iter().zip(&marched).map(|(a, b)| (a - b).abs()).sum::<f64>() / marched.len() as f64;
+    assert!(mean > 0.0 && mean < 0.1, "{mean}");
+    let by_option = json(&folder, &["distance", "pierced.msh", "--source", "0", "--t", "2"]);
+    assert_eq!((by_option["method"].as_str(), by_option["time_factor"].as_f64()), (Some("heat"), Some(2.0)));
+    let near = distances(&folder, &["pierced.msh", "--source", "0@0.5", "--max-distance", "1"]);
+    assert!(near.iter().any(|value| value.is_infinite()) && near[0] == 0.5);
+}
+
+#[test]
+fn places_are_in_tetrahedra_as_the_file_counts_them() {
+    let folder = with_mesh("volume_places");
+    let soup = shapes::pierced_cube(0.4, 2, 0.0);
+    let corners = soup.tetrahedra[17];
+    for (corner, weights) in ["1,0,0,0", "0,1,0,0", "0,0,1,0", "0,0,0,1"].iter().enumerate() {
+        let values = distances(&folder, &["pierced.msh", "--source", &format!("17:{weights}")]);
+        assert_eq!(values[corners[corner] as usize], 0.0, "corner {corner}");
+    }
+}
+
+#[test]
+fn paths_and_distances_are_written() {
+    let folder = with_mesh("volume_path");
+    let path = json(
+        &folder,
+        &["path", "pierced.msh", "--from", "40", "--to", "3:0.25,0.25,0.25,0.25", "--output", "path.csv"],
+    );
+    let points = path["points"].as_array().unwrap().len();
+    assert_eq!(fs::read_to_string(folder.join("path.csv")).unwrap().lines().count(), points + 1);
+    assert!(path["length"].as_f64().unwrap() > 0.0);
+    for name in ["distance.vtu", "distance.msh"] {
+        succeed(&folder, &["distance", "pierced.msh", "--source", "0", "--output", name]);
+        assert_eq!(json(&folder, &["info", name])["tetrahedra"], 6 * 2 * 16 * 4, "{name}");
+    }
+}
+
+#[test]
+fn what_is_for_surfaces_is_refused() {
+    let folder = with_mesh("volume_refused");
+    let ask = |options: &[&str]| {
+        refused(Path::new(&folder), &[&["distance", "pierced.msh", "--source", "0"], options].concat())
+    };
+    for options in [
+        &["--operator", "plain"][..],
+        &["--windows", "2"],
+        &["--exact"],
+        &["--each"],
+        &["--compare"],
+        &["--weld", "exact"],
+        &["--part", "0"],
+        &["--bridge", "off"],
+        &["--method", "propagation"],
+    ] {
+        assert!(ask(options).contains("surfaces"), "{options:?}");
+    }
+    assert!(ask(&["--method", "march", "--t", "1"]).contains("has no effect with --method march"));
+    assert!(ask(&["--source", "1:0.2,0.3,0.5"]).contains("four"));
+    assert!(ask(&["--source", "9999"]).contains("vertex 9999 does not exist"));
+    assert!(ask(&["--source", "9999:1,0,0,0"]).contains("tetrahedron 9999 does not exist"));
+    assert!(ask(&["--source", "7:1,1,0,0"]).contains("tetrahedron 7"));
+    assert!(ask(&["--output", "x.ply"]).contains(".vtu"));
+    let on_surface = |options: &[&str]| refused(&folder, &[&["distance", "torus.ply"], options].concat());
+    assert!(on_surface(&["--source", "0", "--method", "march"]).contains("tetrahedra"));
+    assert!(on_surface(&["--source", "1:0.25,0.25,0.25,0.25"]).contains("three"));
+}

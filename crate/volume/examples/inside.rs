@@ -1,0 +1,151 @@
+//! Errors and times of distances inside of meshes, against closed forms: `cargo run --release -p heatwalk-volume --example inside
+//! [--large] [--write FOLDER]`. With `--large`, also meshes of half a million tetrahedra, by the march alone. With `--write`, each mesh is left in FOLDER with its source and its exact distances, for other
+//! programs to be asked the same.
+
+use std::env;
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Instant;
+
+use glam::DVec3;
+use heatwalk::VertexId;
+use heatwalk_volume::{TetMesh, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+
+/// Exact distance between two places.
+type Exact = fn(DVec3, DVec3) -> f64;
+
+/// Name, mesh, places of sources by their names, and exact distances.
+type Case = (&'static str, TetSoup, [(&'static str, DVec3); 2], Exact);
+
+const HOLE: f64 = 0.4;
+const INNER: f64 = 0.5;
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let folder = arguments.iter().position(|argument| argument == "--write").and_then(|place| arguments.get(place + 1));
+    let sizes = if arguments.iter().any(|argument| argument == "--large") { 3 } else { 2 };
+    println!(
+        "| mesh | tetrahedra | source | march mean / max (%) | heat mean / max (%) | march (ms) | heat precompute / solve (ms) |"
+    );
+    println!("| --- | ---: | --- | ---: | ---: | ---: | ---: |");
+    for size in 0..sizes {
+        let scale = 1 << size;
+        let straight: Exact = DVec3::distance;
+        let beside = |x, y, z| [("middle", DVec3::ZERO), ("aside", DVec3::new(x, y, z))];
+        let cases: [Case; 5] = [
+            ("cube", shapes::cube(12 * scale, 0.2), beside(-0.7, 0.4, 0.9), straight),
+            ("ball", shapes::ball(8 * scale, 0.2), beside(-0.7, 0.4, 0.3), straight),
+            ("tube", shapes::straight_tube(4.0, 7 * scale, 0.2), beside(-3.7, 0.4, 0.3), straight),
+            (
+                "pierced cube",
+                shapes::pierced_cube(HOLE, 4 * scale, 0.15),
+                [("inside", DVec3::new(-0.7, 0.0, 0.0)), ("at the hole", DVec3::new(-HOLE, 0.0, 0.4))],
+                around_cylinder,
+            ),
+            (
+                "cave",
+                shapes::cave(INNER, 4 * scale, 0.15),
+                [("inside", DVec3::new(-0.7, 0.1, 0.2)), ("at the inner sphere", DVec3::new(-INNER, 0.0, 0.0))],
+                around_sphere,
+            ),
+        ];
+        for (name, soup, sources, exact) in cases {
+            measure(name, &soup, &sources, exact, (size < 2, folder.map(Path::new)));
+        }
+    }
+}
+
+fn measure(
+    name: &str,
+    soup: &TetSoup,
+    sources: &[(&str, DVec3)],
+    exact: Exact,
+    (has_heat, folder): (bool, Option<&Path>),
+) {
+    let mesh = TetMesh::build(soup).expect("a generated mesh");
+    let mut march = VolumeSolver::new(mesh);
+    let mesh = march.mesh().clone();
+    let mut heat = VolumeSolver::new(mesh.clone());
+    let by_heat = VolumeOptions::by(VolumeMethod::Heat);
+    let start = Instant::now();
+    if has_heat {
+        heat.prepare(&by_heat, &mut |_, _| ControlFlow::Continue(())).expect("a generated mesh");
+    }
+    let precompute = milliseconds(start);
+    for &(place, near) in sources {
+        let nearest = |a: &usize, b: &usize| {
+            let far = |vertex: usize| mesh.positions()[vertex].distance_squared(near);
+            far(*a).total_cmp(&far(*b))
+        };
+        let source = VertexId((0..mesh.vertex_count()).min_by(nearest).expect("a vertex") as u32);
+        let truth: Vec<f64> = mesh.positions().iter().map(|&position| exact(mesh.position(source), position)).collect();
+        let start = Instant::now();
+        let marched = march.distance(&[source], &VolumeOptions::default()).expect("a vertex");
+        let march_ms = milliseconds(start);
+        let (heat_errors, heat_ms) = if has_heat {
+            let start = Instant::now();
+            let heated = heat.distance(&[source], &by_heat).expect("a vertex");
+            let heat_ms = milliseconds(start);
+            (errors(&heated.values, &truth), format!("{precompute:.0} / {heat_ms:.1}"))
+        } else {
+            ("–".to_owned(), "–".to_owned())
+        };
+        let (tetrahedra, march_errors) = (mesh.tetrahedron_count(), errors(&marched.values, &truth));
+        println!("| {name} | {tetrahedra} | {place} | {march_errors} | {heat_errors} | {march_ms:.1} | {heat_ms} |");
+        if let Some(folder) = folder {
+            write(&folder.join(format!("{name} {} {place}.txt", mesh.tetrahedron_count())), &mesh, source, &truth);
+        }
+    }
+}
+
+fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+/// Mean and largest relative error, in per cent.
+fn errors(values: &[f64], truth: &[f64]) -> String {
+    let errors = values.iter().zip(truth).filter(|&(_, &truth)| truth > 0.0);
+    let errors: Vec<f64> = errors.map(|(value, truth)| 100.0 * (value - truth).abs() / truth).collect();
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    format!("{mean:.4} / {:.3}", errors.iter().copied().fold(0.0, f64::max))
+}
+
+/// Vertices with their exact distance, tetrahedra, and before them how many there are and the source.
+fn write(path: &Path, mesh: &TetMesh, source: VertexId, truth: &[f64]) {
+    let mut text = format!("{} {} {source}\n", mesh.vertex_count(), mesh.tetrahedron_count());
+    for (position, truth) in mesh.positions().iter().zip(truth) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{} {} {} {truth}", position.x, position.y, position.z);
+    }
+    for [a, b, c, d] in mesh.tetrahedra() {
+        let _ = writeln!(text, "{a} {b} {c} {d}");
+    }
+    fs::write(path, text).expect("the folder is there");
+}
+
+/// Around a cylinder along z, unrolled: tangents and an arc across, and straight along it.
+fn around_cylinder(a: DVec3, b: DVec3) -> f64 {
+    let angle = (a.y.atan2(a.x) - b.y.atan2(b.x)).abs();
+    let across = around_circle([a.truncate().length(), b.truncate().length()], angle.min(TAU - angle), HOLE);
+    across.hypot(a.z - b.z)
+}
+
+/// Around a sphere, in the plane of both places and its center.
+fn around_sphere(a: DVec3, b: DVec3) -> f64 {
+    around_circle([a.length(), b.length()], a.angle_between(b), INNER)
+}
+
+/// Between two places at these distances from the center of a circle, at an angle.
+fn around_circle([a, b]: [f64; 2], angle: f64, radius: f64) -> f64 {
+    let free = |distance: f64| (radius / distance).min(1.0).acos();
+    let arc = angle - free(a) - free(b);
+    let tangent = |distance: f64| (distance * distance - radius * radius).max(0.0).sqrt();
+    if arc > 0.0 {
+        tangent(a) + tangent(b) + radius * arc
+    } else {
+        (a * a + b * b - 2.0 * a * b * angle.cos()).max(0.0).sqrt()
+    }
+}

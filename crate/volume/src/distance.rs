@@ -1,0 +1,116 @@
+//! The answer of every method.
+
+use std::fmt;
+use std::str::FromStr;
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::heat::gradient_in;
+use crate::march::Waves;
+use crate::mesh::{MeshId, TetId, TetMesh};
+use crate::point::TetPoint;
+
+/// How distances are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum VolumeMethod {
+    /// By waves from vertex to vertex: nothing is factored, and where straight lines lead to the source it is exact.
+    #[default]
+    March,
+    /// By the flow of heat: smooth, with options.
+    Heat,
+}
+
+impl VolumeMethod {
+    /// The name on a command line or in a link.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::March => "march",
+            Self::Heat => "heat",
+        }
+    }
+}
+
+impl fmt::Display for VolumeMethod {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+impl FromStr for VolumeMethod {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        [Self::March, Self::Heat].into_iter().find(|method| method.name() == name).ok_or_else(|| {
+            let (name, value, range) = ("the method", name.to_owned(), "march or heat");
+            heatwalk::Error::BadParameter { name, value, range }.into()
+        })
+    }
+}
+
+/// Distance from a set of sources.
+#[derive(Debug, Clone)]
+pub struct VolumeDistance {
+    pub(crate) mesh: MeshId,
+    /// `#V`, in the file's unit times cost, non-negative, never NaN; infinity where no source can be reached from. At a source that is
+    /// a vertex and nearest to itself it is exactly its initial distance.
+    pub values: Vec<f64>,
+    /// What found it.
+    pub method: VolumeMethod,
+    /// The sources, checked.
+    pub sources: Vec<TetPoint>,
+    /// Values below this were found by the march; infinity when all were.
+    pub exact_below: f64,
+    pub(crate) heat: Option<Vec<f64>>,
+    pub(crate) waves: Option<Waves>,
+}
+
+impl VolumeDistance {
+    /// The mesh that it was solved on.
+    pub fn mesh(&self) -> MeshId {
+        self.mesh
+    }
+
+    /// The largest finite distance.
+    pub fn max(&self) -> f64 {
+        self.values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Number of vertices from which no source can be reached.
+    pub fn unreachable(&self) -> usize {
+        self.values.iter().filter(|value| value.is_infinite()).count()
+    }
+
+    /// `#V`, heat after time t, to an arbitrary scale near 10²⁹⁰; none where distance was found by other means.
+    pub fn heat(&self) -> Option<&[f64]> {
+        self.heat.as_deref()
+    }
+
+    /// The distance at a place, interpolated linearly in its tetrahedron.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`]; as [`TetPoint::checked`].
+    pub fn at(&self, mesh: &TetMesh, point: TetPoint) -> Result<f64> {
+        self.require(mesh)?;
+        Ok(point.checked(mesh)?.interpolate(mesh, &self.values))
+    }
+
+    /// `#T`, the gradient of the distance in each tetrahedron, away from the sources; zero where a corner is at infinity.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`].
+    pub fn gradient(&self, mesh: &TetMesh) -> Result<Vec<DVec3>> {
+        self.require(mesh)?;
+        Ok((0..mesh.tetrahedron_count() as u32).map(|tetrahedron| self.gradient_in(mesh, tetrahedron)).collect())
+    }
+
+    pub(crate) fn gradient_in(&self, mesh: &TetMesh, tetrahedron: u32) -> DVec3 {
+        let values = mesh.tetrahedra()[tetrahedron as usize].map(|vertex| self.values[vertex as usize]);
+        let is_finite = values.iter().all(|value| value.is_finite());
+        if is_finite { gradient_in(mesh.corners(TetId(tetrahedron)), values) } else { DVec3::ZERO }
+    }
+
+    pub(crate) fn require(&self, mesh: &TetMesh) -> Result<()> {
+        if self.mesh == mesh.id() { Ok(()) } else { Err(Error::ForeignMesh { what: "distance" }) }
+    }
+}

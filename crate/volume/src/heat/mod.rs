@@ -1,0 +1,224 @@
+//! The heat method on tetrahedra: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`, with exact distances around the sources.
+//!
+//! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), section 3.2.3 for tetrahedra. Distances around the sources are those of the
+//! [march](crate::march): in tetrahedra whose four corners it reached, X is their gradient.
+
+mod elements;
+mod region;
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
+use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
+
+use crate::error::Result;
+use crate::march::Medium;
+use crate::mesh::TetMesh;
+use crate::point::TetSource;
+pub(crate) use elements::{Elements, gradient_in};
+use region::Region;
+
+/// m in t = m h² where it is chosen: of those measured on cubes, balls and tubes the one of the least mean error.
+const TIME_FACTOR: f64 = 0.5;
+
+/// Heat falls by about one e-fold per √t of distance; √t is at least the extent over this, which the range of floats leaves room
+/// for.
+const EFOLDS: f64 = 1200.0;
+
+/// The same for conjugate gradients, which leave noise at 10⁻¹² of the largest heat.
+const ITERATED_EFOLDS: f64 = 27.0;
+
+/// All that is factored of a mesh.
+#[derive(Debug)]
+pub(crate) struct VolumeHeat {
+    options: FactorOptions,
+    systems: Arc<Systems<Elements>>,
+    poisson: Poisson<Elements>,
+    flows: Vec<HeatFlow<Elements>>,
+    /// Mean edge, at the costs around.
+    mean_edge: f64,
+    /// An upper bound of the distance along edges.
+    extent: f64,
+}
+
+/// What the heat method finds.
+pub(crate) struct Found {
+    pub(crate) values: Vec<f64>,
+    pub(crate) heat: Vec<f64>,
+    pub(crate) exact_below: f64,
+}
+
+impl VolumeHeat {
+    pub(crate) fn new(mesh: &TetMesh, medium: &Medium, options: FactorOptions, progress: Progress<'_>) -> Result<Self> {
+        options.time_step.check()?;
+        if progress(Stage::Assembling, 0.0).is_break() {
+            return Err(heatwalk::Error::Cancelled.into());
+        }
+        let (mean_edge, extent) = lengths(mesh, medium);
+        let systems = Systems::new(Elements::new(mesh, medium), options.solver, progress)?;
+        let time = time(options, mean_edge, extent);
+        let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
+        let first = conditions.next().unwrap_or(Condition::Neumann);
+        systems.check_memory(0, 2 + conditions.len(), options.memory)?;
+        let (flow, poisson) =
+            factor_pair(&systems, time, first, &mut |share| progress(Stage::Factoring, 0.3 + 0.7 * share))?;
+        let mut flows = vec![flow];
+        for condition in conditions {
+            flows.push(HeatFlow::new(&systems, time, condition)?);
+        }
+        Ok(Self { options, systems, poisson, flows, mean_edge, extent })
+    }
+
+    /// Changes the options; factors the heat matrices anew where that is needed.
+    pub(crate) fn set_options(
+        &mut self,
+        mesh: &TetMesh,
+        medium: &Medium,
+        options: FactorOptions,
+        progress: Progress<'_>,
+    ) -> Result<()> {
+        options.time_step.check()?;
+        if options == self.options {
+            return Ok(());
+        }
+        if options.solver != self.options.solver {
+            *self = Self::new(mesh, medium, options, progress)?;
+            return Ok(());
+        }
+        let time = time(options, self.mean_edge, self.extent);
+        let mut flows = Vec::new();
+        for condition in conditions(mesh, &self.systems, options.boundary) {
+            if progress(Stage::Factoring, 0.0).is_break() {
+                return Err(heatwalk::Error::Cancelled.into());
+            }
+            self.systems.check_memory(self.factor_nonzeros(), 1, options.memory)?;
+            flows.push(HeatFlow::new(&self.systems, time, condition)?);
+        }
+        self.flows = flows;
+        self.options = options;
+        Ok(())
+    }
+
+    /// Stored entries of all factors; 0 for conjugate gradients.
+    pub(crate) fn factor_nonzeros(&self) -> usize {
+        self.poisson.factor_nonzeros() + self.flows.iter().map(HeatFlow::factor_nonzeros).sum::<usize>()
+    }
+
+    /// m in t = m h².
+    pub(crate) fn time_factor(&self) -> f64 {
+        self.flows[0].time() / (self.mean_edge * self.mean_edge)
+    }
+
+    /// Distances from sources that were checked.
+    pub(crate) fn distance(
+        &self,
+        mesh: &TetMesh,
+        medium: &Medium,
+        sources: &[TetSource],
+        parameters: &Parameters,
+    ) -> Result<Found> {
+        parameters.exact_radius.check()?;
+        let constraint = |source: &TetSource| Constraint::new(source.point.support(mesh), source.initial_distance);
+        let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
+        let SourceHeat { values: heat, is_active } =
+            SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
+        let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.mean_edge);
+        let elements = self.systems.operators();
+        let field = region.field(mesh, medium, elements, &heat);
+        let active: Vec<TetSource> =
+            sources.iter().zip(is_active).filter(|&(_, active)| active).map(|(&source, _)| source).collect();
+        let constraints = region.constraints(mesh, &field.touched, &active);
+        let mut values = match parameters.sources {
+            MultiSource::Exact => self.poisson.solve(&field.divergence, &constraints)?,
+            MultiSource::Summed => self.poisson.solve_in_mean(&field.divergence, &constraints)?,
+        };
+        region.complete(mesh, heatwalk::operator::Discretization::components(elements), sources, &mut values);
+        Ok(Found { values, heat, exact_below: region.radius() })
+    }
+}
+
+/// t = m h², but long enough for heat to reach everywhere.
+fn time(options: FactorOptions, mean_edge: f64, extent: f64) -> f64 {
+    let (factor, efolds) = match (options.time_step, options.solver) {
+        (TimeStep::Automatic, LinearSolver::ConjugateGradients) => (TIME_FACTOR, ITERATED_EFOLDS),
+        (TimeStep::Automatic, LinearSolver::Cholesky) => (TIME_FACTOR, EFOLDS),
+        (TimeStep::Factor(factor), _) => (factor, EFOLDS),
+    };
+    (factor * mean_edge * mean_edge).max((extent / efolds).powi(2))
+}
+
+/// What becomes of heat at the boundary; at least one.
+fn conditions(mesh: &TetMesh, systems: &Systems<Elements>, boundary: Boundary) -> Vec<Condition> {
+    if boundary == Boundary::Neumann {
+        return vec![Condition::Neumann];
+    }
+    let is_on_boundary = mesh.is_on_boundary();
+    let components = heatwalk::operator::Discretization::components(systems.operators());
+    let mut has_inside = vec![false; components.iter().max().map_or(0, |&last| last as usize + 1)];
+    for (&component, is_on_boundary) in components.iter().zip(&is_on_boundary) {
+        has_inside[component as usize] |= !is_on_boundary;
+    }
+    let is_cold: VertexData<bool> = components
+        .iter()
+        .zip(is_on_boundary)
+        .map(|(&component, boundary)| boundary && has_inside[component as usize])
+        .collect();
+    if !is_cold.iter().any(|&cold| cold) {
+        return vec![Condition::Neumann];
+    }
+    let dirichlet = Condition::Dirichlet(Arc::new(is_cold));
+    if boundary == Boundary::Dirichlet { vec![dirichlet] } else { vec![Condition::Neumann, dirichlet] }
+}
+
+/// Mean edge at the least costs around, and an upper bound of the distance along edges in any component.
+fn lengths(mesh: &TetMesh, medium: &Medium) -> (f64, f64) {
+    let length = |[a, b]: [u32; 2]| {
+        let around = mesh.around().row(a).iter();
+        let at_edge = around.filter(|&&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].contains(&b));
+        let cost = at_edge.map(|&tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
+        cost * mesh.positions()[a as usize].distance(mesh.positions()[b as usize])
+    };
+    let uniform = medium.uniform_cost();
+    let length = |[a, b]: [u32; 2]| match uniform {
+        Some(cost) => cost * mesh.positions()[a as usize].distance(mesh.positions()[b as usize]),
+        None => length([a, b]),
+    };
+    let (mut sum, mut count, mut extent) = (0.0, 0_usize, 0.0_f64);
+    let mut distances = vec![f64::INFINITY; mesh.vertex_count()];
+    let mut queue: BinaryHeap<Reverse<(u64, u32)>> = BinaryHeap::new();
+    for first in 0..mesh.vertex_count() as u32 {
+        if distances[first as usize].is_finite() {
+            continue;
+        }
+        distances[first as usize] = 0.0;
+        queue.push(Reverse((0, first)));
+        while let Some(Reverse((bits, vertex))) = queue.pop() {
+            let distance = f64::from_bits(bits);
+            if distance > distances[vertex as usize] {
+                continue;
+            }
+            extent = extent.max(distance);
+            for &other in mesh.adjacent().row(vertex) {
+                let edge = length([vertex, other]);
+                if edge.is_finite() && other > vertex {
+                    sum += edge;
+                    count += 1;
+                }
+                if distance + edge < distances[other as usize] {
+                    distances[other as usize] = distance + edge;
+                    queue.push(Reverse(((distance + edge).to_bits(), other)));
+                }
+            }
+        }
+    }
+    // From the first vertex to any two others and back.
+    (sum / count.max(1) as f64, 2.0 * extent)
+}
+
+/// Nobody stops it.
+pub(crate) fn go_on(_: Stage, _: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}

@@ -1,0 +1,57 @@
+//! Nodes by the numbers that the file gives them, which need not be in order nor without gaps.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::GMSH;
+use crate::io::error::Result;
+
+#[derive(Default)]
+pub struct Nodes {
+    positions: Vec<DVec3>,
+    numbers: Vec<u64>,
+}
+
+/// The vertex of a number.
+pub enum Numbers {
+    /// They follow each other from this one on.
+    From(u64, u32),
+    Any(HashMap<u64, u32>),
+}
+
+impl Numbers {
+    pub fn get(&self, number: u64) -> Option<u32> {
+        match self {
+            Self::From(first, count) => {
+                number.checked_sub(*first).and_then(|index| u32::try_from(index).ok()).filter(|index| index < count)
+            }
+            Self::Any(vertices) => vertices.get(&number).copied(),
+        }
+    }
+}
+
+impl Nodes {
+    pub fn add(&mut self, number: u64, position: [f64; 3]) {
+        self.numbers.push(number);
+        self.positions.push(position.into());
+    }
+
+    /// Positions in file order, and how the file numbers them.
+    pub fn finish(self) -> Result<(Vec<DVec3>, Numbers)> {
+        let first = self.numbers.first().copied().unwrap_or_default();
+        let count = self.positions.len() as u32;
+        if self.numbers.iter().zip(first..).all(|(&number, expected)| number == expected) {
+            return Ok((self.positions, Numbers::From(first, count)));
+        }
+        let mut vertices = HashMap::with_capacity(self.numbers.len());
+        for (&number, vertex) in self.numbers.iter().zip(0..) {
+            if vertices.insert(number, vertex).is_some() {
+                let problem = "its number is given to another node, too; repair the file".to_owned();
+                let place = format!("node {number}");
+                return Err(heatwalk::surface::Error::Malformed { format: GMSH, place, problem }.into());
+            }
+        }
+        Ok((self.positions, Numbers::Any(vertices)))
+    }
+}

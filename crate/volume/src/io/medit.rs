@@ -1,0 +1,182 @@
+//! Medit and libMeshb (`.mesh`, `.meshb`; Maréchal, "Handling unstructured meshes in the Gamma Mesh Format", libMeshb 7): text,
+//! or bytes of versions 1 to 4 in either order. Sections that are no vertices or cells are skipped.
+
+use glam::DVec3;
+
+use super::cells::{CellCounts, NamedCells, Shape};
+use super::error::Result;
+use super::input::{Encoding, Input};
+use crate::soup::TetSoup;
+
+const MEDIT: &str = "Medit";
+
+/// What a text file begins with, after white space and comments.
+const HEADER: &str = "MeshVersionFormatted";
+
+/// First number of a binary file.
+const ONE: i32 = 1;
+
+/// Keywords of binary files that are no list of items, or are read here.
+const DIMENSION: i64 = 3;
+const VERTICES: i64 = 4;
+const END: i64 = 54;
+
+/// The sections of cells: keyword as text and as a number, shape (none of faces), and nodes.
+const CELLS: [(&str, i64, Option<Shape>, usize); 16] = [
+    ("Triangles", 6, None, 3),
+    ("Quadrilaterals", 7, None, 4),
+    ("TrianglesP2", 24, None, 6),
+    ("QuadrilateralsQ2", 27, None, 9),
+    ("TrianglesP3", 90, None, 10),
+    ("TrianglesP4", 91, None, 15),
+    ("Tetrahedra", 8, Some(Shape::Tetrahedron), 4),
+    ("Prisms", 9, Some(Shape::Prism), 6),
+    ("Hexahedra", 10, Some(Shape::Hexahedron), 8),
+    ("Pyramids", 49, Some(Shape::Pyramid), 5),
+    ("TetrahedraP2", 30, Some(Shape::Tetrahedron), 10),
+    ("HexahedraQ2", 33, Some(Shape::Hexahedron), 27),
+    ("PrismsP2", 86, Some(Shape::Prism), 18),
+    ("PyramidsP2", 87, Some(Shape::Pyramid), 14),
+    ("TetrahedraP3", 96, Some(Shape::Tetrahedron), 20),
+    ("TetrahedraP4", 97, Some(Shape::Tetrahedron), 35),
+];
+
+pub fn has_header(bytes: &[u8]) -> bool {
+    binary(bytes).is_some() || text(bytes).word() == Some(HEADER)
+}
+
+fn text(bytes: &[u8]) -> Input<'_> {
+    Input::new(MEDIT, bytes, Encoding::Text { comment: Some(b'#') })
+}
+
+/// The bytes after the head of a binary file, and its version.
+fn binary(bytes: &[u8]) -> Option<(Input<'_>, i64)> {
+    let is_little = match *bytes.first_chunk::<4>()? {
+        head if head == ONE.to_le_bytes() => true,
+        head if head == ONE.to_be_bytes() => false,
+        _ => return None,
+    };
+    let mut input = Input::new(MEDIT, bytes, Encoding::Binary { is_little });
+    input.seek(size_of_val(&ONE));
+    let version = input.int("the version").ok().filter(|version| (1..=4).contains(version))?;
+    Some((input, version))
+}
+
+pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
+    let mut mesh = Mesh::default();
+    match binary(bytes) {
+        Some((input, version)) => mesh.read_binary(input, version)?,
+        None => mesh.read_text(text(bytes))?,
+    }
+    mesh.finish()
+}
+
+/// What was read so far.
+#[derive(Default)]
+struct Mesh {
+    positions: Vec<DVec3>,
+    /// By vertices counted from 1.
+    cells: NamedCells,
+}
+
+impl Mesh {
+    fn read_text(&mut self, mut input: Input) -> Result<()> {
+        while let Some(keyword) = input.word() {
+            match keyword {
+                "End" => break,
+                HEADER => drop(input.int("the version")?),
+                "Dimension" => dimension(&mut input)?,
+                "Vertices" => self.vertices(&mut input, 2)?,
+                // Numbers of sections that are skipped, too.
+                _ => {
+                    if let Some(&(_, _, shape, nodes)) = CELLS.iter().find(|section| section.0 == keyword) {
+                        self.section(&mut input, shape, nodes, 2)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn read_binary(&mut self, mut input: Input, version: i64) -> Result<()> {
+        loop {
+            let keyword = input.int("a keyword")?;
+            if keyword == END {
+                return Ok(());
+            }
+            let start = input.position();
+            let next = if version >= 3 { input.long("the next place")? } else { input.int("the next place")? };
+            match keyword {
+                DIMENSION => dimension(&mut input)?,
+                VERTICES => self.vertices(&mut input, version)?,
+                _ => {
+                    if let Some(&(_, _, shape, nodes)) = CELLS.iter().find(|section| section.1 == keyword) {
+                        self.section(&mut input, shape, nodes, version)?;
+                    }
+                }
+            }
+            // The end may be meant, and nothing leads backward.
+            let next = usize::try_from(next).unwrap_or_default();
+            if next == 0 {
+                return Ok(());
+            }
+            if next <= start || next > input.position() + input.rest().len() {
+                return Err(input.damaged(&format!("the section before goes on at byte {next}")).into());
+            }
+            input.seek(next);
+        }
+    }
+
+    fn vertices(&mut self, input: &mut Input, version: i64) -> Result<()> {
+        let count = whole(input, version, "the number of vertices")?;
+        let count = input.count(count, "the number of vertices")?;
+        self.positions.reserve(input.plausible(count));
+        for _ in 0..count {
+            let mut position = [0.0; 3];
+            for coordinate in &mut position {
+                let what = "a coordinate of a vertex";
+                *coordinate = if version == 1 { input.float(what)? } else { input.double(what)? };
+            }
+            whole(input, version, "the reference of a vertex")?;
+            self.positions.push(position.into());
+        }
+        Ok(())
+    }
+
+    fn section(&mut self, input: &mut Input, shape: Option<Shape>, nodes: usize, version: i64) -> Result<()> {
+        let count = whole(input, version, "the number of cells")?;
+        let count = input.count(count, "the number of cells")?;
+        for _ in 0..count {
+            for node in 0..nodes {
+                let vertex = whole(input, version, "a vertex of a cell")?;
+                if shape.is_some_and(|shape| node < shape.corner_count()) {
+                    self.cells.corner(input.count(vertex, "a vertex of a cell")? as u64);
+                }
+            }
+            whole(input, version, "the reference of a cell")?;
+            match shape {
+                Some(shape) => self.cells.end(shape, nodes > shape.corner_count()),
+                None => self.cells.faces += 1,
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(TetSoup, CellCounts)> {
+        let count = self.positions.len() as u64;
+        let vertex = |number: u64| number.checked_sub(1).filter(|&index| index < count).map(|index| index as u32);
+        Ok(self.cells.finish(MEDIT, vertex)?.into_soup(self.positions))
+    }
+}
+
+fn dimension(input: &mut Input) -> Result<()> {
+    match input.int("the dimension")? {
+        3 => Ok(()),
+        other => Err(input.unsupported(format!("the dimension {other}"), "give every vertex three coordinates").into()),
+    }
+}
+
+/// A whole number of the size that a version has.
+fn whole(input: &mut Input, version: i64, what: &str) -> Result<i64> {
+    if version >= 4 { input.long(what) } else { input.int(what) }
+}

@@ -1,0 +1,122 @@
+//! Files of tetrahedra from and to bytes. Nothing here touches a file system: a second file comes from the caller.
+//!
+//! ```
+//! use heatwalk_volume::io;
+//!
+//! let text = "MeshVersionFormatted 2 Dimension 3 \
+//!     Vertices 4 0 0 0 0  1 0 0 0  0 1 0 0  0 0 1 0 \
+//!     Tetrahedra 1 1 2 3 4 0 End";
+//! let file = io::read("corner.mesh", text.as_bytes(), &|_| None)?;
+//! assert_eq!(file.soup.tetrahedra, [[0, 1, 2, 3]]);
+//! # Ok::<(), io::Error>(())
+//! ```
+
+mod cells;
+mod error;
+mod gmsh;
+mod input;
+mod medit;
+mod tetgen;
+mod vtk;
+pub mod write;
+
+use heatwalk::io::Resources;
+use heatwalk::surface::Error as FileError;
+
+pub use cells::CellCounts;
+pub use error::{Error, Result};
+
+use crate::soup::TetSoup;
+
+/// Formats of tetrahedral meshes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// `.mesh`, `.meshb`.
+    Medit,
+    /// `.msh`.
+    Gmsh,
+    /// `.vtk`, `.vtu`; such a file may also hold a surface.
+    Vtk,
+    /// `.node` with `.ele`.
+    TetGen,
+}
+
+impl Format {
+    /// The format of a file: by its first bytes where they tell, else by the extension of its name.
+    pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
+        let bytes = without_mark(bytes);
+        if gmsh::has_header(bytes) {
+            Some(Self::Gmsh)
+        } else if medit::has_header(bytes) {
+            Some(Self::Medit)
+        } else if heatwalk::io::vtk::has_header(bytes) {
+            Some(Self::Vtk)
+        } else {
+            Self::of_name(name)
+        }
+    }
+
+    /// The format that an extension stands for.
+    pub fn of_name(name: &str) -> Option<Self> {
+        let (_, extension) = stem_and_extension(name);
+        match extension.to_ascii_lowercase().as_str() {
+            "mesh" | "meshb" => Some(Self::Medit),
+            "msh" => Some(Self::Gmsh),
+            "vtk" | "vtu" => Some(Self::Vtk),
+            "node" | "ele" => Some(Self::TetGen),
+            _ => None,
+        }
+    }
+}
+
+/// What a file holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TetFile {
+    /// Its tetrahedra, those that other cells were split into among them, in file order, over all its vertices.
+    pub soup: TetSoup,
+    /// What the cells were in the file.
+    pub cells: CellCounts,
+}
+
+/// Reads tetrahedra. The first bytes tell the format where they can, the extension of `name` otherwise. Of the two files of TetGen
+/// either may be given; `resources` is asked for the other one.
+///
+/// # Errors
+/// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
+/// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
+pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
+    let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
+    let bytes = without_mark(bytes);
+    let (soup, cells) = match format {
+        Format::Medit => medit::read(bytes)?,
+        Format::Gmsh => gmsh::read(bytes)?,
+        Format::Vtk => vtk::read(bytes)?,
+        Format::TetGen => {
+            let (stem, extension) = stem_and_extension(name);
+            let has_nodes = extension.eq_ignore_ascii_case("node");
+            let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
+            let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
+            let (nodes, elements) = if has_nodes { (bytes, &other[..]) } else { (&other[..], bytes) };
+            tetgen::read(nodes, elements)?
+        }
+    };
+    if cells.volumes() == 0 {
+        let remedy = match format {
+            Format::Vtk => "read it as a surface",
+            _ if cells.faces > 0 => "to use the surface, save it as OBJ, PLY or VTK",
+            _ => "save the cells with their vertices",
+        };
+        return Err(Error::NoTetrahedra { name: name.to_owned(), faces: cells.faces, remedy });
+    }
+    Ok(TetFile { soup, cells })
+}
+
+/// Without the mark that some programs put before text in UTF-8.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
+fn stem_and_extension(name: &str) -> (&str, &str) {
+    let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    file_name.rsplit_once('.').unwrap_or((file_name, ""))
+}

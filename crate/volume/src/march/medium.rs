@@ -1,0 +1,139 @@
+//! What waves spread in: which tetrahedra they may enter, at which cost, and the edges that they bend around.
+
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+use crate::error::{Error, Result};
+use crate::lists::Lists;
+use crate::mesh::quality::dihedral_angles;
+use crate::mesh::{EDGES, FACES, NONE, Sight, TetId, TetMesh};
+
+/// Costs of tetrahedra that are not walls.
+pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
+
+/// Waves bend around edges whose angle inside the mesh is above π by this, in radians: more than rounding, and less than what takes
+/// a line through the edge's ends out of sight.
+const CONCAVE: f64 = 1e-10;
+
+/// The tetrahedra of a mesh with what it costs to go through them.
+#[derive(Debug)]
+pub(crate) struct Medium {
+    /// `#T × 4`, as of the mesh, without walls; none where there are no walls.
+    neighbors: Option<Vec<[u32; 4]>>,
+    /// `#T`; none where all cost the same.
+    costs: Option<Vec<f64>>,
+    /// Where all cost the same, that.
+    cost: f64,
+    /// Of each vertex, the other ends of the boundary's concave edges.
+    concave: Lists,
+}
+
+impl Medium {
+    /// All of a mesh at cost 1, or at `costs` (`#T`; infinite for walls).
+    ///
+    /// # Errors
+    /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
+    pub(crate) fn new(mesh: &TetMesh, costs: Option<&[f64]>) -> Result<Self> {
+        let mut medium = Self { neighbors: None, costs: None, cost: 1.0, concave: Lists::default() };
+        if let Some(costs) = costs {
+            medium.set_costs(mesh, costs)?;
+        }
+        medium.concave = medium.concave_edges(mesh);
+        Ok(medium)
+    }
+
+    fn set_costs(&mut self, mesh: &TetMesh, costs: &[f64]) -> Result<()> {
+        if costs.len() != mesh.tetrahedron_count() {
+            return Err(Error::CostCount { costs: costs.len(), tetrahedra: mesh.tetrahedron_count() });
+        }
+        let is_allowed = |cost: f64| COSTS.contains(&cost) || cost == f64::INFINITY;
+        if let Some((tetrahedron, &cost)) = costs.iter().enumerate().find(|&(_, &cost)| !is_allowed(cost)) {
+            return Err(Error::BadCost { tetrahedron, cost, least: *COSTS.start(), most: *COSTS.end() });
+        }
+        let mut finite = costs.iter().copied().filter(|cost| cost.is_finite());
+        self.cost = finite.next().ok_or(Error::AllWalls)?;
+        if finite.any(|cost| cost != self.cost) || costs.contains(&f64::INFINITY) {
+            self.costs = Some(costs.to_vec());
+        }
+        if costs.contains(&f64::INFINITY) {
+            let is_wall = |tetrahedron: u32| tetrahedron != NONE && costs[tetrahedron as usize].is_infinite();
+            let open = |&neighbor: &u32| if is_wall(neighbor) { NONE } else { neighbor };
+            let neighbors = mesh.neighbors().iter();
+            self.neighbors = Some(neighbors.map(|neighbors| neighbors.each_ref().map(open)).collect());
+        }
+        Ok(())
+    }
+
+    /// The cost of a tetrahedron.
+    #[inline]
+    pub(crate) fn cost(&self, tetrahedron: u32) -> f64 {
+        self.costs.as_ref().map_or(self.cost, |costs| costs[tetrahedron as usize])
+    }
+
+    /// Whether all that are no walls cost the same.
+    pub(crate) fn is_uniform(&self) -> bool {
+        self.costs.as_ref().is_none_or(|costs| costs.iter().all(|&cost| cost == self.cost || cost.is_infinite()))
+    }
+
+    /// The cost of all, where they have one and there are no walls.
+    pub(crate) fn uniform_cost(&self) -> Option<f64> {
+        self.costs.is_none().then_some(self.cost)
+    }
+
+    /// Whether some are walls.
+    pub(crate) fn has_walls(&self) -> bool {
+        self.neighbors.is_some()
+    }
+
+    /// The other ends of the concave edges at a vertex.
+    pub(crate) fn concave(&self, vertex: u32) -> &[u32] {
+        self.concave.row(vertex)
+    }
+
+    /// Lines through the tetrahedra that are no walls.
+    pub(crate) fn sight<'a>(&'a self, mesh: &'a TetMesh) -> Sight<'a> {
+        Sight { mesh, neighbors: self.neighbors.as_deref().unwrap_or(mesh.neighbors()) }
+    }
+
+    fn concave_edges(&self, mesh: &TetMesh) -> Lists {
+        let neighbors = self.sight(mesh).neighbors;
+        let mut edges: Vec<[u32; 2]> = Vec::new();
+        for (tetrahedron, (corners, neighbors)) in mesh.tetrahedra().iter().zip(neighbors).enumerate() {
+            if self.cost(tetrahedron as u32).is_infinite() {
+                continue;
+            }
+            for (face, _) in FACES.iter().zip(neighbors).filter(|&(_, &neighbor)| neighbor == NONE) {
+                for k in 0..3 {
+                    let [a, b] = [corners[face[k]], corners[face[(k + 1) % 3]]];
+                    edges.push([a.min(b), a.max(b)]);
+                }
+            }
+        }
+        edges.sort_unstable();
+        let mut concave = Vec::new();
+        for sides in edges.chunk_by(|a, b| a == b) {
+            let [a, b] = sides[0];
+            // Where parts meet in an edge only, lines cannot tell whether they may pass.
+            if sides.len() > 2 || self.angle_at_edge(mesh, [a, b]) > PI + CONCAVE {
+                concave.extend([(a, b), (b, a)]);
+            }
+        }
+        Lists::group(mesh.vertex_count(), || concave.iter().copied())
+    }
+
+    /// The angle of the tetrahedra around an edge, in radians.
+    fn angle_at_edge(&self, mesh: &TetMesh, [a, b]: [u32; 2]) -> f64 {
+        let mut sum = 0.0;
+        for &tetrahedron in mesh.around().row(a) {
+            let corners = mesh.tetrahedra()[tetrahedron as usize];
+            if !corners.contains(&b) || self.cost(tetrahedron).is_infinite() {
+                continue;
+            }
+            let is_it =
+                |&&[i, j]: &&[usize; 2]| [corners[i], corners[j]] == [a, b] || [corners[j], corners[i]] == [a, b];
+            let edge = EDGES.iter().position(|ends| is_it(&ends)).expect("a tetrahedron with both ends has the edge");
+            sum += dihedral_angles(mesh.corners(TetId(tetrahedron)))[edge];
+        }
+        sum
+    }
+}

@@ -1,0 +1,103 @@
+//! Distance by waves that march from vertex to vertex: nothing is factored, and it is exact where straight lines lead to the source.
+//!
+//! Space inside a mesh is flat, so a virtual source is a place: a source, or where a shortest path bends around a concave edge. Each
+//! vertex has the wave that its distance comes from, and offers it to its neighbors. One is accepted, nearest first, if the straight
+//! line to where it comes from stays inside the mesh. Where both ends of a concave edge have a distance, a wave starts that bends
+//! around it. Where costs change, waves end; there the virtual source of each tetrahedron is placed by what is known at its corners.
+//!
+//! Virtual sources are those of fast marching on triangles (Kimmel and Sethian 1998) and of windows (Mitchell, Mount, Papadimitriou
+//! 1987); how distance goes on behind an edge is Keller's (1962) law of diffraction.
+
+mod medium;
+mod refraction;
+mod search;
+mod wave;
+
+pub use medium::COSTS;
+pub(crate) use medium::Medium;
+
+use glam::DVec3;
+
+use crate::mesh::{Crossing, NONE, Start, TetMesh};
+use crate::point::TetSource;
+use search::Search;
+use wave::Wave;
+
+/// A march in work.
+pub(crate) struct March<'a>(Search<'a>);
+
+impl<'a> March<'a> {
+    /// From sources that were checked.
+    pub(crate) fn new(mesh: &'a TetMesh, medium: &'a Medium, sources: &[TetSource]) -> Self {
+        let mut search = Search::new(mesh, medium);
+        for source in sources {
+            search.start(source);
+        }
+        Self(search)
+    }
+
+    /// Goes on until every distance below `radius` is final, or so many vertices have one. Returns the radius below which all are:
+    /// infinity where nothing is left to do.
+    pub(crate) fn advance(&mut self, radius: f64, vertices: usize) -> f64 {
+        self.0.advance(radius, vertices)
+    }
+
+    /// The distances (`#V`).
+    pub(crate) fn into_distances(self) -> Vec<f64> {
+        self.0.distances
+    }
+
+    /// The distances (`#V`) and the waves that they come from.
+    pub(crate) fn finish(self) -> (Vec<f64>, Waves) {
+        (self.0.distances, Waves { waves: self.0.waves, of_vertex: self.0.wave_of })
+    }
+}
+
+/// The waves that distances come from.
+#[derive(Debug, Clone)]
+pub(crate) struct Waves {
+    waves: Vec<Wave>,
+    /// Of each vertex; [`NONE`] where distance is refracted or infinite.
+    of_vertex: Vec<u32>,
+}
+
+/// A straight part of a path towards the source.
+pub(crate) struct Leg {
+    /// Where it ends.
+    pub(crate) to: DVec3,
+    /// What each unit of its length costs.
+    pub(crate) cost: f64,
+    /// The edge, or twice the vertex, that it ends at; none at a source.
+    pub(crate) ends: Option<[u32; 2]>,
+}
+
+impl Waves {
+    /// The straight part of the shortest path from a place among `vertices`, whose waves it may come by. None where none comes there
+    /// straight.
+    pub(crate) fn leg(
+        &self,
+        mesh: &TetMesh,
+        medium: &Medium,
+        place: DVec3,
+        start: Start,
+        vertices: impl Iterator<Item = u32>,
+    ) -> Option<Leg> {
+        let mut waves: Vec<u32> =
+            vertices.map(|vertex| self.of_vertex[vertex as usize]).filter(|&wave| wave != NONE).collect();
+        let parents: Vec<u32> = waves.iter().flat_map(|&wave| self.waves[wave as usize].parents).collect();
+        waves.extend(parents.into_iter().filter(|&wave| wave != NONE));
+        waves.sort_unstable();
+        waves.dedup();
+        let mut rays: Vec<(u32, wave::Ray)> =
+            waves.into_iter().map(|wave| (wave, self.waves[wave as usize].ray(place))).collect();
+        rays.sort_by(|a, b| a.1.distance.total_cmp(&b.1.distance));
+        rays.into_iter().find_map(|(wave, ray)| {
+            let Wave { cost, ends, .. } = self.waves[wave as usize];
+            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
+            let sight = medium.sight(mesh);
+            let is_clear =
+                ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
+            is_clear.then_some(Leg { to: ray.from, cost, ends })
+        })
+    }
+}

@@ -1,0 +1,305 @@
+//! The search itself: waves offered from vertex to vertex, nearest first.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use glam::DVec3;
+
+use super::medium::Medium;
+use super::refraction::arrival;
+use super::wave::Wave;
+use crate::mesh::{Crossing, NONE, Start, TetMesh};
+use crate::point::{TetPoint, TetSource};
+
+/// A distance replaces another if it is below it by this share: rounding must not send waves around for ever.
+const GAIN: f64 = 1e-9;
+
+/// Waves at the ends of an edge are one if what one of them makes of the other end misses the distance there by less than this
+/// share of the edge. Elsewhere they meet, or one is in the shadow of something.
+const SMOOTH: f64 = 0.05;
+
+/// Waves that a vertex remembers to have been offered: one offer says all.
+const REMEMBERED: usize = 4;
+
+/// An offer: the distance as bits, which order as positive numbers do, vertex, wave.
+type Offer = Reverse<(u64, u32, u32)>;
+
+/// A march in work.
+pub(super) struct Search<'a> {
+    mesh: &'a TetMesh,
+    medium: &'a Medium,
+    pub(super) waves: Vec<Wave>,
+    pub(super) distances: Vec<f64>,
+    /// The wave that each vertex has its distance from; [`NONE`] where it is refracted, or there is none.
+    pub(super) wave_of: Vec<u32>,
+    offered: Vec<[u32; REMEMBERED]>,
+    offers: BinaryHeap<Offer>,
+    is_uniform: bool,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium) -> Self {
+        let vertices = mesh.vertex_count();
+        Self {
+            mesh,
+            medium,
+            waves: Vec::new(),
+            distances: vec![f64::INFINITY; vertices],
+            wave_of: vec![NONE; vertices],
+            offered: vec![[NONE; REMEMBERED]; vertices],
+            offers: BinaryHeap::new(),
+            is_uniform: medium.is_uniform(),
+        }
+    }
+
+    /// Starts waves at a source.
+    pub(super) fn start(&mut self, source: &TetSource) {
+        let (place, initial) = (source.point.position(self.mesh), source.initial_distance);
+        match source.point {
+            TetPoint::Vertex(vertex) => self.start_at(vertex.0, initial),
+            TetPoint::Inside { tetrahedron, .. } => {
+                let cost = self.medium.cost(tetrahedron.0);
+                let wave = self.add(Wave::from_place(place, initial, cost, None));
+                for vertex in self.mesh.tetrahedra()[tetrahedron.index()] {
+                    self.offer(wave, vertex);
+                }
+            }
+        }
+    }
+
+    /// One wave for each cost around a vertex.
+    fn start_at(&mut self, vertex: u32, initial: f64) {
+        let around = self.mesh.around().row(vertex);
+        let mut costs: Vec<f64> = around.iter().map(|&tetrahedron| self.medium.cost(tetrahedron)).collect();
+        costs.retain(|cost| cost.is_finite());
+        costs.sort_unstable_by(f64::total_cmp);
+        costs.dedup();
+        for cost in costs {
+            let place = self.mesh.positions()[vertex as usize];
+            let wave = self.add(Wave::from_place(place, initial, cost, None));
+            self.offer(wave, vertex);
+        }
+    }
+
+    fn add(&mut self, wave: Wave) -> u32 {
+        self.waves.push(wave);
+        (self.waves.len() - 1) as u32
+    }
+
+    /// As [`super::March::advance`].
+    pub(super) fn advance(&mut self, radius: f64, vertices: usize) -> f64 {
+        let mut settled = 0;
+        let mut reached_before = 0;
+        loop {
+            while let Some(&Reverse((distance, vertex, wave))) = self.offers.peek() {
+                let distance = f64::from_bits(distance);
+                if distance >= radius || settled >= vertices {
+                    return distance.min(radius);
+                }
+                self.offers.pop();
+                if distance < self.distances[vertex as usize] * (1.0 - GAIN) && self.is_seen(wave, vertex) {
+                    let (distance, wave) = self.straightened(vertex, distance, wave);
+                    settled += 1;
+                    self.settle(vertex, distance, wave);
+                }
+            }
+            let reached = self.distances.iter().filter(|distance| distance.is_finite()).count();
+            if reached == reached_before || !self.pass_corners() {
+                return f64::INFINITY;
+            }
+            reached_before = reached;
+        }
+    }
+
+    /// Offers a wave to a vertex.
+    #[inline]
+    fn offer(&mut self, wave: u32, vertex: u32) {
+        let offered = &mut self.offered[vertex as usize];
+        if offered.contains(&wave) {
+            return;
+        }
+        let distance = self.waves[wave as usize].ray(self.mesh.positions()[vertex as usize]).distance;
+        if distance < self.distances[vertex as usize] * (1.0 - GAIN) {
+            offered.rotate_right(1);
+            offered[0] = wave;
+            self.offers.push(Reverse((distance.to_bits(), vertex, wave)));
+        }
+    }
+
+    /// Whether a wave comes straight to a vertex.
+    fn is_seen(&mut self, wave: u32, vertex: u32) -> bool {
+        if wave == NONE {
+            return true;
+        }
+        let Wave { cost, .. } = self.waves[wave as usize];
+        let place = self.mesh.positions()[vertex as usize];
+        let from = self.waves[wave as usize].ray(place).from;
+        if from == place {
+            return true;
+        }
+        let (wave_of, medium) = (&self.wave_of, self.medium);
+        let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
+        // Where the three corners of a face see the source, so does all of the face, up to what is smaller than it.
+        let crossing = |corners: [u32; 3]| {
+            if corners.iter().all(|&corner| wave_of[corner as usize] == wave) { Crossing::Known } else { Crossing::On }
+        };
+        self.medium.sight(self.mesh).walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
+    }
+
+    /// Gives a vertex its distance and sends waves on.
+    fn settle(&mut self, vertex: u32, distance: f64, wave: u32) {
+        self.distances[vertex as usize] = distance;
+        self.wave_of[vertex as usize] = wave;
+        let mesh = self.mesh;
+        if wave != NONE {
+            for &other in mesh.adjacent().row(vertex) {
+                self.offer(wave, other);
+            }
+        }
+        let concave = self.medium.concave(vertex);
+        if !concave.is_empty() {
+            self.bend(vertex, concave);
+        }
+        if !self.is_uniform {
+            self.refract(vertex);
+        }
+    }
+
+    /// Sends waves around the concave edges of a vertex.
+    fn bend(&mut self, vertex: u32, others: &[u32]) {
+        self.send_from(vertex);
+        for &other in others {
+            if self.distances[other as usize].is_finite() {
+                self.bend_around([vertex, other]);
+            }
+        }
+    }
+
+    /// Sends waves around an edge whose ends both have distances.
+    fn bend_around(&mut self, ends: [u32; 2]) {
+        let positions = ends.map(|end| self.mesh.positions()[end as usize]);
+        let distances = ends.map(|end| self.distances[end as usize]);
+        let waves = ends.map(|end| self.wave_of[end as usize]);
+        let cost = self.medium_cost_at(ends);
+        let initials = waves.map(|wave| if wave == NONE { 0.0 } else { self.waves[wave as usize].initial() });
+        let length = positions[0].distance(positions[1]);
+        // What the wave at one end makes of the other end.
+        let goes_on = |end: usize| match waves[end] {
+            NONE => distances[1 - end],
+            wave => self.waves[wave as usize].continued(positions[1 - end]),
+        };
+        let is_one = waves[0] == waves[1]
+            || (0..2).any(|end| (goes_on(end) - distances[1 - end]).abs() <= SMOOTH * cost * length);
+        if is_one {
+            let initial = if initials[0] == initials[1] { initials[0] } else { 0.0 };
+            self.send_around(ends, positions, distances, initial, cost, waves);
+            return;
+        }
+        for end in 0..2 {
+            let wave = waves[end];
+            if wave != NONE && self.is_seen(wave, ends[1 - end]) {
+                let values = positions.map(|position| self.waves[wave as usize].ray(position).distance);
+                self.send_around(ends, positions, values, initials[end], cost, [wave; 2]);
+            }
+        }
+    }
+
+    fn send_around(
+        &mut self,
+        ends: [u32; 2],
+        positions: [DVec3; 2],
+        distances: [f64; 2],
+        initial: f64,
+        cost: f64,
+        parents: [u32; 2],
+    ) {
+        let Some(wave) = Wave::from_edge(ends, positions, distances, initial, cost) else { return };
+        let wave = self.add(wave.after(parents));
+        let mesh = self.mesh;
+        for end in ends {
+            for &target in mesh.adjacent().row(end) {
+                if !ends.contains(&target) {
+                    self.offer(wave, target);
+                }
+            }
+        }
+    }
+
+    /// The wave that a wave goes on from where that comes straight to a vertex, too, and so on: where few vertices see a bend, none
+    /// of the neighbors may have told of it.
+    fn straightened(&mut self, vertex: u32, mut distance: f64, mut wave: u32) -> (f64, u32) {
+        while wave != NONE {
+            let place = self.mesh.positions()[vertex as usize];
+            let parents = self.waves[wave as usize].parents;
+            let shorter = parents.into_iter().filter(|&parent| parent != NONE && parent != wave).find_map(|parent| {
+                let through = self.waves[parent as usize].ray(place).distance;
+                (through < distance && self.is_seen(parent, vertex)).then_some((through, parent))
+            });
+            let Some((through, parent)) = shorter else { break };
+            (distance, wave) = (through, parent);
+        }
+        (distance, wave)
+    }
+
+    /// The least cost around an edge.
+    fn medium_cost_at(&self, [a, b]: [u32; 2]) -> f64 {
+        let around = self.mesh.around().row(a).iter();
+        let at_edge = around.filter(|&&tetrahedron| self.mesh.tetrahedra()[tetrahedron as usize].contains(&b));
+        at_edge.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Sends a wave from a vertex.
+    fn send_from(&mut self, vertex: u32) {
+        let (mesh, distance) = (self.mesh, self.distances[vertex as usize]);
+        let around = mesh.around().row(vertex).iter();
+        let cost = around.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
+        let parents = [self.wave_of[vertex as usize], NONE];
+        let place = mesh.positions()[vertex as usize];
+        let wave = self.add(Wave::from_place(place, distance, cost, Some(vertex)).after(parents));
+        for &other in mesh.adjacent().row(vertex) {
+            self.offer(wave, other);
+        }
+    }
+
+    /// Offers distances through the tetrahedra around a vertex.
+    fn refract(&mut self, vertex: u32) {
+        let mesh = self.mesh;
+        for &tetrahedron in mesh.around().row(vertex) {
+            let cost = self.medium.cost(tetrahedron);
+            if cost.is_infinite() {
+                continue;
+            }
+            let corners = mesh.tetrahedra()[tetrahedron as usize];
+            let points = corners.map(|corner| mesh.positions()[corner as usize]);
+            let known = corners.map(|corner| self.distances[corner as usize]);
+            for target in (0..4).filter(|&corner| corners[corner] != vertex) {
+                let distance = arrival(points, known, target, cost);
+                if distance < self.distances[corners[target] as usize] * (1.0 - super::refraction::MARGIN) {
+                    self.offers.push(Reverse((distance.to_bits(), corners[target], NONE)));
+                }
+            }
+        }
+    }
+
+    /// Goes on from vertices with a distance to those without, where tetrahedra touch in a vertex only. Returns whether there are
+    /// any.
+    fn pass_corners(&mut self) -> bool {
+        let mesh = self.mesh;
+        let mut is_any = false;
+        for vertex in 0..mesh.vertex_count() as u32 {
+            let is_reached = |vertex: u32| self.distances[vertex as usize].is_finite();
+            if !is_reached(vertex) {
+                continue;
+            }
+            let around = mesh.around().row(vertex).iter();
+            let mut open = around.filter(|&&tetrahedron| self.medium.cost(tetrahedron).is_finite());
+            if open
+                .any(|&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].iter().any(|&corner| !is_reached(corner)))
+            {
+                self.send_from(vertex);
+                is_any = true;
+            }
+        }
+        is_any
+    }
+}

@@ -1,0 +1,155 @@
+//! Where in a mesh a place in space is, and whether a straight line stays inside.
+
+use glam::DVec3;
+use heatwalk::VertexId;
+
+use crate::mesh::{FACES, NONE, TetId, TetMesh};
+use crate::point::TetPoint;
+
+/// A barycentric coordinate of the end of a line may be this far below 0 in a tetrahedron that the line stays in: lines along
+/// the boundary and through edges are inside, whatever rounding makes of them. In lengths, it is this share of a tetrahedron's
+/// height, which is not seen; rounding of coordinates is below it as long as a tetrahedron's height is not below
+/// 10⁻⁶ of the line's length.
+const GRAZING: f64 = 1e-9;
+
+/// Barycentric weights of a place in a tetrahedron; one is negative for each face that it is beyond.
+#[inline]
+pub(crate) fn weights([a, b, c, d]: [DVec3; 4], point: DVec3) -> [f64; 4] {
+    let (ab, ac, ad, ap) = (b - a, c - a, d - a, point - a);
+    let across = ac.cross(ad);
+    let scale = 1.0 / ab.dot(across);
+    let turned = ap.cross(ab);
+    let of_b = ap.dot(across) * scale;
+    let of_c = -ad.dot(turned) * scale;
+    let of_d = ac.dot(turned) * scale;
+    [1.0 - of_b - of_c - of_d, of_b, of_c, of_d]
+}
+
+impl TetMesh {
+    /// The point at a place in space; none outside of the mesh.
+    pub fn locate(&self, place: DVec3) -> Option<TetPoint> {
+        let inside = |tetrahedron: TetId| {
+            let corners = self.corners(tetrahedron);
+            let (low, high) = corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &corner| {
+                (low.min(corner), high.max(corner))
+            });
+            let margin = (high - low) * GRAZING;
+            if place.cmplt(low - margin).any() || place.cmpgt(high + margin).any() {
+                return None;
+            }
+            let weights = weights(corners, place);
+            weights.iter().all(|&weight| weight >= -GRAZING).then(|| TetPoint::inside(tetrahedron, weights))
+        };
+        (0..self.tetrahedron_count() as u32).map(TetId).find_map(inside)
+    }
+}
+
+/// The tetrahedra that lines may go through.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sight<'a> {
+    pub(crate) mesh: &'a TetMesh,
+    /// `#T × 4`, as [`TetMesh::neighbors`], without those that lines may not enter.
+    pub(crate) neighbors: &'a [[u32; 4]],
+}
+
+/// Where a line begins.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Start {
+    /// At a vertex.
+    Vertex(u32),
+    /// On an edge.
+    Edge([u32; 2]),
+    /// In a tetrahedron.
+    Inside(u32),
+}
+
+/// What a line is about to do at a face that it goes through.
+pub(crate) enum Crossing {
+    /// Go on.
+    On,
+    /// It is known that the rest is inside.
+    Known,
+}
+
+impl Sight<'_> {
+    /// Where the straight line between two places ends if it stays inside: the last tetrahedron that it was followed into.
+    /// `may_enter` tells which tetrahedra it may go through; `crossing` is told the corners of each face that it goes through.
+    pub(crate) fn walk(
+        self,
+        start: Start,
+        [from, to]: [DVec3; 2],
+        may_enter: impl Fn(u32) -> bool,
+        mut crossing: impl FnMut([u32; 3]) -> Crossing,
+    ) -> Option<u32> {
+        let (mut current, mut at_end) = self.first(start, to, &may_enter)?;
+        let mut came_from = NONE;
+        // A line crosses a tetrahedron once, but rounding may lead it around an edge.
+        for _ in 0..self.mesh.tetrahedron_count() + 4 {
+            let corners = self.mesh.tetrahedra()[current as usize];
+            let neighbors = self.neighbors[current as usize];
+            if at_end.iter().all(|&weight| weight >= -GRAZING) {
+                return Some(current);
+            }
+            let points = corners.map(|vertex| self.mesh.positions()[vertex as usize]);
+            let at_start = weights(points, from);
+            let mut exit: Option<(f64, usize)> = None;
+            for corner in 0..4 {
+                // Beyond this face is the end of the line, and the line has not come through it.
+                if at_end[corner] < -GRAZING && (neighbors[corner] != came_from || came_from == NONE) {
+                    let share = at_start[corner].max(0.0) / (at_start[corner].max(0.0) - at_end[corner]);
+                    if exit.is_none_or(|(least, _)| share < least) {
+                        exit = Some((share, corner));
+                    }
+                }
+            }
+            let (_, corner) = exit?;
+            if neighbors[corner] == NONE || !may_enter(neighbors[corner]) {
+                return None;
+            }
+            if matches!(crossing(FACES[corner].map(|other| corners[other])), Crossing::Known) {
+                return Some(current);
+            }
+            came_from = current;
+            current = neighbors[corner];
+            at_end = weights(self.mesh.corners(TetId(current)), to);
+        }
+        None
+    }
+
+    /// The tetrahedron that a line begins in, with the barycentric weights of its end there.
+    fn first(self, start: Start, to: DVec3, may_enter: impl Fn(u32) -> bool) -> Option<(u32, [f64; 4])> {
+        let [vertex, other] = match start {
+            Start::Inside(tetrahedron) => {
+                let weights = weights(self.mesh.corners(TetId(tetrahedron)), to);
+                return may_enter(tetrahedron).then_some((tetrahedron, weights));
+            }
+            Start::Vertex(vertex) => [vertex; 2],
+            Start::Edge(ends) => ends,
+        };
+        let mut best: Option<(f64, u32, [f64; 4])> = None;
+        for &tetrahedron in self.mesh.around().row(vertex) {
+            let corners = self.mesh.tetrahedra()[tetrahedron as usize];
+            if !corners.contains(&other) || !may_enter(tetrahedron) {
+                continue;
+            }
+            let weights = weights(self.mesh.corners(TetId(tetrahedron)), to);
+            // It leaves into the tetrahedron where it is inside of all faces that meet at the start.
+            let faces = (0..4).filter(|&corner| corners[corner] != vertex && corners[corner] != other);
+            let least = faces.map(|corner| weights[corner]).fold(f64::INFINITY, f64::min);
+            if least >= -GRAZING && best.is_none_or(|(most, ..)| least > most) {
+                best = Some((least, tetrahedron, weights));
+            }
+            if least > GRAZING {
+                break;
+            }
+        }
+        best.map(|(_, tetrahedron, weights)| (tetrahedron, weights))
+    }
+}
+
+/// A vertex as a place.
+impl From<VertexId> for TetPoint {
+    fn from(vertex: VertexId) -> Self {
+        Self::Vertex(vertex)
+    }
+}

@@ -1,0 +1,114 @@
+//! Shortest paths inside of a mesh.
+//!
+//! A march's path goes back along its waves, straight from bend to bend. Any other descends the distance from tetrahedron to
+//! tetrahedron. It is then pulled taut where costs do not change.
+
+mod descent;
+mod taut;
+
+use glam::DVec3;
+
+use crate::distance::VolumeDistance;
+use crate::error::{Error, Result};
+use crate::march::{March, Medium, Waves};
+use crate::mesh::{MeshId, Start, TetMesh};
+use crate::point::{TetPoint, TetSource};
+use descent::Descent;
+
+/// Bends of a path, at most: more than there are concave edges on any way.
+const MOST_BENDS: usize = 1 << 20;
+
+/// A piecewise straight curve inside of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VolumePath {
+    mesh: MeshId,
+    /// From the start to the source, both included; where they are one, one point.
+    pub points: Vec<DVec3>,
+    /// In the file's unit.
+    pub length: f64,
+    /// Length by the costs that it goes through; the length itself where all are 1.
+    pub cost: f64,
+}
+
+impl VolumePath {
+    /// The mesh that it is in.
+    pub fn mesh(&self) -> MeshId {
+        self.mesh
+    }
+}
+
+/// A corner of a path.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    place: DVec3,
+    /// Where that is in the mesh.
+    start: Start,
+    /// Cost of what follows.
+    cost: f64,
+}
+
+/// The path from a place that was checked.
+pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, from: TetPoint) -> Result<VolumePath> {
+    if from.support(mesh).any(|(vertex, _)| distance.values[vertex.0 as usize].is_infinite()) {
+        return Err(Error::Unreachable);
+    }
+    let start = match from {
+        TetPoint::Vertex(vertex) => Start::Vertex(vertex.0),
+        TetPoint::Inside { tetrahedron, .. } => Start::Inside(tetrahedron.0),
+    };
+    let mut corners = vec![Corner { place: from.position(mesh), start, cost: 1.0 }];
+    // Where distance is refracted there is no wave to go back along, but there is one again in the medium of the source.
+    let waves = distance.waves.as_ref();
+    while !waves.is_some_and(|waves| go_back(mesh, medium, waves, &mut corners)) {
+        match descent::go_down(mesh, medium, distance, &mut corners) {
+            Descent::Arrived => break,
+            Descent::Continues => {}
+            Descent::Stuck => {
+                // Distance by heat may have a lowest place that is no source.
+                let sources: Vec<TetSource> = distance.sources.iter().map(|&source| source.into()).collect();
+                let mut march = March::new(mesh, medium, &sources);
+                march.advance(f64::INFINITY, usize::MAX);
+                let (_, waves) = march.finish();
+                go_back(mesh, medium, &waves, &mut corners);
+                break;
+            }
+        }
+    }
+    taut::pull(mesh, medium, &mut corners);
+    let legs = || corners.windows(2).map(|ends| (ends[0].place.distance(ends[1].place), ends[0].cost));
+    Ok(VolumePath {
+        mesh: mesh.id(),
+        length: legs().map(|(length, _)| length).sum(),
+        cost: legs().map(|(length, cost)| length * cost).sum(),
+        points: corners.iter().map(|corner| corner.place).collect(),
+    })
+}
+
+/// Goes back along the waves of a march. Returns whether it arrived.
+fn go_back(mesh: &TetMesh, medium: &Medium, waves: &Waves, corners: &mut Vec<Corner>) -> bool {
+    for _ in 0..MOST_BENDS {
+        let Some(&Corner { place, start, .. }) = corners.last() else { return false };
+        let near: Vec<u32> = match start {
+            Start::Vertex(vertex) => vec![vertex],
+            Start::Edge(ends) => ends.to_vec(),
+            Start::Inside(tetrahedron) => mesh.tetrahedra()[tetrahedron as usize].to_vec(),
+        };
+        let Some(leg) = waves.leg(mesh, medium, place, start, near.into_iter()) else { return false };
+        corners.last_mut().expect("there is a last").cost = leg.cost;
+        let start = match leg.ends {
+            Some([a, b]) if a == b => Start::Vertex(a),
+            Some(ends) => Start::Edge(ends),
+            // The path ends there.
+            None => start,
+        };
+        if leg.to != place {
+            corners.push(Corner { place: leg.to, start, cost: leg.cost });
+        } else if let Some(last) = corners.last_mut() {
+            last.start = start;
+        }
+        if leg.ends.is_none() {
+            return true;
+        }
+    }
+    false
+}

@@ -1,0 +1,95 @@
+//! Paths pulled taut: corners are left out where straight lines see past them, and cut where they do not. Lines stay in tetrahedra of
+//! one cost, so corners where a path refracts stay where they are.
+
+use super::Corner;
+use crate::march::Medium;
+use crate::mesh::{Crossing, Start, TetMesh};
+
+/// Rounds of cutting corners, at most. Each about halves what a corner is too far out.
+const ROUNDS: usize = 24;
+
+/// Ends when a round has shortened the path by less than this share.
+const GAIN: f64 = 1e-7;
+
+/// How often the share at which a corner is cut is halved before it is left.
+const HALVINGS: u32 = 8;
+
+/// Shortens a path while its ends stay where they are.
+pub(super) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
+    let mut length = length_of(corners);
+    skip(mesh, medium, corners);
+    for _ in 0..ROUNDS {
+        if corners.len() <= 2 {
+            return;
+        }
+        cut(mesh, medium, corners);
+        skip(mesh, medium, corners);
+        let shorter = length_of(corners);
+        if shorter >= length * (1.0 - GAIN) {
+            return;
+        }
+        length = shorter;
+    }
+}
+
+fn length_of(corners: &[Corner]) -> f64 {
+    corners.windows(2).map(|ends| ends[0].place.distance(ends[1].place)).sum()
+}
+
+/// The tetrahedron that the straight line from a corner to a place ends in, if it stays inside.
+fn sees(mesh: &TetMesh, medium: &Medium, from: &Corner, to: glam::DVec3) -> Option<u32> {
+    let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == from.cost;
+    medium.sight(mesh).walk(from.start, [from.place, to], may_enter, |_| Crossing::On)
+}
+
+/// Leaves out corners that lie between two that see each other.
+fn skip(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
+    let mut kept = vec![corners[0]];
+    let mut current = 0;
+    while current + 1 < corners.len() {
+        // The farthest that is seen, in strides that double while they succeed and halve while they do not.
+        let (mut next, mut stride) = (current + 1, 1);
+        while stride > 0 {
+            let target = next + stride;
+            let is_seen =
+                target < corners.len() && sees(mesh, medium, &corners[current], corners[target].place).is_some();
+            if is_seen {
+                next = target;
+                stride *= 2;
+            } else {
+                stride /= 2;
+            }
+        }
+        kept.push(corners[next]);
+        current = next;
+    }
+    *corners = kept;
+}
+
+/// Cuts every corner as deep as the line across stays inside.
+fn cut(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
+    let mut pulled = vec![corners[0]];
+    for index in 1..corners.len() - 1 {
+        let (before, corner, after) = (*pulled.last().expect("the first is there"), corners[index], corners[index + 1]);
+        let at = |end: &Corner, share: f64| -> Option<Corner> {
+            let place = corner.place.lerp(end.place, share);
+            let inside = sees(mesh, medium, &corner, place)?;
+            Some(Corner { place, start: Start::Inside(inside), cost: corner.cost })
+        };
+        if before.cost != corner.cost {
+            pulled.push(corner);
+            continue;
+        }
+        let across = (1..=HALVINGS).find_map(|halving| {
+            let share = 0.5_f64.powi(halving as i32);
+            let (near, far) = (at(&before, share)?, at(&after, share)?);
+            sees(mesh, medium, &near, far.place).map(|_| [near, far])
+        });
+        match across {
+            Some(two) => pulled.extend(two),
+            None => pulled.push(corner),
+        }
+    }
+    pulled.push(corners[corners.len() - 1]);
+    *corners = pulled;
+}

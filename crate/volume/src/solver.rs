@@ -1,0 +1,181 @@
+//! One object that answers by any method.
+
+use std::sync::Arc;
+
+use heatwalk::{Parameters, Progress};
+
+use crate::distance::{VolumeDistance, VolumeMethod};
+use crate::error::{Error, Result};
+use crate::heat::{VolumeHeat, go_on};
+use crate::march::{March, Medium};
+use crate::mesh::TetMesh;
+use crate::path::{self, VolumePath};
+use crate::point::{TetPoint, TetSource};
+
+/// How distances are found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VolumeOptions {
+    /// By which method.
+    pub method: VolumeMethod,
+    /// Vertices farther than this, in the file's unit, stay at infinity, and no work is done there; positive. Infinite for
+    /// [`VolumeMethod::Heat`], which finds all distances at once.
+    pub max_distance: f64,
+    /// The options of [`VolumeMethod::Heat`]; the operator is not among them, since tetrahedra have one.
+    pub heat: Parameters,
+}
+
+impl Default for VolumeOptions {
+    fn default() -> Self {
+        Self { method: VolumeMethod::default(), max_distance: f64::INFINITY, heat: Parameters::default() }
+    }
+}
+
+impl VolumeOptions {
+    /// This method with all else at its default.
+    pub fn by(method: VolumeMethod) -> Self {
+        Self { method, ..Self::default() }
+    }
+
+    fn check(&self) -> Result<()> {
+        let bad = |range| {
+            let (name, value) = ("the maximum distance", self.max_distance.to_string());
+            Err(heatwalk::Error::BadParameter { name, value, range }.into())
+        };
+        if self.max_distance.is_nan() || self.max_distance <= 0.0 {
+            return bad("a positive number");
+        }
+        if self.method == VolumeMethod::Heat && self.max_distance.is_finite() {
+            return bad("infinite for heat, which finds all distances at once");
+        }
+        Ok(())
+    }
+}
+
+/// Distances and paths in a mesh by any [`VolumeMethod`]. What a method needs is made when it is first asked for, and kept.
+#[derive(Debug)]
+pub struct VolumeSolver {
+    mesh: Arc<TetMesh>,
+    medium: Medium,
+    heat: Option<VolumeHeat>,
+}
+
+impl VolumeSolver {
+    /// Of a mesh where all costs are 1.
+    pub fn new(mesh: impl Into<Arc<TetMesh>>) -> Self {
+        let mesh = mesh.into();
+        let medium = Medium::new(&mesh, None).expect("without costs there is nothing to refuse");
+        Self { mesh, medium, heat: None }
+    }
+
+    /// Of a mesh where each unit of length costs `costs` (`#T`), 10⁻³ to 10³, or infinity for walls, which nothing enters.
+    ///
+    /// # Errors
+    /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
+    pub fn with_costs(mesh: impl Into<Arc<TetMesh>>, costs: &[f64]) -> Result<Self> {
+        let mesh = mesh.into();
+        let medium = Medium::new(&mesh, Some(costs))?;
+        Ok(Self { mesh, medium, heat: None })
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &Arc<TetMesh> {
+        &self.mesh
+    }
+
+    /// Makes what a method needs before its first question: factors for [`VolumeMethod::Heat`], nothing for the march. The questions
+    /// do so by themselves.
+    ///
+    /// # Errors
+    /// [`Error::Heat`]: of its options, of memory, of a matrix that cannot be factored; cancelled.
+    pub fn prepare(&mut self, options: &VolumeOptions, progress: Progress<'_>) -> Result<()> {
+        options.check()?;
+        if options.method == VolumeMethod::March {
+            return Ok(());
+        }
+        let factored = options.heat.factor_options();
+        match &mut self.heat {
+            Some(heat) => heat.set_options(&self.mesh, &self.medium, factored, progress),
+            None => {
+                self.heat = Some(VolumeHeat::new(&self.mesh, &self.medium, factored, progress)?);
+                Ok(())
+            }
+        }
+    }
+
+    /// Distance of every vertex from the nearest source, or the least sum of initial distance and distance.
+    ///
+    /// # Errors
+    /// [`Error::Heat`] with `NoSource` where there is none; as [`TetPoint::checked`]; [`Error::BadInitialDistance`];
+    /// [`Error::SourceInWall`]; as [`Self::prepare`].
+    pub fn distance<S: Into<TetSource> + Copy>(
+        &mut self,
+        sources: &[S],
+        options: &VolumeOptions,
+    ) -> Result<VolumeDistance> {
+        self.prepare(options, &mut go_on)?;
+        if sources.is_empty() {
+            return Err(heatwalk::Error::NoSource.into());
+        }
+        let sources = sources.iter().enumerate().map(|(number, &source)| self.checked(number, source.into()));
+        let sources = sources.collect::<Result<Vec<TetSource>>>()?;
+        let mesh = &self.mesh;
+        let points = sources.iter().map(|source| source.point).collect();
+        let mut distance = VolumeDistance {
+            mesh: mesh.id(),
+            values: Vec::new(),
+            method: options.method,
+            sources: points,
+            exact_below: f64::INFINITY,
+            heat: None,
+            waves: None,
+        };
+        match (options.method, &self.heat) {
+            (VolumeMethod::Heat, Some(heat)) => {
+                let found = heat.distance(mesh, &self.medium, &sources, &options.heat)?;
+                distance.values = found.values;
+                distance.heat = Some(found.heat);
+                distance.exact_below = found.exact_below;
+            }
+            _ => {
+                let mut march = March::new(mesh, &self.medium, &sources);
+                // A value of just the maximum distance is final, too.
+                march.advance(options.max_distance.next_up(), usize::MAX);
+                let (values, waves) = march.finish();
+                distance.values = values;
+                distance.waves = Some(waves);
+            }
+        }
+        Ok(distance)
+    }
+
+    /// A shortest path from a place to the nearest source. Where costs differ, it descends the distance and refracts as that does.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`] for a distance of another mesh; as [`TetPoint::checked`]; [`Error::Unreachable`].
+    pub fn path(&self, distance: &VolumeDistance, from: TetPoint) -> Result<VolumePath> {
+        distance.require(&self.mesh)?;
+        path::find(&self.mesh, &self.medium, distance, from.checked(&self.mesh)?)
+    }
+
+    /// Stored entries of all factors; 0 where nothing is factored.
+    pub fn factor_nonzeros(&self) -> usize {
+        self.heat.as_ref().map_or(0, VolumeHeat::factor_nonzeros)
+    }
+
+    /// m in t = m h² of the heat method; none before it was asked.
+    pub fn time_factor(&self) -> Option<f64> {
+        self.heat.as_ref().map(VolumeHeat::time_factor)
+    }
+
+    fn checked(&self, number: usize, source: TetSource) -> Result<TetSource> {
+        let source = source.checked(&self.mesh)?;
+        let is_open = |tetrahedron: u32| self.medium.cost(tetrahedron).is_finite();
+        let is_reached = match source.point {
+            TetPoint::Vertex(vertex) => {
+                self.mesh.around().row(vertex.0).iter().any(|&tetrahedron| is_open(tetrahedron))
+            }
+            TetPoint::Inside { tetrahedron, .. } => is_open(tetrahedron.0),
+        };
+        if is_reached { Ok(source) } else { Err(Error::SourceInWall { source_number: number }) }
+    }
+}

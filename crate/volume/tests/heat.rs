@@ -1,0 +1,153 @@
+//! Distances by the heat method inside of meshes.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::sync::Arc;
+
+use common::{errors, mesh, nearest, truth};
+use glam::DVec3;
+use heatwalk::{Boundary, ExactRadius, LinearSolver, MultiSource, TimeStep, VertexId};
+use heatwalk_volume::{TetId, TetPoint, TetSource, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+
+fn by_heat() -> VolumeOptions {
+    VolumeOptions::by(VolumeMethod::Heat)
+}
+
+#[test]
+fn errors_are_small_and_fall_with_the_cells() {
+    let mut before = f64::INFINITY;
+    for cells in [9, 14] {
+        let mut solver = VolumeSolver::new(mesh(&shapes::cube(cells, 0.2)));
+        let mesh = Arc::clone(solver.mesh());
+        let source = nearest(&mesh, DVec3::ZERO);
+        let answer = solver.distance(&[source], &by_heat()).unwrap();
+        let [mean, _] = errors(&answer.values, &truth(&mesh, mesh.position(source), DVec3::distance));
+        assert!(mean < before, "{cells} cells: {mean} after {before}");
+        assert!(answer.heat().is_some() && answer.exact_below > 0.0);
+        before = mean;
+    }
+    assert!(before < 0.02, "{before}");
+}
+
+#[test]
+fn without_the_exact_region_it_is_the_plain_method() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(10, 0.2)));
+    let mesh = Arc::clone(solver.mesh());
+    let source = nearest(&mesh, DVec3::ZERO);
+    let truth = truth(&mesh, mesh.position(source), DVec3::distance);
+    let error = |solver: &mut VolumeSolver, radius| {
+        let mut options = by_heat();
+        options.heat.exact_radius = radius;
+        errors(&solver.distance(&[source], &options).unwrap().values, &truth)[0]
+    };
+    let plain = error(&mut solver, ExactRadius::Edges(0.0));
+    assert!((0.01..0.1).contains(&plain), "{plain}");
+    assert!(error(&mut solver, ExactRadius::Automatic) < 0.6 * plain);
+    assert!(error(&mut solver, ExactRadius::Edges(f64::INFINITY)) < 1e-12, "all of it is exact");
+}
+
+#[test]
+fn sources_have_their_initial_distances_exactly() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::pierced_cube(0.4, 3, 0.15)));
+    let sources = [(2, 0.0), (200, 0.05), (400, 0.1)];
+    let source = |(vertex, initial_distance)| TetSource { initial_distance, ..TetSource::from(VertexId(vertex)) };
+    for radius in [ExactRadius::Edges(0.0), ExactRadius::Automatic] {
+        let mut options = by_heat();
+        options.heat.exact_radius = radius;
+        let values = solver.distance(&sources.map(source), &options).unwrap().values;
+        for (vertex, initial) in sources {
+            assert!((values[vertex as usize] - initial).abs() < 1e-12, "{vertex}: {}", values[vertex as usize]);
+        }
+        assert!(values.iter().all(|value| value.is_finite() && *value >= 0.0));
+    }
+}
+
+#[test]
+fn boundary_conditions_differ_where_heat_flows_long() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::ball(6, 0.2)));
+    let mesh = Arc::clone(solver.mesh());
+    let source = nearest(&mesh, DVec3::new(0.4, 0.1, 0.0));
+    let mut ask = |boundary| {
+        let mut options = by_heat();
+        options.heat.boundary = boundary;
+        options.heat.time_step = TimeStep::Factor(10.0);
+        options.heat.exact_radius = ExactRadius::Edges(0.0);
+        solver.distance(&[source], &options).unwrap().values
+    };
+    let [neumann, dirichlet, average] = [Boundary::Neumann, Boundary::Dirichlet, Boundary::Average].map(&mut ask);
+    let truth = truth(&mesh, mesh.position(source), DVec3::distance);
+    let [neumann, dirichlet, average] = [neumann, dirichlet, average].map(|values| errors(&values, &truth)[0]);
+    assert!(average < neumann && average < dirichlet, "{neumann} {dirichlet} {average}");
+}
+
+#[test]
+fn conjugate_gradients_agree_with_cholesky() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(8, 0.2)));
+    let mut ask = |linear| {
+        let mut options = by_heat();
+        options.heat.solver = linear;
+        options.heat.time_step = TimeStep::Factor(1.0);
+        solver.distance(&[VertexId(40)], &options).unwrap().values
+    };
+    let [factored, iterated] = [LinearSolver::Cholesky, LinearSolver::ConjugateGradients].map(&mut ask);
+    // Iterations end at 10⁻¹² of the largest heat, which leaves eight digits or so where it is 10⁻⁴.
+    let [mean, largest] = errors(&iterated, &factored);
+    assert!(mean < 1e-3 && largest < 1e-2, "{mean} {largest}");
+    assert_eq!(solver.factor_nonzeros(), 0);
+}
+
+#[test]
+fn a_source_may_be_inside_of_a_tetrahedron_and_sources_may_be_summed() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::ball(5, 0.2)));
+    let mesh = Arc::clone(solver.mesh());
+    let point = TetPoint::Inside { tetrahedron: TetId(100), weights: [0.1, 0.2, 0.3, 0.4] };
+    let values = solver.distance(&[point], &by_heat()).unwrap().values;
+    let [mean, _] = errors(&values, &truth(&mesh, point.position(&mesh), DVec3::distance));
+    assert!(mean < 0.03, "{mean}");
+    let mut summed = by_heat();
+    summed.heat.sources = MultiSource::Summed;
+    let sources = [VertexId(3), VertexId(90)];
+    assert!(solver.distance(&sources, &summed).unwrap().values.iter().all(|value| value.is_finite()));
+}
+
+#[test]
+fn a_constant_cost_scales_the_distance() {
+    let mesh = Arc::new(mesh(&shapes::cube(5, 0.2)));
+    let plain = VolumeSolver::new(Arc::clone(&mesh)).distance(&[VertexId(3)], &by_heat()).unwrap().values;
+    for cost in [0.5, 8.0] {
+        let costs = vec![cost; mesh.tetrahedron_count()];
+        let mut solver = VolumeSolver::with_costs(Arc::clone(&mesh), &costs).unwrap();
+        let values = solver.distance(&[VertexId(3)], &by_heat()).unwrap().values;
+        let values: Vec<f64> = values.iter().map(|value| value / cost).collect();
+        let [_, largest] = errors(&values, &plain);
+        assert!(largest < 1e-9, "{cost}: {largest}");
+    }
+}
+
+#[test]
+fn walls_keep_heat_out() {
+    let mesh = Arc::new(mesh(&shapes::cube(6, 0.0)));
+    // A wall from side to side.
+    let middle = |tetrahedron: usize| mesh.corners(TetId(tetrahedron as u32)).iter().sum::<DVec3>().x / 4.0;
+    let cost = |tetrahedron| if (0.0..0.4).contains(&middle(tetrahedron)) { f64::INFINITY } else { 1.0 };
+    let costs: Vec<f64> = (0..mesh.tetrahedron_count()).map(cost).collect();
+    let mut solver = VolumeSolver::with_costs(Arc::clone(&mesh), &costs).unwrap();
+    let values = solver.distance(&[nearest(&mesh, DVec3::NEG_ONE)], &by_heat()).unwrap().values;
+    for (value, position) in values.iter().zip(mesh.positions()) {
+        assert_eq!(value.is_finite(), position.x < 0.1, "{position}: {value}");
+    }
+}
+
+#[test]
+fn rejects_options_that_have_no_effect() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(2, 0.0)));
+    let options = VolumeOptions { max_distance: 1.0, ..by_heat() };
+    assert_eq!(solver.distance(&[VertexId(0)], &options).unwrap_err().code(), "bad-parameter");
+    let mut options = by_heat();
+    options.heat.time_step = TimeStep::Factor(-1.0);
+    assert_eq!(solver.distance(&[VertexId(0)], &options).unwrap_err().code(), "bad-parameter");
+    assert!("walk".parse::<VolumeMethod>().is_err() && "march".parse() == Ok(VolumeMethod::March));
+}
