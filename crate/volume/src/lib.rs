@@ -2,6 +2,7 @@
 //!
 //! A [`TetSoup`] is what a file holds, or what fills a closed surface.
 
+pub mod fill;
 pub mod io;
 mod soup;
 
