@@ -44,7 +44,8 @@ pub const VIEWER: Module = Module {
 };
 
 /// The packages whose tests run on wasm32 too.
-const TESTED: [&str; 5] = ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-scene"];
+const TESTED: [&str; 6] =
+    ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-volume", "heatwalk-scene"];
 
 impl Module {
     fn target_folder(&self) -> PathBuf {
