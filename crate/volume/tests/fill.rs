@@ -159,6 +159,16 @@ fn cavities_stay_empty_and_parts_within_parts_are_filled() {
 }
 
 #[test]
+fn size_makes_no_difference() {
+    let soup = shapes::torus(1.0, 0.4, 24, 12);
+    // A power of two, so that nothing is rounded.
+    let factor = 2.0_f64.powi(-100);
+    let (plain, small) = (fill(&soup, 12.0), fill(&scaled(soup, factor), 12.0));
+    assert_eq!(plain.soup.tetrahedra, small.soup.tetrahedra);
+    assert!(plain.soup.positions.iter().zip(&small.soup.positions).all(|(&a, &b)| a * factor == b));
+}
+
+#[test]
 fn small_holes_are_closed() {
     let mut soup = shapes::icosphere(4);
     let whole = fill(&soup, 20.0).report.volume;
