@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::GMSH;
+use super::format::GMSH;
 use crate::io::error::Result;
 
 #[derive(Default)]

@@ -1,22 +1,11 @@
 //! The sections of nodes and of elements.
 
 use super::element::element;
+use super::format::{Header, Layout, TEXT};
 use super::nodes::Nodes;
-use super::{Header, TEXT};
 use crate::io::cells::{NamedCells, Shape};
 use crate::io::error::Result;
 use crate::io::input::Input;
-
-/// How a version lays out nodes and elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
-    /// Of versions 2: each row with its number.
-    Rows,
-    /// Of version 4.0: blocks of rows, each row with its number.
-    TaggedBlocks,
-    /// Of version 4.1: blocks of rows, the numbers of nodes before their places.
-    Blocks,
-}
 
 /// The number of an element, which nothing here needs.
 const ELEMENT: &str = "the number of an element";
