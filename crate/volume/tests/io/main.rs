@@ -134,7 +134,7 @@ fn errors_name_the_place() {
     for ((name, text), place) in [
         (medit("Vertices 1\n0 0 x 0\n"), "line 4"),
         (medit("Vertices 2\n0 0 0 0\n"), "the file ends"),
-        (medit("Vertices 99999999999999\n0 0 0 0\n"), "the file ends"),
+        (medit("Vertices 4000000000\n0 0 0 0\n"), "the file ends"),
         (medit("Vertices -1\n"), "-1"),
         (medit("Vertices 1\n0 0 0 0\nTetrahedra 1\n1 1 1 2 0\n"), "cell 0 refers to vertex 2"),
         (medit("Vertices 1\n0 0 0 0\nTetrahedra 1\n1 1 1 0 0\n"), "cell 0 refers to vertex 0"),
