@@ -110,6 +110,13 @@ impl VolumeDistance {
         if is_finite { gradient_in(mesh.corners(TetId(tetrahedron)), values) } else { DVec3::ZERO }
     }
 
+    /// The same where all lengths are so many times as large. Waves stay as they are.
+    pub(crate) fn times(mut self, factor: f64) -> Self {
+        self.values.iter_mut().for_each(|value| *value *= factor);
+        self.exact_below *= factor;
+        self
+    }
+
     pub(crate) fn require(&self, mesh: &TetMesh) -> Result<()> {
         if self.mesh == mesh.id() { Ok(()) } else { Err(Error::ForeignMesh { what: "distance" }) }
     }

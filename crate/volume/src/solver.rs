@@ -56,6 +56,8 @@ impl VolumeOptions {
 pub struct VolumeSolver {
     mesh: Arc<TetMesh>,
     medium: Medium,
+    /// That of all that are no walls, where they have one. All is computed as if it were 1, and then multiplied.
+    cost: f64,
     heat: Option<VolumeHeat>,
 }
 
@@ -64,7 +66,7 @@ impl VolumeSolver {
     pub fn new(mesh: impl Into<Arc<TetMesh>>) -> Self {
         let mesh = mesh.into();
         let medium = Medium::new(&mesh, None).expect("without costs there is nothing to refuse");
-        Self { mesh, medium, heat: None }
+        Self { mesh, medium, cost: 1.0, heat: None }
     }
 
     /// Of a mesh where each unit of length costs `costs` (`#T`), 10⁻³ to 10³, or infinity for walls, which nothing enters.
@@ -74,7 +76,13 @@ impl VolumeSolver {
     pub fn with_costs(mesh: impl Into<Arc<TetMesh>>, costs: &[f64]) -> Result<Self> {
         let mesh = mesh.into();
         let medium = Medium::new(&mesh, Some(costs))?;
-        Ok(Self { mesh, medium, heat: None })
+        if !medium.is_uniform() {
+            return Ok(Self { mesh, medium, cost: 1.0, heat: None });
+        }
+        let cost = costs.iter().copied().fold(f64::INFINITY, f64::min);
+        let of_one: Vec<f64> = costs.iter().map(|&own| if own.is_finite() { 1.0 } else { own }).collect();
+        let medium = Medium::new(&mesh, Some(&of_one))?;
+        Ok(Self { mesh, medium, cost, heat: None })
     }
 
     /// The mesh.
@@ -139,13 +147,13 @@ impl VolumeSolver {
             _ => {
                 let mut march = March::new(mesh, &self.medium, &sources);
                 // A value of just the maximum distance is final, too.
-                march.advance(options.max_distance.next_up(), usize::MAX);
+                march.advance((options.max_distance / self.cost).next_up(), usize::MAX);
                 let (values, waves) = march.finish();
                 distance.values = values;
                 distance.waves = Some(waves);
             }
         }
-        Ok(distance)
+        Ok(distance.times(self.cost))
     }
 
     /// A shortest path from a place to the nearest source. Where costs differ, it descends the distance and refracts as that does.
@@ -154,7 +162,13 @@ impl VolumeSolver {
     /// [`Error::ForeignMesh`] for a distance of another mesh; as [`TetPoint::checked`]; [`Error::Unreachable`].
     pub fn path(&self, distance: &VolumeDistance, from: TetPoint) -> Result<VolumePath> {
         distance.require(&self.mesh)?;
-        path::find(&self.mesh, &self.medium, distance, from.checked(&self.mesh)?)
+        let from = from.checked(&self.mesh)?;
+        if self.cost == 1.0 {
+            return path::find(&self.mesh, &self.medium, distance, from);
+        }
+        let mut path = path::find(&self.mesh, &self.medium, &distance.clone().times(self.cost.recip()), from)?;
+        path.cost *= self.cost;
+        Ok(path)
     }
 
     /// Stored entries of all factors; 0 where nothing is factored.
@@ -176,6 +190,9 @@ impl VolumeSolver {
             }
             TetPoint::Inside { tetrahedron, .. } => is_open(tetrahedron.0),
         };
-        if is_reached { Ok(source) } else { Err(Error::SourceInWall { source_number: number }) }
+        if !is_reached {
+            return Err(Error::SourceInWall { source_number: number });
+        }
+        Ok(TetSource { initial_distance: source.initial_distance / self.cost, ..source })
     }
 }
