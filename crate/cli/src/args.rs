@@ -29,6 +29,8 @@ pub enum Command {
     Distance(Distance),
     /// The path from one place to another
     Path(Path),
+    /// Fill a closed surface with tetrahedra
+    Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
     Table(Table),
 }
@@ -166,6 +168,21 @@ pub struct Path {
 }
 
 #[derive(Args)]
+pub struct Fill {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    /// Cells along the longest side
+    #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present = "tetrahedra")]
+    pub resolution: Option<f64>,
+    /// About so many tetrahedra
+    #[arg(long, value_name = "COUNT", conflicts_with = "resolution")]
+    pub tetrahedra: Option<usize>,
+    /// Write them to a .msh (Gmsh) or .vtu (VTK) file
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Args)]
 pub struct Table {
     /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK files, or shape:NAME; of FILE#N the part N alone, counted from 0
     #[arg(value_name = "MESH", required = true)]
@@ -236,7 +253,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

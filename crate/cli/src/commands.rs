@@ -6,6 +6,7 @@ use serde_json::json;
 use crate::answer::Answer;
 use crate::args::{Command, Info};
 use crate::distance::distance;
+use crate::fill::fill;
 use crate::input::Input;
 use crate::path::path;
 use crate::report::Report;
@@ -18,6 +19,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Info(arguments) => info(arguments).map(Answer::from),
         Command::Distance(arguments) => distance(arguments).map(Answer::from),
         Command::Path(arguments) => path(arguments).map(Answer::from),
+        Command::Fill(arguments) => fill(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

@@ -4,6 +4,7 @@ mod answer;
 mod args;
 mod commands;
 mod distance;
+mod fill;
 mod input;
 mod markdown;
 mod method;

@@ -10,6 +10,7 @@ use glam::DVec3;
 use heatwalk::io::write;
 use heatwalk::{Soup, Up};
 use heatwalk_volume::TetSoup;
+use heatwalk_volume::io::write as volume;
 
 #[derive(Clone, Copy)]
 pub enum DistanceFormat {
@@ -29,6 +30,12 @@ pub enum VolumeFormat {
 pub enum PathFormat {
     Obj,
     Csv,
+}
+
+#[derive(Clone, Copy)]
+pub enum FillFormat {
+    Msh,
+    Vtu,
 }
 
 /// A file that can be written, and how.
@@ -83,8 +90,8 @@ impl Output<VolumeFormat> {
     pub fn write_volume(&self, soup: &TetSoup, distance: Vec<f64>) -> Result<()> {
         self.save(&match self.format {
             VolumeFormat::Csv => distance_csv(&[("distance".to_owned(), distance)]),
-            VolumeFormat::Vtu => heatwalk_volume::io::write::vtu(soup, Some(&distance)),
-            VolumeFormat::Msh => heatwalk_volume::io::write::msh(soup, Some(&distance)),
+            VolumeFormat::Vtu => volume::vtu(soup, Some(&distance)),
+            VolumeFormat::Msh => volume::msh(soup, Some(&distance)),
         })
     }
 }
@@ -112,6 +119,24 @@ impl Output<PathFormat> {
                 }
                 text.into_bytes()
             }
+        })
+    }
+}
+
+impl Output<FillFormat> {
+    pub fn fill(path: &Path) -> Result<Self> {
+        let format = match extension(path).as_str() {
+            "msh" => FillFormat::Msh,
+            "vtu" => FillFormat::Vtu,
+            _ => bail!("{}: tetrahedra are written as .msh or .vtu", path.display()),
+        };
+        Self::new(path, format)
+    }
+
+    pub fn write_filled(&self, soup: &TetSoup) -> Result<()> {
+        self.save(&match self.format {
+            FillFormat::Msh => volume::msh(soup, None),
+            FillFormat::Vtu => volume::vtu(soup, None),
         })
     }
 }

@@ -25,6 +25,7 @@
 
 mod distance;
 mod error;
+pub mod fill;
 mod heat;
 pub mod io;
 mod lists;

@@ -3,6 +3,7 @@
 mod animations;
 mod exact;
 mod files;
+mod fill;
 mod joining;
 mod method;
 mod options;

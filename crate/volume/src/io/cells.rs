@@ -205,11 +205,8 @@ mod tests {
     /// Corners of each shape with a volume of 1 or, of the prisms over polygons, that of the polygon.
     fn solid(shape: Shape) -> (Vec<DVec3>, f64) {
         let ring = |corners: u32| {
-            let corner = move |k| {
-                DVec3::from(
-                    glam::DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / f64::from(corners)).extend(0.0),
-                )
-            };
+            let corner =
+                move |k| glam::DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / f64::from(corners)).extend(0.0);
             let points: Vec<DVec3> = (0..corners).map(corner).collect();
             let area = 0.5 * f64::from(corners) * (std::f64::consts::TAU / f64::from(corners)).sin();
             (points.iter().copied().chain(points.iter().map(|&point| point + DVec3::Z)).collect(), area)

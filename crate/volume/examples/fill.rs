@@ -1,0 +1,63 @@
+//! Fills the shapes that are made in code, and files, with about so many tetrahedra each:
+//! `cargo run --release -p heatwalk-volume --example fill -- 100000 [FILE ...]`. Prints a table of what came of it.
+
+use std::error::Error;
+use std::fs;
+use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Instant;
+
+use heatwalk::{Soup, Surface, io};
+use heatwalk_volume::fill::{Resolution, Solid};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let count = arguments.next().map_or(Ok(100_000), |count| count.parse())?;
+    let files: Vec<String> = arguments.collect();
+    println!(
+        "| surface | triangles | cells | tetrahedra | estimated | vertices | estimated | volume | dihedral angles | deviation, cells | ms |"
+    );
+    println!("|---|---:|---:|---:|---:|---:|---:|---:|---|---:|---:|");
+    if files.is_empty() {
+        for &name in heatwalk_shapes::names() {
+            row(name, &heatwalk_shapes::by_name(name)?, count)?;
+        }
+    }
+    for file in files {
+        let name = Path::new(&file).file_name().unwrap_or_default().to_string_lossy();
+        row(&name, &io::read(&name, &fs::read(&file)?, &|_| None)?, count)?;
+    }
+    Ok(())
+}
+
+fn row(name: &str, soup: &Soup, count: usize) -> Result<(), Box<dyn Error>> {
+    let surface = Surface::build(soup)?;
+    let resolution = Resolution::Tetrahedra(count);
+    let start = Instant::now();
+    let solid = match Solid::new(soup, &surface, NonZeroUsize::MIN) {
+        Ok(solid) => solid,
+        Err(error) => {
+            println!("| {name} | {} | {error} |", soup.triangles.len());
+            return Ok(());
+        }
+    };
+    let estimate = solid.estimate(resolution)?;
+    let report = solid.fill(resolution, &mut |_| ControlFlow::Continue(()))?.report;
+    let milliseconds = start.elapsed().as_millis();
+    let [least, greatest] = report.dihedral_angles;
+    println!(
+        "| {name} | {} | {:.1} | {} | {} | {} | {} | {} | {least:.1}° to {greatest:.1}° | {:.2} | {milliseconds} |",
+        soup.triangles.len(),
+        report.cells,
+        report.tetrahedra,
+        estimate.tetrahedra,
+        report.vertices,
+        estimate.vertices,
+        report
+            .surface_volume
+            .map_or("".to_owned(), |volume| format!("{:+.2} %", 100.0 * (report.volume / volume - 1.0))),
+        report.deviation / report.cell_side
+    );
+    Ok(())
+}

@@ -1,0 +1,176 @@
+//! Where a solid is: inside or outside of points, and where it ends along the edges of a lattice.
+
+use std::num::NonZeroUsize;
+use std::ops::{ControlFlow, Range};
+
+use glam::DVec3;
+use heatwalk::surface::parallel;
+
+use super::error::{Error, Result};
+use super::hierarchy::Hierarchy;
+use super::lattice::{BLOCK, Lattice};
+
+/// Points that wind around more often than this are inside.
+const INSIDE: f64 = 0.5;
+
+/// Blocks, and distances or cuts, between two calls of the progress callback: some ten milliseconds.
+const BLOCKS: usize = 1 << 12;
+const EDGES: usize = 1 << 13;
+
+/// Radii of a block that its middle has to be away from the surface, for the middle to tell of all its points.
+const CLEAR: f64 = 1.5;
+
+/// How far the winding number there may be from a whole one: at two thirds of the way to the surface it is 15 times as far at most,
+/// (1 + ρ) / (1 − ρ)², and that is less than a half.
+const WHOLE: f64 = 0.03;
+
+/// Parts of an edge that are shorter than this share of it are not told apart: far below what is seen, far above rounding.
+const PRECISION: f64 = 1e-4;
+
+/// Called between slices of work with the share done so far, 0 to 1. `Break` ends the work with [`Error::Cancelled`].
+pub type Progress<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
+
+/// What is inside of oriented triangles.
+#[derive(Debug)]
+pub struct Field {
+    hierarchy: Hierarchy,
+    /// Nothing outside of this box is inside.
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Field {
+    pub fn new(hierarchy: Hierarchy) -> Self {
+        let [low, high] = hierarchy.bounds();
+        Self { hierarchy, low, high }
+    }
+
+    pub fn bounds(&self) -> [DVec3; 2] {
+        [self.low, self.high]
+    }
+
+    /// How often the triangles wind around a point: 0 outside of their box.
+    pub fn winding(&self, point: DVec3) -> f64 {
+        if self.is_in_box(point) { self.hierarchy.winding(point) } else { 0.0 }
+    }
+
+    fn is_in_box(&self, point: DVec3) -> bool {
+        point.cmpge(self.low).all() && point.cmple(self.high).all()
+    }
+
+    /// Distance from a point to the surface.
+    pub fn distance(&self, point: DVec3) -> f64 {
+        self.hierarchy.distance(point)
+    }
+
+    fn is_inside(&self, point: DVec3) -> bool {
+        self.winding(point) > INSIDE
+    }
+
+    /// By lattice point whether it is inside. `progress` goes from one share to another.
+    pub fn insides(
+        &self,
+        lattice: &Lattice,
+        threads: NonZeroUsize,
+        shares: Range<f64>,
+        progress: Progress,
+    ) -> Result<Vec<bool>> {
+        let blocks = lattice.blocks();
+        let masks = slices(blocks.len(), BLOCKS, threads, shares, progress, |block| {
+            let mut mask = 0_u128;
+            self.block(lattice, blocks[block], BLOCK, &mut mask);
+            mask
+        })?;
+        let mut is_inside = vec![false; lattice.len()];
+        for (&block, &mask) in blocks.iter().zip(&masks).filter(|(_, mask)| **mask != 0) {
+            for (bit, point) in lattice.points_of(block, BLOCK) {
+                is_inside[point] = mask >> bit & 1 == 1;
+            }
+        }
+        Ok(is_inside)
+    }
+
+    /// Sets the bits of the points inside among those of a block of so many cells along each side. Off the surface winding numbers
+    /// are harmonic, so that Harnack's inequality bounds them: if the number in the middle of a ball without surface is nearly whole,
+    /// none within two thirds of the ball is on the other side of a half.
+    fn block(&self, lattice: &Lattice, first: [usize; 3], cells: usize, mask: &mut u128) {
+        let (middle, radius) = lattice.ball(first, cells);
+        if self.distance(middle) >= CLEAR * radius {
+            let winding = self.winding(middle);
+            if (winding - winding.round()).abs() <= WHOLE {
+                if winding > INSIDE {
+                    let points =
+                        lattice.points_of(first, cells).filter(|&(_, point)| self.is_in_box(lattice.position(point)));
+                    points.for_each(|(bit, _)| *mask |= 1 << bit);
+                }
+                return;
+            }
+        }
+        if cells > 2 {
+            let half = cells / 2;
+            for part in 0..8 {
+                let corner = [0, 1, 2].map(|axis| first[axis] + half * (part >> axis & 1));
+                self.block(lattice, corner, half, mask);
+            }
+            return;
+        }
+        for (bit, point) in lattice.points_of(first, cells) {
+            *mask |= u128::from(self.is_inside(lattice.position(point))) << bit;
+        }
+    }
+
+    /// Of each edge from a point inside to one outside the share of the way at which it is cut.
+    pub fn cuts(
+        &self,
+        lattice: &Lattice,
+        edges: &[(u32, u8)],
+        threads: NonZeroUsize,
+        shares: Range<f64>,
+        progress: Progress,
+    ) -> Result<Vec<f64>> {
+        slices(edges.len(), EDGES, threads, shares, progress, |index| {
+            let (inside, direction) = (edges[index].0 as usize, usize::from(edges[index].1));
+            self.cut(lattice.position(inside), lattice.position(lattice.neighbour(inside, direction)))
+        })
+    }
+
+    /// The share of the way from a point inside to one outside at which the inside ends for the first time.
+    fn cut(&self, inside: DVec3, outside: DVec3) -> f64 {
+        let crossings = self.hierarchy.crossings(inside, outside);
+        let is_inside = |share: f64| self.is_inside(inside.lerp(outside, share));
+        if let Some((&last, others)) = crossings.split_last() {
+            // Between two triangles it may be the one or the other.
+            let ends = |pair: &&[f64]| pair[1] - pair[0] > PRECISION && !is_inside(0.5 * (pair[0] + pair[1]));
+            return if others.is_empty() { last } else { crossings.windows(2).find(ends).map_or(last, |pair| pair[0]) };
+        }
+        // A hole: there is no triangle where the sign changes.
+        let (mut low, mut high) = (0.0, 1.0);
+        while high - low > PRECISION {
+            let middle = 0.5 * (low + high);
+            if is_inside(middle) { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// `value` of each of `0..count`, a slice after the other, each on several threads.
+fn slices<T: bytemuck::Zeroable + Send>(
+    count: usize,
+    slice: usize,
+    threads: NonZeroUsize,
+    shares: Range<f64>,
+    progress: Progress,
+    value: impl Fn(usize) -> T + Sync,
+) -> Result<Vec<T>> {
+    let mut values = Vec::with_capacity(count);
+    let slice = slice * threads.get();
+    for start in (0..count).step_by(slice) {
+        let done = shares.start + (shares.end - shares.start) * start as f64 / count as f64;
+        if progress(done).is_break() {
+            return Err(Error::Cancelled);
+        }
+        let length = slice.min(count - start);
+        values.extend(parallel::collect(length, threads, |index| value(start + index)));
+    }
+    Ok(values)
+}

@@ -1,0 +1,213 @@
+//! The body-centred cubic lattice: the corners of cubic cells and their centres. Each centre is joined to the corners of its cell
+//! (short edges) and to the centres of the six cells beside it, each corner to its six neighbours (long edges). Around each edge
+//! between centres lie four tetrahedra, which fill space.
+
+use std::array;
+
+use glam::DVec3;
+
+/// Neighbours of a point.
+pub const DIRECTIONS: usize = 14;
+
+/// The first of them are along the axes: up x, y, z, then down.
+const LONG: usize = 6;
+
+/// Tetrahedra around the edges from a centre up the three axes.
+const AROUND: usize = 12;
+
+/// Cells along each side of a block, of which a `u128` has a bit a point.
+pub const BLOCK: usize = 4;
+
+/// The directions from each corner of a lattice tetrahedron to the others.
+pub type Directions = [[usize; 4]; 4];
+
+/// Whether the neighbours in a direction are joined by a long edge.
+#[inline]
+pub fn is_long(direction: usize) -> bool {
+    direction < LONG
+}
+
+/// The direction back.
+#[inline]
+pub fn opposite(direction: usize) -> usize {
+    if is_long(direction) { (direction + LONG / 2) % LONG } else { LONG + (7 - (direction - LONG)) }
+}
+
+/// A lattice tetrahedron relative to its first corner, a centre: what to add to the centre's number for each corner, and the
+/// directions between them.
+struct Tetrahedron {
+    offsets: [isize; 4],
+    directions: Directions,
+}
+
+/// Points of the lattice in a box, numbered along x, then y, then z, each cell's low corner before its centre.
+pub struct Lattice {
+    /// Of the corner 0.
+    origin: DVec3,
+    /// Side of a cell.
+    pub side: f64,
+    /// Cells along each axis.
+    cells: [usize; 3],
+    /// What to add to the number of a corner, or of a centre, to get that of its neighbour.
+    offsets: [[isize; DIRECTIONS]; 2],
+    tetrahedra: [Tetrahedron; AROUND],
+}
+
+impl Lattice {
+    pub fn new(origin: DVec3, side: f64, cells: [usize; 3]) -> Self {
+        let strides = [2, 2 * cells[0] as isize, 2 * (cells[0] * cells[1]) as isize];
+        let offset = |is_centre: usize, direction: usize| {
+            if direction < LONG {
+                let stride = strides[direction % 3];
+                return if direction < LONG / 2 { stride } else { -stride };
+            }
+            let bits = direction - LONG;
+            let step = |axis: usize| strides[axis] * ((bits >> axis & 1) as isize + is_centre as isize - 1);
+            step(0) + step(1) + step(2) + if is_centre == 1 { -1 } else { 1 }
+        };
+        let offsets = array::from_fn(|is_centre| array::from_fn(|direction| offset(is_centre, direction)));
+        let tetrahedra = array::from_fn(|index| Tetrahedron::new(index / 4, index % 4, &offsets));
+        Self { origin, side, cells, offsets, tetrahedra }
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        2 * self.cells.iter().product::<usize>()
+    }
+
+    pub fn position(&self, point: usize) -> DVec3 {
+        let (cell, is_centre) = (point / 2, point % 2);
+        let along =
+            [cell % self.cells[0], cell / self.cells[0] % self.cells[1], cell / (self.cells[0] * self.cells[1])];
+        let shift = 0.5 * is_centre as f64;
+        self.origin + self.side * DVec3::from(along.map(|along| along as f64 + shift))
+    }
+
+    /// The first cells of the blocks that hold all points.
+    pub fn blocks(&self) -> Vec<[usize; 3]> {
+        let [x, y, z] = self.cells.map(|cells| (0..cells).step_by(BLOCK));
+        z.flat_map(|k| {
+            y.clone().flat_map({
+                let x = x.clone();
+                move |j| x.clone().map(move |i| [i, j, k])
+            })
+        })
+        .collect()
+    }
+
+    /// Middle and radius of the ball around the points of so many cells along each side.
+    pub fn ball(&self, first: [usize; 3], cells: usize) -> (DVec3, f64) {
+        let half = 0.5 * (cells as f64 - 0.5);
+        let middle = DVec3::from(first.map(|first| first as f64 + half));
+        (self.origin + self.side * middle, self.side * half * 3.0_f64.sqrt())
+    }
+
+    /// The points of so many cells along each side of the box, as far as there are so many, each with its place in its block.
+    pub fn points_of(&self, first: [usize; 3], cells: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let [x, y, z] = [0, 1, 2].map(|axis| first[axis]..self.cells[axis].min(first[axis] + cells));
+        let all = z.flat_map(move |k| {
+            let x = x.clone();
+            y.clone().flat_map(move |j| x.clone().map(move |i| [i, j, k]))
+        });
+        all.flat_map(|[i, j, k]| {
+            let bit = 2 * ((k % BLOCK * BLOCK + j % BLOCK) * BLOCK + i % BLOCK);
+            let point = 2 * ((k * self.cells[1] + j) * self.cells[0] + i);
+            [(bit, point), (bit + 1, point + 1)]
+        })
+    }
+
+    /// The neighbour in a direction, of a point that is not in the outermost layer.
+    #[inline]
+    pub fn neighbour(&self, point: usize, direction: usize) -> usize {
+        point.wrapping_add_signed(self.offsets[point % 2][direction])
+    }
+
+    /// Calls `work` with the corners of each tetrahedron around the edges up from a centre, and the directions between them.
+    #[inline]
+    pub fn tetrahedra_at(&self, centre: usize, mut work: impl FnMut([usize; 4], &Directions)) {
+        for tetrahedron in &self.tetrahedra {
+            work(tetrahedron.offsets.map(|offset| centre.wrapping_add_signed(offset)), &tetrahedron.directions);
+        }
+    }
+
+    /// The centres of the cells that are not in the outermost layer on the upper sides, in order.
+    pub fn centres(&self) -> impl Iterator<Item = usize> + use<> {
+        let [x, y, z] = self.cells;
+        let rows = (0..z - 1).flat_map(move |k| (0..y - 1).map(move |j| (k * y + j) * x));
+        rows.flat_map(move |row| (row..row + x - 1).map(|cell| 2 * cell + 1))
+    }
+}
+
+impl Tetrahedron {
+    /// Around the edge up an axis, the corners of the face between both cells taken from place `turn` of the ring on.
+    fn new(axis: usize, turn: usize, offsets: &[[isize; DIRECTIONS]; 2]) -> Self {
+        let ring = |place: usize| -> usize {
+            let [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
+            let (b, c) = [(0, 0), (1, 0), (1, 1), (0, 1)][place % 4];
+            1 << axis | b << second | c << third
+        };
+        let [first, last] = [ring(turn), ring(turn + 1)];
+        let changed = (first ^ last).ilog2() as usize;
+        let along = if last > first { changed } else { changed + LONG / 2 };
+        let below = |bits: usize| LONG + (bits & !(1 << axis));
+        let mut directions = [[usize::MAX; 4]; 4];
+        for (from, to, direction) in [
+            (0, 1, axis),
+            (0, 2, LONG + first),
+            (0, 3, LONG + last),
+            (1, 2, below(first)),
+            (1, 3, below(last)),
+            (2, 3, along),
+        ] {
+            directions[from][to] = direction;
+            directions[to][from] = opposite(direction);
+        }
+        let offset = |to: usize| offsets[1][directions[0][to]];
+        Self { offsets: [0, offset(1), offset(2), offset(3)], directions }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::{DIRECTIONS, Lattice, is_long, opposite};
+
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    #[test]
+    fn neighbours_are_where_their_directions_lead() {
+        let lattice = Lattice::new(DVec3::new(0.5, -1.0, 2.0), 2.0, [5, 6, 7]);
+        for point in [2 * (2 + 5 * (3 + 6 * 2)), 2 * (1 + 5 * (2 + 6 * 4)) + 1] {
+            for direction in 0..DIRECTIONS {
+                let neighbour = lattice.neighbour(point, direction);
+                assert_eq!(lattice.neighbour(neighbour, opposite(direction)), point);
+                let length = lattice.position(point).distance(lattice.position(neighbour));
+                assert!((length - if is_long(direction) { 2.0 } else { 3.0_f64.sqrt() }).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn tetrahedra_fill_the_cells() {
+        let lattice = Lattice::new(DVec3::ZERO, 1.0, [4, 5, 6]);
+        let (mut count, mut sum) = (0, 0.0);
+        for centre in lattice.centres() {
+            lattice.tetrahedra_at(centre, |corners, directions| {
+                let [a, b, c, d] = corners.map(|corner| lattice.position(corner));
+                let volume = (b - a).cross(c - a).dot(d - a) / 6.0;
+                assert!((volume - 1.0 / 12.0).abs() < 1e-12, "{volume}");
+                for (i, &corner) in corners.iter().enumerate() {
+                    for j in (0..4).filter(|&j| j != i) {
+                        assert_eq!(lattice.neighbour(corner, directions[i][j]), corners[j]);
+                    }
+                }
+                count += 1;
+                sum += volume;
+            });
+        }
+        assert_eq!(count, 12 * 3 * 4 * 5);
+        assert!((sum - 60.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,266 @@
+//! What is enclosed, and tetrahedra in it.
+
+use std::num::NonZeroUsize;
+
+use glam::DVec3;
+use heatwalk::surface::{memory, parallel};
+use heatwalk::{HalfedgeId, Soup, Surface};
+
+use super::error::{Error, Result};
+use super::field::{Field, Progress};
+use super::hierarchy::Hierarchy;
+use super::lattice::Lattice;
+use super::orientation::oriented;
+use super::quality::{boundary, dihedral_angles, volume};
+use super::sample::Sample;
+use super::stuffing::{Stuffing, cut_edges};
+use super::triangle::{Triangle, area_vector};
+use crate::soup::TetSoup;
+
+/// A surface is open if more points than this have no whole winding number, as a share of those inside.
+const OPEN: f64 = 0.25;
+
+/// Most cells along the longest side.
+const MOST_CELLS: f64 = 1024.0;
+const RANGE_OF_CELLS: &str = "from 1 to 1024";
+/// Most tetrahedra: they and their vertices are numbered by 32 bits.
+const MOST_TETRAHEDRA: usize = 1 << 28;
+const RANGE_OF_TETRAHEDRA: &str = "from 1 to 268435456";
+
+/// Bytes in use at once, a lattice point: its sign, row and vertex, and what is made of it.
+const BYTES_PER_POINT: u64 = 64;
+
+/// Cells that a box may end beyond a whole number of them without another one: well above rounding.
+const SLACK: f64 = 1e-6;
+
+/// Tetrahedra of a cell.
+const TETRAHEDRA_PER_CELL: f64 = 12.0;
+const VERTICES_PER_CELL: f64 = 2.0;
+/// How many there are more than by the volume, for each line through the lattice that enters or leaves: fitted to a sphere of 25 cells
+/// and a torus of 39.
+const TETRAHEDRA_PER_CROSSING: f64 = 1.08;
+const VERTICES_PER_CROSSING: f64 = 0.9;
+
+/// How fine tetrahedra shall be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Resolution {
+    /// So many cells of the lattice along the longest side of the surface's box; from 1 to 1024, whole or not.
+    Cells(f64),
+    /// About so many tetrahedra, by the [estimate](Solid::estimate).
+    Tetrahedra(usize),
+}
+
+/// What filling will give, by volume and area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// Cells along the longest side.
+    pub cells: f64,
+    /// Tetrahedra, to some per cent where what is enclosed is thicker than a few cells.
+    pub tetrahedra: usize,
+    /// Their vertices.
+    pub vertices: usize,
+}
+
+/// What was made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FillReport {
+    /// Number of tetrahedra.
+    pub tetrahedra: usize,
+    /// Number of vertices, each of a tetrahedron at least.
+    pub vertices: usize,
+    /// Cells of the lattice along the longest side.
+    pub cells: f64,
+    /// Side of a cell, in the file's unit; the tetrahedra's edges are about as long.
+    pub cell_side: f64,
+    /// Of all tetrahedra.
+    pub volume: f64,
+    /// Enclosed by the surface; None where its parts overlap or it has holes, for then its triangles do not tell.
+    pub surface_volume: Option<f64>,
+    /// The least and the greatest angle between faces of a tetrahedron, in degrees.
+    pub dihedral_angles: [f64; 2],
+    /// Farthest that a vertex or the middle of a face of the boundary is from the surface, in the file's unit.
+    pub deviation: f64,
+    /// Holes of the surface that were closed.
+    pub holes: usize,
+}
+
+/// Tetrahedra, and what there is to say about them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Filled {
+    /// All oriented alike: a right-handed corner each.
+    pub soup: TetSoup,
+    /// What was made.
+    pub report: FillReport,
+}
+
+/// What a surface encloses.
+#[derive(Debug)]
+pub struct Solid {
+    field: Field,
+    threads: NonZeroUsize,
+    volume: f64,
+    /// Whether the triangles tell the volume: they close, and none lies inside.
+    is_plain: bool,
+    /// As [`Sample::crossings`].
+    crossings: f64,
+    holes: usize,
+}
+
+impl Solid {
+    /// Of the surface that was built of a soup (its active parts alone, where it has others), on so many threads, the same however
+    /// many.
+    ///
+    /// # Errors
+    /// [`Error::Open`] where it does not enclose anything, with its largest hole; [`Error::NotOriented`].
+    ///
+    /// # Panics
+    /// Where there are no threads, as on wasm32, and more than one is asked for.
+    pub fn new(soup: &Soup, surface: &Surface, threads: NonZeroUsize) -> Result<Self> {
+        let triangles = oriented(soup, surface);
+        let field = Field::new(Hierarchy::new(&triangles, threads));
+        let sample = Sample::new(&field, threads);
+        let holes = surface.report().boundary_loops;
+        if sample.undecided > OPEN || (sample.volume == 0.0 && holes > 0) {
+            return Err(open(surface));
+        }
+        let is_plain = holes == 0 && !sample.has_overlaps;
+        let (volume, crossings) = if is_plain { measures(&triangles) } else { (sample.volume, sample.crossings) };
+        Ok(Self { field, threads, volume, is_plain, crossings, holes })
+    }
+
+    /// What filling would give, at once.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`].
+    pub fn estimate(&self, resolution: Resolution) -> Result<Estimate> {
+        let cells = self.cells(resolution)?;
+        let side = self.longest() / cells;
+        let (volume, crossings) = (self.volume / side.powi(3), self.crossings / side.powi(2));
+        let count = |per_cell: f64, more: f64| (per_cell * volume + more * crossings).max(0.0).round() as usize;
+        Ok(Estimate {
+            cells,
+            tetrahedra: count(TETRAHEDRA_PER_CELL, TETRAHEDRA_PER_CROSSING),
+            vertices: count(VERTICES_PER_CELL, VERTICES_PER_CROSSING),
+        })
+    }
+
+    fn longest(&self) -> f64 {
+        let [low, high] = self.field.bounds();
+        (high - low).max_element()
+    }
+
+    fn cells(&self, resolution: Resolution) -> Result<f64> {
+        match resolution {
+            Resolution::Cells(cells) if (1.0..=MOST_CELLS).contains(&cells) => Ok(cells),
+            Resolution::Cells(cells) => Err(Error::BadParameter {
+                name: "the number of cells",
+                value: cells.to_string(),
+                range: RANGE_OF_CELLS,
+            }),
+            Resolution::Tetrahedra(count) if (1..=MOST_TETRAHEDRA).contains(&count) => {
+                // More cells, more tetrahedra: halved until the number is the nearest.
+                let (mut low, mut high) = (1.0, MOST_CELLS);
+                for _ in 0..f64::MANTISSA_DIGITS {
+                    let middle = 0.5 * (low + high);
+                    let is_enough = self.estimate(Resolution::Cells(middle))?.tetrahedra >= count;
+                    if is_enough { high = middle } else { low = middle }
+                }
+                Ok(high)
+            }
+            Resolution::Tetrahedra(count) => Err(Error::BadParameter {
+                name: "the number of tetrahedra",
+                value: count.to_string(),
+                range: RANGE_OF_TETRAHEDRA,
+            }),
+        }
+    }
+
+    /// Fills it, to the same bits every time. `progress` is called some milliseconds apart with the share done.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`], [`Error::TooCoarse`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn fill(&self, resolution: Resolution, progress: Progress) -> Result<Filled> {
+        let cells = self.cells(resolution)?;
+        let lattice = self.lattice(cells)?;
+        let is_inside = self.field.insides(&lattice, self.threads, 0.0..0.4, progress)?;
+        let edges = cut_edges(&lattice, &is_inside);
+        let cuts = self.field.cuts(&lattice, &edges, self.threads, 0.4..0.8, progress)?;
+        let mut stuffing = Stuffing::new(&lattice, &is_inside, &edges, &cuts);
+        if progress(0.8).is_break() {
+            return Err(Error::Cancelled);
+        }
+        stuffing.warp();
+        let (soup, is_on_surface) = stuffing.tetrahedra();
+        if soup.tetrahedra.is_empty() {
+            return Err(Error::TooCoarse { cells });
+        }
+        if progress(0.9).is_break() {
+            return Err(Error::Cancelled);
+        }
+        let positions = |tetrahedron: [u32; 4]| tetrahedron.map(|corner| soup.positions[corner as usize]);
+        let report = FillReport {
+            tetrahedra: soup.tetrahedra.len(),
+            vertices: soup.positions.len(),
+            cells,
+            cell_side: lattice.side,
+            volume: soup.tetrahedra.iter().map(|&tetrahedron| volume(positions(tetrahedron))).sum(),
+            surface_volume: self.is_plain.then_some(self.volume),
+            dihedral_angles: dihedral_angles(&soup).map(f64::to_degrees),
+            deviation: self.deviation(&soup, &is_on_surface),
+            holes: self.holes,
+        };
+        Ok(Filled { soup, report })
+    }
+
+    /// A lattice around the box, in its middle, with a layer of cells to spare on the low sides and two on the high ones.
+    fn lattice(&self, cells: f64) -> Result<Lattice> {
+        let [low, high] = self.field.bounds();
+        let side = self.longest() / cells;
+        let along = ((high - low) / side - SLACK).ceil().max(DVec3::ONE);
+        let origin = 0.5 * (low + high) - (0.5 * along + 1.0) * side;
+        let counts = along.to_array().map(|count| count as usize + 3);
+        let points = 2 * counts.iter().map(|&count| count as u64).product::<u64>();
+        let is_numbered = points < u64::from(u32::MAX);
+        memory::require(if is_numbered { BYTES_PER_POINT * points } else { u64::MAX }, "filling")
+            .map_err(|_| Error::OutOfMemory { stage: "filling" })?;
+        Ok(Lattice::new(origin, side, counts))
+    }
+
+    /// How far the boundary is from the surface at most.
+    fn deviation(&self, soup: &TetSoup, is_on_surface: &[bool]) -> f64 {
+        let faces = boundary(soup, is_on_surface);
+        let distances = parallel::collect(faces.len(), self.threads, |face| {
+            let corners = faces[face].map(|corner| soup.positions[corner as usize]);
+            let middle = corners.iter().sum::<DVec3>() / 3.0;
+            corners.into_iter().chain([middle]).map(|point| self.field.distance(point)).fold(0.0, f64::max)
+        });
+        distances.into_iter().fold(0.0, f64::max)
+    }
+}
+
+/// Volume, and area times one and a half.
+fn measures(triangles: &[Triangle]) -> (f64, f64) {
+    let origin = triangles[0][0];
+    let volume: f64 = triangles.iter().map(|triangle| area_vector(triangle).dot(triangle[0] - origin)).sum();
+    let area: f64 = triangles.iter().map(|triangle| area_vector(triangle).abs().element_sum()).sum();
+    (volume / 6.0, 0.5 * area)
+}
+
+/// Why a surface has no inside.
+fn open(surface: &Surface) -> Error {
+    let mesh = surface.mesh();
+    let is_open = |&halfedge: &HalfedgeId| surface.edges().is_single(mesh.twin(halfedge));
+    let hole = |cap| {
+        let mut open = mesh.halfedges_of_face(cap).filter(is_open);
+        let first = open.next()?;
+        Some((1 + open.count(), mesh.vertex(first)))
+    };
+    let holes: Vec<_> = mesh.boundary_loops().filter_map(hole).collect();
+    match holes.iter().max_by_key(|&&(edges, _)| edges) {
+        Some(&(edges, vertex)) => {
+            let vertex = surface.inputs_of_vertex(surface.vertex_of_cut(vertex))[0].0;
+            Error::Open { holes: holes.len(), edges, vertex }
+        }
+        None => Error::NotOriented,
+    }
+}

@@ -1,0 +1,74 @@
+//! A triangle seen from a point.
+
+use glam::DVec3;
+
+/// Corners, counter-clockwise from outside.
+pub type Triangle = [DVec3; 3];
+
+/// The solid angle that a triangle takes up, positive for a point behind it (Van Oosterom & Strackee, "The solid angle of a
+/// plane triangle", 1983).
+#[inline]
+pub fn solid_angle(triangle: &Triangle, point: DVec3) -> f64 {
+    let [a, b, c] = triangle.map(|corner| corner - point);
+    let [la, lb, lc] = [a.length(), b.length(), c.length()];
+    let determinant = a.dot(b.cross(c));
+    let denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    2.0 * determinant.atan2(denominator)
+}
+
+/// Square of the distance from a point to the nearest one of a triangle (Ericson, "Real-Time Collision Detection", section 5.1.5).
+#[inline]
+pub fn squared_distance(&[a, b, c]: &Triangle, point: DVec3) -> f64 {
+    let (ab, ac, ap) = (b - a, c - a, point - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return ap.length_squared();
+    }
+    let bp = point - b;
+    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return bp.length_squared();
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        return (ap - ab * (d1 / (d1 - d3))).length_squared();
+    }
+    let cp = point - c;
+    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return cp.length_squared();
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        return (ap - ac * (d2 / (d2 - d6))).length_squared();
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
+        return (bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).length_squared();
+    }
+    let scale = 1.0 / (va + vb + vc);
+    (ap - ab * (vb * scale) - ac * (vc * scale)).length_squared()
+}
+
+/// Twice the area, along the normal.
+#[inline]
+pub fn area_vector([a, b, c]: &Triangle) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
+/// The share of the way along a segment at which it crosses a triangle (Möller & Trumbore, "Fast, minimum storage ray/triangle
+/// intersection", 1997); none where it is parallel.
+#[inline]
+pub fn crossing(&[a, b, c]: &Triangle, start: DVec3, along: DVec3) -> Option<f64> {
+    let (ab, ac, to) = (b - a, c - a, start - a);
+    let normal = along.cross(ac);
+    let determinant = ab.dot(normal);
+    if determinant == 0.0 {
+        return None;
+    }
+    let u = to.dot(normal) / determinant;
+    let turned = to.cross(ab);
+    let v = along.dot(turned) / determinant;
+    let share = ac.dot(turned) / determinant;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&share)).then_some(share)
+}
