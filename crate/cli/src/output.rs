@@ -90,8 +90,8 @@ impl Output<VolumeFormat> {
     pub fn write_volume(&self, soup: &TetSoup, distance: Vec<f64>) -> Result<()> {
         self.save(&match self.format {
             VolumeFormat::Csv => distance_csv(&[("distance".to_owned(), distance)]),
-            VolumeFormat::Vtu => heatwalk_volume::io::write::vtu(soup, Some(&distance)),
-            VolumeFormat::Msh => heatwalk_volume::io::write::msh(soup, Some(&distance)),
+            VolumeFormat::Vtu => volume::vtu(soup, Some(&distance)),
+            VolumeFormat::Msh => volume::msh(soup, Some(&distance)),
         })
     }
 }

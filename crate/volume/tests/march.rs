@@ -38,9 +38,10 @@ fn distances_are_exact_where_straight_lines_lead_to_the_source() {
 #[test]
 fn behind_a_cylinder_and_a_sphere_errors_are_small_and_fall_with_the_cells() {
     type Exact = Box<dyn Fn(DVec3, DVec3) -> f64>;
+    type Case<'a> = (&'a dyn Fn(usize) -> TetSoup, Exact, DVec3, f64);
     let cylinder = |cells| shapes::pierced_cube(0.4, cells, 0.15);
     let sphere = |cells| shapes::cave(0.5, cells, 0.15);
-    let cases: [(&dyn Fn(usize) -> TetSoup, Exact, DVec3, f64); 4] = [
+    let cases: [Case<'_>; 4] = [
         (&cylinder, Box::new(around_cylinder(0.4)), DVec3::new(-0.7, 0.0, 0.0), 5e-4),
         (&cylinder, Box::new(around_cylinder(0.4)), DVec3::new(-0.4, 0.0, 0.4), 1e-3),
         (&sphere, Box::new(around_sphere(0.5)), DVec3::new(-0.7, 0.1, 0.2), 3e-3),
@@ -57,6 +58,28 @@ fn behind_a_cylinder_and_a_sphere_errors_are_small_and_fall_with_the_cells() {
             before = mean;
         }
         assert!(before < bound, "{before}");
+    }
+}
+
+#[test]
+fn in_a_bent_tube_errors_fall_towards_a_finer_mesh() {
+    // 6 cells along for each across, so that the vertices of a mesh are among those of one with a multiple of its cells.
+    let solved = |cells: usize| {
+        let mut solver = VolumeSolver::new(mesh(&shapes::bent_tube(0.35, 4.2, cells, 0.0)));
+        let mesh = Arc::clone(solver.mesh());
+        let source = nearest(&mesh, DVec3::new(1.0, 0.0, 0.0));
+        (distances(&mut solver, &[source]), mesh)
+    };
+    let (finest, mesh) = solved(12);
+    let mut before = 0.01;
+    for cells in [2, 4] {
+        let (values, coarse) = solved(cells);
+        let same = |&place: &DVec3| finest[nearest(&mesh, place).0 as usize];
+        let truth: Vec<f64> = coarse.positions().iter().map(same).collect();
+        let [mean, _] = errors(&values, &truth);
+        println!("{cells} cells: {mean}");
+        assert!(mean < before, "{cells} cells: {mean} after {before}");
+        before = 0.5 * mean;
     }
 }
 

@@ -31,6 +31,9 @@ const EFOLDS: f64 = 1200.0;
 /// The same for conjugate gradients, which leave noise at 10⁻¹² of the largest heat.
 const ITERATED_EFOLDS: f64 = 27.0;
 
+/// Share of the progress before factoring.
+const FACTORING_SHARE: f64 = 0.3;
+
 /// All that is factored of a mesh.
 #[derive(Debug)]
 pub(crate) struct VolumeHeat {
@@ -63,8 +66,9 @@ impl VolumeHeat {
         let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
         let first = conditions.next().unwrap_or(Condition::Neumann);
         systems.check_memory(0, 2 + conditions.len(), options.memory)?;
-        let (flow, poisson) =
-            factor_pair(&systems, time, first, &mut |share| progress(Stage::Factoring, 0.3 + 0.7 * share))?;
+        let (flow, poisson) = factor_pair(&systems, time, first, &mut |share| {
+            progress(Stage::Factoring, FACTORING_SHARE + (1.0 - FACTORING_SHARE) * share)
+        })?;
         let mut flows = vec![flow];
         for condition in conditions {
             flows.push(HeatFlow::new(&systems, time, condition)?);
