@@ -9,6 +9,7 @@ mod appearance;
 mod arrow;
 mod background;
 mod binding;
+mod blended;
 mod buffer;
 mod camera;
 mod canvas;

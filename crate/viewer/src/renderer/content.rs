@@ -44,6 +44,8 @@ impl Renderer {
         if self.models.is_some() || !materials.is_empty() {
             let make = || ModelRenderer::new(&self.context);
             self.models.get_or_insert_with(make).set_materials(&self.context, materials, images);
+            let surface = self.surface.iter_mut().map(|(mesh, _)| mesh);
+            surface.chain(&mut self.scenery).for_each(Mesh::forget_order);
             self.dirty = true;
         }
     }
