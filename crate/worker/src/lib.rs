@@ -11,7 +11,9 @@ mod drawn;
 mod failure;
 mod field;
 mod joined;
+mod light;
 mod motion;
+mod outline;
 mod parameters;
 mod results;
 mod solved;
@@ -20,8 +22,8 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::surface::Camera;
 use heatwalk::surface::soup::Unit;
+use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, upright};
 use heatwalk_shapes as shapes;
@@ -32,7 +34,9 @@ use crate::appearance::{EncodedImage, Material};
 use crate::camera::CameraView;
 use crate::drawn::Drawn;
 use crate::failure::Result;
+use crate::light::light_rows;
 use crate::motion::{Clip, Scenery};
+use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
@@ -162,6 +166,12 @@ impl MeshFile {
         Ok(heatwalk::require_room(vertices, triangles, windows, available)?)
     }
 
+    /// What a simplifier is given of the parts `active`.
+    pub fn outline(&self, active: &[u32]) -> Result<Outline> {
+        let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
+        Ok(Outline::new(self.soup.select(&chosen)?, self.up))
+    }
+
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.
     pub fn surface(
         &self,
@@ -180,7 +190,8 @@ impl MeshFile {
         let surface = Surface::build(soup)?;
         let transform = DrawTransform::around(&surface, &self.soup, up);
         let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
-        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras: soup.cameras.clone() })
+        let (cameras, lights) = (soup.cameras.clone(), soup.lights.clone());
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras, lights })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
@@ -203,6 +214,7 @@ pub struct ActiveSurface {
     /// What it was built from, where that moves.
     moving: Option<Soup>,
     cameras: Vec<Camera>,
+    lights: Vec<Light>,
     transform: DrawTransform,
 }
 
@@ -233,6 +245,7 @@ impl ActiveSurface {
             mesh,
             posing,
             cameras: self.cameras.clone(),
+            lights: self.lights.clone(),
         }
     }
 }
@@ -245,6 +258,7 @@ pub struct Drawing {
     mesh: DrawMesh,
     posing: Option<Posing>,
     cameras: Vec<Camera>,
+    lights: Vec<Light>,
 }
 
 #[wasm_bindgen]
@@ -258,6 +272,11 @@ impl Drawing {
     pub fn cameras(&self) -> Vec<CameraView> {
         let bounds = self.mesh.bounds();
         self.cameras.iter().map(|camera| CameraView::new(camera, &self.drawn.transform, bounds)).collect()
+    }
+
+    /// `#lights × 12`, the lights of the file as the renderer takes them; to be asked before the triangles are taken.
+    pub fn lights(&self) -> Vec<f32> {
+        light_rows(&self.lights, &self.drawn.transform, self.mesh.bounds())
     }
 
     /// Takes its triangles, which only the page needs.

@@ -85,11 +85,14 @@ impl Renderer {
                 moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
                 cube: Cube::around(self.scene),
                 environment: self.environment,
+                punctual: &self.lights,
             },
         );
         let mut encoder = self.context.encoder();
         if self.shadows_dirty {
-            self.ground.set_light(&self.context, self.environment.key_share());
+            // Lights of a file cast no shadows.
+            let key_share = if self.lights.is_empty() { self.environment.key_share() } else { 0.0 };
+            self.ground.set_light(&self.context, key_share);
             self.shared.lighting.maps.draw(&mut encoder, Casters::Still, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
                 for mesh in self.meshes() {

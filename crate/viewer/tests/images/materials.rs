@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use glam::{DVec3, Vec3, Vec4};
 use heatwalk_viewer::{
     Blend, CHANNELS, Context, Error, Hierarchy, Image as Texels, Material, MeshAppearance, MeshArrays, MeshRun,
-    Renderer, Style, Surroundings, TextureUse, View,
+    PunctualLight, Renderer, Style, Surroundings, TextureUse, View,
 };
 use libtest_mimic::Failed;
 
@@ -182,6 +182,54 @@ pub fn a_leaning_normal_map_leans_the_surface(device: &Context) -> Result<(), Fa
         let [right, wrong, without] = [mapped, wrong_way, without].map(|drawn| drawn.difference(&tilted).mean);
         assert!(4.0 * right < wrong.min(without), "{right} from the tilted one; {wrong} the other way, {without} flat");
     }
+    Ok(())
+}
+
+/// What a matt square gives back grows with the light that arrives: by the cosine of its direction, the square of the distance
+/// and the cone that it is in; whatever is far away or near, and not with lights of the surroundings.
+pub fn lights_of_a_file_follow_their_laws(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |_| Ok(()))?;
+    show_square(&mut renderer, Material { roughness: 1.0, ..Material::default() }, &[], Vec3::Y)?;
+    let mut middle = |lights: &[PunctualLight]| -> Result<f64, Failed> {
+        renderer.set_lights(lights.to_vec());
+        let [red, green, blue] = picture(&mut renderer)?.pixel(WIDTH / 2, HEIGHT / 2).map(f64::from);
+        Ok((red + green + blue) / 3.0)
+    };
+    let light = |place: Vec4, strength: f32| PunctualLight {
+        place,
+        axis: Vec4::new(0.0, -1.0, 0.0, 1.0),
+        color: (strength * Vec3::ONE).extend(0.0),
+    };
+    let above = Vec4::Y;
+    let (sine, cosine) = 1.0_f32.sin_cos();
+    let tilted = Vec4::new(sine, cosine, 0.0, 0.0);
+    let half = middle(&[light(above, 0.3)])?;
+    let same = [
+        ("the cosine", vec![light(tilted, 0.3 / cosine)]),
+        ("the square of the distance", vec![light(Vec4::new(0.0, 2.0, 0.0, 1.0), 4.0 * 0.3)]),
+        ("the sum", vec![light(above, 0.1), light(above, 0.2)]),
+        // Half way from the edge of the cone to where it is whole: a quarter of the light.
+        (
+            "the cone",
+            vec![PunctualLight {
+                axis: Vec4::new(0.0, -1.0, 0.0, -1.5),
+                color: Vec4::new(1.2, 1.2, 1.2, 2.0),
+                ..light(above, 1.2)
+            }],
+        ),
+    ];
+    for (law, lights) in same {
+        let found = middle(&lights)?;
+        assert!((found - half).abs() <= 2.0, "{law}: {found} for {half}");
+    }
+    let dark = middle(&[light(-above, 0.3)])?;
+    let outside = PunctualLight {
+        axis: Vec4::new(0.0, 1.0, 0.0, 0.0),
+        color: Vec4::new(9.0, 9.0, 9.0, 2.0),
+        ..light(above, 9.0)
+    };
+    assert!((middle(&[outside])? - dark).abs() < 1.0, "nothing comes from behind or from outside of the cone");
+    assert!(dark < half - 40.0, "{dark} in the dark, {half} under the light");
     Ok(())
 }
 

@@ -12,6 +12,7 @@ mod document;
 mod draco;
 mod format;
 mod instancing;
+mod light;
 mod meshopt;
 mod primitive;
 mod scene;
@@ -162,6 +163,7 @@ impl Reading<'_> {
         let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
         self.soup.appearance = Arc::new(appearance);
         self.soup.cameras = camera::cameras(root, self.scene);
+        self.soup.lights = light::lights(root, self.scene);
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
         self.soup.motion = Arc::new(motion);
         Ok(self.soup)
