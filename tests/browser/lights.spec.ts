@@ -1,38 +1,8 @@
 /** Lights and orthographic cameras of a glTF file. */
 import type { PNG } from 'pngjs';
-import { glb, type Mesh, sphere } from '../fixtures';
-import { GlbWriter } from '../glb';
+import { glb, sphere } from '../fixtures';
+import { litGlb } from '../lit';
 import { expect, test } from '../page';
-
-/** A ball, a red lamp to its right, a blue spot to its left that shines on it, and a camera that sees all of 8 along y from +z. */
-function litGlb({ positions, triangles }: Mesh): Buffer {
-  const writer = new GlbWriter();
-  const attributes = {
-    POSITION: writer.accessor(Float32Array.from(positions.flat()), 'VEC3', { min: [-1, -1, -1], max: [1, 1, 1] }),
-  };
-  const indices = writer.accessor(Uint32Array.from(triangles.flat()), 'SCALAR');
-  const light = (number: number) => ({ extensions: { KHR_lights_punctual: { light: number } } });
-  const turn = Math.SQRT1_2;
-  return writer.pack({
-    extensionsUsed: ['KHR_lights_punctual'],
-    extensions: {
-      KHR_lights_punctual: {
-        lights: [
-          { type: 'point', color: [1, 0, 0], intensity: 4 },
-          { type: 'spot', color: [0, 0, 1], intensity: 4 },
-        ],
-      },
-    },
-    cameras: [{ type: 'orthographic', orthographic: { xmag: 4, ymag: 4, znear: 0.1, zfar: 20 } }],
-    nodes: [
-      { mesh: 0, name: 'ball' },
-      { translation: [3, 0, 0], ...light(0) },
-      { translation: [-3, 0, 0], rotation: [0, -turn, 0, turn], ...light(1) },
-      { name: 'ahead', camera: 0, translation: [0, 0, 9] },
-    ],
-    meshes: [{ primitives: [{ attributes, indices }] }],
-  });
-}
 
 /** Mean red and blue of the middle of a column, a share of the width from the left. */
 function column({ data, width, height }: PNG, share: number): { red: number; blue: number } {
@@ -46,7 +16,7 @@ function column({ data, width, height }: PNG, share: number): { red: number; blu
 
 test('the lights of a file are off until they are wanted, and in the link', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=file&name=lit.glb&style=none&s=0&w=none&refine=0&cam=0,0,4,0,0,0');
-  await heatwalk.dropAndOpen([['lit.glb', litGlb(sphere(24))]]);
+  await heatwalk.dropAndOpen([['lit.glb', litGlb()]]);
   const sides = async () => {
     const picture = await heatwalk.drawing(0.5, false);
     // The ball is almost as high as the picture and in its middle.

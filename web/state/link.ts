@@ -133,7 +133,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
-  read('triangles', within(...TRIANGLES), (triangles) => (state.triangles = Math.round(triangles)));
+  read('triangles', parseTriangles, ([triangles]) => (state.triangles = triangles ?? null));
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
@@ -328,6 +328,13 @@ function parsePoint(text: string): SurfacePoint | null {
   const sum = a + b + c;
   // The digits of a link are rounded, so the weights may miss 1 by a little.
   return Math.abs(sum - 1) < 0.01 ? { face, weights: [a / sum, b / sum, c / sum] } : null;
+}
+
+/** A number, or none for all. */
+function parseTriangles(text: string): number[] | null {
+  if (text === 'all') return [];
+  const triangles = within(...TRIANGLES)(text);
+  return triangles === null ? null : [Math.round(triangles)];
 }
 
 /** The number of one, or of none. */
