@@ -1,11 +1,18 @@
 /** Simplified models in the place of meshes that do not fit, by meshoptimizer, which is loaded where one is wanted. */
+import type { SimplifierFlags } from 'meshoptimizer/simplifier';
 import type { Simplified } from '../../protocol';
 import type { MeshFile } from '../../wasm/solver/heatwalk_worker.js';
 
-/** More than a simplifier keeps above what it was told is too much: it then gives up how triangles are connected. */
-const MOST_ABOVE = 1.1;
+/**
+ * Over half the longest side of the box. Where edges would have to be collapsed over more, or larger components be taken away,
+ * clusters of vertices keep more of the shape.
+ */
+const LARGEST_ERROR = 0.02;
 
-/** No triangle is kept for the sake of its error: so many are wanted. */
+/** As many times what was wanted still fits. */
+const STILL_FITS = 1.05;
+
+/** Clusters are as large as they have to be. */
 const ANY_ERROR = Number.MAX_VALUE;
 
 /** The parts `active` of a file in so many triangles. */
@@ -23,8 +30,10 @@ export async function simplify(
     const welded = simplifier.generatePositionRemap(positions, 3);
     const whole = outline.triangles().map((vertex) => welded[vertex]);
     const wanted = 3 * triangles;
-    let [kept, error] = simplifier.simplify(whole, positions, 3, wanted, ANY_ERROR, ['ErrorAbsolute', 'Prune']);
-    if (kept.length > MOST_ABOVE * wanted) {
+    // Sparse: welding leaves vertices without triangles, which would pass for seams.
+    const how: SimplifierFlags[] = ['Sparse', 'ErrorAbsolute', 'Prune'];
+    let [kept, error] = simplifier.simplify(whole, positions, 3, wanted, LARGEST_ERROR, how);
+    if (kept.length > STILL_FITS * wanted) {
       [kept, error] = simplifier.simplifySloppy(whole, positions, 3, null, wanted, ANY_ERROR);
       error *= simplifier.getScale(positions, 3);
     }
