@@ -34,14 +34,16 @@ export function litGlb(): Buffer {
   });
 }
 
+const pbr = (baseColorFactor: readonly number[]) => ({
+  pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0, roughnessFactor: 0.3 },
+});
+
+const glass = (...color: readonly number[]) => ({ ...pbr([...color, 0.4]), alphaMode: 'BLEND', doubleSided: true });
+
 /** Three balls of colored glass that pierce each other around a small one of clay, under a sun and a lamp. */
 export function glassGlb(): Buffer {
   const writer = new GlbWriter();
   const ball = primitive(writer, sphere(16));
-  const pbr = (baseColorFactor: readonly number[]) => ({
-    pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0, roughnessFactor: 0.3 },
-  });
-  const glass = (...color: readonly number[]) => ({ ...pbr([...color, 0.4]), alphaMode: 'BLEND', doubleSided: true });
   return writer.pack({
     ...lights(
       { type: 'directional', color: [1, 0.9, 0.7], intensity: 3 },

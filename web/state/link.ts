@@ -63,7 +63,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
     if (value !== initial) entries.push([key, value]);
   };
   add('p', state.parts.join(','), start.parts.join(','));
-  add('triangles', most(state.triangles), most(start.triangles));
+  add('triangles', triangles(state.triangles), triangles(start.triangles));
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
@@ -133,7 +133,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
-  read('triangles', parseTriangles, ([triangles]) => (state.triangles = triangles ?? null));
+  read('triangles', parseTriangles, ([most]) => (state.triangles = most ?? null));
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
@@ -253,8 +253,8 @@ function parseBridge(text: string): Bridge | null {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
 }
 
-function most(triangles: number | null): string {
-  return triangles === null ? 'all' : String(triangles);
+function triangles(most: number | null): string {
+  return most === null ? 'all' : String(most);
 }
 
 function clipNumber(index: number | null): string {
@@ -333,8 +333,8 @@ function parsePoint(text: string): SurfacePoint | null {
 /** A number, or none for all. */
 function parseTriangles(text: string): number[] | null {
   if (text === 'all') return [];
-  const triangles = within(...TRIANGLES)(text);
-  return triangles === null ? null : [Math.round(triangles)];
+  const most = within(...TRIANGLES)(text);
+  return most === null ? null : [Math.round(most)];
 }
 
 /** The number of one, or of none. */

@@ -11,7 +11,6 @@ mod drawn;
 mod failure;
 mod field;
 mod joined;
-mod light;
 mod motion;
 mod outline;
 mod parameters;
@@ -25,7 +24,7 @@ use glam::DVec3;
 use heatwalk::surface::soup::Unit;
 use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
-use heatwalk_scene::{DrawTransform, Posing, upright};
+use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
@@ -34,7 +33,6 @@ use crate::appearance::{EncodedImage, Material};
 use crate::camera::CameraView;
 use crate::drawn::Drawn;
 use crate::failure::Result;
-use crate::light::light_rows;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade};
@@ -169,7 +167,12 @@ impl MeshFile {
     /// What a simplifier is given of the parts `active`.
     pub fn outline(&self, active: &[u32]) -> Result<Outline> {
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
-        Ok(Outline::new(self.soup.select(&chosen)?, self.up))
+        Ok(Outline::new(self.soup.select(&chosen)?))
+    }
+
+    /// The same file in other triangles, `#F × 3`, over the vertices of an outline of it: one part, in no materials.
+    pub fn simplified(&self, outline: &Outline, name: &str, triangles: &[u32]) -> Result<Self> {
+        Ok(Self { soup: outline.with_triangles(name, triangles)?, up: self.up })
     }
 
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.
@@ -276,7 +279,8 @@ impl Drawing {
 
     /// `#lights × 12`, the lights of the file as the renderer takes them; to be asked before the triangles are taken.
     pub fn lights(&self) -> Vec<f32> {
-        light_rows(&self.lights, &self.drawn.transform, self.mesh.bounds())
+        let bounds = self.mesh.bounds();
+        light_rows(&self.lights, &self.drawn.transform, bounds.center, bounds.radius)
     }
 
     /// Takes its triangles, which only the page needs.

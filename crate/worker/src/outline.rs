@@ -1,29 +1,32 @@
 //! What a simplifier is given of a mesh, and what comes back.
 
 use glam::DVec3;
-use heatwalk::{Soup, Up};
+use heatwalk::Soup;
 use wasm_bindgen::prelude::*;
 
-use crate::MeshFile;
 use crate::failure::Result;
 
 /// The triangles of some parts, whose vertices are within ±1: simplifiers calculate in single precision.
 #[wasm_bindgen]
 pub struct Outline {
     soup: Soup,
-    up: Up,
     center: DVec3,
     scale: f64,
 }
 
 impl Outline {
-    pub(crate) fn new(soup: Soup, up: Up) -> Self {
+    pub(crate) fn new(soup: Soup) -> Self {
         let bounds = || soup.positions.iter().copied().filter(|position| position.is_finite());
         let low = bounds().reduce(DVec3::min).unwrap_or_default();
         let high = bounds().reduce(DVec3::max).unwrap_or_default();
         // Half of each first: the sum of two large numbers may be none.
         let (center, reach) = (0.5 * low + 0.5 * high, (0.5 * high - 0.5 * low).max_element());
-        Self { soup, up, center, scale: if reach >= f64::MIN_POSITIVE { reach } else { 1.0 } }
+        Self { soup, center, scale: if reach >= f64::MIN_POSITIVE { reach } else { 1.0 } }
+    }
+
+    /// Other triangles, `#F × 3`, over the same vertices: one part, in no materials.
+    pub(crate) fn with_triangles(&self, name: &str, triangles: &[u32]) -> Result<Soup> {
+        Ok(self.soup.with_triangles(name, triangles.as_chunks().0.to_vec())?)
     }
 }
 
@@ -44,11 +47,5 @@ impl Outline {
     /// Length of what is 1 here, in the file's unit.
     pub fn scale(&self) -> f64 {
         self.scale
-    }
-
-    /// A mesh of other triangles, `#F × 3`, over the same vertices: one part, in no materials.
-    pub fn with_triangles(&self, name: &str, triangles: &[u32]) -> Result<MeshFile> {
-        let soup = self.soup.with_triangles(name, triangles.as_chunks().0.to_vec())?;
-        Ok(MeshFile { soup, up: self.up })
     }
 }

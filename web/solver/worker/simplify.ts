@@ -39,7 +39,7 @@ export async function simplify(
     }
     const scale = outline.scale();
     const simplified = { triangles: whole.length / 3, error: error * scale, diagonal: diagonalOf(positions) * scale };
-    return { file: outline.with_triangles(name, kept), simplified };
+    return { file: file.simplified(outline, name, kept), simplified };
   } finally {
     outline.free();
   }
