@@ -1,4 +1,5 @@
 /** Files with textures: glTF with vertex colors and two materials, OBJ with a material library. */
+import { readFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { type Mesh, sphere } from './fixtures';
 import { GlbWriter } from './glb';
@@ -14,6 +15,10 @@ function image(size: number, texel: (u: number, v: number) => readonly [number, 
 
 /** Red and white squares. */
 const squares = () => image(16, (u, v) => (u < 0.5 === v < 0.5 ? [200, 30, 40] : [245, 240, 230]));
+
+/** The same squares, as a Basis Universal image. */
+export const basisSquares = (kind: 'etc1s' | 'uastc-zstd') =>
+  readFileSync(new URL(`../crate/basis/tests/data/${kind}.ktx2`, import.meta.url));
 
 /** Round bumps. */
 const bumps = () =>
@@ -57,8 +62,11 @@ export function texturedObj(statements: string): [string, Buffer | string][] {
 
 const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.flat());
 
-/** A big ball in bumpy squares, and a small one on its top in the colors of its vertices. `texture` replaces the squares. */
-export function texturedGlb(texture: Buffer = squares()): Buffer {
+/**
+ * A big ball in bumpy squares, and a small one on its top in the colors of its vertices. `texture` replaces the squares; they
+ * are named as an extension has them, where one is given.
+ */
+export function texturedGlb(texture: Buffer = squares(), extension?: 'KHR_texture_basisu'): Buffer {
   const [big, small] = [sphere(24), sphere(16)];
   small.positions = small.positions.map(([x, y, z]) => [0.4 * x, 0.4 * y + 1.38, 0.4 * z]);
   const writer = new GlbWriter();
@@ -88,8 +96,11 @@ export function texturedGlb(texture: Buffer = squares()): Buffer {
       },
       { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.3 } },
     ],
-    textures: [{ source: 0 }, { source: 1 }],
-    images: [texture, bumps()].map((content) => ({ bufferView: writer.view(content), mimeType: 'image/png' })),
-    extensionsUsed: ['KHR_texture_transform'],
+    textures: [extension ? { extensions: { [extension]: { source: 0 } } } : { source: 0 }, { source: 1 }],
+    images: [
+      { name: 'squares', bufferView: writer.view(texture), mimeType: extension ? 'image/ktx2' : 'image/png' },
+      { name: 'bumps', bufferView: writer.view(bumps()), mimeType: 'image/png' },
+    ],
+    extensionsUsed: ['KHR_texture_transform', ...(extension ? [extension] : [])],
   });
 }

@@ -116,6 +116,16 @@ export interface SceneryPart {
   mesh: DrawMesh;
 }
 
+/** What a mesh was before it was simplified, and how far it is from that. */
+export interface Simplified {
+  /** Triangles of the file. */
+  triangles: number;
+  /** What the simplifier says of the distance between both, in the unit of the file. */
+  error: number;
+  /** Of the box around the mesh, in that unit. */
+  diagonal: number;
+}
+
 /** How a file wants its surface to look. */
 export interface Appearance {
   /** What the runs of drawn meshes name. */
@@ -141,6 +151,10 @@ export interface OpenedMesh {
   clips: Clip[];
   /** Its cameras. */
   cameras: CameraView[];
+  /** #lights × 12: its lights, as `Viewer.set_lights` takes them. */
+  lights: Float32Array;
+  /** Null for a mesh as it is in the file. */
+  simplified: Simplified | null;
   /** The symbol of the unit of lengths, `mm`; empty where the format of the file does not say. */
   unit: string;
   /** What the file refers to that was not given, as the file calls it. */
@@ -216,7 +230,8 @@ export interface SolverApi {
   warmUp(): Promise<void>;
   /**
    * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
-   * for all. `up`: the axis that points up where it is drawn.
+   * for all. `up`: the axis that points up where it is drawn. `triangles`: more than so many are simplified to them, as one part
+   * without materials.
    */
   open(
     input: MeshInput,
@@ -224,6 +239,7 @@ export interface SolverApi {
     room: Room,
     progress: ProgressListener,
     up?: Up | typeof AUTOMATIC,
+    triangles?: number | null,
   ): Promise<OpenedMesh>;
   /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
   prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;

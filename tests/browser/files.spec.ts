@@ -156,6 +156,7 @@ test('a link to a mesh of an archive finds it there', async ({ heatwalk, page })
 
 for (const [what, files, sentence] of [
   ['a damaged archive', { 'a.obj': strToU8('v 0 0 0') }, /set\.zip was not opened: the archive is damaged/],
+  ['an archive of a COLLADA file', { 'robot.dae': strToU8('<COLLADA/>') }, /convert them to GLB, in Blender/],
   ['an archive without a mesh', { 'notes.txt': strToU8('none') }, /No mesh found in notes\.txt/],
 ] as const) {
   test(`${what} is refused with a sentence, and the scene stays`, async ({ heatwalk, page }) => {

@@ -2,7 +2,7 @@
 import type { PNG } from 'pngjs';
 import { glb, off, sphere } from '../fixtures';
 import { difference, expect, test } from '../page';
-import { texturedGlb, texturedObj } from '../textured';
+import { basisSquares, texturedGlb, texturedObj } from '../textured';
 
 test('a file with materials opens in them, one without as before', async ({ heatwalk, page }) => {
   await heatwalk.open();
@@ -56,9 +56,9 @@ test('an OBJ file is shown in the materials of its library, and what it misses i
   expect(reds(holes)).toBeLessThan(0.7 * reds(plain));
   const bumpy = await opened('bump waves.png');
   expect(difference(plain, bumpy)).toBeGreaterThan(0.01);
-  await opened('map_Ke gone.png');
+  await heatwalk.dropAndOpen(texturedObj('map_Ke gone.png'));
   await expect(status).toContainText('ball.obj refers to gone.png, which was not given.');
-  await opened('map_Ke ball.mtl');
+  await heatwalk.dropAndOpen(texturedObj('map_Ke ball.mtl'));
   await expect(status).toContainText('The browser cannot show ball.mtl.');
 });
 
@@ -84,11 +84,33 @@ test('stripes lie over the materials, are multiplied with them, or are left out'
   expect(difference(bare, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.005);
 });
 
+test('Basis Universal images are decoded by a module that no other file loads', async ({ heatwalk, page }) => {
+  const modules: string[] = [];
+  page.context().on('request', (request) => modules.push(...(/heatwalk_basis.*wasm/.exec(request.url()) ?? [])));
+  await heatwalk.open();
+  const opened = (texture: Buffer) => heatwalk.dropAndOpen([['balls.glb', texturedGlb(texture, 'KHR_texture_basisu')]]);
+  await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
+  const asPng = await heatwalk.drawing(0.5, false);
+  expect(modules).toHaveLength(0);
+  for (const kind of ['etc1s', 'uastc-zstd'] as const) {
+    await opened(basisSquares(kind));
+    const picture = await heatwalk.drawing(0.5, false);
+    expect(Math.abs(reds(picture) / reds(asPng) - 1)).toBeLessThan(0.05);
+    expect(difference(asPng, picture)).toBeLessThan(0.02);
+  }
+  expect(modules.length).toBeGreaterThan(0);
+
+  await opened(basisSquares('etc1s').subarray(0, 300));
+  await expect(page.getByRole('status')).toContainText('The browser cannot show squares.');
+  await expect(page.getByRole('alert')).toBeEmpty();
+  expect(reds(await heatwalk.drawing(0.5, false))).toBeLessThan(200);
+});
+
 test('an image that cannot be decoded is left out, the rest is shown', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await heatwalk.dropAndOpen([['balls.glb', texturedGlb(Buffer.from('no image'))]]);
   await expect(page.getByRole('alert')).toBeEmpty();
-  await expect(page.getByRole('status')).toContainText('The browser cannot show an image.');
+  await expect(page.getByRole('status')).toContainText('The browser cannot show squares.');
   expect((await heatwalk.scene()).style.name).toBe('model');
   const { data, width, height } = await heatwalk.drawing(0.5, false);
   const middle = 4 * (Math.round(height / 2) * width + Math.round(width / 2));

@@ -1,4 +1,4 @@
-import { grid, off } from '../fixtures';
+import { grid, off, sphere } from '../fixtures';
 import { expect, test } from '../page';
 
 const NAME = 'grid.off';
@@ -76,4 +76,41 @@ test('a mesh that does not fit is refused before it is built, with its size', as
   await expect(message.getByRole('button', { name: 'Use one window' })).toBeHidden();
   expect(await heatwalk.mesh()).toEqual(before);
   await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
+});
+
+test('in the place of a mesh that does not fit, a simplified model is opened, which says that it is one', async ({
+  heatwalk,
+  page,
+}) => {
+  // In loose triangles, as many formats have them.
+  const { positions, triangles: faces } = sphere(72);
+  const corners = faces.flat().map((vertex) => positions[vertex]);
+  const loose = faces.map((_, face): [number, number, number] => [3 * face, 3 * face + 1, 3 * face + 2]);
+  const [name, content] = ['ball.off', off({ positions: corners, triangles: loose })];
+  await heatwalk.open(`#v=1&m=file&name=${name}&s=3&refine=0&method=auto&memory=5`);
+  await heatwalk.drop([[name, content]]);
+  const message = page.getByRole('alert');
+  await expect(message).toContainText(/ball\.off was not opened: a mesh of 20448 triangles takes 7\.\d MiB/);
+  await message.getByRole('button', { name: 'Simplify to 13,000 triangles' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe(name);
+  const told = page.getByText(
+    /This is a simplified model of 20,448 triangles; it differs by about [\d.]+ units \(0\.\d+ % of the diagonal\)\./,
+  );
+  await expect(page.getByRole('status')).toContainText('This is a simplified model');
+  await expect(told.last()).toBeVisible();
+  await expect(message).toBeEmpty();
+  const { triangles, components, boundaryLoops } = await heatwalk.mesh();
+  expect([components, boundaryLoops]).toEqual([1, 0]);
+  expect(triangles).toBeLessThanOrEqual(13_000);
+  expect(triangles).toBeGreaterThan(12_000);
+  // Half way around a ball.
+  expect((await heatwalk.field()).maxDistance).toBeCloseTo(Math.PI, 1);
+  await expect(page).toHaveURL(/&triangles=13000/);
+
+  // The link opens the same.
+  const fragment = new URL(page.url()).hash;
+  await heatwalk.open(fragment);
+  await heatwalk.drop([[name, content]]);
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe(name);
+  expect((await heatwalk.mesh()).triangles).toBe(triangles);
 });

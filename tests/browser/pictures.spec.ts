@@ -5,6 +5,7 @@ import { PNG } from 'pngjs';
 import { BLENDS, STYLES } from '../../web/state/styles';
 import { armGlb } from '../animated';
 import { grid, type Mesh, obj, sphere } from '../fixtures';
+import { glassGlb } from '../lit';
 import { expect, type HeatwalkPage, test } from '../page';
 import { texturedGlb } from '../textured';
 
@@ -119,6 +120,16 @@ test('the materials of a file look like the reference image, stripes over them a
     await heatwalk.open(`#v=1&m=file&name=balls.glb&s=0&look=model&blend=${blend}&stripes=0,0.2,0&${VIEW}&kiosk=1`);
     await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
     expectReference(`materials-${blend}`, await heatwalk.drawing(0.5, false));
+  }
+});
+
+test('glass looks like the reference image, and so do the lights of a file', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  for (const lights of ['style', 'file']) {
+    const link = `s=0&w=none&refine=0&look=model&style=none&lights=${lights}&cam=0.7,0.3,3.4,0,0,0`;
+    await heatwalk.open(`#v=1&m=file&name=glass.glb&${link}&kiosk=1`);
+    await heatwalk.dropAndOpen([['glass.glb', glassGlb()]]);
+    expectReference(`glass-${lights}`, await heatwalk.drawing(0.5, false));
   }
 });
 

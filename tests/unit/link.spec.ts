@@ -1,7 +1,15 @@
 import { expect, test } from '@playwright/test';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
-import { emptyScene, type MeshReference, type SceneState, SPEEDS, STILL } from '../../web/state/scene';
+import {
+  emptyScene,
+  LIGHTS,
+  type MeshReference,
+  type SceneState,
+  SPEEDS,
+  STILL,
+  TRIANGLES,
+} from '../../web/state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -50,6 +58,7 @@ test('every change survives the link', () => {
   const state: SceneState = {
     ...START,
     parts: [0, 2],
+    triangles: 250_000,
     sources: [
       { vertex: 1203 },
       { face: 88, weights: [0.2, 0.3, 0.5], offset: 0.125 },
@@ -74,6 +83,7 @@ test('every change survives the link', () => {
     pathKind: 'descent',
     refine: false,
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
+    lights: 'file',
     animation: { clip: 2, seconds: 1.25, plays: true, speed: 0.5, loops: false, live: true },
     colorBy: 'heat',
     hidden: [1, 3],
@@ -115,6 +125,8 @@ const SCENES: readonly Partial<SceneState>[] = [
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
   ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
+  ...TRIANGLES.map((triangles) => ({ triangles })),
+  ...LIGHTS.map((lights) => ({ lights })),
   ...METHOD.names.map((method) => ({ method })),
   ...WINDOWS.map((windows) => ({ windows })),
   ...PATH_KIND.names.map((pathKind) => ({ pathKind })),

@@ -29,11 +29,20 @@ export async function collectArchive(archive: Blob): Promise<Collection> {
 
 const NAMED = 5;
 
+/** Formats that no reader for a page reads well: converters do. */
+const CONVERTED = /\.(fbx|dae)$/i;
+const CONVERT =
+  'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.';
+
 /** Nothing of what was given is a mesh. */
 export class NoMesh extends Error {
   constructor(paths: readonly string[]) {
     const names = paths.slice(0, NAMED).map(fileName).join(', ');
     const more = paths.length > NAMED ? ` and ${paths.length - NAMED} more files` : '';
-    super(`No mesh found in ${names ? `${names}${more}` : 'what was given'}. Supported formats: ${FORMATS}.`);
+    super(
+      paths.some((path) => CONVERTED.test(path))
+        ? CONVERT
+        : `No mesh found in ${names ? `${names}${more}` : 'what was given'}. Supported formats: ${FORMATS}.`,
+    );
   }
 }

@@ -8,9 +8,9 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
-import { emptyScene, type MeshReference, type SceneState } from '../state/scene';
+import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
-import { AUTOMATIC, DEFAULT_WINDOWS, TOO_MANY_WINDOWS } from '../wasm/contract';
+import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
@@ -63,6 +63,11 @@ interface Origin extends Collection {
 
 const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
 const USE_ONE_WINDOW = 'Use one window';
+
+/** Triangles of a simplified model at most, where memory allows as many: more than a screen shows. */
+const MOST_SIMPLIFIED = 2_000_000;
+/** What wasm32 can address, in MiB. */
+const ADDRESS_SPACE = 4096;
 
 export class Opener {
   readonly #session: Session;
@@ -231,9 +236,23 @@ export class Opener {
 /** The same with less memory, where a failure was for want of it: without factors, or with as few windows as there are. */
 function lighterOf(state: SceneState, failure: Error): { name: string; state: SceneState } | undefined {
   const { method, parameters } = state;
+  if (failure.name === MESH_TOO_LARGE) return simplifiedOf(state);
   if (failure.name === TOO_MANY_WINDOWS) return { name: USE_ONE_WINDOW, state: { ...state, windows: DEFAULT_WINDOWS } };
   if (!isOutOfMemory(failure) || method !== 'heat' || parameters.solver === 'cg') return undefined;
   return { name: USE_CONJUGATE_GRADIENTS, state: { ...state, parameters: { ...parameters, solver: 'cg' } } };
+}
+
+/** A simplified model that fits. Places count its own vertices, so they are chosen anew. */
+function simplifiedOf(state: SceneState): { name: string; state: SceneState } | undefined {
+  const { memory } = state.parameters;
+  const limit = state.method === 'heat' || memory === AUTOMATIC ? ADDRESS_SPACE : memory;
+  const fitting = Math.min(MOST_SIMPLIFIED, (limit * 2 ** 20) / TRIANGLE_BYTES);
+  const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
+  const triangles = digits * Math.floor(fitting / digits);
+  if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
+  const places = { sources: [], walker: null, links: 0 };
+  const name = `Simplify to ${triangles.toLocaleString('en')} triangles`;
+  return { name, state: { ...state, ...places, triangles, windows: DEFAULT_WINDOWS } };
 }
 
 function fileReference(mesh: string): MeshReference {

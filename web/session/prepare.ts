@@ -55,10 +55,10 @@ export function questionOf(state: SceneState, method = state.method): Question {
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
-export function wantedOf({ parts, method, windows, parameters, up }: SceneState): Wanted {
+export function wantedOf({ parts, method, windows, parameters, up, triangles }: SceneState): Wanted {
   return method === 'heat'
-    ? { parts, parameters, up, room: { windows: 0, memory: AUTOMATIC } }
-    : { parts, parameters: null, up, room: { windows, memory: parameters.memory } };
+    ? { parts, parameters, up, triangles, room: { windows: 0, memory: AUTOMATIC } }
+    : { parts, parameters: null, up, triangles, room: { windows, memory: parameters.memory } };
 }
 
 /** Makes the state fit the mesh and solves it for the first time. */

@@ -9,6 +9,8 @@ import type { OpenRequest, Shown } from './prepare';
 /** A pose that is shown for longer is one to rest in. */
 const POSE_RESTS_MS = 300;
 
+const NO_LIGHTS = new Float32Array();
+
 export class Presenter {
   readonly walk = new Walk();
   readonly #scene: Scene;
@@ -143,8 +145,13 @@ export class Presenter {
     }
   }
 
-  #showMesh({ surface, shade, scenery, appearance }: OpenedMesh, state: SceneState): void {
+  #showMesh({ surface, shade, scenery, appearance, lights }: OpenedMesh, state: SceneState): void {
     this.#view.setMesh(surface, shade, meshesOf(visible(scenery, state)), appearance);
+    this.#showLights(lights, state);
+  }
+
+  #showLights(ofFile: Float32Array, { lights }: SceneState): void {
+    this.#view.setLights(lights === 'file' ? ofFile : NO_LIGHTS);
   }
 
   #showPose(rests: boolean): void {
@@ -185,6 +192,7 @@ export class Presenter {
     this.#state = state;
     if (!this.#shown || state === previous) return;
     if (state.style !== previous.style) this.#showStyle();
+    if (state.lights !== previous.lights) this.#showLights(this.#shown.opened.lights, state);
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     this.#showScenery(state, previous);
   }

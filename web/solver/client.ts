@@ -18,6 +18,8 @@ export interface Wanted {
   parameters: Parameters | null;
   room: Room;
   up: Up | typeof AUTOMATIC;
+  /** What a mesh of more triangles is simplified to; null: nothing is. */
+  triangles: number | null;
 }
 
 export class SolverClient {
@@ -37,7 +39,7 @@ export class SolverClient {
    */
   async open(
     load: () => Promise<MeshInput>,
-    { parts, parameters, room, up }: Wanted,
+    { parts, parameters, room, up, triangles }: Wanted,
     progress: ProgressListener,
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
@@ -47,7 +49,8 @@ export class SolverClient {
     this.#opening = worker;
     try {
       const input = await worker.call(load());
-      const opening = worker.api.open(transfer(input, buffersOf(input)), [...parts], room, proxy(progress), up);
+      const given = transfer(input, buffersOf(input));
+      const opening = worker.api.open(given, [...parts], room, proxy(progress), up, triangles);
       const opened = await worker.call(opening);
       const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
       const telling = (async () => built(opened))();

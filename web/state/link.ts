@@ -33,10 +33,12 @@ import {
   type Animation,
   type Bridge,
   LARGEST_CROWD,
+  LIGHTS,
   type MeshReference,
   OVERLAYS,
   type SceneState,
   SPEEDS,
+  TRIANGLES,
   type Windows,
   withOffset,
 } from './scene';
@@ -61,6 +63,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
     if (value !== initial) entries.push([key, value]);
   };
   add('p', state.parts.join(','), start.parts.join(','));
+  add('triangles', triangles(state.triangles), triangles(start.triangles));
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
@@ -80,6 +83,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('way', state.pathKind, start.pathKind);
   add('refine', flag(state.refine), flag(start.refine));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
+  add('lights', state.lights, start.lights);
   const { animation } = state;
   add('clip', clipNumber(animation.clip), clipNumber(start.animation.clip));
   add('time', number(animation.seconds), number(start.animation.seconds));
@@ -129,6 +133,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
+  read('triangles', parseTriangles, ([most]) => (state.triangles = most ?? null));
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
@@ -148,6 +153,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('way', choiceOf(PATH_KIND), (pathKind) => (state.pathKind = pathKind));
   read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
   read('cam', parseCamera, (camera) => (state.camera = camera));
+  read('lights', oneOf(LIGHTS), (lights) => (state.lights = lights));
   const animate = (part: Partial<Animation>) => (state.animation = { ...state.animation, ...part });
   read('clip', parseClip, ([clip]) => animate({ clip: clip ?? null }));
   read('time', within(0, LONGEST_CLIP_SECONDS), (seconds) => animate({ seconds }));
@@ -247,6 +253,10 @@ function parseBridge(text: string): Bridge | null {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
 }
 
+function triangles(most: number | null): string {
+  return most === null ? 'all' : String(most);
+}
+
 function clipNumber(index: number | null): string {
   return index === null ? 'none' : String(index);
 }
@@ -318,6 +328,13 @@ function parsePoint(text: string): SurfacePoint | null {
   const sum = a + b + c;
   // The digits of a link are rounded, so the weights may miss 1 by a little.
   return Math.abs(sum - 1) < 0.01 ? { face, weights: [a / sum, b / sum, c / sum] } : null;
+}
+
+/** A number, or none for all. */
+function parseTriangles(text: string): number[] | null {
+  if (text === 'all') return [];
+  const most = within(...TRIANGLES)(text);
+  return most === null ? null : [Math.round(most)];
 }
 
 /** The number of one, or of none. */

@@ -62,6 +62,12 @@ export const SPEEDS = [0.1, 4] as const;
 
 export const STILL: Animation = { clip: null, seconds: 0, plays: false, speed: 1, loops: true, live: false };
 
+/** Those of the style, or those of the file where it has some. */
+export const LIGHTS = ['style', 'file'] as const;
+
+/** Triangles that a mesh can be simplified to: from a shape that can be recognised to more than fit. */
+export const TRIANGLES = [100, 100_000_000] as const;
+
 export const LARGEST_CROWD = 10_000;
 
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
@@ -82,6 +88,8 @@ export interface SceneState extends Places {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
+  /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
+  triangles: number | null;
   /** How distance is found. */
   method: Method;
   /** Of methods other than heat. */
@@ -95,6 +103,8 @@ export interface SceneState extends Places {
   refine: boolean;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
+  /** Whose lights are on. */
+  lights: (typeof LIGHTS)[number];
   animation: Animation;
   style: Style;
   /** The field that the surface is colored by. */
@@ -113,6 +123,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
   return {
     mesh,
     parts: [],
+    triangles: null,
     sources: [],
     walker: null,
     links: 0,
@@ -124,6 +135,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     pathKind: PATH_KIND.default,
     refine: true,
     camera: null,
+    lights: 'style',
     animation: STILL,
     style: DEFAULT_STYLE,
     colorBy: VERTEX_FIELD.default,

@@ -62,13 +62,25 @@ export function bytes(value: number): string {
 const LEAST_EXACT = 0.01;
 
 /** What was done to the triangles of a file, in one sentence. */
-export function openingSentence({ name, report }: OpenedMesh, factoring: Factoring): string {
+export function openingSentence(opened: OpenedMesh, factoring: Factoring): string {
+  const { name, report } = opened;
   const done = repairs(report);
   const components = componentWords(report, factoring);
   const shape = `${components}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
-  return done.length > 0
-    ? `${name}: ${done.join(', ')}; ${shape}.`
-    : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+  const proxy = simplifiedSentence(opened);
+  const told =
+    done.length > 0 && !proxy
+      ? `${name}: ${done.join(', ')}; ${shape}.`
+      : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+  return proxy ? `${told} ${proxy}` : told;
+}
+
+/** That a simplified model is seen, of what, and how far it is off; null for a mesh as it is in its file. */
+export function simplifiedSentence(opened: OpenedMesh): string | null {
+  if (!opened.simplified) return null;
+  const { triangles, error, diagonal } = opened.simplified;
+  const off = `${measure(error, opened)} (${finePercent(error / diagonal)} of the diagonal)`;
+  return `This is a simplified model of ${counted(triangles, 'triangle')}; it differs by about ${off}.`;
 }
 
 const NAMED = 4;

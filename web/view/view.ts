@@ -32,6 +32,7 @@ const ORDER = [
   'scenery',
   'pose',
   'surroundings',
+  'lights',
   'style',
   'offset',
   'field',
@@ -283,6 +284,11 @@ export class View {
       else if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
       else viewer.set_bands(period, style.width, style.sharpness, uses('normal') ? style.relief : 0);
     });
+  }
+
+  /** Lights in the place of those of the style, as `OpenedMesh` has them; none for those of the style. */
+  setLights(lights: Float32Array): void {
+    this.#show('lights', (viewer) => viewer.set_lights(lights));
   }
 
   /** Moves the pattern away from the sources, in periods. */

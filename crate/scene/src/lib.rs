@@ -3,6 +3,7 @@
 
 pub mod crowd;
 pub mod drawing;
+mod lights;
 pub mod overlay;
 pub mod posing;
 mod transform;
@@ -10,6 +11,7 @@ mod upright;
 
 pub use crowd::{Crowd, Walker};
 pub use drawing::{DrawMesh, draw_mesh};
+pub use lights::light_rows;
 pub use posing::{DrawPose, Posing};
 pub use transform::DrawTransform;
 pub use upright::upright;

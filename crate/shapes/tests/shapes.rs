@@ -282,7 +282,7 @@ fn a_robot_is_made_of_closed_parts_in_materials() {
         assert!(part.triangles.clone().map(signed).sum::<f64>() > 0.0, "{}", part.name);
     }
     let appearance = &robot.appearance;
-    assert_eq!(appearance.runs.len(), 33);
+    assert_eq!((appearance.runs.len(), appearance.images.len()), (33, 4));
     assert!(appearance.runs.iter().all(|run| run.material.is_some_and(|index| index < appearance.materials.len())));
     let lowest = robot.positions.iter().map(|position| position.y).fold(f64::INFINITY, f64::min);
     assert!(lowest.abs() < 1e-12, "it stands on the ground");

@@ -48,6 +48,15 @@ pub fn require_room(vertices: usize, triangles: usize, windows: u16, available_b
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::options::TRIANGLE_BYTES;
+
+    #[test]
+    fn a_triangle_takes_what_the_page_reckons_with() {
+        let triangles = 2_000_000;
+        let reckoned = u64::from(TRIANGLE_BYTES) * triangles as u64;
+        let taken = footprint(triangles / 2 + 2, triangles, DEFAULT_WINDOWS);
+        assert!(taken <= reckoned && 10 * taken > 9 * reckoned, "{taken} bytes, {reckoned} reckoned");
+    }
 
     #[test]
     fn what_does_not_fit_is_refused_and_fewer_windows_are_offered_where_they_do() {

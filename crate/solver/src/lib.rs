@@ -91,7 +91,7 @@ pub use heatwalk_surface::{
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
-    Method, MultiSource, Operator, Parameters, PathKind, TimeStep, Up, VertexField, WINDOWS,
+    Method, MultiSource, Operator, Parameters, PathKind, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
 pub use path::{PathSearch, Straightest, descend, refract, straighten, straightest};
 pub use progress::{Progress, Stage, Step, Steps};

@@ -30,6 +30,9 @@ choice!(Method, "method": Auto = "auto", Propagation = "propagation", Heat = "he
 /// Numbers of windows of each half-edge that are worth offering. Propagation takes any.
 pub const WINDOWS: [u16; 4] = [1, 2, 4, 8];
 
+/// Bytes that a triangle of a closed mesh takes, with what there is at its vertices and with one window of each half-edge.
+pub const TRIANGLE_BYTES: u16 = 400;
+
 /// Windows of each half-edge that propagation keeps unless told otherwise.
 pub const DEFAULT_WINDOWS: u16 = 1;
 

@@ -39,5 +39,5 @@ pub use motion::Motion;
 pub use order::along_curve;
 pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
-pub use soup::{Attribute, Camera, Soup};
+pub use soup::{Attribute, Camera, Light, LightKind, Projection, Soup};
 pub use surface::{BuildReport, Surface, SurfaceId, Walls};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
@@ -25,6 +25,8 @@ pub struct Soup {
     pub motion: Arc<Motion>,
     /// Whence the file wants it to be seen.
     pub cameras: Vec<Camera>,
+    /// By what the file wants it to be lit.
+    pub lights: Vec<Light>,
     /// Further numbers that the file gives each vertex.
     pub attributes: Vec<Attribute>,
 }
@@ -48,8 +50,52 @@ pub struct Camera {
     pub position: DVec3,
     /// Unit vector to what it looks at.
     pub forward: DVec3,
-    /// Vertical field of view in radians, between 0 and π.
-    pub field_of_view: f64,
+    /// How much of it is seen.
+    pub projection: Projection,
+}
+
+/// How a camera projects.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// To a point.
+    Perspective {
+        /// Vertical, in radians, between 0 and π.
+        field_of_view: f64,
+    },
+    /// Along its line of sight.
+    Orthographic {
+        /// Of what is seen, in the file's unit; positive.
+        height: f64,
+    },
+}
+
+/// A light of a file, as it stands while nothing moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Light {
+    /// Where its light goes.
+    pub kind: LightKind,
+    /// Where it is, in the file's unit.
+    pub position: DVec3,
+    /// Unit vector to where it shines.
+    pub forward: DVec3,
+    /// Linear red, green and blue times its strength: in lux for one that is far away, else in candela.
+    pub color: Vec3,
+}
+
+/// Where the light of a light goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightKind {
+    /// It comes from far away.
+    Directional,
+    /// In all directions.
+    Point,
+    /// Into a cone.
+    Spot {
+        /// Angle from its axis up to which it is whole; radians.
+        inner: f64,
+        /// Angle from which on there is none; radians, up to π/2.
+        outer: f64,
+    },
 }
 
 /// A unit of length.
@@ -122,6 +168,55 @@ impl Soup {
         })
     }
 
+    /// Other triangles over its vertices, as one part: with the vertices that they use, in file order, without materials and
+    /// without motion.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`] where a triangle names a missing vertex.
+    pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
+        let other = Self {
+            unit: self.unit,
+            cameras: self.cameras.clone(),
+            lights: self.lights.clone(),
+            parts: vec![Part { name: name.to_owned(), triangles: 0..triangles.len() }],
+            triangles,
+            ..Self::default()
+        };
+        let mut used = vec![false; self.positions.len()];
+        for (triangle, corners) in other.triangles.iter().enumerate() {
+            self.mark(triangle, *corners, &mut used)?;
+        }
+        Ok(self.place(other, &used))
+    }
+
+    /// Marks the vertices of a triangle.
+    fn mark(&self, triangle: usize, corners: [u32; 3], used: &mut [bool]) -> Result<()> {
+        let vertices = self.positions.len();
+        for vertex in corners {
+            let missing = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
+            *used.get_mut(vertex as usize).ok_or(missing)? = true;
+        }
+        Ok(())
+    }
+
+    /// Gives the triangles of another soup, which are over the vertices of this one, those that are used.
+    fn place(&self, mut other: Self, used: &[bool]) -> Self {
+        let of_used = |attribute: &Attribute| {
+            let values = attribute.values.iter().zip(used).filter(|&(_, &used)| used).map(|(&value, _)| value);
+            Attribute { name: attribute.name.clone(), values: values.collect() }
+        };
+        other.attributes = self.attributes.iter().map(of_used).collect();
+        let mut renumbered = vec![u32::MAX; self.positions.len()];
+        for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
+            renumbered[vertex] = other.positions.len() as u32;
+            other.positions.push(self.positions[vertex]);
+        }
+        for corner in other.triangles.iter_mut().flatten() {
+            *corner = renumbered[*corner as usize];
+        }
+        other
+    }
+
     /// Where its vertices are.
     pub fn pose(&self) -> Pose {
         Pose { positions: self.positions.clone(), normals: self.appearance.normals.clone() }
@@ -154,18 +249,13 @@ impl Soup {
             return Ok(self.clone());
         }
         let mut used = vec![false; self.positions.len()];
-        let mut selection = Self { unit: self.unit, cameras: self.cameras.clone(), ..Self::default() };
+        let mut selection =
+            Self { unit: self.unit, cameras: self.cameras.clone(), lights: self.lights.clone(), ..Self::default() };
         for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
             let start = selection.triangles.len();
             for index in part.triangles.clone() {
                 let triangle = self.triangles[index];
-                for vertex in triangle {
-                    *used.get_mut(vertex as usize).ok_or(Error::IndexOutOfRange {
-                        triangle: index,
-                        vertex: vertex.into(),
-                        vertices: self.positions.len(),
-                    })? = true;
-                }
+                self.mark(index, triangle, &mut used)?;
                 selection.triangles.push(triangle);
             }
             selection.parts.push(Part { name: part.name.clone(), triangles: start..selection.triangles.len() });
@@ -179,19 +269,6 @@ impl Soup {
             let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             selection.motion = Arc::new(self.motion.select(vertices));
         }
-        let of_used = |attribute: &Attribute| {
-            let values = attribute.values.iter().zip(&used).filter(|&(_, &used)| used).map(|(&value, _)| value);
-            Attribute { name: attribute.name.clone(), values: values.collect() }
-        };
-        selection.attributes = self.attributes.iter().map(of_used).collect();
-        let mut renumbered = vec![u32::MAX; self.positions.len()];
-        for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
-            renumbered[vertex] = selection.positions.len() as u32;
-            selection.positions.push(self.positions[vertex]);
-        }
-        for corner in selection.triangles.iter_mut().flatten() {
-            *corner = renumbered[*corner as usize];
-        }
-        Ok(selection)
+        Ok(self.place(selection, &used))
     }
 }

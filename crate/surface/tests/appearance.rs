@@ -4,9 +4,9 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use glam::Vec3;
-use heatwalk_surface::Soup;
 use heatwalk_surface::appearance::{Alpha, Channel, Material, Run, Texture, Wrap};
 use heatwalk_surface::io::{self, write};
+use heatwalk_surface::{Error, Soup};
 use serde_json::{Value, json};
 
 /// Bytes of a file that grows.
@@ -154,6 +154,19 @@ fn attributes_follow_their_vertices_and_runs_their_triangles() {
     assert_eq!(halves.appearance.texcoords, appearance.texcoords[..4]);
     assert_eq!(halves.appearance.runs, [run(0..1, Some(1)), run(1..2, Some(0))]);
     assert_eq!(appearance.runs_of([0, 2].into_iter()), [run(0..1, Some(1)), run(1..2, None)]);
+}
+
+#[test]
+fn other_triangles_keep_the_vertices_that_they_use() {
+    let (document, data) = document();
+    let soup = read(&document, &data);
+    let other = soup.with_triangles("fewer", vec![[5, 1, 2]]).unwrap();
+    assert_eq!(other.positions, [1, 2, 5].map(|vertex| soup.positions[vertex]));
+    assert_eq!((&other.triangles[..], other.parts[0].name.as_str()), (&[[2, 0, 1]][..], "fewer"));
+    assert_eq!((other.unit, other.cameras), (soup.unit, soup.cameras.clone()));
+    assert!(other.appearance.is_empty());
+    let beyond = soup.with_triangles("fewer", vec![[0, 1, 2], [0, 1, 8]]);
+    assert_eq!(beyond, Err(Error::IndexOutOfRange { triangle: 1, vertex: 8, vertices: 8 }));
 }
 
 #[test]

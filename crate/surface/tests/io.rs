@@ -7,7 +7,7 @@ mod reading;
 
 use glam::DVec3;
 use heatwalk_shapes as shapes;
-use heatwalk_surface::Error;
+use heatwalk_surface::{Error, Soup};
 use heatwalk_surface::io::{upward, write};
 use serde_json::{Value, json};
 
@@ -55,6 +55,8 @@ fn off_errors_name_the_place() {
     assert!(matches!(read("a.off", "OFF BINARY\n\0\0\0\x04"), Err(Error::Unsupported { .. })));
     assert!(matches!(read("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), Err(Error::Empty { .. })));
     assert!(matches!(read("picture.png", "\u{1}PNG"), Err(Error::UnknownFormat { .. })));
+    let refused = read("model.FBX", "Kaydara FBX Binary").unwrap_err().to_string();
+    assert!(refused.contains("convert model.FBX to GLB, in Blender"), "{refused}");
 }
 
 // ---- OBJ

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use crate::buffer::mesh_buffer;
+use glam::Vec3;
+
+use crate::buffer::{Growing, mesh_buffer};
 use crate::context::Context;
 use crate::error::Error;
 
@@ -21,6 +23,7 @@ pub struct MeshAppearance {
 }
 
 /// Consecutive triangles of one material.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeshRun {
     /// A range of the triangles.
     pub triangles: Range<u32>,
@@ -61,6 +64,17 @@ pub(crate) struct ModelBuffers {
     pub(crate) colors: wgpu::Buffer,
     /// Over all triangles.
     pub(crate) runs: Vec<MeshRun>,
+    /// Those that are blended, in the order in which they are drawn.
+    pub(crate) blended: BlendedBuffers,
+}
+
+/// Blended triangles in the order in which they are drawn.
+pub(crate) struct BlendedBuffers {
+    /// The line of sight that they were last put in order for; None where pose or materials have changed since.
+    pub(crate) ahead: Option<Vec3>,
+    pub(crate) triangles: Growing,
+    /// Over these triangles; None where there are none, or too many to be put in order.
+    pub(crate) draws: Option<Vec<MeshRun>>,
 }
 
 impl ModelBuffers {
@@ -83,6 +97,11 @@ impl ModelBuffers {
             texcoords: mesh_buffer(context, "texture coordinates", bytemuck::cast_slice(&texcoords), vertex)?,
             colors: mesh_buffer(context, "vertex colors", bytemuck::cast_slice(&colors), vertex)?,
             runs,
+            blended: BlendedBuffers {
+                ahead: None,
+                triangles: Growing::new("blended triangles", wgpu::BufferUsages::INDEX),
+                draws: None,
+            },
         })
     }
 }

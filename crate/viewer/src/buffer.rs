@@ -21,15 +21,16 @@ pub(crate) fn mesh_buffer(
     Ok(context.device.create_buffer_init(&contents))
 }
 
-/// A vertex buffer that is rewritten often: reallocated only when it must grow.
+/// A buffer that is rewritten often: reallocated only when it must grow.
 pub(crate) struct Growing {
     label: &'static str,
+    usage: wgpu::BufferUsages,
     buffer: Option<wgpu::Buffer>,
 }
 
 impl Growing {
-    pub(crate) fn new(label: &'static str) -> Self {
-        Self { label, buffer: None }
+    pub(crate) fn new(label: &'static str, usage: wgpu::BufferUsages) -> Self {
+        Self { label, usage, buffer: None }
     }
 
     pub(crate) fn write(&mut self, context: &Context, bytes: &[u8]) {
@@ -41,7 +42,7 @@ impl Growing {
             context.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(self.label),
                 size: size.next_power_of_two(),
-                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                usage: self.usage | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
         });
@@ -64,7 +65,7 @@ pub(crate) struct Instances<T> {
 
 impl<T: bytemuck::NoUninit> Instances<T> {
     pub(crate) fn new(label: &'static str) -> Self {
-        Self { buffer: Growing::new(label), items: Vec::new() }
+        Self { buffer: Growing::new(label, wgpu::BufferUsages::VERTEX), items: Vec::new() }
     }
 
     /// Replaces all.

@@ -33,7 +33,7 @@ impl Curve {
             place: Place::Solid,
         }
         .build(context);
-        Self { pipeline, buffer: Growing::new("curve points"), points: Vec::new() }
+        Self { pipeline, buffer: Growing::new("curve points", wgpu::BufferUsages::VERTEX), points: Vec::new() }
     }
 
     /// Replaces the polyline; world space, empty for none.

@@ -157,6 +157,13 @@ pub(crate) struct Light {
     share: f32,
 }
 
+impl Light {
+    /// The same light, dark.
+    pub(crate) fn out(self) -> Self {
+        Self { radiance: Vec3::ZERO, ..self }
+    }
+}
+
 /// Of a rectangle straight ahead, from half its sides over its distance; steradians.
 fn solid_angle([a, b]: [f32; 2]) -> f32 {
     4.0 * (a * b / ((1.0 + a * a) * (1.0 + b * b)).sqrt()).asin()

@@ -91,7 +91,15 @@ impl Mesh {
         self.buffers.pose(context, &positions, &normals);
         self.picker.pose(positions);
         self.normals = normals;
+        self.forget_order();
         Ok(())
+    }
+
+    /// Has blended triangles put in order anew.
+    pub(crate) fn forget_order(&mut self) {
+        if let Some(model) = &mut self.model {
+            model.blended.ahead = None;
+        }
     }
 
     pub(crate) fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {

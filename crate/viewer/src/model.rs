@@ -2,9 +2,10 @@
 
 use std::cell::OnceCell;
 
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 
 use crate::appearance::MeshRun;
+use crate::blended::{Order, back_to_front};
 use crate::context::Context;
 use crate::image::{Image, ImageLoader};
 use crate::material::{BoundMaterial, Material, bind_materials, material_layout};
@@ -78,11 +79,34 @@ impl ModelRenderer {
         pass.set_vertex_buffer(4, model.texcoords.slice(..));
         pass.set_vertex_buffer(5, model.colors.slice(..));
         mesh.buffers.bind(pass);
-        for run in model.runs.iter().filter(of_pass) {
+        let mut runs = &model.runs;
+        if let (Pass::Blended, Some(draws), Some(triangles)) =
+            (which, &model.blended.draws, model.blended.triangles.get())
+        {
+            pass.set_index_buffer(triangles.slice(..), wgpu::IndexFormat::Uint32);
+            runs = draws;
+        }
+        for run in runs.iter().filter(of_pass) {
             pass.set_bind_group(3, self.material(run).map(|material| &material.group), &[]);
             pass.draw_indexed(3 * run.triangles.start..3 * run.triangles.end, 0, 0..1);
         }
         true
+    }
+
+    /// Puts the blended triangles of a mesh in order for a line of sight.
+    pub(crate) fn sort(&self, context: &Context, mesh: &mut Mesh, ahead: Vec3) {
+        let Some(model) = mesh.model.as_mut().filter(|model| model.blended.ahead != Some(ahead)) else { return };
+        let is_blended = |run: &&MeshRun| self.material(run).is_some_and(|material| material.is_blended);
+        let runs: Vec<MeshRun> = model.runs.iter().filter(is_blended).cloned().collect();
+        let order = back_to_front(mesh.picker.positions(), mesh.picker.triangles(), &runs, ahead);
+        let order = order.filter(|order| !order.draws.is_empty());
+        let blended = &mut model.blended;
+        blended.ahead = Some(ahead);
+        blended.draws = order.map(|Order { triangles, draws }| {
+            let corners: Vec<[u32; 3]> = triangles.iter().map(|&triangle| mesh.picker.corners(triangle)).collect();
+            blended.triangles.write(context, bytemuck::cast_slice(&corners));
+            draws
+        });
     }
 
     fn material(&self, run: &MeshRun) -> Option<&BoundMaterial> {

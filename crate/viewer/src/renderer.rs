@@ -16,6 +16,7 @@ use crate::mesh::Mesh;
 use crate::model::ModelRenderer;
 use crate::pin::Pins;
 use crate::pose::Track;
+use crate::punctual::PunctualLight;
 use crate::shared::Shared;
 use crate::style::Style;
 use crate::surface::{FieldBuffers, SurfaceRenderer};
@@ -53,6 +54,8 @@ pub struct Renderer {
     wires: Wires,
     camera: Camera,
     environment: Environment,
+    /// Of the file, in the place of those of the environment; none where these are on.
+    lights: Vec<PunctualLight>,
     style: Style,
     /// The largest value of the field, at the ramps' end; above 0.
     max: f64,
@@ -92,6 +95,7 @@ impl Renderer {
             wires: Wires::new(&context, &shared),
             camera: Camera::new(),
             environment: Environment::default(),
+            lights: Vec::new(),
             style: Style::default(),
             max: 1.0,
             surface: None,

@@ -6,12 +6,13 @@ use crate::camera::Eye;
 use crate::context::Context;
 use crate::environment::{Environment, LIGHT_COUNT, Light};
 use crate::lighting::Lighting;
+use crate::punctual::{self, MOST_PUNCTUAL, PunctualLight, dimmed};
 use crate::shadow::ShadowView;
 use crate::uniform::Uniform;
 use heatwalk_bake::Cube;
 
 /// What all primitives of one frame have in common.
-pub(crate) struct Frame {
+pub(crate) struct Frame<'a> {
     pub(crate) eye: Eye,
     /// Bounding radius of the surface; world units.
     pub(crate) radius: f32,
@@ -22,6 +23,8 @@ pub(crate) struct Frame {
     /// Of the occlusion grid.
     pub(crate) cube: Cube,
     pub(crate) environment: Environment,
+    /// Of the file; where there are some, those of the environment are out.
+    pub(crate) punctual: &'a [PunctualLight],
 }
 
 /// `Frame` of shared.wgsl.
@@ -42,13 +45,17 @@ struct FrameUniform {
     horizon: Vec3,
     shadow_texel: f32,
     nadir: Vec3,
+    punctual_count: i32,
     lights: [Light; LIGHT_COUNT],
+    punctual: [PunctualLight; MOST_PUNCTUAL],
 }
 
-impl Frame {
+impl Frame<'_> {
     fn uniform(&self, clip_from_world: Mat4) -> FrameUniform {
         let [moving_low, moving_high] = self.moving;
-        let [zenith, horizon, nadir] = self.environment.colors();
+        let (colors, lights) = (self.environment.colors(), self.environment.lights());
+        let is_lit_by_file = !self.punctual.is_empty();
+        let [zenith, horizon, nadir] = if is_lit_by_file { dimmed(colors) } else { colors };
         FrameUniform {
             clip_from_world,
             shadow_from_world: self.shadows.clip_from_world,
@@ -65,7 +72,9 @@ impl Frame {
             horizon,
             shadow_texel: self.shadows.texel,
             nadir,
-            lights: self.environment.lights(),
+            punctual_count: self.punctual.len().min(MOST_PUNCTUAL) as i32,
+            lights: if is_lit_by_file { lights.map(Light::out) } else { lights },
+            punctual: punctual::drawn(self.punctual),
         }
     }
 }

@@ -18,6 +18,19 @@ struct Light {
 // The number is that of environment.rs.
 const LIGHT_COUNT = 4;
 
+// A light of a file: see `PunctualLight` in punctual.rs.
+struct PunctualLight {
+    // Its position and 1, or the direction to one that is far away and 0.
+    place: vec4f,
+    // Direction in which it shines; w: offset of its cone.
+    axis: vec4f,
+    // Linear colour at unit distance; w: slope of its cone.
+    color: vec4f,
+}
+
+// The number is that of punctual.rs.
+const MOST_PUNCTUAL = 8;
+
 // Its layout is that of `FrameUniform` in shared.rs.
 struct Frame {
     clip_from_world: mat4x4f,
@@ -45,7 +58,10 @@ struct Frame {
     shadow_texel: f32,
     nadir: vec3f,
     // The first casts the shadows.
+    // How many lights of a file there are.
+    punctual_count: i32,
     lights: array<Light, LIGHT_COUNT>,
+    punctual: array<PunctualLight, MOST_PUNCTUAL>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -203,6 +219,26 @@ fn lit_by(light: Light, normal: vec3f, mirrored: vec3f, blur: f32) -> Lit {
     return Lit(light.radiance * share, light.radiance * light_share(light, mirrored, blur));
 }
 
+// What the lights of the file give: Lambert, and for highlights GGX with the visibility of Karis, "Physically based shading on
+// mobile" (2014).
+fn lit_by_file(position: vec3f, normal: vec3f, to_eye: vec3f, roughness: f32) -> Lit {
+    var lit = Lit(vec3f(0.0), vec3f(0.0));
+    let slope = roughness * roughness;
+    for (var i = 0; i < frame.punctual_count; i++) {
+        let light = frame.punctual[i];
+        let way = light.place.xyz - position * light.place.w;
+        let square = max(dot(way, way), 1e-6);
+        let towards = way * inverseSqrt(square);
+        let cone = clamp(light.color.w * dot(-towards, light.axis.xyz) + light.axis.w, 0.0, 1.0);
+        let arriving = light.color.rgb * (cone * cone * max(dot(normal, towards), 0.0) / square);
+        let along = max(dot(normal, normalize(towards + to_eye)), 0.0);
+        let spread = slope / max(along * along * (slope * slope - 1.0) + 1.0, 1e-4);
+        lit.diffuse += arriving;
+        lit.specular += arriving * (spread * spread * (0.25 * roughness + 0.25));
+    }
+    return lit;
+}
+
 // Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
 // roughness. `normal` is that of the relief upon the surface, whose own is `geometric`; both face the eye.
 fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -> vec3f {
@@ -221,6 +257,11 @@ fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -
     );
     diffuse += lit[1].diffuse + lit[2].diffuse + lit[3].diffuse;
     specular += lit[1].specular + lit[2].specular + lit[3].specular;
+    if frame.punctual_count > 0 {
+        let of_file = lit_by_file(position, normal, to_eye, material.roughness);
+        diffuse += of_file.diffuse;
+        specular += of_file.specular;
+    }
     let straight_on = mix(vec3f(0.04), material.albedo, material.metalness);
     let body = material.albedo * (1.0 - material.metalness);
     // What is open of the half sphere over the normal, and beside the mirrored direction.

@@ -1,7 +1,7 @@
 //! Cameras of a file as views of the page.
 
 use glam::DVec3;
-use heatwalk::surface::Camera;
+use heatwalk::surface::{Camera, Projection};
 use heatwalk_bake::Bounds;
 use heatwalk_scene::DrawTransform;
 use wasm_bindgen::prelude::*;
@@ -27,9 +27,14 @@ impl CameraView {
         let forward = transform.direction(camera.forward);
         let distance = (center - eye).dot(forward).max(NEAREST * radius);
         let DVec3 { x, y, z } = (eye + distance * forward - center) / radius;
-        let magnification = (0.5 * camera.field_of_view).tan() / (0.5 * FIELD_OF_VIEW).tan();
+        // Half the height of what is seen at the distance of the surface.
+        let half = match camera.projection {
+            Projection::Perspective { field_of_view } => distance * (0.5 * field_of_view).tan(),
+            Projection::Orthographic { height } => 0.5 * height * transform.scale,
+        };
+        let away = half / (0.5 * FIELD_OF_VIEW).tan();
         let (yaw, pitch) = ((-forward.x).atan2(-forward.z), (-forward.y).clamp(-1.0, 1.0).asin());
-        Self { name: camera.name.clone(), view: [yaw, pitch, distance / radius * magnification, x, y, z] }
+        Self { name: camera.name.clone(), view: [yaw, pitch, away / radius, x, y, z] }
     }
 }
 

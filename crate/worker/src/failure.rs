@@ -9,6 +9,9 @@ pub const OUT_OF_MEMORY: &str = "out-of-memory";
 /// Name of the error of a call whose factors do not fit into memory, found out before they are made.
 pub const TOO_LARGE: &str = "too-large";
 
+/// Name of the error of a call whose mesh does not fit into memory, found out before it is built.
+pub const MESH_TOO_LARGE: &str = "mesh-too-large";
+
 /// Name of the error of a call whose mesh fits into memory, but not with so many windows.
 pub const TOO_MANY_WINDOWS: &str = "too-many-windows";
 
@@ -30,7 +33,7 @@ impl Failure {
     /// The solver's error, with what a user of the page can do about it.
     fn of(error: &heatwalk::Error) -> Self {
         let remedy = match error.code() {
-            OUT_OF_MEMORY | "mesh-too-large" => {
+            OUT_OF_MEMORY | MESH_TOO_LARGE => {
                 "; use a mesh with fewer triangles, or the native program on a larger machine"
             }
             TOO_LARGE => ", or the native program on a larger machine",

@@ -12,6 +12,7 @@ mod failure;
 mod field;
 mod joined;
 mod motion;
+mod outline;
 mod parameters;
 mod results;
 mod solved;
@@ -20,10 +21,10 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::surface::Camera;
 use heatwalk::surface::soup::Unit;
+use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
-use heatwalk_scene::{DrawTransform, Posing, upright};
+use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Function, Object, Uint8Array};
 use wasm_bindgen::prelude::*;
@@ -33,6 +34,7 @@ use crate::camera::CameraView;
 use crate::drawn::Drawn;
 use crate::failure::Result;
 use crate::motion::{Clip, Scenery};
+use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
 
@@ -162,6 +164,17 @@ impl MeshFile {
         Ok(heatwalk::require_room(vertices, triangles, windows, available)?)
     }
 
+    /// What a simplifier is given of the parts `active`.
+    pub fn outline(&self, active: &[u32]) -> Result<Outline> {
+        let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
+        Ok(Outline::new(self.soup.select(&chosen)?))
+    }
+
+    /// The same file in other triangles, `#F × 3`, over the vertices of an outline of it: one part, in no materials.
+    pub fn simplified(&self, outline: &Outline, name: &str, triangles: &[u32]) -> Result<Self> {
+        Ok(Self { soup: outline.with_triangles(name, triangles)?, up: self.up })
+    }
+
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.
     pub fn surface(
         &self,
@@ -180,7 +193,8 @@ impl MeshFile {
         let surface = Surface::build(soup)?;
         let transform = DrawTransform::around(&surface, &self.soup, up);
         let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
-        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras: soup.cameras.clone() })
+        let (cameras, lights) = (soup.cameras.clone(), soup.lights.clone());
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras, lights })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
@@ -203,6 +217,7 @@ pub struct ActiveSurface {
     /// What it was built from, where that moves.
     moving: Option<Soup>,
     cameras: Vec<Camera>,
+    lights: Vec<Light>,
     transform: DrawTransform,
 }
 
@@ -233,6 +248,7 @@ impl ActiveSurface {
             mesh,
             posing,
             cameras: self.cameras.clone(),
+            lights: self.lights.clone(),
         }
     }
 }
@@ -245,6 +261,7 @@ pub struct Drawing {
     mesh: DrawMesh,
     posing: Option<Posing>,
     cameras: Vec<Camera>,
+    lights: Vec<Light>,
 }
 
 #[wasm_bindgen]
@@ -258,6 +275,12 @@ impl Drawing {
     pub fn cameras(&self) -> Vec<CameraView> {
         let bounds = self.mesh.bounds();
         self.cameras.iter().map(|camera| CameraView::new(camera, &self.drawn.transform, bounds)).collect()
+    }
+
+    /// `#lights × 12`, the lights of the file as the renderer takes them; to be asked before the triangles are taken.
+    pub fn lights(&self) -> Vec<f32> {
+        let bounds = self.mesh.bounds();
+        light_rows(&self.lights, &self.drawn.transform, bounds.center, bounds.radius)
     }
 
     /// Takes its triangles, which only the page needs.

@@ -1,4 +1,4 @@
-//! The two wasm modules and what is run on them.
+//! The wasm modules of the page and what is run on them.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -40,6 +40,16 @@ pub const VIEWER: Module = Module {
     file: "heatwalk_viewer",
     flags: &[],
     profile: "viewer",
+    is_restartable: true,
+};
+
+/// The decoder of Basis Universal images, which the worker loads where one occurs.
+pub const BASIS: Module = Module {
+    name: "basis",
+    package: "heatwalk-basis",
+    file: "heatwalk_basis",
+    flags: &[],
+    profile: "worker",
     is_restartable: true,
 };
 
@@ -97,9 +107,9 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
 }
 
-/// Lints the code of both modules as it is compiled for wasm32.
+/// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
-    for module in [&SOLVER, &VIEWER] {
+    for module in [&SOLVER, &VIEWER, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
         run(module.cargo(toolchain, "clippy", &["-Dwarnings"]).args([
             "--profile",

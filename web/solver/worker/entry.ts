@@ -14,6 +14,8 @@ import type {
   Parameters,
   Plain,
   Posed,
+  ProgressListener,
+  Simplified,
   Solved,
   SolverApi,
   Source,
@@ -28,9 +30,11 @@ import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
 import { decodeImages } from './images';
+import { simplify } from './simplify';
 import { type Files, filesOf, readMesh, unpackedOf } from './files';
 
-/** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
+/** Where simplifying, building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
+const SIMPLIFY_FROM = 0.05;
 const BUILD_FROM = 0.1;
 const DRAW_FROM = 0.3;
 const SOLVE_FROM = 0.4;
@@ -90,19 +94,17 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, room, progress, wantedUp = AUTOMATIC) {
+  async open(input, parts, room, progress, wantedUp = AUTOMATIC, most = null) {
     await ready;
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
     const { name, hash, read } = await sourceOf(input);
     const clock = stopwatch();
-    const file = read();
+    const { file, chosen, simplified } = await fewer(read(), name, parts, most, progress);
     const look = lookOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
     const names = file.part_names();
     const triangles = file.part_triangles();
-    const active = parts.length > 0 ? parts : names.map((_, index) => index);
-    const chosen = Uint32Array.from(active);
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
     const upright = file.up();
     const up = wantedUp === AUTOMATIC ? upright : wantedUp;
@@ -111,7 +113,7 @@ const api: SolverApi = {
     const buildMs = clock();
     const { vertices } = report;
     progress({ stage: 'Drawing', fraction: DRAW_FROM, vertices });
-    const inactive = names.map((_, part) => part).filter((part) => !active.includes(part));
+    const inactive = names.map((_, part) => part).filter((part) => !chosen.includes(part));
     const sceneries = inactive.map((part) => ({ part, scenery: file.scenery(part, surface) }));
     const scenery = sceneries.map(({ part, scenery: drawn }) => ({ part, mesh: plain(drawn.take_mesh()) }));
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
@@ -124,8 +126,10 @@ const api: SolverApi = {
       name,
       hash,
       parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
-      active: [...active],
+      active: [...chosen],
       cameras: drawing.cameras().map(plain),
+      lights: drawing.lights(),
+      simplified,
       shade: scenery.length === 0 ? plain(drawing.shade()) : null,
       surface: plain(drawing.take_mesh()),
       ...(await look),
@@ -145,6 +149,7 @@ const api: SolverApi = {
       ...buffersOf(mesh.surface),
       ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
       mesh.inputVertices.buffer,
+      mesh.lights.buffer,
       ...(mesh.appearance?.images.filter((image) => image !== null) ?? []),
     ]);
   },
@@ -386,6 +391,25 @@ function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T>
   const message = given.toJSON() as Plain<T>;
   given.free();
   return message;
+}
+
+/** The chosen parts of a file; a simplified model of these as the only part where they have more triangles than are wanted. */
+async function fewer(
+  file: wasm.MeshFile,
+  name: string,
+  parts: readonly number[],
+  most: number | null,
+  progress: ProgressListener,
+): Promise<{ file: wasm.MeshFile; chosen: Uint32Array; simplified: Simplified | null }> {
+  const sizes = file.part_triangles();
+  const chosen = Uint32Array.from(parts.length > 0 ? parts : sizes.keys());
+  if (most === null || chosen.reduce((sum, part) => sum + (sizes[part] ?? 0), 0) <= most) {
+    return { file, chosen, simplified: null };
+  }
+  progress({ stage: 'Simplifying', fraction: SIMPLIFY_FROM, vertices: 0 });
+  const less = await simplify(file, chosen, name, most);
+  file.free();
+  return { ...less, chosen: Uint32Array.of(0) };
 }
 
 /** What a file says of its looks; its images are decoded while the surface is built. */

@@ -1,6 +1,7 @@
 /** Decodes the images of a file. */
 import type { Plain } from '../../protocol';
 import type { EncodedImage } from '../../wasm/solver/heatwalk_worker.js';
+import { decodeBasis, isBasis } from './basis';
 import { type Channel, normalsOfHeights, ofChannels } from './texels';
 
 /** Texels either way: what graphics devices take, and more than a model on a screen shows. */
@@ -35,7 +36,9 @@ function channelsOf(pairs: Int32Array, images: readonly (ImageBitmap | null)[]):
 async function decodeImage({ mediaType, bytes, mayBeHeights }: Plain<EncodedImage>): Promise<ImageBitmap | null> {
   if (bytes.length === 0) return null;
   try {
-    const whole = await createImageBitmap(new Blob([bytes as BlobPart], { type: mediaType }), AS_IT_IS);
+    const whole = isBasis(bytes)
+      ? await decodeBasis(bytes, LARGEST)
+      : await createImageBitmap(new Blob([bytes as BlobPart], { type: mediaType }), AS_IT_IS);
     const excess = Math.max(whole.width, whole.height) / LARGEST;
     if (excess <= 1) return mayBeHeights ? await normalsOfHeights(whole) : whole;
     const smaller = await createImageBitmap(whole, {

@@ -59,7 +59,8 @@ function texelsOf(image: ImageBitmap, width: number, height: number): ImageData 
   return context.getImageData(0, 0, width, height);
 }
 
-function bitmapOf(texels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): Promise<ImageBitmap> {
+/** `height × width × 4`: red, green, blue and alpha. */
+export function bitmapOf(texels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): Promise<ImageBitmap> {
   const options: ImageBitmapOptions = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
   return createImageBitmap(new ImageData(texels, width, height), options);
 }

@@ -38,6 +38,7 @@ export function displaySection(session: Session): HTMLElement {
   );
   up.element.title = 'The axis of the file that points up (U: the next one)';
   const cameras = camerasControl(session);
+  const lights = toggle('Lights of the file', (on) => scene.set({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
     const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
@@ -65,6 +66,8 @@ export function displaySection(session: Session): HTMLElement {
     colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
     up.show(scene.state.up);
+    lights.show(scene.state.lights === 'file');
+    lights.element.hidden = (session.shown.value?.opened.lights.length ?? 0) === 0;
     const { contacts, links } = session.shown.value?.answer.factoring ?? { contacts: 0, links: 0 };
     for (const { overlay, element, show: showToggle, allow } of overlays) {
       if (overlay === 'contacts') allow(contacts + links > 0);
@@ -90,6 +93,7 @@ export function displaySection(session: Session): HTMLElement {
     crowd.element,
     up.element,
     cameras,
+    lights.element,
   );
 }
 

@@ -3,6 +3,7 @@ import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { h } from '../dom';
+import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
 
 /** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
@@ -39,6 +40,12 @@ export function sceneSection(
   });
   const credit = h('p', { class: 'quiet' });
 
+  const simplified = h('p', { class: 'quiet', hidden: true });
+  session.shown.watch((shown) => {
+    simplified.textContent = shown ? simplifiedSentence(shown.opened) : null;
+    simplified.hidden = !simplified.textContent;
+  });
+
   const showScene = () => {
     const { mesh } = session.scene.state;
     for (const { button, id } of buttons) {
@@ -64,6 +71,7 @@ export function sceneSection(
       h('button', { title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
       chooseFolder && h('button', { title: 'Open the folder of a mesh', onclick: chooseFolder }, 'Open a folder…'),
     ),
+    simplified,
     partsControl(session, opener),
   );
 }

@@ -41,8 +41,8 @@ fn materials() -> Vec<Material> {
         material([0.02, 0.02, 0.025], 0.0, 0.60),
         material([0.95, 0.62, 0.22], 1.0, 0.28),
         Material { emission: [0.3, 1.6, 1.9], ..material([0.05, 0.35, 0.40], 0.0, 0.30) },
-        paint::textured(0, 0.35),
-        paint::textured(1, 0.40),
+        paint::textured(0),
+        paint::textured(1),
     ]
 }
 
@@ -158,7 +158,7 @@ pub fn robot(spacing: f64) -> Soup {
     }
     let Workshop { mut soup, runs, fixed, mut texcoords, .. } = robot;
     texcoords.resize(soup.positions.len(), [0.0; 4]);
-    let (materials, images) = (materials(), vec![paint::chest(), paint::face()]);
+    let (materials, images) = (materials(), [paint::chest(), paint::face()].concat());
     soup.appearance = Arc::new(Appearance { texcoords, runs, materials, images, ..Appearance::default() });
     soup.motion = Arc::new(joint_motion(&soup.positions, fixed));
     soup

@@ -58,7 +58,7 @@ pub use reader::Resources;
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let bytes = without_mark(bytes);
     let (stem, extension) = stem_and_extension(name);
-    let format = Format::of(bytes, extension).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
+    let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     let soup: Result<Soup> = match format {
         #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, resources),
@@ -80,6 +80,20 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         return Err(Error::Empty { reason: format!("{name} holds no faces; points and lines are not surfaces") });
     }
     Ok(soup)
+}
+
+/// Converters read the formats that have no good reader in Rust.
+fn unknown(name: &str, extension: &str) -> Error {
+    let convert = |format: &'static str, program: &str| Error::Unsupported {
+        format,
+        feature: "this format".to_owned(),
+        remedy: format!("convert {name} to GLB, in {program} or by `assimp export`"),
+    };
+    match extension.to_ascii_lowercase().as_str() {
+        "fbx" => convert("FBX", "Blender"),
+        "dae" => convert("COLLADA", "Blender up to version 4.5"),
+        _ => Error::UnknownFormat { name: name.to_owned() },
+    }
 }
 
 /// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.

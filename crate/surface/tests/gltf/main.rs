@@ -8,9 +8,9 @@ mod motion;
 #[path = "../reading/mod.rs"]
 mod reading;
 
-use glam::DVec3;
-use heatwalk_surface::Error;
+use glam::{DVec3, Vec3};
 use heatwalk_surface::io;
+use heatwalk_surface::{Error, LightKind, Projection};
 use serde_json::{Value, json};
 
 use crate::document::square;
@@ -103,9 +103,35 @@ fn cameras_stand_where_their_nodes_do() {
         { "type": "orthographic", "orthographic": { "xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9 } },
         { "type": "perspective", "perspective": { "yfov": -1, "znear": 0.1 } }
     ]);
-    let [camera] = &builder.read().unwrap().cameras[..] else { panic!("one that can be shown") };
+    let [camera, along] = &builder.read().unwrap().cameras[..] else { panic!("those that can be shown") };
     assert_eq!((camera.name.as_str(), camera.position), ("from the left", DVec3::new(10.0, 2.0, 0.0)));
-    assert!(camera.forward.distance(DVec3::NEG_X) < 1e-6 && (camera.field_of_view - 0.5).abs() < 1e-6);
+    assert!(camera.forward.distance(DVec3::NEG_X) < 1e-6);
+    assert_eq!(camera.projection, Projection::Perspective { field_of_view: 0.5 });
+    assert_eq!(along.projection, Projection::Orthographic { height: 2.0 });
+}
+
+#[test]
+fn lights_shine_where_their_nodes_point() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let light = |number: usize| json!({ "KHR_lights_punctual": { "light": number } });
+    let mut builder = square(json!([
+        { "mesh": 0, "children": [1, 2, 3, 4], "translation": [10, 0, 0] },
+        { "translation": [0, 2, 0], "rotation": [0, half, 0, half], "extensions": light(2) },
+        { "extensions": light(0) },
+        { "extensions": light(1) },
+        { "extensions": light(9) }
+    ]));
+    builder.root["extensions"] = json!({ "KHR_lights_punctual": { "lights": [
+        { "type": "directional", "color": [1, 0.5, 0], "intensity": 4 },
+        { "type": "lamp" },
+        { "type": "spot", "spot": { "innerConeAngle": 0.2, "outerConeAngle": 0.4 } }
+    ] } });
+    let lights = builder.read().unwrap().lights;
+    let [spot, sun] = &lights[..] else { panic!("those of a known type: {lights:?}") };
+    assert_eq!((spot.kind, spot.position), (LightKind::Spot { inner: 0.2, outer: 0.4 }, DVec3::new(10.0, 2.0, 0.0)));
+    assert!(spot.forward.distance(DVec3::NEG_X) < 1e-6);
+    assert_eq!((spot.color, sun.kind), (Vec3::ONE, LightKind::Directional));
+    assert_eq!((sun.color, sun.forward), (Vec3::new(4.0, 2.0, 0.0), DVec3::NEG_Z));
 }
 
 #[test]

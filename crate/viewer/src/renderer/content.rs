@@ -12,6 +12,7 @@ use crate::material::Material;
 use crate::mesh::{Mesh, MeshArrays, MeshPose};
 use crate::model::ModelRenderer;
 use crate::pose::{CrowdPose, Track};
+use crate::punctual::PunctualLight;
 use crate::style::Style;
 use crate::surface::{FieldBuffers, RAMP_BYTES};
 
@@ -44,6 +45,8 @@ impl Renderer {
         if self.models.is_some() || !materials.is_empty() {
             let make = || ModelRenderer::new(&self.context);
             self.models.get_or_insert_with(make).set_materials(&self.context, materials, images);
+            let surface = self.surface.iter_mut().map(|(mesh, _)| mesh);
+            surface.chain(&mut self.scenery).for_each(Mesh::forget_order);
             self.dirty = true;
         }
     }
@@ -168,6 +171,15 @@ impl Renderer {
     /// What lights the scene, facing a camera of this yaw; radians.
     pub fn set_environment(&mut self, surroundings: Surroundings, yaw: f32) {
         self.environment = Environment { surroundings, yaw };
+        (self.dirty, self.shadows_dirty) = (true, true);
+    }
+
+    /// Replaces the lights of a file, which stand in for those of the environment; of more than [`MOST_PUNCTUAL`] the first
+    /// are drawn. None: those of the environment light the scene.
+    ///
+    /// [`MOST_PUNCTUAL`]: crate::MOST_PUNCTUAL
+    pub fn set_lights(&mut self, lights: Vec<PunctualLight>) {
+        self.lights = lights;
         (self.dirty, self.shadows_dirty) = (true, true);
     }
 

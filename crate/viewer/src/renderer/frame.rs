@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use glam::Vec3;
 use heatwalk_bake::{Cube, Floor, Shade};
 
 use super::Renderer;
@@ -38,6 +39,7 @@ impl Renderer {
             NextFrame::Lost => return Ok(false),
         };
         self.occlude();
+        self.sort_blended(self.camera.eye());
         let encoder = self.prepare(&self.camera);
         if let Some(canvas) = &self.canvas {
             canvas.present(&self.context, frame, encoder, |pass| self.draw(pass, self.camera.eye(), false));
@@ -58,6 +60,7 @@ impl Renderer {
             return Err(Error::PictureTooLarge { width, height, limit });
         }
         self.occlude();
+        self.sort_blended(camera.eye());
         let encoder = self.prepare(&camera);
         let capture =
             Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, camera.eye(), is_clear));
@@ -82,11 +85,14 @@ impl Renderer {
                 moving: shadows.cover(self.walkers.balls().chain(self.pins.balls(radius))),
                 cube: Cube::around(self.scene),
                 environment: self.environment,
+                punctual: &self.lights,
             },
         );
         let mut encoder = self.context.encoder();
         if self.shadows_dirty {
-            self.ground.set_light(&self.context, self.environment.key_share());
+            // Lights of a file cast no shadows.
+            let key_share = if self.lights.is_empty() { self.environment.key_share() } else { 0.0 };
+            self.ground.set_light(&self.context, key_share);
             self.shared.lighting.maps.draw(&mut encoder, Casters::Still, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
                 for mesh in self.meshes() {
@@ -123,11 +129,12 @@ impl Renderer {
         }
         self.walkers.draw(pass);
         self.pins.draw(pass);
-        if let Some((mesh, field)) = &self.surface {
-            self.draw_model(pass, mesh, Some(field), Pass::Blended);
-        }
-        for mesh in &self.scenery {
-            self.draw_model(pass, mesh, None, Pass::Blended);
+        let surface = self.surface.iter().map(|(mesh, field)| (mesh, Some(field)));
+        let mut meshes: Vec<_> = surface.chain(self.scenery.iter().map(|mesh| (mesh, None))).collect();
+        let depth = |mesh: &Mesh| line_of_sight(eye).dot(mesh.bounds.center);
+        meshes.sort_by(|(one, _), (other, _)| depth(other).total_cmp(&depth(one)));
+        for (mesh, field) in meshes {
+            self.draw_model(pass, mesh, field, Pass::Blended);
         }
         self.arrows.draw(pass);
         self.curve.draw(pass);
@@ -147,6 +154,15 @@ impl Renderer {
         models.is_some_and(|models| models.draw(pass, mesh, field, which, device))
     }
 
+    /// Puts the triangles that let light through in order for an eye.
+    fn sort_blended(&mut self, eye: Eye) {
+        let Some(models) = self.models.as_ref().filter(|_| self.style.has_materials_of_file) else { return };
+        let surface = self.surface.iter_mut().map(|(mesh, _)| mesh);
+        for mesh in surface.chain(&mut self.scenery) {
+            models.sort(&self.context, mesh, line_of_sight(eye));
+        }
+    }
+
     /// Finds out anew, if need be, what the scene keeps off the floor and off itself.
     fn occlude(&mut self) {
         if !std::mem::take(&mut self.occlusion_dirty) {
@@ -163,4 +179,9 @@ impl Renderer {
         self.ground.set(&self.context, Floor::new(self.scene), shade.contact());
         self.shared.lighting.set_occlusion(&self.context, shade.occlusion());
     }
+}
+
+/// Along the axis of the camera, away from it.
+fn line_of_sight(eye: Eye) -> Vec3 {
+    -eye.world_from_view.z_axis.as_vec3()
 }

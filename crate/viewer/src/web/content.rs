@@ -7,7 +7,9 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
 use super::materials::{DrawnMaterial, image, material};
-use super::numbers::{DrawnMesh, DrawnShade, color, finish, mesh_arrays, mesh_pose, points, shade};
+use super::numbers::{
+    DrawnMesh, DrawnShade, color, finish, lights as lights_of, mesh_arrays, mesh_pose, points, shade,
+};
 use crate::environment;
 use crate::error::Error;
 use crate::pose::CrowdPose;
@@ -156,6 +158,17 @@ impl Viewer {
     /// Throws when the length differs.
     pub fn set_ramps(&mut self, ramps: &[u8]) -> Result<(), JsError> {
         Ok(self.renderer.set_ramps(ramps)?)
+    }
+
+    /// Lights of the file in the place of those of the environment, twelve numbers each: position and 1, or the direction to
+    /// one that is far away and 0; direction in which it shines and the offset of its cone; colour and the slope of its cone.
+    /// Empty for none.
+    ///
+    /// # Errors
+    /// Throws when numbers are left over, or one is not finite.
+    pub fn set_lights(&mut self, lights: &[f32]) -> Result<(), JsError> {
+        self.renderer.set_lights(lights_of(lights)?);
+        Ok(())
     }
 
     /// What lights the scene, facing a camera of this yaw in radians.

@@ -1,6 +1,6 @@
 //! From flat numbers to vectors and their arrays.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
 use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -8,6 +8,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
 use crate::mesh::{MeshArrays, MeshPose};
+use crate::punctual::PunctualLight;
 use crate::style::Finish;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -129,4 +130,19 @@ fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
         colors: groups("vertex colors", mesh.colors().to_vec())?,
         runs: runs.into_iter().map(|[first, end, material]| MeshRun { triangles: first..end, material }).collect(),
     })
+}
+
+/// Lights of twelve numbers each: the four of each field in turn.
+pub(super) fn lights(numbers: &[f32]) -> Result<Vec<PunctualLight>, Error> {
+    const NUMBERS: usize = 12;
+    let (rows, rest) = numbers.as_chunks::<NUMBERS>();
+    if !rest.is_empty() {
+        let expected = (rows.len() + 1) * NUMBERS;
+        return Err(Error::WrongLength { what: "lights", expected, found: numbers.len() });
+    }
+    if let Some(index) = rows.iter().position(|row| !row.iter().all(|number| number.is_finite())) {
+        return Err(Error::NotFinite { what: "lights", index });
+    }
+    let part = |row: &[f32], at: usize| Vec4::from_slice(&row[4 * at..]);
+    Ok(rows.iter().map(|row| PunctualLight { place: part(row, 0), axis: part(row, 1), color: part(row, 2) }).collect())
 }

@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use glam::{DVec3, Vec3, Vec4};
 use heatwalk_viewer::{
     Blend, CHANNELS, Context, Error, Hierarchy, Image as Texels, Material, MeshAppearance, MeshArrays, MeshRun,
-    Renderer, Style, Surroundings, TextureUse, View,
+    PunctualLight, Renderer, Style, Surroundings, TextureUse, View,
 };
 use libtest_mimic::Failed;
 
@@ -95,6 +95,69 @@ fn show_square(renderer: &mut Renderer, material: Material, texels: &[Texels], n
     Ok(())
 }
 
+/// A square across the z axis, without a field, in an unlit material of this color and alpha for each place on the axis.
+fn show_panes(renderer: &mut Renderer, panes: &[(f32, Vec4)], yaw: f64) -> Result<(), Error> {
+    let pane = |&(_, base_color): &(f32, Vec4)| Material {
+        base_color,
+        is_blended: base_color.w < 1.0,
+        is_unlit: true,
+        ..Material::default()
+    };
+    renderer.set_materials(&panes.iter().map(pane).collect::<Vec<_>>(), &[]);
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let square = |&(z, _): &(f32, Vec4)| corners.map(|(x, y)| Vec3::new(x, y, z));
+    let positions: Vec<Vec3> = panes.iter().flat_map(square).collect();
+    let count = panes.len() as u32;
+    let triangles: Vec<[u32; 3]> = (0..count)
+        .flat_map(|pane| [[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|corner| 4 * pane + corner)))
+        .collect();
+    let runs = (0..count).map(|pane| MeshRun { triangles: 2 * pane..2 * pane + 2, material: pane }).collect();
+    let hierarchy = Hierarchy::new(&positions, &triangles);
+    let normals = vec![Vec3::Z; positions.len()];
+    let appearance = MeshAppearance { runs, ..MeshAppearance::default() };
+    renderer.set_surface(MeshArrays { positions, normals, triangles, hierarchy, appearance }, None)?;
+    renderer.set_style(Style { has_materials_of_file: true, ..Style::default() });
+    renderer.move_camera(|camera| {
+        camera.set_view(View { yaw, pitch: 0.1, distance: 3.0, target: DVec3::ZERO });
+    });
+    Ok(())
+}
+
+/// The color of a pixel is that of the farthest pane, and each nearer one keeps back its share of what is behind it, from
+/// whichever side they are seen and in whichever order the file has them; also after the camera or the materials have changed.
+pub fn panes_are_blended_from_back_to_front(device: &Context) -> Result<(), Failed> {
+    let opaque = |z: f32| (z, Vec4::new(0.9, 0.8, 0.1, 1.0));
+    let red = |z: f32| (z, Vec4::new(0.8, 0.05, 0.05, 0.5));
+    let green = |z: f32| (z, Vec4::new(0.05, 0.7, 0.1, 0.4));
+    let blue = |z: f32| (z, Vec4::new(0.1, 0.1, 0.9, 0.6));
+    let srgb = |light: f32| if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    let blend = |behind: Vec3, (_, pane): &(f32, Vec4)| {
+        let color = Vec3::from_array([pane.x, pane.y, pane.z].map(srgb));
+        pane.w * color + (1.0 - pane.w) * behind
+    };
+    let mut renderer = shown(device, |_| Ok(()))?;
+    let files: [&[(f32, Vec4)]; 3] = [
+        &[red(0.3), blue(-0.3), opaque(0.0), green(0.6)],
+        &[green(-0.5), opaque(-0.9), red(0.4), blue(0.1)],
+        &[opaque(0.8), blue(-0.7), green(0.1), red(-0.3)],
+    ];
+    for panes in files {
+        for (yaw, side) in [(0.0, 1.0), (std::f64::consts::PI, -1.0)] {
+            show_panes(&mut renderer, panes, yaw)?;
+            let mut seen = panes.to_vec();
+            seen.sort_by(|one, other| (side * one.0).total_cmp(&(side * other.0)));
+            let first = seen.iter().position(|(_, color)| color.w == 1.0).expect("an opaque pane");
+            let expected = seen[first..].iter().fold(Vec3::ZERO, blend);
+            let pixel = picture(&mut renderer)?.pixel(WIDTH / 2, HEIGHT / 2);
+            let expected = (255.0 * expected).round().to_array().map(|channel| channel as u8);
+            // A step of rounding for each pane.
+            let is_close = (0..3).all(|channel| pixel[channel].abs_diff(expected[channel]) <= 3);
+            assert!(is_close, "{pixel:?} for {expected:?} of {panes:?} from {yaw}");
+        }
+    }
+    Ok(())
+}
+
 /// A normal map that leans everywhere alike is a surface that leans: to the right of the image along u, to its top against v,
 /// however the image is stretched.
 pub fn a_leaning_normal_map_leans_the_surface(device: &Context) -> Result<(), Failed> {
@@ -119,6 +182,54 @@ pub fn a_leaning_normal_map_leans_the_surface(device: &Context) -> Result<(), Fa
         let [right, wrong, without] = [mapped, wrong_way, without].map(|drawn| drawn.difference(&tilted).mean);
         assert!(4.0 * right < wrong.min(without), "{right} from the tilted one; {wrong} the other way, {without} flat");
     }
+    Ok(())
+}
+
+/// What a matt square gives back grows with the light that arrives: by the cosine of its direction, the square of the distance
+/// and the cone that it is in; whatever is far away or near, and not with lights of the surroundings.
+pub fn lights_of_a_file_follow_their_laws(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |_| Ok(()))?;
+    show_square(&mut renderer, Material { roughness: 1.0, ..Material::default() }, &[], Vec3::Y)?;
+    let mut middle = |lights: &[PunctualLight]| -> Result<f64, Failed> {
+        renderer.set_lights(lights.to_vec());
+        let [red, green, blue] = picture(&mut renderer)?.pixel(WIDTH / 2, HEIGHT / 2).map(f64::from);
+        Ok((red + green + blue) / 3.0)
+    };
+    let light = |place: Vec4, strength: f32| PunctualLight {
+        place,
+        axis: Vec4::new(0.0, -1.0, 0.0, 1.0),
+        color: (strength * Vec3::ONE).extend(0.0),
+    };
+    let above = Vec4::Y;
+    let (sine, cosine) = 1.0_f32.sin_cos();
+    let tilted = Vec4::new(sine, cosine, 0.0, 0.0);
+    let half = middle(&[light(above, 0.3)])?;
+    let same = [
+        ("the cosine", vec![light(tilted, 0.3 / cosine)]),
+        ("the square of the distance", vec![light(Vec4::new(0.0, 2.0, 0.0, 1.0), 4.0 * 0.3)]),
+        ("the sum", vec![light(above, 0.1), light(above, 0.2)]),
+        // Half way from the edge of the cone to where it is whole: a quarter of the light.
+        (
+            "the cone",
+            vec![PunctualLight {
+                axis: Vec4::new(0.0, -1.0, 0.0, -1.5),
+                color: Vec4::new(1.2, 1.2, 1.2, 2.0),
+                ..light(above, 1.2)
+            }],
+        ),
+    ];
+    for (law, lights) in same {
+        let found = middle(&lights)?;
+        assert!((found - half).abs() <= 2.0, "{law}: {found} for {half}");
+    }
+    let dark = middle(&[light(-above, 0.3)])?;
+    let outside = PunctualLight {
+        axis: Vec4::new(0.0, 1.0, 0.0, 0.0),
+        color: Vec4::new(9.0, 9.0, 9.0, 2.0),
+        ..light(above, 9.0)
+    };
+    assert!((middle(&[outside])? - dark).abs() < 1.0, "nothing comes from behind or from outside of the cone");
+    assert!(dark < half - 40.0, "{dark} in the dark, {half} under the light");
     Ok(())
 }
 

@@ -174,7 +174,7 @@ impl Images<'_> {
             let source = texture.extensions.as_ref()?.others.get(name)?["source"].as_u64();
             source.and_then(|source| usize::try_from(source).ok())
         };
-        // Few programs decode Basis images.
+        // A browser decodes the others by itself.
         let plain = Some(texture.source.value()).filter(|&source| source < self.root.images.len());
         let image = self.image(source("EXT_texture_webp").or(plain).or(source("KHR_texture_basisu"))?)?;
         let sampler = texture.sampler.and_then(|index| self.root.samplers.get(index.value()));

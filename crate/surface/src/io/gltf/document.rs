@@ -58,6 +58,7 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         skins: needed(document, "skins", |text| from_slice(text))?,
         scene: document["scene"].as_u64().and_then(|scene| u32::try_from(scene).ok()).map(Index::new),
         animations: optional(document, "animations", |text| from_slice(text)),
+        extensions: serde_json::from_value(document["extensions"].clone()).ok().flatten(),
         cameras: optional(document, "cameras", |text| from_slice(text)),
         images: optional(document, "images", |text| from_slice(text)),
         materials: optional(document, "materials", |text| from_slice(text)),

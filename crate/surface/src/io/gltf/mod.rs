@@ -13,6 +13,7 @@ mod document;
 mod draco;
 mod format;
 mod instancing;
+mod light;
 mod meshopt;
 mod primitive;
 mod scene;
@@ -171,6 +172,7 @@ impl Reading<'_> {
         self.soup.attributes.iter_mut().for_each(|attribute| attribute.values.resize(vertices, f64::NAN));
         self.soup.appearance = Arc::new(appearance);
         self.soup.cameras = camera::cameras(root, self.scene);
+        self.soup.lights = light::lights(root, self.scene);
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
         self.soup.motion = Arc::new(motion);
         Ok(self.soup)

@@ -14,8 +14,8 @@ pub struct Scene {
     pub world_from_node: Vec<DMat4>,
     /// Nodes of the scene that carry a mesh, parents before children, in file order.
     pub mesh_nodes: Vec<usize>,
-    /// Those that carry a camera.
-    pub camera_nodes: Vec<usize>,
+    /// All nodes of the scene, in that order.
+    pub nodes: Vec<usize>,
 }
 
 impl Scene {
@@ -44,16 +44,10 @@ impl Scene {
                 .collect::<Result<_>>()?,
             None => roots,
         };
-        let (mut mesh_nodes, mut camera_nodes) = (Vec::new(), Vec::new());
-        walk(root, &shown, |_, node| {
-            if root.nodes[node].mesh.is_some() {
-                mesh_nodes.push(node);
-            }
-            if root.nodes[node].camera.is_some() {
-                camera_nodes.push(node);
-            }
-        })?;
-        Ok(Self { hierarchy, world_from_node, mesh_nodes, camera_nodes })
+        let mut nodes = Vec::new();
+        walk(root, &shown, |_, node| nodes.push(node))?;
+        let mesh_nodes = nodes.iter().copied().filter(|&node| root.nodes[node].mesh.is_some()).collect();
+        Ok(Self { hierarchy, world_from_node, mesh_nodes, nodes })
     }
 }
 
