@@ -106,17 +106,17 @@ async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Ed
 async function instead(
   engine: Engine,
   colorBy: VertexField,
-  { distance, tangents }: DistanceField,
+  { distance, tangents, byCorner }: DistanceField,
 ): Promise<Parameters<Session['paint']>[0]> {
   if (colorBy === 'heat') {
     // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
     const cold = (await engine.heat()).map((logarithm) => -logarithm);
     const whole = largest(cold);
-    return { field: { distance: cold, tangents, maxDistance: whole }, whole };
+    return { field: { distance: cold, tangents, maxDistance: whole, byCorner }, whole };
   }
   const errors = (await engine.errors()) ?? new Float32Array(distance.length);
   // Errors are noise from vertex to vertex, so they have colours and no stripes.
-  const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+  const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors), byCorner };
   return { field, whole: 0 };
 }
 

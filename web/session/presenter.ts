@@ -1,10 +1,12 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
+import { isPainted } from '../state/ground';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField, View } from '../view/view';
 import { Walk } from '../view/walk';
 import type { OpenRequest, Shown } from './prepare';
+import { costAlong, tintsOf, wallsOf } from './tints';
 
 /** A pose that is shown for longer is one to rest in. */
 const POSE_RESTS_MS = 300;
@@ -87,7 +89,7 @@ export class Presenter {
       throw error;
     }
     clearTimeout(this.#resting);
-    this.walk.follow(shown.answer.path?.length ?? 0, true);
+    this.walk.follow(shown.answer.path?.length ?? 0, true, costAlong(shown.answer.path));
   }
 
   /** Shows the mesh in another pose, and with it what is on it. */
@@ -100,6 +102,7 @@ export class Presenter {
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => this.#showPose(true), POSE_RESTS_MS);
     shown.places.pose(posed.surface);
+    this.#showWalls(shown);
     this.#showPins();
     if (shown.answer.path && posed.path) this.#showPath(posed.path, this.walk.arc);
   }
@@ -108,7 +111,7 @@ export class Presenter {
   answer(shown: Shown, fromStart: boolean, withPath: boolean): void {
     this.#showField(shown);
     if (!withPath) return;
-    this.walk.follow(shown.answer.path?.length ?? 0, fromStart);
+    this.walk.follow(shown.answer.path?.length ?? 0, fromStart, costAlong(shown.answer.path));
     this.#showPath(shown.answer.path, this.walk.arc);
   }
 
@@ -164,6 +167,7 @@ export class Presenter {
     this.#facing = facing;
     this.#whole = shown.places.diameter;
     this.#showStyle();
+    this.#showGround(shown, state, true);
     this.#showField(shown);
     this.#showPath(shown.answer.path, arc);
     this.#showPins();
@@ -185,8 +189,21 @@ export class Presenter {
     this.#state = state;
     if (!this.#shown || state === previous) return;
     if (state.style !== previous.style) this.#showStyle();
+    if (state.ground !== previous.ground) this.#showGround(this.#shown, state, isPainted(previous.ground));
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     this.#showScenery(state, previous);
+  }
+
+  /** `isAnew`: also where there is nothing to show any more. */
+  #showGround(shown: Shown, { ground }: SceneState, isAnew: boolean): void {
+    if (!isAnew && !isPainted(ground)) return;
+    const { surface } = shown.opened;
+    if (isPainted(ground) || this.#view.isTinted) this.#view.setTints(surface, tintsOf(ground, surface));
+    this.#showWalls(shown);
+  }
+
+  #showWalls({ places }: Shown): void {
+    this.#view.setWalls(wallsOf(this.#state.ground, places));
   }
 
   #showStyle(): void {

@@ -75,6 +75,7 @@ export class Session {
   /** While another pose is under way that distance is not measured in. */
   #posing = false;
   #dragging = false;
+  #painting = false;
   #quick = false;
 
   constructor(scene: Scene, view: View) {
@@ -154,11 +155,17 @@ export class Session {
     const answer = this.shown.value?.answer;
     this.#dragging = dragging;
     // Decided once a drag: quick fields soon take less than a frame.
-    this.#quick = dragging && (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS;
+    this.#quick = dragging && (this.#painting || (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS);
     if (dragging) this.refiner.interrupt();
     if (dragging || !answer) return;
     if (this.#isAnswered(answer)) this.#rest();
     else void this.#solve();
+  }
+
+  /** While the ground is painted, fields follow by a window, also where they are by heat: that has to be factored anew. */
+  set painting(painting: boolean) {
+    this.#painting = painting;
+    this.dragging = painting;
   }
 
   get dragging(): boolean {
@@ -435,7 +442,8 @@ export class Session {
     const { state } = this.scene;
     const moment = state.animation.live ? this.animator.moment.value : null;
     const quick = this.#quick || this.#isLive;
-    return { ...questionOf(state, this.#factoring?.meanwhile ?? state.method), moment, quick };
+    const method = this.#painting && state.method === 'heat' ? 'auto' : state.method;
+    return { ...questionOf(state, this.#factoring?.meanwhile ?? method), moment, quick };
   }
 
   /** Whether distance is measured in one pose after the other. */

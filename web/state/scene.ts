@@ -11,6 +11,7 @@ import {
   type VertexField,
   type WINDOWS,
 } from '../wasm/contract';
+import { type Ground, LEVEL } from './ground';
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -76,6 +77,8 @@ export interface Places {
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
+  /** What it costs to walk where, and walls. */
+  ground: Ground;
 }
 
 export interface SceneState extends Places {
@@ -117,6 +120,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     walker: null,
     links: 0,
     up: 'y',
+    ground: LEVEL,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
@@ -234,8 +238,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up }: SceneState): Places {
-  return { sources, walker, links, up };
+function placesOf({ sources, walker, links, up, ground }: SceneState): Places {
+  return { sources, walker, links, up, ground };
 }
 
 function withValidSelection(state: SceneState): SceneState {

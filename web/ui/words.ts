@@ -173,6 +173,8 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
       return `${soFar} Refinement stopped because it made no progress.`;
     case 'off':
       return method === 'propagation' ? soFar : `${soFar} Refinement is off.`;
+    case 'costs':
+      return `${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
     case 'exact':
     case 'solving':
     case 'resting':
@@ -194,14 +196,17 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
 }
 
 /** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function unreachedParts({ parts, active, surface }: OpenedMesh, { distance }: DistanceField): string[] {
+function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
   const total = active.reduce((sum, part) => sum + parts[part].triangles, 0);
   if (active.length < 2 || 3 * total !== surface.triangles.length) return [];
   const names: string[] = [];
   let first = 0;
   for (const part of active) {
     const end = first + 3 * parts[part].triangles;
-    if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity))
+    const values = byCorner
+      ? distance.subarray(first, end)
+      : surface.triangles.subarray(first, end).map((corner) => distance[corner]);
+    if (values.every((value) => value === Infinity))
       names.push(parts[part].name);
     first = end;
   }

@@ -16,13 +16,16 @@ export interface PointHit {
 }
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
+export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance' | 'byCorner'>;
 
-/** Segments, #E × 2 × 3, and their CSS colour. */
+/** Segments, #E × 2 × 3, their CSS colour, and their width in CSS pixels, a thin line's when left out. */
 export interface Edges {
   ends: Float32Array;
   colour: string;
+  width?: number;
 }
+
+const THIN = 1.2;
 
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 const ORDER = [
@@ -31,6 +34,7 @@ const ORDER = [
   'surface',
   'scenery',
   'pose',
+  'ground',
   'surroundings',
   'style',
   'offset',
@@ -44,7 +48,7 @@ const ORDER = [
   'spin',
 ] as const;
 type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
+const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'ground', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
 /** What a preview has from the scene that it stands before. */
 const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 
@@ -53,6 +57,8 @@ interface Picture {
   layers: Map<Layer, (viewer: Viewer) => void>;
   /** Drawn length of a unit of the path. */
   stride: number;
+  overlays: readonly Edges[];
+  walls: readonly Edges[];
 }
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
@@ -80,7 +86,7 @@ const NO_MESH = {
   runs: new Uint32Array(),
 };
 const NO_APPEARANCE: Appearance = { materials: [], images: [] };
-const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
+const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
 export class View {
@@ -90,7 +96,7 @@ export class View {
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
   /** What calls change. */
-  #picture: Picture = { layers: new Map(), stride: 1 };
+  #picture: Picture = emptyPicture();
   /** What is on the canvas: that, or a preview in its place. */
   #drawn = this.#picture;
   #camera: Float64Array | null = null;
@@ -199,6 +205,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
+      [picture.overlays, picture.walls] = [[], []];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -229,7 +236,7 @@ export class View {
   preview(draw: () => void): void {
     const scene = this.#picture;
     const common = [...scene.layers].filter(([layer]) => COMMON.has(layer));
-    this.#picture = this.#drawn = { layers: new Map(common), stride: 1 };
+    this.#picture = this.#drawn = { ...emptyPicture(), layers: new Map(common) };
     try {
       draw();
       this.#picture = scene;
@@ -262,8 +269,28 @@ export class View {
 
   /** Null where there is none. */
   setField(field: ShownField | null): void {
-    const { distance, tangents, maxDistance } = field ?? NO_FIELD;
-    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
+    const { distance, tangents, maxDistance, byCorner } = field ?? NO_FIELD;
+    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance, byCorner));
+  }
+
+  /** Tints the triangles of the surface, `#F × 4`: see `Viewer.set_tints`. `surface`: as it was set. */
+  setTints(surface: DrawMesh, tints: Uint8Array): void {
+    const { isTinted } = this;
+    this.#show('ground', (viewer) => viewer.set_tints(surface, tints));
+    const field = this.#picture.layers.get('field');
+    // The first time, the field is forgotten.
+    if (!isTinted && field) this.#show('field', field);
+  }
+
+  /** Whether the surface was ever tinted. */
+  get isTinted(): boolean {
+    return this.#picture.layers.has('ground');
+  }
+
+  /** Outlines the brush, of a drawn radius; null: none. */
+  setBrush(brush: { center: Vector; radius: number } | null): void {
+    const [x, y, z] = brush?.center ?? [0, 0, 0];
+    this.#use((viewer) => viewer.set_brush(x, y, z, brush?.radius ?? 0));
   }
 
   /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
@@ -321,9 +348,23 @@ export class View {
   }
 
   setEdges(kinds: readonly Edges[]): void {
+    this.#picture.overlays = kinds;
+    this.#showEdges();
+  }
+
+  /** Walls along edges, drawn over the other ones. */
+  setWalls(kinds: readonly Edges[]): void {
+    this.#picture.walls = kinds;
+    this.#showEdges();
+  }
+
+  #showEdges(): void {
+    const { overlays, walls } = this.#picture;
     this.#show('edges', (viewer) => {
       viewer.clear_edges();
-      for (const { ends, colour } of kinds) viewer.add_edges(ends, unitColour(colour));
+      for (const { ends, colour, width } of [...overlays, ...walls]) {
+        viewer.add_edges(ends, unitColour(colour), width ?? THIN);
+      }
     });
   }
 
@@ -476,6 +517,10 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
+}
+
+function emptyPicture(): Picture {
+  return { layers: new Map(), stride: 1, overlays: [], walls: [] };
 }
 
 /** Whether the instance must not be called again: it trapped, or an exception left it in the middle of a call. */

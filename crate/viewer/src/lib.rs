@@ -36,6 +36,7 @@ mod solid;
 mod style;
 mod surface;
 mod targets;
+mod tint;
 mod uniform;
 mod vertex;
 mod walker;

@@ -14,6 +14,7 @@ mod search;
 #[cfg(test)]
 mod tests;
 mod triangles;
+mod walls;
 
 pub use links::Link;
 pub use rule::BridgeRule;

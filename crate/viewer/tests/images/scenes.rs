@@ -2,7 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 use heatwalk_viewer::{
     Blend, CrowdPose, Error, Finish, Hierarchy, MeshAppearance, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style,
     Surroundings, View,
@@ -139,6 +139,7 @@ pub const BANDS: Style = Style {
     blend: Blend::Over,
     surface: Finish { metalness: 1.0, roughness: 0.3, glow: 0.0 },
     stripe: Finish { metalness: 0.0, roughness: 0.4, glow: 0.1 },
+    brush: Vec4::ZERO,
 };
 
 /// Little happens on the surface, so that what stands on it is seen.
@@ -160,7 +161,7 @@ fn lines_and_edges(renderer: &mut Renderer) -> Result<(), Error> {
     show_sphere(renderer, 1.0, 4.0, Style { pattern: Pattern::Lines { width: 3.0 }, ..PLAIN })?;
     let meridian = |turn: f32| (0..24).map(move |step| [step, step + 1].map(|step| at(turn, step as f32 / 24.0)));
     let meridians: Vec<[Vec3; 2]> = (0..12).flat_map(|index| meridian(index as f32 / 12.0)).collect();
-    renderer.add_edges(&meridians, Vec3::new(0.1, 0.4, 0.85))
+    renderer.add_edges(&meridians, Vec3::new(0.1, 0.4, 0.85), 1.2)
 }
 
 /// A place of the sphere: shares of a full turn about the vertical, and from pole to pole.
