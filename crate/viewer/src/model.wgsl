@@ -62,7 +62,7 @@ fn vs_model(
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
 ) -> ModelFragment {
-    return vs_model_tinted(position, normal, distance, tangent, texcoords, color, vec4f(0.0));
+    return model_with_field(position, normal, distance, tangent, texcoords, color, vec4f(0.0));
 }
 
 @vertex
@@ -74,6 +74,18 @@ fn vs_model_tinted(
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
     @location(6) tint: vec4f,
+) -> ModelFragment {
+    return model_with_field(position, normal, distance, tangent, texcoords, color, tint);
+}
+
+fn model_with_field(
+    position: vec3f,
+    normal: vec3f,
+    distance: f32,
+    tangent: vec4f,
+    texcoords: vec4f,
+    color: vec4f,
+    tint: vec4f,
 ) -> ModelFragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
     let reached = select(0.0, 1.0, distance < 1.5);
@@ -87,7 +99,7 @@ fn vs_model_plain(
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
 ) -> ModelFragment {
-    return vs_model_plain_tinted(position, normal, texcoords, color, vec4f(0.0));
+    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, vec4f(0.0));
 }
 
 @vertex
@@ -98,8 +110,11 @@ fn vs_model_plain_tinted(
     @location(5) color: vec4f,
     @location(6) tint: vec4f,
 ) -> ModelFragment {
-    let clip = frame.clip_from_world * vec4f(position, 1.0);
-    return ModelFragment(clip, position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, tint);
+    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, tint);
+}
+
+fn plain_clip(position: vec3f) -> vec4f {
+    return frame.clip_from_world * vec4f(position, 1.0);
 }
 
 fn place_in(texture: TextureUse, texcoords: vec4f) -> vec2f {

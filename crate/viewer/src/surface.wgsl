@@ -89,7 +89,7 @@ fn vs_field(
     @location(2) distance: f32,
     @location(3) tangent: vec4f,
 ) -> Fragment {
-    return vs_field_tinted(position, normal, distance, tangent, vec4f(0.0));
+    return with_field(position, normal, distance, tangent, vec4f(0.0));
 }
 
 @vertex
@@ -100,6 +100,10 @@ fn vs_field_tinted(
     @location(3) tangent: vec4f,
     @location(6) tint: vec4f,
 ) -> Fragment {
+    return with_field(position, normal, distance, tangent, tint);
+}
+
+fn with_field(position: vec3f, normal: vec3f, distance: f32, tangent: vec4f, tint: vec4f) -> Fragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
     let reached = select(0.0, 1.0, distance < 1.5);
     return Fragment(clip, position, normal, distance * reached, reached, tangent.xyz, tint);

@@ -176,6 +176,7 @@ export class PointerInput {
       return;
     }
     this.#press = null;
+    if (!press.touch) this.#hover = event;
     this.#stage.dataset.cursor = '';
     this.#endMove(press);
     if (press.mode === 'pressed' && event.button === 0) this.#click(press, event);
