@@ -71,7 +71,14 @@ test('costs differ where one does, whatever walls there are', () => {
 /** A strip of so many unit squares along x, each of two triangles. */
 function strip(squares: number): Terrain {
   const positions = Array.from({ length: squares + 1 }, (_, x) => [x, 0, 0, x, 1, 0]).flat();
-  const triangles = Array.from({ length: squares }, (_, x) => [2 * x, 2 * x + 2, 2 * x + 1, 2 * x + 2, 2 * x + 3, 2 * x + 1]);
+  const triangles = Array.from({ length: squares }, (_, x) => [
+    2 * x,
+    2 * x + 2,
+    2 * x + 1,
+    2 * x + 2,
+    2 * x + 3,
+    2 * x + 1,
+  ]);
   const neighbors = Array.from({ length: 2 * squares }, (_, face) => [face - 1, face, face + 1]).flat();
   const inside = (face: number) => Math.min(2 * squares - 1, Math.max(0, face));
   return {

@@ -186,7 +186,9 @@ export class GroundEditor {
       const last = ground.lines.at(-1);
       const goesOn = last !== undefined && !last.open && last.vertices.at(-1) === vertices[0];
       const line: WallLine = { vertices: goesOn ? [...last.vertices, ...vertices.slice(1)] : vertices, open: false };
-      session.scene.place({ ground: { ...ground, lines: [...(goesOn ? ground.lines.slice(0, -1) : ground.lines), line] } });
+      session.scene.place({
+        ground: { ...ground, lines: [...(goesOn ? ground.lines.slice(0, -1) : ground.lines), line] },
+      });
     } catch (error) {
       this.endLine();
       session.fail(error);

@@ -1,6 +1,6 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
-import { isPainted } from '../state/ground';
+import { isPainted, isWeighted } from '../state/ground';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField, View } from '../view/view';
@@ -10,6 +10,9 @@ import { costAlong, tintsOf, wallsOf } from './tints';
 
 /** A pose that is shown for longer is one to rest in. */
 const POSE_RESTS_MS = 300;
+
+/** So many diameters are reached without costs, or little more. */
+const PLAIN_REACH = 2;
 
 export class Presenter {
   readonly walk = new Walk();
@@ -118,11 +121,22 @@ export class Presenter {
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
   paint(instead: { field: ShownField; whole: number } | null): void {
     this.#view.setField(instead?.field ?? this.#field);
-    const whole = instead?.whole ?? this.#shown?.places.diameter ?? 1;
+    const whole = instead?.whole ?? this.#wholeOfDistance();
     if (whole !== this.#whole) {
       this.#whole = whole;
       this.#showStyle();
     }
+  }
+
+  /**
+   * The diameter; where costs make distances larger than that, a multiple of it that seldom changes: stripes would be too many to
+   * be seen.
+   */
+  #wholeOfDistance(): number {
+    const diameter = this.#shown?.places.diameter ?? 1;
+    if (!this.#field || !this.#shown || !isWeighted(this.#shown.answer.question.ground)) return diameter;
+    const times = this.#field.maxDistance / (PLAIN_REACH * diameter);
+    return diameter * 2 ** Math.max(0, Math.floor(Math.log2(times)));
   }
 
   /** Takes what moves by itself further. */

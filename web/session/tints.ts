@@ -17,12 +17,15 @@ const SCALE: readonly (readonly [power: number, colour: string])[] = [
 /** Opacity of what costs hardly more than 1, and of what costs twice or half as much and beyond. */
 const OPACITY = [0.35, 0.78] as const;
 
-export const WALL_COLOURS = { wall: '#2b2e36', gate: '#c05a1b', open: '#4fae6b' } as const;
+export const WALL_COLOURS = { wall: '#5d626e', gate: '#c8601f', open: '#4fae6b' } as const;
 
 /** The color of a cost; that of even ground is none. */
 export function colourOfCost(cost: number): string {
   const power = Math.log2(cost);
-  const next = Math.max(1, SCALE.findIndex(([other]) => other >= power));
+  const next = Math.max(
+    1,
+    SCALE.findIndex(([other]) => other >= power),
+  );
   const [[low, dark], [high, light]] = [SCALE[next - 1], SCALE[next]];
   const share = Math.min(1, Math.max(0, (power - low) / (high - low)));
   const [from, to] = [parseColour(dark), parseColour(light)];

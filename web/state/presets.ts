@@ -154,7 +154,7 @@ export const PRESETS: readonly Preset[] = [
     view: [0.5, 0.75],
     style: 'contour',
     method: 'auto',
-    ground: { ...decodeGround(HIKE), slope: true },
+    ground: decodeGround(HIKE) ?? {},
   }),
   preset('village', {
     title: 'Village',

@@ -189,8 +189,11 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
 export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
-  const names = unreachedParts(opened, field);
   const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
+  if (field.byCorner && opened.report.components === 1) {
+    return `Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
+  }
+  const names = unreachedParts(opened, field);
   const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A component (${share})`;
   return `${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
@@ -206,8 +209,7 @@ function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCo
     const values = byCorner
       ? distance.subarray(first, end)
       : surface.triangles.subarray(first, end).map((corner) => distance[corner]);
-    if (values.every((value) => value === Infinity))
-      names.push(parts[part].name);
+    if (values.every((value) => value === Infinity)) names.push(parts[part].name);
     first = end;
   }
   return names;

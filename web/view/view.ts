@@ -48,7 +48,17 @@ const ORDER = [
   'spin',
 ] as const;
 type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'ground', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
+const CLEARED_BY_SURFACE: readonly Layer[] = [
+  'pose',
+  'ground',
+  'field',
+  'pins',
+  'path',
+  'walker',
+  'crowd',
+  'arrows',
+  'edges',
+];
 /** What a preview has from the scene that it stands before. */
 const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 

@@ -11,8 +11,8 @@ use crate::material::{BoundMaterial, Material, bind_materials, material_layout};
 use crate::mesh::Mesh;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
-use crate::tint::TINT;
 use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SURFACE_WGSL, SurfaceRenderer, TANGENT};
+use crate::tint::TINT;
 use crate::vertex::{Unorm16x4, attribute, single};
 
 const TEXCOORDS: wgpu::VertexBufferLayout<'static> = single::<Vec4>(PER_VERTEX, &[attribute::<Vec4>(4)]);
@@ -121,7 +121,15 @@ impl ModelRenderer {
                 (false, true) => "vs_model_plain_tinted",
             },
             fragment,
-            buffers: &[Some(POSITION), Some(NORMAL), distance, tangent, Some(TEXCOORDS), Some(COLOR), is_tinted.then_some(TINT)],
+            buffers: &[
+                Some(POSITION),
+                Some(NORMAL),
+                distance,
+                tangent,
+                Some(TEXCOORDS),
+                Some(COLOR),
+                is_tinted.then_some(TINT),
+            ],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place,
         }

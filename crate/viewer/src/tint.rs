@@ -6,7 +6,8 @@ use crate::context::Context;
 use crate::error::Error;
 use crate::vertex::{Unorm8x4, attribute, single};
 
-pub(crate) const TINT: wgpu::VertexBufferLayout<'static> = single::<Unorm8x4>(wgpu::VertexStepMode::Vertex, &[attribute::<Unorm8x4>(6)]);
+pub(crate) const TINT: wgpu::VertexBufferLayout<'static> =
+    single::<Unorm8x4>(wgpu::VertexStepMode::Vertex, &[attribute::<Unorm8x4>(6)]);
 /// Where the layout of a tinted mesh has its tints: after all that meshes may have besides.
 pub(crate) const TINT_SLOT: u32 = 6;
 

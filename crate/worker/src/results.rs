@@ -2,8 +2,8 @@
 //! is copied once, into a buffer of JavaScript's.
 
 use glam::Vec3;
-use heatwalk::{Costs, Path, PathPoint, Surface};
 use heatwalk::surface::appearance::Run;
+use heatwalk::{Costs, Path, PathPoint, Surface};
 use heatwalk_bake::{Bounds, Hierarchy};
 use heatwalk_scene::DrawTransform;
 use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};

@@ -19,8 +19,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
-use crate::ground::Ground;
 use crate::field::{Field, Origin};
+use crate::ground::Ground;
 use crate::joined::Joined;
 use crate::motion::Moving;
 use crate::parameters::parameters;

@@ -40,7 +40,9 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   const { scene } = session;
   const brush = toggle('Brush', (on) => editor.set({ on }));
   brush.element.title = 'The pointer paints the ground (B)';
-  const tool = select<GroundTool>('Tool', labelled(TOOLS, TOOL_WORDS), (value) => editor.set({ on: true, tool: value }));
+  const tool = select<GroundTool>('Tool', labelled(TOOLS, TOOL_WORDS), (value) =>
+    editor.set({ on: true, tool: value }),
+  );
   const hint = h('p', { class: 'quiet' });
   const buttons = MATERIALS.map((material) => {
     const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
@@ -141,7 +143,8 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     clear.disabled = !isPainted(ground);
     const shown = session.shown.value;
     const path = shown?.answer.path;
-    const walked = path && shown ? `The path is ${measure(path.length, shown.opened)} long and costs ${length(path.cost)}. ` : '';
+    const walked =
+      path && shown ? `The path is ${measure(path.length, shown.opened)} long and costs ${length(path.cost)}. ` : '';
     const exactness = isWeighted(ground) ? 'Where costs differ, no distances are exact.' : '';
     legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
   };
