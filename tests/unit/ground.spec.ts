@@ -57,9 +57,10 @@ test('a ground fits a mesh of as many triangles that has the vertices of its wal
   expect(fits({ ...LEVEL, lines }, { triangles: 4, inputVertices: 8 })).toBe(false);
 });
 
+const of = (faces: number[], change: Partial<Ground> = {}) =>
+  isWeighted({ ...LEVEL, ...change, faces: Uint8Array.from(faces) });
+
 test('costs differ where one does, whatever walls there are', () => {
-  const of = (faces: number[], change: Partial<Ground> = {}) =>
-    isWeighted({ ...LEVEL, ...change, faces: Uint8Array.from(faces) });
   expect(of([])).toBe(false);
   expect(of([0, WALL, OPEN_GATE])).toBe(false);
   expect(of([codeOf(4), codeOf(4), WALL])).toBe(false);
@@ -91,7 +92,7 @@ function strip(squares: number): Terrain {
 test('a disc covers what it touches around its middle', () => {
   const terrain = strip(10);
   const found = touched(terrain, { face: 8, center: [4.2, 0.2, 0], radius: 0.9 });
-  expect([...found.keys()].sort((a, b) => a - b)).toEqual([6, 7, 8, 9, 10]);
+  expect([...found.keys()].toSorted((a, b) => a - b)).toEqual([6, 7, 8, 9, 10]);
   expect(found.get(8)).toBe(0);
   expect(found.get(6)).toBeCloseTo(0.2 * Math.SQRT2, 6);
 });

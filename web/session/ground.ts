@@ -20,6 +20,9 @@ import type { Session } from './session';
 /** Pixels around a wall along edges within which it is meant. */
 const GRIP_PX = 9;
 
+/** Radius of the ring around the end of a wall, as a share of the diameter. */
+const MARK = 0.008;
+
 /** A stroke under way. */
 interface Painting {
   stroke: Stroke;
@@ -39,9 +42,8 @@ export class GroundEditor {
 
   constructor(session: Session) {
     this.#session = session;
-    const isOther = (a: Brush, b: Brush) => a.on !== b.on || a.tool !== b.tool;
     this.brush.watch((brush, previous) => {
-      if (isOther(brush, previous)) this.endLine();
+      if (brush.on !== previous.on || brush.tool !== previous.tool) this.endLine();
       void this.#learn();
     });
     session.shown.watch((shown, previous) => {
@@ -59,9 +61,12 @@ export class GroundEditor {
     return this.brush.value.radius * (this.#session.shown.value?.places.drawnDiameter ?? 1);
   }
 
-  /** Whether a stroke can begin. */
-  get isReady(): boolean {
-    return this.#terrain !== null;
+  /** A ring around where the wall along edges has come to, as it is drawn. */
+  get lineMark(): { center: Vector; radius: number } | null {
+    const places = this.#session.shown.value?.places;
+    const vertex = this.lineEnd.value;
+    const center = vertex === null ? undefined : places?.at({ vertex })?.position;
+    return places && center ? { center, radius: MARK * places.drawnDiameter } : null;
   }
 
   /** Begins a stroke; false where triangles are not known yet. */

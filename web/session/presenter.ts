@@ -3,7 +3,8 @@ import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePa
 import { isPainted, isWeighted } from '../state/ground';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
-import type { ShownField, View } from '../view/view';
+import type { ShownField } from '../view/layers';
+import type { View } from '../view/view';
 import { Walk } from '../view/walk';
 import type { OpenRequest, Shown } from './prepare';
 import { costAlong, tintsOf, wallsOf } from './tints';

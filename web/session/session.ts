@@ -8,7 +8,7 @@ import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
 import { type Scene, type SceneState, upOf } from '../state/scene';
 import { Signal } from '../state/signal';
-import type { ShownField, View } from '../view/view';
+import type { View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { Animator } from './animator';
@@ -180,7 +180,7 @@ export class Session {
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
-  paint(instead: { field: ShownField; whole: number } | null): void {
+  paint(instead: Parameters<Presenter['paint']>[0]): void {
     this.#presenter.paint(instead);
   }
 

@@ -3,7 +3,7 @@ import type { DrawMesh, SurfacePath } from '../protocol';
 import { CLOSED_GATE, costOf, EVEN, type Ground, OPEN_GATE, WALL } from '../state/ground';
 import type { Places } from '../state/places';
 import { parseColour } from '../state/styles';
-import type { Edges } from '../view/view';
+import type { Edges } from '../view/layers';
 
 /** Colors by the power of two that it costs, from the cheapest on. */
 const SCALE: readonly (readonly [power: number, colour: string])[] = [

@@ -117,7 +117,7 @@ export function changeOf(before: Ground, after: Ground): GroundChange {
   return {
     triangles: Uint32Array.from(triangles),
     costs: Float64Array.from(triangles, (triangle) => costOf(after.faces[triangle] ?? EVEN)),
-    lines: Uint32Array.from(closed.flatMap(({ vertices }) => [vertices.length, ...vertices])),
+    lines: Uint32Array.from(closed.flatMap(({ vertices }) => [vertices.length].concat(vertices))),
     slope: after.slope,
     highest: after.highest,
   };

@@ -1,10 +1,24 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { Appearance, DistanceField, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
+import type { Appearance, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
+import {
+  CLEARED_BY_SURFACE,
+  COMMON,
+  type Edges,
+  emptyPicture,
+  type Layer,
+  NO_APPEARANCE,
+  NO_FIELD,
+  NO_MESH,
+  ORDER,
+  type Picture,
+  type ShownField,
+  THIN,
+} from './layers';
 import { Traps } from './traps';
 import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -13,62 +27,6 @@ export interface PointHit {
   point: SurfacePoint;
   /** As it is drawn: see `DrawTransform`. */
   position: Vector;
-}
-
-/** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance' | 'byCorner'>;
-
-/** Segments, #E × 2 × 3, their CSS colour, and their width in CSS pixels, a thin line's when left out. */
-export interface Edges {
-  ends: Float32Array;
-  colour: string;
-  width?: number;
-}
-
-const THIN = 1.2;
-
-/** The order in which the parts of a picture must be given: the surface clears what depends on it. */
-const ORDER = [
-  'background',
-  'materials',
-  'surface',
-  'scenery',
-  'pose',
-  'ground',
-  'surroundings',
-  'style',
-  'offset',
-  'field',
-  'pins',
-  'path',
-  'walker',
-  'crowd',
-  'arrows',
-  'edges',
-  'spin',
-] as const;
-type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = [
-  'pose',
-  'ground',
-  'field',
-  'pins',
-  'path',
-  'walker',
-  'crowd',
-  'arrows',
-  'edges',
-];
-/** What a preview has from the scene that it stands before. */
-const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
-
-/** All that is shown together. */
-interface Picture {
-  layers: Map<Layer, (viewer: Viewer) => void>;
-  /** Drawn length of a unit of the path. */
-  stride: number;
-  overlays: readonly Edges[];
-  walls: readonly Edges[];
 }
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
@@ -85,18 +43,6 @@ const RELAPSE_MS = 10_000;
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
-const NO_MESH = {
-  positions: new Float32Array(),
-  normals: new Float32Array(),
-  triangles: new Uint32Array(),
-  order: new Uint32Array(),
-  boxes: new Float32Array(),
-  texcoords: new Float32Array(),
-  colors: new Uint16Array(),
-  runs: new Uint32Array(),
-};
-const NO_APPEARANCE: Appearance = { materials: [], images: [] };
-const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
 export class View {
@@ -527,10 +473,6 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
-}
-
-function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, overlays: [], walls: [] };
 }
 
 /** Whether the instance must not be called again: it trapped, or an exception left it in the middle of a call. */

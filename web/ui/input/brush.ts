@@ -78,8 +78,9 @@ export class BrushInput {
   #hover(x: number, y: number): PointHit | null {
     const { view } = this.#session;
     const hit = view.pick(x, y);
-    const outlines = hit && this.#editor.brush.value.tool === 'brush';
-    view.setBrush(outlines ? { center: hit.position, radius: this.#editor.radius } : null);
+    const paints = hit && this.#editor.brush.value.tool === 'brush';
+    const brush = paints ? { center: hit.position, radius: this.#editor.radius } : this.#editor.lineMark;
+    view.setBrush(brush);
     return hit;
   }
 
