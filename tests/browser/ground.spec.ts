@@ -113,7 +113,9 @@ test('a wall along edges is walked around, and opens by a click', async ({ heatw
   await choose(heatwalk, '', 'line');
   await click(heatwalk, at(12, 4));
   await click(heatwalk, at(12, 24));
+  await expect.poll(async () => (await heatwalk.scene()).ground.lines.length).toBe(1);
   await page.keyboard.press('Escape');
+  await heatwalk.settled();
   const { ground } = await heatwalk.scene();
   expect(ground.lines).toEqual([{ vertices: Array.from({ length: 21 }, (_, j) => at(12, 4 + j).vertex), open: false }]);
   // Around its end at (12, 4).
@@ -136,6 +138,7 @@ test('the ground is in the link', async ({ heatwalk, page }) => {
   await choose(heatwalk, '', 'line');
   await click(heatwalk, at(6, 6));
   await click(heatwalk, at(6, 16));
+  await expect.poll(async () => (await heatwalk.scene()).ground.lines.length).toBe(1);
   await page.getByRole('switch', { name: 'Slope' }).check();
   await heatwalk.settled();
   const { ground } = await heatwalk.scene();
