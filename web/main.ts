@@ -6,6 +6,7 @@ import './style/windows.css';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
+import { GroundEditor } from './session/ground';
 import { type Given, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
@@ -14,6 +15,7 @@ import { Scene } from './state/scene';
 import { Signal } from './state/signal';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
+import { BrushInput } from './ui/input/brush';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followPaste } from './ui/input/paste';
@@ -30,6 +32,7 @@ import { sceneSection } from './ui/panel/scene';
 import { shareSection } from './ui/panel/share';
 import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
+import { groundSection } from './ui/panel/ground';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
@@ -55,6 +58,7 @@ const opener = new Opener(session, messages);
 const address = new Address(scene, opener);
 const readout = new Readout(session);
 const tool = new Signal<Tool>('source');
+const ground = new GroundEditor(session);
 
 const touch = matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click';
 const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);
@@ -67,11 +71,13 @@ const cameraMoved = () => {
   frames.cameraMoved();
 };
 
-new PointerInput({ session, readout, tool, acted, cameraMoved }).listen();
+const brush = new BrushInput(session, ground);
+new PointerInput({ session, readout, tool, brush, acted, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
+  ground,
   acted,
   cameraMoved,
   chooseFile: dialogue.choose,
@@ -103,6 +109,7 @@ if (!address.kiosk) {
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },

@@ -9,6 +9,19 @@ import type { AUTOMATIC, EdgeKind, FaceField, Parameters, PathKind, Up } from '.
 import type * as wasm from './wasm/solver/heatwalk_worker';
 import type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
 
+/** What becomes of the ground; see `SolverApi.ground`. */
+export interface GroundChange {
+  triangles: Uint32Array;
+  /** One a triangle; Infinity for walls. */
+  costs: Float64Array;
+  /** How many vertices of the input a wall goes through, these, and so on. */
+  lines: Uint32Array;
+  /** Whether slopes cost what Tobler's hiking function says. */
+  slope: boolean;
+  /** What it costs at the highest place, as a multiple of the lowest. */
+  highest: number;
+}
+
 /** A file that the user gave. `path` begins with the folder that was given, if any: `model/scene.bin`. */
 export interface GivenFile {
   path: string;
@@ -252,6 +265,15 @@ export interface SolverApi {
    */
   bridge(rule: string, links: number): Promise<Factoring>;
   /**
+   * Changes the ground: triangles that are painted anew and their costs, Infinity for walls; all closed walls along edges; and
+   * what slope and height cost. The last field is forgotten, and what is factored is factored anew by the next `solve`.
+   */
+  ground(change: GroundChange): Promise<void>;
+  /** #F × 3, the drawn triangles beside each; itself at the boundary. */
+  neighbors(): Promise<Uint32Array>;
+  /** The shortest line along edges from one vertex of the input to another, both included. */
+  line(from: number, to: number): Promise<Uint32Array>;
+  /**
    * With how many links, at least, the sources of the last field reach more than they do; as many as there are where nothing is
    * left to link.
    */
@@ -280,7 +302,7 @@ export interface SolverApi {
    * gradient of heat (towards the sources); 0 where there is none.
    */
   gradients(kind: FaceField): Promise<Float32Array>;
-  /** One value a drawn vertex, of a field by heat: log10 of its heat over its maximum; −Infinity where there is none. */
+  /** One value a drawn vertex, or a corner as in the field, of a field by heat: log10 of its heat over its maximum; −Infinity where there is none. */
   heat(): Promise<Float32Array>;
   /**
    * How many walkers take the path to the sources by the last field, wherever they start; 0: none. Those who are out stay
@@ -298,7 +320,7 @@ export interface SolverApi {
    * carry the operators, or the marks of where components meet.
    */
   edges(kind: EdgeKind): Promise<Float32Array>;
-  /** One value a drawn vertex: relative error of the last field before it was made exact; null until it is. */
+  /** One value a drawn vertex, or a corner as in the field: relative error of the last field before it was made exact; null until it is. */
   errors(): Promise<Float32Array | null>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;

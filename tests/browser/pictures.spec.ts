@@ -42,6 +42,8 @@ const PICTURES: readonly (readonly [name: string, link: string])[] = [
   ['error', `m=bunny&look=scientific&paint=error&${VIEW}`],
   ['crowd', `m=bunny&look=candy&crowd=300&${VIEW}`],
   ['unreachable', `m=teapot&look=porcelain&s=420&cam=0.4,0.4,3,0,0,0`],
+  ['ground', `m=hike&w=none&cam=0.5,0.75,2.7,0,0,0`],
+  ['walls', `m=village&w=none&slope=1&cam=0.35,0.75,2.7,0,0,0`],
   ['scenery', `m=maze&look=water&cam=0.45,0.9,3,0,0,0`],
 ];
 

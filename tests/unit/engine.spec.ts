@@ -2,6 +2,7 @@ import { expect, test } from '@playwright/test';
 import type { DistanceField, Factoring, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
+import { LEVEL } from '../../web/state/ground';
 import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 
 const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
@@ -13,6 +14,7 @@ const QUESTION: Question = {
   bridge: 'auto',
   moment: null,
   links: 0,
+  ground: LEVEL,
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,

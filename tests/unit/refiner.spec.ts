@@ -8,13 +8,21 @@ import { until } from '../../web/state/signal';
 import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
-const PATH: SurfacePath = { points: new Float32Array(), normals: new Float32Array(), drawnLength: 1, length: 2 };
+const PATH: SurfacePath = {
+  points: new Float32Array(),
+  normals: new Float32Array(),
+  drawnLength: 1,
+  length: 2,
+  cost: 2,
+  segmentCosts: new Float32Array(),
+};
 
 function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   const field: DistanceField = {
     distance: new Float32Array(),
     tangents: new Int8Array(),
     maxDistance: 1,
+    byCorner: false,
     unreachableVertices: 0,
     exactBelow,
     exactShare: 0,
@@ -32,6 +40,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     bridge: STATE.bridge,
     moment: null,
     links: STATE.links,
+    ground: STATE.ground,
     from: { vertex: 1 },
     pathKind,
     quick: false,

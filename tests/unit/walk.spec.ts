@@ -16,6 +16,15 @@ test('walks at constant speed, rests a second on arrival and starts again', () =
   expect(walk.arc).toBe(0);
 });
 
+test('walks as many times slower as it costs', () => {
+  const walk = new Walk();
+  walk.follow(3, true, (arc) => (arc < 1 ? 4 : 0.5));
+  for (let i = 0; i < 40; i++) walk.advance(0.1, DIAMETER);
+  expect(walk.arc).toBeCloseTo(1);
+  for (let i = 0; i < 5; i++) walk.advance(0.1, DIAMETER);
+  expect(walk.arc).toBeCloseTo(2);
+});
+
 test('stands still while paused and without a path', () => {
   const walk = new Walk();
   expect(walk.advance(1, DIAMETER)).toBe(false);

@@ -7,6 +7,7 @@ const FIELD: DistanceField = {
   distance: new Float32Array(),
   tangents: new Int8Array(),
   maxDistance: 1,
+  byCorner: false,
   unreachableVertices: 0,
   exactBelow: 0.5,
   exactShare: 0.439,

@@ -6,6 +6,7 @@ import { fileName } from '../files/paths';
 import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
+import { isPainted, LEVEL } from '../state/ground';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
@@ -184,7 +185,7 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, links: 0 });
+    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, links: 0, ground: LEVEL });
   }
 
   /** What can be done when a question to the mesh on screen has failed. */
@@ -209,6 +210,9 @@ export class Opener {
       const shown = await this.#session.open(request);
       if (request.state.sources.length > this.#session.scene.state.sources.length) {
         this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
+      }
+      if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
+        this.#voice.notice('The ground of the link is of another mesh and was removed.');
       }
       this.#voice.opened(shown);
       done(shown);

@@ -3,7 +3,7 @@ import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
-import type { Edges } from '../view/view';
+import type { Edges } from '../view/layers';
 import type { Session } from './session';
 
 /** In the order in which they are drawn, so that the rarer ones stay on top. */
@@ -106,17 +106,17 @@ async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Ed
 async function instead(
   engine: Engine,
   colorBy: VertexField,
-  { distance, tangents }: DistanceField,
+  { distance, tangents, byCorner }: DistanceField,
 ): Promise<Parameters<Session['paint']>[0]> {
   if (colorBy === 'heat') {
     // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
     const cold = (await engine.heat()).map((logarithm) => -logarithm);
     const whole = largest(cold);
-    return { field: { distance: cold, tangents, maxDistance: whole }, whole };
+    return { field: { distance: cold, tangents, maxDistance: whole, byCorner }, whole };
   }
   const errors = (await engine.errors()) ?? new Float32Array(distance.length);
   // Errors are noise from vertex to vertex, so they have colours and no stripes.
-  const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors) };
+  const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors), byCorner };
   return { field, whole: 0 };
 }
 

@@ -3,6 +3,7 @@ import type { MeshInput, Moment, OpenedMesh } from '../protocol';
 import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
+import { fits, LEVEL } from '../state/ground';
 import { Places } from '../state/places';
 import { type Animation, type SceneState, STILL } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
@@ -49,9 +50,9 @@ export function momentOf({ clip, seconds }: Animation): Moment | null {
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, links, walker, pathKind, animation } = state;
+  const { sources, windows, parameters, bridge, links, ground, walker, pathKind, animation } = state;
   const moment = animation.live ? momentOf(animation) : null;
-  return { sources, method, windows, parameters, bridge, links, moment, from: walker, pathKind, quick: false };
+  return { sources, method, windows, parameters, bridge, links, ground, moment, from: walker, pathKind, quick: false };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
@@ -68,11 +69,14 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
   if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
-  let answer = await ask(engine, { ...request.state, sources, walker });
+  const { inputVertices, faces: triangles } = opened.report;
+  const isFitting = fits(request.state.ground, { triangles, inputVertices });
+  const ground = isFitting ? request.state.ground : { ...LEVEL };
+  let answer = await ask(engine, { ...request.state, sources, walker, ground });
   if (request.choosePlaces && !walker && answer.field) {
-    walker = places.farthest(answer.field.distance);
+    walker = places.farthest(answer.field);
     const { posed } = answer;
-    answer = { ...(await ask(engine, { ...request.state, sources, walker })), posed };
+    answer = { ...(await ask(engine, { ...request.state, sources, walker, ground })), posed };
   }
   const { mesh } = request.state;
   return {
@@ -81,6 +85,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
       sources,
       walker,
+      ground,
       selected: -1,
     },
     shown: { opened, places, answer },

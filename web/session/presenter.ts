@@ -1,15 +1,20 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
+import { isPainted, isWeighted } from '../state/ground';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
-import type { ShownField, View } from '../view/view';
+import type { ShownField } from '../view/layers';
+import type { View } from '../view/view';
 import { Walk } from '../view/walk';
 import type { OpenRequest, Shown } from './prepare';
+import { costAlong, tintsOf, wallsOf } from './tints';
 
 /** A pose that is shown for longer is one to rest in. */
 const POSE_RESTS_MS = 300;
 
 const NO_LIGHTS = new Float32Array();
+/** So many diameters are reached without costs, or little more. */
+const PLAIN_REACH = 2;
 
 export class Presenter {
   readonly walk = new Walk();
@@ -89,7 +94,7 @@ export class Presenter {
       throw error;
     }
     clearTimeout(this.#resting);
-    this.walk.follow(shown.answer.path?.length ?? 0, true);
+    this.walk.follow(shown.answer.path?.length ?? 0, true, costAlong(shown.answer.path));
   }
 
   /** Shows the mesh in another pose, and with it what is on it. */
@@ -102,6 +107,7 @@ export class Presenter {
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => this.#showPose(true), POSE_RESTS_MS);
     shown.places.pose(posed.surface);
+    this.#showWalls(shown);
     this.#showPins();
     if (shown.answer.path && posed.path) this.#showPath(posed.path, this.walk.arc);
   }
@@ -110,18 +116,29 @@ export class Presenter {
   answer(shown: Shown, fromStart: boolean, withPath: boolean): void {
     this.#showField(shown);
     if (!withPath) return;
-    this.walk.follow(shown.answer.path?.length ?? 0, fromStart);
+    this.walk.follow(shown.answer.path?.length ?? 0, fromStart, costAlong(shown.answer.path));
     this.#showPath(shown.answer.path, this.walk.arc);
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
   paint(instead: { field: ShownField; whole: number } | null): void {
     this.#view.setField(instead?.field ?? this.#field);
-    const whole = instead?.whole ?? this.#shown?.places.diameter ?? 1;
+    const whole = instead?.whole ?? this.#wholeOfDistance();
     if (whole !== this.#whole) {
       this.#whole = whole;
       this.#showStyle();
     }
+  }
+
+  /**
+   * The diameter; where costs make distances larger than that, a multiple of it that seldom changes: stripes would be too many to
+   * be seen.
+   */
+  #wholeOfDistance(): number {
+    const diameter = this.#shown?.places.diameter ?? 1;
+    if (!this.#field || !this.#shown || !isWeighted(this.#shown.answer.question.ground)) return diameter;
+    const times = this.#field.maxDistance / (PLAIN_REACH * diameter);
+    return diameter * 2 ** Math.max(0, Math.floor(Math.log2(times)));
   }
 
   /** Takes what moves by itself further. */
@@ -171,6 +188,7 @@ export class Presenter {
     this.#facing = facing;
     this.#whole = shown.places.diameter;
     this.#showStyle();
+    this.#showGround(shown, state, true);
     this.#showField(shown);
     this.#showPath(shown.answer.path, arc);
     this.#showPins();
@@ -193,8 +211,21 @@ export class Presenter {
     if (!this.#shown || state === previous) return;
     if (state.style !== previous.style) this.#showStyle();
     if (state.lights !== previous.lights) this.#showLights(this.#shown.opened.lights, state);
+    if (state.ground !== previous.ground) this.#showGround(this.#shown, state, isPainted(previous.ground));
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
     this.#showScenery(state, previous);
+  }
+
+  /** `isAnew`: also where there is nothing to show any more. */
+  #showGround(shown: Shown, { ground }: SceneState, isAnew: boolean): void {
+    if (!isAnew && !isPainted(ground)) return;
+    const { surface } = shown.opened;
+    if (isPainted(ground) || this.#view.isTinted) this.#view.setTints(surface, tintsOf(ground, surface));
+    this.#showWalls(shown);
+  }
+
+  #showWalls({ places }: Shown): void {
+    this.#view.setWalls(wallsOf(this.#state.ground, places));
   }
 
   #showStyle(): void {

@@ -8,7 +8,7 @@ import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
 import { type Scene, type SceneState, upOf } from '../state/scene';
 import { Signal } from '../state/signal';
-import type { ShownField, View } from '../view/view';
+import type { View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { Animator } from './animator';
@@ -75,6 +75,7 @@ export class Session {
   /** While another pose is under way that distance is not measured in. */
   #posing = false;
   #dragging = false;
+  #painting = false;
   #quick = false;
 
   constructor(scene: Scene, view: View) {
@@ -154,11 +155,17 @@ export class Session {
     const answer = this.shown.value?.answer;
     this.#dragging = dragging;
     // Decided once a drag: quick fields soon take less than a frame.
-    this.#quick = dragging && (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS;
+    this.#quick = dragging && (this.#painting || (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS);
     if (dragging) this.refiner.interrupt();
     if (dragging || !answer) return;
     if (this.#isAnswered(answer)) this.#rest();
     else void this.#solve();
+  }
+
+  /** While the ground is painted, fields follow by a window, also where they are by heat: that has to be factored anew. */
+  set painting(painting: boolean) {
+    this.#painting = painting;
+    this.dragging = painting;
   }
 
   get dragging(): boolean {
@@ -173,7 +180,7 @@ export class Session {
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
-  paint(instead: { field: ShownField; whole: number } | null): void {
+  paint(instead: Parameters<Presenter['paint']>[0]): void {
     this.#presenter.paint(instead);
   }
 
@@ -435,7 +442,8 @@ export class Session {
     const { state } = this.scene;
     const moment = state.animation.live ? this.animator.moment.value : null;
     const quick = this.#quick || this.#isLive;
-    return { ...questionOf(state, this.#factoring?.meanwhile ?? state.method), moment, quick };
+    const method = this.#painting && state.method === 'heat' ? 'auto' : state.method;
+    return { ...questionOf(state, this.#factoring?.meanwhile ?? method), moment, quick };
   }
 
   /** Whether distance is measured in one pose after the other. */

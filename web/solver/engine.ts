@@ -16,6 +16,7 @@ import type {
   PathRequest,
 } from '../protocol';
 import { type Bridge, CROWD_HEIGHT, type Windows } from '../state/scene';
+import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
 import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
@@ -30,6 +31,8 @@ export interface Question {
   bridge: Bridge;
   /** How many links there are between groups that stay apart. */
   links: number;
+  /** What it costs to walk where. */
+  ground: Ground;
   /** In which pose distances are measured; null: in that of the file. */
   moment: Moment | null;
   /** Start of the path; null: no path is wanted. */
@@ -43,11 +46,13 @@ export interface Question {
 /** What a field depends on. */
 type FieldQuestion = Pick<
   Question,
-  'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'links' | 'moment' | 'quick'
+  'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'links' | 'ground' | 'moment' | 'quick'
 >;
 
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
+/** Windows that it takes where they are refracted, see `propagation::REFRACTED`. */
+const REFRACTED_WINDOWS = 4;
 
 /** Whether a field that answers one question does for another as well. */
 export function isSameField(answered: FieldQuestion, asked: FieldQuestion): boolean {
@@ -57,6 +62,7 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
     answered.bridge === asked.bridge &&
     isSameMoment(answered.moment, asked.moment) &&
     answered.links === asked.links &&
+    answered.ground === asked.ground &&
     isByHeat === (answered.method === 'heat') &&
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
@@ -93,6 +99,7 @@ export class Engine {
   /** What the worker has joined. */
   #bridge: Bridge = 'off';
   #links = 0;
+  #ground = LEVEL;
   /** The pose that the worker shows, and that in which it measures. */
   #shown: Moment | null = null;
   #measured: Moment | null = null;
@@ -187,6 +194,14 @@ export class Engine {
     return this.#worker.call(this.#worker.api.linksToReachMore());
   }
 
+  neighbors(): Promise<Uint32Array> {
+    return this.#worker.call(this.#worker.api.neighbors());
+  }
+
+  line(from: number, to: number): Promise<Uint32Array> {
+    return this.#worker.call(this.#worker.api.line(from, to));
+  }
+
   errors(): Promise<Float32Array | null> {
     return this.#worker.call(this.#worker.api.errors());
   }
@@ -249,9 +264,14 @@ export class Engine {
     }
     // The question follows without waiting for it: each turn of the page may take as long as a frame.
     const posing = isSameMoment(question.moment, this.#measured) ? null : this.#measureAt(question.moment);
-    const pathKind = question.pathKind === 'exact' ? 'straight' : question.pathKind;
+    const laying = question.ground === this.#ground ? null : this.#lay(question.ground);
+    const weighted = isWeighted(question.ground);
+    const pathKind = weighted ? 'descent' : question.pathKind === 'exact' ? 'straight' : question.pathKind;
     const about = { question, posed: null, pathKind, factoring: this.#factoring };
-    if (sources.length === 0) return { ...about, posed: await posing, field: null, path: null, pathMs: 0 };
+    if (sources.length === 0) {
+      const [posed] = await Promise.all([posing, laying]);
+      return { ...about, posed, field: null, path: null, pathMs: 0 };
+    }
     const request = requestOf(question, pathKind);
     const held = this.#held;
     // Another path does not undo what refinement has reached, unless it is not wanted.
@@ -266,9 +286,9 @@ export class Engine {
     const solving: Promise<Solved> = this.#worker.call(
       question.method === 'heat'
         ? api.solve([...sources], question.quick, request)
-        : api.propagate([...sources], question.quick ? QUICK_WINDOWS : question.windows, request),
+        : api.propagate([...sources], windowsOf(question, weighted), request),
     );
-    const [posed, solved] = await Promise.all([posing, solving]);
+    const [posed, , solved] = await Promise.all([posing, laying, solving]);
     this.#held = { question, field: solved.field };
     return { ...about, posed, ...solved };
   }
@@ -281,9 +301,21 @@ export class Engine {
     return this.#worker.call(this.#worker.api.pose(this.#shown, moment !== null));
   }
 
+  #lay(ground: Ground): Promise<void> {
+    const change = changeOf(this.#ground, ground);
+    this.#held = null;
+    this.#ground = ground;
+    return this.#worker.call(this.#worker.api.ground(change));
+  }
+
   async #path(request: PathRequest | null): Promise<TracedPath> {
     return request ? this.#worker.call(this.#worker.api.path(request)) : { path: null, pathMs: 0 };
   }
+}
+
+function windowsOf({ quick, windows }: Question, weighted: boolean): number {
+  if (quick) return QUICK_WINDOWS;
+  return weighted ? Math.max(windows, REFRACTED_WINDOWS) : windows;
 }
 
 function requestOf({ from }: Question, kind: PathKind): PathRequest | null {

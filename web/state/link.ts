@@ -17,6 +17,7 @@ import {
   WINDOWS,
 } from '../wasm/contract';
 import { addressIn } from '../files/address';
+import { COSTS, decodeGround, encodeGround, type Ground } from './ground';
 import type { Finish, Style, MapName } from './styles';
 import {
   findStyle,
@@ -68,6 +69,9 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   add('up', state.up, start.up);
+  add('ground', encodeGround(state.ground), encodeGround(start.ground));
+  add('slope', flag(state.ground.slope), flag(start.ground.slope));
+  add('height', number(state.ground.highest), number(start.ground.highest));
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
   add('bridge', bridge(state.bridge), bridge(start.bridge));
@@ -138,6 +142,10 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
+  const lay = (part: Partial<Ground>) => (state.ground = { ...state.ground, ...part });
+  read('ground', decodeGround, lay);
+  read('slope', oneOf(['0', '1']), (slope) => lay({ slope: slope === '1' }));
+  read('height', within(...COSTS), (highest) => lay({ highest }));
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));

@@ -1,5 +1,5 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
-import type { DrawPose, OpenedMesh, SurfacePoint } from '../protocol';
+import type { DistanceField, DrawPose, OpenedMesh, SurfacePoint } from '../protocol';
 
 export type Vector = [number, number, number];
 
@@ -8,6 +8,9 @@ export interface Place {
   position: Vector;
   normal: Vector;
 }
+
+/** Values of a field. */
+type Values = Pick<DistanceField, 'distance' | 'byCorner'>;
 
 export class Places {
   readonly #mesh: OpenedMesh;
@@ -48,6 +51,11 @@ export class Places {
     return { corners: [triangles[first], triangles[first + 1], triangles[first + 2]], weights: point.weights };
   }
 
+  /** `#D × 3`, where drawn vertices are. */
+  get positions(): Float32Array {
+    return this.#pose.positions;
+  }
+
   has(point: SurfacePoint): boolean {
     return this.#corners(point) !== null;
   }
@@ -63,11 +71,24 @@ export class Places {
   }
 
   /** Linear over the triangle; Infinity as soon as one corner is out of reach; NaN where the mesh has no such place. */
-  valueAt(point: SurfacePoint, values: Float32Array): number {
+  valueAt(point: SurfacePoint, { distance: values, byCorner }: Values): number {
     const found = this.#corners(point);
     if (!found) return Number.NaN;
-    const { corners, weights } = found;
+    if (byCorner && 'vertex' in point) return this.#leastAt(point.vertex, values);
+    const { weights } = found;
+    const first = 'face' in point ? 3 * point.face : 0;
+    const corners = byCorner ? [first, first + 1, first + 2] : found.corners;
     return corners.reduce((sum, corner, i) => sum + (weights[i] === 0 ? 0 : weights[i] * values[corner]), 0);
+  }
+
+  /** The least value of the corners at a vertex, which walls part. */
+  #leastAt(vertex: number, values: Float32Array): number {
+    const { surface, inputVertices } = this.#mesh;
+    let least = Infinity;
+    surface.triangles.forEach((drawn, corner) => {
+      if (inputVertices[drawn] === vertex) least = Math.min(least, values[corner]);
+    });
+    return least;
   }
 
   /** Of the corners of the point's triangle the nearest one in weights, as an index of the input. */
@@ -93,9 +114,11 @@ export class Places {
   }
 
   /** The vertex with the largest finite value. */
-  farthest(values: Float32Array): SurfacePoint {
-    const value = (drawn: number) => (Number.isFinite(values[drawn]) ? values[drawn] : Number.NEGATIVE_INFINITY);
-    return { vertex: this.#mesh.inputVertices[indexOfMax(values.length, value)] };
+  farthest({ distance: values, byCorner }: Values): SurfacePoint {
+    const value = (index: number) => (Number.isFinite(values[index]) ? values[index] : Number.NEGATIVE_INFINITY);
+    const best = indexOfMax(values.length, value);
+    const { surface, inputVertices } = this.#mesh;
+    return { vertex: inputVertices[byCorner ? surface.triangles[best] : best] };
   }
 }
 

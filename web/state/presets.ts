@@ -1,5 +1,7 @@
 /** The preset scenes. Each loads only when it is asked for. */
 import type { MeshInput, SurfacePoint } from '../protocol';
+import { decodeGround, type Ground, LEVEL } from './ground';
+import { HIKE, VILLAGE } from './grounds';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract';
 import { nameOf } from '../files/address';
@@ -28,6 +30,8 @@ interface Outline {
   boundary?: Boundary;
   /** The heat method when left out. */
   method?: Method;
+  /** What differs from level ground. */
+  ground?: Partial<Ground>;
   /** Active parts; all when left out. */
   parts?: readonly number[];
 }
@@ -36,7 +40,7 @@ interface Outline {
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, style, change, boundary, method, parts } = outline;
+  const { title, credit, load, sources, walker, view, style, change, boundary, method, ground, parts } = outline;
   return {
     id,
     title,
@@ -49,6 +53,7 @@ function preset(id: string, outline: Outline): Preset {
       method: method ?? 'heat',
       sources,
       walker,
+      ground: { ...LEVEL, ...ground },
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
       style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },
@@ -141,6 +146,25 @@ export const PRESETS: readonly Preset[] = [
     boundary: 'average',
   }),
   preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], style: 'contour' }),
+  preset('hike', {
+    title: 'Hike',
+    load: () => Promise.resolve({ kind: 'shape', shape: 'terrain' }),
+    sources: [at(14851)],
+    walker: at(1795),
+    view: [0.5, 0.75],
+    style: 'contour',
+    method: 'auto',
+    ground: decodeGround(HIKE) ?? {},
+  }),
+  preset('village', {
+    title: 'Village',
+    sources: [at(4066)],
+    walker: at(12600),
+    view: [0.35, 0.75],
+    style: 'contour',
+    method: 'auto',
+    ground: decodeGround(VILLAGE) ?? {},
+  }),
   preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
   preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], style: 'citrus' }),
 ];

@@ -11,6 +11,7 @@ import {
   type VertexField,
   type WINDOWS,
 } from '../wasm/contract';
+import { type Ground, LEVEL } from './ground';
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -82,6 +83,8 @@ export interface Places {
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
+  /** What it costs to walk where, and walls. */
+  ground: Ground;
 }
 
 export interface SceneState extends Places {
@@ -128,6 +131,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     walker: null,
     links: 0,
     up: 'y',
+    ground: LEVEL,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
@@ -246,8 +250,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up }: SceneState): Places {
-  return { sources, walker, links, up };
+function placesOf({ sources, walker, links, up, ground }: SceneState): Places {
+  return { sources, walker, links, up, ground };
 }
 
 function withValidSelection(state: SceneState): SceneState {

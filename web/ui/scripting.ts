@@ -47,8 +47,8 @@ export interface Heatwalk {
   readonly refining: Phase;
   /** Fields solved and shown since the page was opened; refinement steps are not counted. */
   readonly solves: number;
-  /** Arc lengths, and the kind of path; null without a walker. */
-  readonly walker: { arc: number; length: number; arrived: boolean; kind: PathKind } | null;
+  /** Arc lengths, what the path costs, and its kind; null without a walker. */
+  readonly walker: { arc: number; length: number; cost: number; arrived: boolean; kind: PathKind } | null;
   /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: SurfacePoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
@@ -125,12 +125,12 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     },
     get walker() {
       const { arc, length, arrived } = session.walk;
-      const kind = session.shown.value?.answer.pathKind;
-      return kind && length > 0 ? { arc, length, arrived, kind } : null;
+      const { pathKind: kind, path } = session.shown.value?.answer ?? {};
+      return kind && length > 0 ? { arc, length, cost: path?.cost ?? length, arrived, kind } : null;
     },
     distanceAt(point) {
       const shown = session.shown.value;
-      return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field.distance) : Number.NaN;
+      return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field) : Number.NaN;
     },
     gradients: async (kind) => openEngine(session).gradients(kind),
     heat: async () => openEngine(session).heat(),

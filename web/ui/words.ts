@@ -185,6 +185,8 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
       return `${soFar} Refinement stopped because it made no progress.`;
     case 'off':
       return method === 'propagation' ? soFar : `${soFar} Refinement is off.`;
+    case 'costs':
+      return `${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
     case 'exact':
     case 'solving':
     case 'resting':
@@ -199,22 +201,27 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
 export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
-  const names = unreachedParts(opened, field);
   const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
+  if (field.byCorner && opened.report.components === 1) {
+    return `Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
+  }
+  const names = unreachedParts(opened, field);
   const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A component (${share})`;
   return `${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
 
 /** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function unreachedParts({ parts, active, surface }: OpenedMesh, { distance }: DistanceField): string[] {
+function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
   const total = active.reduce((sum, part) => sum + parts[part].triangles, 0);
   if (active.length < 2 || 3 * total !== surface.triangles.length) return [];
   const names: string[] = [];
   let first = 0;
   for (const part of active) {
     const end = first + 3 * parts[part].triangles;
-    if (surface.triangles.subarray(first, end).every((corner) => distance[corner] === Infinity))
-      names.push(parts[part].name);
+    const values = byCorner
+      ? distance.subarray(first, end)
+      : surface.triangles.subarray(first, end).map((corner) => distance[corner]);
+    if (values.every((value) => value === Infinity)) names.push(parts[part].name);
     first = end;
   }
   return names;

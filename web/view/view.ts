@@ -1,10 +1,24 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { Appearance, DistanceField, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
+import type { Appearance, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
+import {
+  CLEARED_BY_SURFACE,
+  COMMON,
+  type Edges,
+  emptyPicture,
+  type Layer,
+  NO_APPEARANCE,
+  NO_FIELD,
+  NO_MESH,
+  ORDER,
+  type Picture,
+  type ShownField,
+  THIN,
+} from './layers';
 import { Traps } from './traps';
 import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
@@ -13,47 +27,6 @@ export interface PointHit {
   point: SurfacePoint;
   /** As it is drawn: see `DrawTransform`. */
   position: Vector;
-}
-
-/** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance'>;
-
-/** Segments, #E × 2 × 3, and their CSS colour. */
-export interface Edges {
-  ends: Float32Array;
-  colour: string;
-}
-
-/** The order in which the parts of a picture must be given: the surface clears what depends on it. */
-const ORDER = [
-  'background',
-  'materials',
-  'surface',
-  'scenery',
-  'pose',
-  'surroundings',
-  'lights',
-  'style',
-  'offset',
-  'field',
-  'pins',
-  'path',
-  'walker',
-  'crowd',
-  'arrows',
-  'edges',
-  'spin',
-] as const;
-type Layer = (typeof ORDER)[number];
-const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'];
-/** What a preview has from the scene that it stands before. */
-const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
-
-/** All that is shown together. */
-interface Picture {
-  layers: Map<Layer, (viewer: Viewer) => void>;
-  /** Drawn length of a unit of the path. */
-  stride: number;
 }
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
@@ -70,18 +43,6 @@ const RELAPSE_MS = 10_000;
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
 
-const NO_MESH = {
-  positions: new Float32Array(),
-  normals: new Float32Array(),
-  triangles: new Uint32Array(),
-  order: new Uint32Array(),
-  boxes: new Float32Array(),
-  texcoords: new Float32Array(),
-  colors: new Uint16Array(),
-  runs: new Uint32Array(),
-};
-const NO_APPEARANCE: Appearance = { materials: [], images: [] };
-const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0 };
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
 export class View {
@@ -91,7 +52,7 @@ export class View {
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
   /** What calls change. */
-  #picture: Picture = { layers: new Map(), stride: 1 };
+  #picture: Picture = emptyPicture();
   /** What is on the canvas: that, or a preview in its place. */
   #drawn = this.#picture;
   #camera: Float64Array | null = null;
@@ -200,6 +161,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
+      [picture.overlays, picture.walls] = [[], []];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -230,7 +192,7 @@ export class View {
   preview(draw: () => void): void {
     const scene = this.#picture;
     const common = [...scene.layers].filter(([layer]) => COMMON.has(layer));
-    this.#picture = this.#drawn = { layers: new Map(common), stride: 1 };
+    this.#picture = this.#drawn = { ...emptyPicture(), layers: new Map(common) };
     try {
       draw();
       this.#picture = scene;
@@ -263,8 +225,28 @@ export class View {
 
   /** Null where there is none. */
   setField(field: ShownField | null): void {
-    const { distance, tangents, maxDistance } = field ?? NO_FIELD;
-    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance));
+    const { distance, tangents, maxDistance, byCorner } = field ?? NO_FIELD;
+    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance, byCorner));
+  }
+
+  /** Tints the triangles of the surface, `#F × 4`: see `Viewer.set_tints`. `surface`: as it was set. */
+  setTints(surface: DrawMesh, tints: Uint8Array): void {
+    const { isTinted } = this;
+    this.#show('ground', (viewer) => viewer.set_tints(surface, tints));
+    const field = this.#picture.layers.get('field');
+    // The first time, the field is forgotten.
+    if (!isTinted && field) this.#show('field', field);
+  }
+
+  /** Whether the surface was ever tinted. */
+  get isTinted(): boolean {
+    return this.#picture.layers.has('ground');
+  }
+
+  /** Outlines the brush, of a drawn radius; null: none. */
+  setBrush(brush: { center: Vector; radius: number } | null): void {
+    const [x, y, z] = brush?.center ?? [0, 0, 0];
+    this.#use((viewer) => viewer.set_brush(x, y, z, brush?.radius ?? 0));
   }
 
   /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
@@ -327,9 +309,23 @@ export class View {
   }
 
   setEdges(kinds: readonly Edges[]): void {
+    this.#picture.overlays = kinds;
+    this.#showEdges();
+  }
+
+  /** Walls along edges, drawn over the other ones. */
+  setWalls(kinds: readonly Edges[]): void {
+    this.#picture.walls = kinds;
+    this.#showEdges();
+  }
+
+  #showEdges(): void {
+    const { overlays, walls } = this.#picture;
     this.#show('edges', (viewer) => {
       viewer.clear_edges();
-      for (const { ends, colour } of kinds) viewer.add_edges(ends, unitColour(colour));
+      for (const { ends, colour, width } of [...overlays, ...walls]) {
+        viewer.add_edges(ends, unitColour(colour), width ?? THIN);
+      }
     });
   }
 

@@ -3,8 +3,14 @@
 const CROSSING_SECONDS = 7;
 const REST_SECONDS = 1;
 
+function even(): number {
+  return 1;
+}
+
 export class Walk {
   #length = 0;
+  /** What a unit of length costs at an arc length. */
+  #costAt: (arc: number) => number = even;
   #arc = 0;
   #rested = 0;
   /** Called when a performance is over. */
@@ -44,20 +50,21 @@ export class Walk {
     this.#applaud = null;
   }
 
-  /** Another path: from its start if `fromStart`, else at the same share of the length, so that edits do not jolt the walker. */
-  follow(length: number, fromStart: boolean): void {
+  /** Another path, and what it costs at an arc length: from its start if `fromStart`, else at the same share of the length, so that edits do not jolt the walker. */
+  follow(length: number, fromStart: boolean, costAt: (arc: number) => number = even): void {
     const share = fromStart || this.#length === 0 ? 0 : this.#arc / this.#length;
     this.#length = length;
+    this.#costAt = costAt;
     this.#arc = share * length;
     if (fromStart) this.#rested = 0;
     if (length === 0) this.#end();
   }
 
-  /** `diameter` of the model sets the speed: one crossing takes seven seconds. True if the walker moved. */
+  /** `diameter` of the model sets the speed: where a unit costs 1, one crossing takes seven seconds. True if the walker moved. */
   advance(seconds: number, diameter: number): boolean {
     if ((this.paused && !this.performs) || this.#length === 0) return false;
     if (!this.arrived) {
-      this.#arc = Math.min(this.#length, this.#arc + (seconds * diameter) / CROSSING_SECONDS);
+      this.#arc = Math.min(this.#length, this.#arc + (seconds * diameter) / CROSSING_SECONDS / this.#costAt(this.#arc));
       this.#rested = 0;
       return true;
     }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use common::{any_triangles, band, book, distance_from, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
+use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
 use heatwalk_scene::{Crowd, DrawTransform, Walker};
 use heatwalk_shapes as shapes;
 
@@ -390,4 +390,26 @@ fn rejects_invalid_arguments() {
     }
     distance.sources.clear();
     assert_eq!(crowd.follow(&distance), Err(Error::NoSource));
+}
+
+#[test]
+fn walkers_are_as_many_times_slower_as_it_costs() {
+    let (solver, distance) = distance_from(&shapes::grid(20, 20), 0);
+    let square = solver.surface();
+    let arcs = |cost: Option<f64>| {
+        let mut crowd = Crowd::new(Arc::clone(square), 50, 0.05, SEED).expect("a height");
+        let costs =
+            cost.map(|cost| Costs::new(square, (0..square.face_count()).map(|_| cost).collect()).expect("in range"));
+        crowd.set_costs(costs.as_ref());
+        crowd.follow(&distance).expect("a source");
+        crowd.advance(0.0).expect("a step");
+        crowd.advance(0.01).expect("a step");
+        crowd.walkers().iter().map(|walker| walker.arc).collect::<Vec<f64>>()
+    };
+    let [plain, mud, road] = [arcs(None), arcs(Some(4.0)), arcs(Some(0.5))];
+    for ((plain, mud), road) in plain.iter().zip(mud).zip(road) {
+        // Who arrives on the way starts again.
+        let is_like = |arc: f64, expected: f64| arc == 0.0 || (arc - expected).abs() < 1e-12;
+        assert!(is_like(*plain, 0.01) && is_like(mud, 0.0025) && is_like(road, 0.02), "{plain} {mud} {road}");
+    }
 }

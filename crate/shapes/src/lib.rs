@@ -13,6 +13,7 @@ mod skull;
 mod solids;
 mod terrain;
 mod triceratops;
+mod village;
 
 pub use animal::animal;
 pub use bodies::{high_genus, ring};
@@ -23,10 +24,11 @@ pub use robot::robot;
 pub use skull::skull;
 pub use terrain::terrain;
 pub use triceratops::triceratops;
+pub use village::village;
 
 use heatwalk_surface::{Error, Result, Soup};
 
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     "animal",
     "robot",
     "horse",
@@ -37,13 +39,14 @@ const NAMES: [&str; 14] = [
     "ring",
     "hemisphere",
     "terrain",
+    "village",
     "torus",
     "icosphere",
     "uv_sphere",
     "strip",
 ];
 const NAMES_IN_WORDS: &str = "one of animal, robot, horse, triceratops, skull, maze, high_genus, ring, hemisphere, terrain, \
-                              torus, icosphere, uv_sphere, strip";
+                              village, torus, icosphere, uv_sphere, strip";
 
 /// The names that [`by_name`] takes.
 pub fn names() -> &'static [&'static str] {
@@ -66,6 +69,7 @@ pub fn by_name(name: &str) -> Result<Soup> {
         "ring" => ring(0.034),
         "hemisphere" => hemisphere(48),
         "terrain" => terrain(128),
+        "village" => village(),
         "torus" => torus(1.0, 0.4, 144, 60),
         "icosphere" => icosphere(5),
         "uv_sphere" => uv_sphere(96, 48),

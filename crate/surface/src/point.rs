@@ -1,5 +1,7 @@
 //! Points on the surface and sources of distance.
 
+mod walls;
+
 use glam::DVec3;
 
 use crate::element::{Element, FaceId, HalfedgeId, VertexData, VertexId};

@@ -7,8 +7,8 @@ mod reading;
 
 use glam::DVec3;
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Error, Soup};
 use heatwalk_surface::io::{upward, write};
+use heatwalk_surface::{Error, Soup};
 use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read};

@@ -38,6 +38,7 @@ mod solid;
 mod style;
 mod surface;
 mod targets;
+mod tint;
 mod uniform;
 mod vertex;
 mod walker;

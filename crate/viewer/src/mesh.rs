@@ -8,6 +8,7 @@ use crate::check;
 use crate::context::Context;
 use crate::error::Error;
 use crate::surface::MeshBuffers;
+use crate::tint::TintBuffer;
 
 /// A triangle mesh as the page hands it over; world space.
 pub struct MeshArrays {
@@ -88,7 +89,7 @@ impl Mesh {
         check::same_length("posed normals", &positions, &normals)?;
         check::places("posed positions", &positions)?;
         check::vectors("posed normals", &normals)?;
-        self.buffers.pose(context, &positions, &normals);
+        self.upload_pose(context, &positions, &normals);
         self.picker.pose(positions);
         self.normals = normals;
         self.forget_order();
@@ -105,4 +106,39 @@ impl Mesh {
     pub(crate) fn positions(&self) -> impl Iterator<Item = &Vec3> + Clone {
         self.picker.positions().iter()
     }
+
+    /// Draws it with one vertex a corner from now on. `appearance`: that which it was made with.
+    pub(crate) fn part_corners(&mut self, context: &Context, appearance: MeshAppearance) -> Result<(), Error> {
+        let positions: Vec<Vec3> = self.positions().copied().collect();
+        let triangles = self.picker.triangles();
+        let face_count = triangles.len();
+        let parted: Vec<[u32; 3]> = (0..face_count as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+        let [positions, normals] = [&positions, &self.normals].map(|vectors| of_corners(vectors, triangles));
+        let mut buffers = MeshBuffers::new(context, &positions, &normals, &parted)?;
+        buffers.tints = Some(TintBuffer::new(context, face_count)?);
+        if self.model.is_some() {
+            let MeshAppearance { texcoords, colors, runs } = appearance;
+            let texcoords = if texcoords.is_empty() { texcoords } else { of_corners(&texcoords, triangles) };
+            let colors = if colors.is_empty() { colors } else { of_corners(&colors, triangles) };
+            let parted = MeshAppearance { texcoords, colors, runs };
+            self.model = Some(ModelBuffers::new(context, 3 * face_count, face_count, parted)?);
+        }
+        self.buffers = buffers;
+        Ok(())
+    }
+
+    /// Uploads a pose, by corners where these are drawn.
+    fn upload_pose(&self, context: &Context, positions: &[Vec3], normals: &[Vec3]) {
+        if self.buffers.tints.is_none() {
+            return self.buffers.pose(context, positions, normals);
+        }
+        let triangles = self.picker.triangles();
+        let [positions, normals] = [positions, normals].map(|vectors| of_corners(vectors, triangles));
+        self.buffers.pose(context, &positions, &normals);
+    }
+}
+
+/// Values of vertices as values of corners.
+fn of_corners<T: Copy>(of_vertices: &[T], triangles: &[[u32; 3]]) -> Vec<T> {
+    triangles.as_flattened().iter().map(|&vertex| of_vertices[vertex as usize]).collect()
 }

@@ -13,6 +13,7 @@ use crate::mesh::Mesh;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SURFACE_WGSL, SurfaceRenderer, TANGENT};
+use crate::tint::TINT;
 use crate::vertex::{Unorm16x4, attribute, single};
 
 const TEXCOORDS: wgpu::VertexBufferLayout<'static> = single::<Vec4>(PER_VERTEX, &[attribute::<Vec4>(4)]);
@@ -30,8 +31,8 @@ pub(crate) enum Pass {
 /// Draws meshes in the materials of a file.
 pub(crate) struct ModelRenderer {
     module: wgpu::ShaderModule,
-    /// With a field, and without; solid, and blended. Each takes long to build, and few files need all.
-    pipelines: [[OnceCell<wgpu::RenderPipeline>; 2]; 2],
+    /// Without a field, and with one; solid, and blended; bare, and tinted. Each takes long to build, and few files need all.
+    pipelines: [[[OnceCell<wgpu::RenderPipeline>; 2]; 2]; 2],
     layout: wgpu::BindGroupLayout,
     loader: ImageLoader,
     /// Those of the file, and after them the default one.
@@ -73,8 +74,10 @@ impl ModelRenderer {
             return true;
         }
         let has_field = field.is_some_and(|field| field.bind(pass));
-        let build = || self.build(context, shared, surfaces, has_field, which);
-        pass.set_pipeline(self.pipelines[usize::from(has_field)][which as usize].get_or_init(build));
+        let is_tinted = mesh.buffers.tints.is_some();
+        let build = || self.build(context, shared, surfaces, (has_field, is_tinted), which);
+        let pipelines = &self.pipelines[usize::from(has_field)][which as usize];
+        pass.set_pipeline(pipelines[usize::from(is_tinted)].get_or_init(build));
         pass.set_bind_group(2, &surfaces.group, &[]);
         pass.set_vertex_buffer(4, model.texcoords.slice(..));
         pass.set_vertex_buffer(5, model.colors.slice(..));
@@ -118,7 +121,7 @@ impl ModelRenderer {
         context: &Context,
         shared: &Shared,
         surfaces: &SurfaceRenderer,
-        has_field: bool,
+        (has_field, is_tinted): (bool, bool),
         which: Pass,
     ) -> wgpu::RenderPipeline {
         let [distance, tangent] = [DISTANCE, TANGENT].map(|buffer| has_field.then_some(buffer));
@@ -135,9 +138,22 @@ impl ModelRenderer {
                 Some(&self.layout),
             ],
             module: &self.module,
-            vertex: if has_field { "vs_model" } else { "vs_model_plain" },
+            vertex: match (has_field, is_tinted) {
+                (true, false) => "vs_model",
+                (true, true) => "vs_model_tinted",
+                (false, false) => "vs_model_plain",
+                (false, true) => "vs_model_plain_tinted",
+            },
             fragment,
-            buffers: &[Some(POSITION), Some(NORMAL), distance, tangent, Some(TEXCOORDS), Some(COLOR)],
+            buffers: &[
+                Some(POSITION),
+                Some(NORMAL),
+                distance,
+                tangent,
+                Some(TEXCOORDS),
+                Some(COLOR),
+                is_tinted.then_some(TINT),
+            ],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place,
         }

@@ -50,6 +50,7 @@ struct ModelFragment {
     // Two sets.
     @location(5) texcoords: vec4f,
     @location(6) color: vec4f,
+    @location(7) tint: vec4f,
 }
 
 @vertex
@@ -61,9 +62,34 @@ fn vs_model(
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
 ) -> ModelFragment {
+    return model_with_field(position, normal, distance, tangent, texcoords, color, vec4f(0.0));
+}
+
+@vertex
+fn vs_model_tinted(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+    @location(4) texcoords: vec4f,
+    @location(5) color: vec4f,
+    @location(6) tint: vec4f,
+) -> ModelFragment {
+    return model_with_field(position, normal, distance, tangent, texcoords, color, tint);
+}
+
+fn model_with_field(
+    position: vec3f,
+    normal: vec3f,
+    distance: f32,
+    tangent: vec4f,
+    texcoords: vec4f,
+    color: vec4f,
+    tint: vec4f,
+) -> ModelFragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
     let reached = select(0.0, 1.0, distance < 1.5);
-    return ModelFragment(clip, position, normal, distance * reached, reached, tangent.xyz, texcoords, color);
+    return ModelFragment(clip, position, normal, distance * reached, reached, tangent.xyz, texcoords, color, tint);
 }
 
 @vertex
@@ -73,8 +99,22 @@ fn vs_model_plain(
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
 ) -> ModelFragment {
-    let clip = frame.clip_from_world * vec4f(position, 1.0);
-    return ModelFragment(clip, position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color);
+    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, vec4f(0.0));
+}
+
+@vertex
+fn vs_model_plain_tinted(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(4) texcoords: vec4f,
+    @location(5) color: vec4f,
+    @location(6) tint: vec4f,
+) -> ModelFragment {
+    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, tint);
+}
+
+fn plain_clip(position: vec3f) -> vec4f {
+    return frame.clip_from_world * vec4f(position, 1.0);
 }
 
 fn place_in(texture: TextureUse, texcoords: vec4f) -> vec2f {
@@ -149,7 +189,10 @@ fn standing_out(stripe: vec3f, beneath: f32) -> vec3f {
 fn painted(fragment: ModelFragment) -> vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
-    let found = look_up(fragment, geometric);
+    let brush = outline(fragment.position);
+    var found = look_up(fragment, geometric);
+    found.material.albedo = tinted(found.material.albedo, fragment.tint);
+    found.luminance = luminance(tinted(vec3f(found.luminance), fragment.tint));
     let mark = mark(fragment.distance, fragment.tangent, found.normal);
     let turned = turning(fragment.normal) + mark.turned;
     if found.alpha < given.cutoff || (given.single_sided > 0.5 && geometric.w < 0.5) {
@@ -169,11 +212,17 @@ fn painted(fragment: ModelFragment) -> vec4f {
     var normal = mark.normal;
     if fragment.reached < 0.999 {
         material = unreached(fragment.clip);
+        material.albedo = tinted(material.albedo, fragment.tint);
         normal = geometric.xyz;
-    } else if given.unlit > 0.5 {
-        return vec4f(encode(material.albedo).rgb, found.alpha);
     }
-    return vec4f(encode(shade(material, fragment.position, normal, geometric.xyz)).rgb, found.alpha);
+    if is_wall(fragment.tint) {
+        material = wall(fragment.tint);
+        normal = geometric.xyz;
+    } else if fragment.reached >= 0.999 && given.unlit > 0.5 {
+        return outlined(vec4f(encode(material.albedo).rgb, found.alpha), brush);
+    }
+    let color = encode(shade(material, fragment.position, normal, geometric.xyz)).rgb;
+    return outlined(vec4f(color, found.alpha), brush);
 }
 
 @fragment

@@ -1,5 +1,6 @@
 mod content;
 mod frame;
+mod tint;
 
 use glam::{Vec2, Vec3};
 

@@ -1,4 +1,5 @@
 use encase::ShaderType;
+use glam::Vec4;
 
 /// Texels across one of the two ramps.
 pub const RAMP_SIZE: usize = 256;
@@ -67,6 +68,8 @@ pub struct Style {
     pub surface: Finish,
     /// On the stripes.
     pub stripe: Finish,
+    /// Center and radius of the brush, whose outline is drawn; radius 0 for none.
+    pub brush: Vec4,
 }
 
 impl Default for Style {
@@ -82,6 +85,7 @@ impl Default for Style {
             blend: Blend::Over,
             surface: finish,
             stripe: finish,
+            brush: Vec4::ZERO,
         }
     }
 }
@@ -111,6 +115,8 @@ pub(crate) struct StyleUniform {
     surface: FinishUniform,
     #[shader(align(16))]
     stripe: FinishUniform,
+    #[shader(align(16))]
+    brush: Vec4,
 }
 
 impl From<Finish> for FinishUniform {
@@ -134,6 +140,7 @@ impl Style {
             relief: 0.0,
             surface: self.surface.into(),
             stripe: self.stripe.into(),
+            brush: self.brush,
         };
         // With no period there is no pattern, and where no value is above 0 there is one phase.
         if self.period > 0.0 {

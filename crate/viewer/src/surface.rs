@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::style::{RAMP_SIZE, Style, StyleUniform};
+use crate::tint::{TINT, TintBuffer};
 use crate::uniform::Uniform;
 use crate::vertex::{Snorm8x4, attribute, single};
 
@@ -31,6 +32,8 @@ pub(crate) struct MeshBuffers {
     normals: wgpu::Buffer,
     triangles: wgpu::Buffer,
     index_count: u32,
+    /// Where it is drawn with one vertex a corner.
+    pub(crate) tints: Option<TintBuffer>,
 }
 
 impl MeshBuffers {
@@ -55,6 +58,7 @@ impl MeshBuffers {
                 wgpu::BufferUsages::INDEX,
             )?,
             index_count: 3 * triangles.len() as u32,
+            tints: None,
         })
     }
 
@@ -69,8 +73,11 @@ impl MeshBuffers {
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
 
-    /// Binds positions, normals and triangles.
+    /// Binds positions, normals and triangles, and tints where there are any.
     pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if let Some(tints) = &self.tints {
+            tints.bind(pass);
+        }
         pass.set_vertex_buffer(1, self.normals.slice(..));
         self.bind_positions(pass);
     }
@@ -95,6 +102,9 @@ pub(crate) struct FieldBuffers {
     directions: Vec<Snorm8x4>,
     /// False until a field was written.
     has_field: bool,
+    /// Where the mesh is drawn with one vertex a corner: the vertex of each, and values of vertices as they come.
+    corners: Vec<u32>,
+    given: (Vec<f32>, Vec<Snorm8x4>),
 }
 
 impl FieldBuffers {
@@ -104,7 +114,18 @@ impl FieldBuffers {
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         let distances = mesh_buffer(context, "vertex distances", bytemuck::cast_slice(&values), usage)?;
         let tangents = mesh_buffer(context, "vertex tangents", bytemuck::cast_slice(&directions), usage)?;
-        Ok(Self { distances, tangents, values, directions, has_field: false })
+        let (corners, given) = Default::default();
+        Ok(Self { distances, tangents, values, directions, has_field: false, corners, given })
+    }
+
+    /// For a mesh that is drawn with one vertex a corner: `corners` are vertices of so many.
+    pub(crate) fn of_corners(context: &Context, corners: Vec<u32>, vertex_count: usize) -> Result<Self, Error> {
+        let given = (vec![0.0; vertex_count], vec![[0; 4]; vertex_count]);
+        Ok(Self { given, ..Self::new(context, corners.len())? }.with_corners(corners))
+    }
+
+    fn with_corners(self, corners: Vec<u32>) -> Self {
+        Self { corners, ..self }
     }
 
     /// Binds distances and directions; false where no field was written.
@@ -116,19 +137,40 @@ impl FieldBuffers {
         self.has_field
     }
 
-    pub(crate) fn vertex_count(&self) -> usize {
-        self.values.len()
+    /// How many values come: one a vertex, or one a corner of each triangle where the mesh is drawn so.
+    pub(crate) fn value_count(&self, is_by_corner: bool) -> usize {
+        match (self.corners.is_empty(), is_by_corner) {
+            (true, true) => 0,
+            (true, false) => self.values.len(),
+            (false, true) => self.corners.len(),
+            (false, false) => self.given.0.len(),
+        }
     }
 
     pub(crate) fn clear(&mut self) {
         self.has_field = false;
     }
 
-    /// Lets `fill` write one value a vertex (infinite or NaN = unreachable) and the direction in which it grows (127 for a
+    /// Lets `fill` write one value a vertex, or a corner, (infinite or NaN = unreachable) and the direction in which it grows (127 for a
     /// unit, the fourth number unused), and uploads them, the values over `max`: the shader's arithmetic does not depend on
     /// their unit.
-    pub(crate) fn write(&mut self, context: &Context, max: f64, fill: impl FnOnce(&mut [f32], &mut [i8])) {
-        fill(&mut self.values, bytemuck::cast_slice_mut(&mut self.directions));
+    pub(crate) fn write(
+        &mut self,
+        context: &Context,
+        max: f64,
+        is_by_corner: bool,
+        fill: impl FnOnce(&mut [f32], &mut [i8]),
+    ) {
+        if self.corners.is_empty() || is_by_corner {
+            fill(&mut self.values, bytemuck::cast_slice_mut(&mut self.directions));
+        } else {
+            let (values, directions) = &mut self.given;
+            fill(values, bytemuck::cast_slice_mut(directions));
+            let corners = self.corners.iter().map(|&vertex| vertex as usize);
+            for ((vertex, value), direction) in corners.zip(&mut self.values).zip(&mut self.directions) {
+                (*value, *direction) = (values[vertex], directions[vertex]);
+            }
+        }
         for value in &mut self.values {
             *value = if value.is_finite() { (f64::from(*value) / max) as f32 } else { UNREACHABLE };
         }
@@ -140,8 +182,9 @@ impl FieldBuffers {
 
 /// Draws the surface and the scenery.
 pub(crate) struct SurfaceRenderer {
-    field: wgpu::RenderPipeline,
-    plain: wgpu::RenderPipeline,
+    /// Bare and tinted.
+    field: [wgpu::RenderPipeline; 2],
+    plain: [wgpu::RenderPipeline; 2],
     scenery: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
     /// Style and ramps.
@@ -190,9 +233,17 @@ impl SurfaceRenderer {
         };
         let bare = [Some(POSITION), Some(NORMAL)];
         let with_field = [Some(POSITION), Some(NORMAL), Some(DISTANCE), Some(TANGENT)];
+        let tinted_field = [Some(POSITION), Some(NORMAL), Some(DISTANCE), Some(TANGENT), None, None, Some(TINT)];
+        let tinted = [Some(POSITION), Some(NORMAL), None, None, None, None, Some(TINT)];
         let renderer = Self {
-            field: pipeline("surface with field", "vs_field", "fs_field", &with_field).build(context),
-            plain: pipeline("surface without field", "vs_plain", "fs_plain", &bare).build(context),
+            field: [
+                pipeline("surface with field", "vs_field", "fs_field", &with_field).build(context),
+                pipeline("tinted surface with field", "vs_field_tinted", "fs_field", &tinted_field).build(context),
+            ],
+            plain: [
+                pipeline("surface without field", "vs_plain", "fs_plain", &bare).build(context),
+                pipeline("tinted surface without field", "vs_plain_tinted", "fs_plain", &tinted).build(context),
+            ],
             scenery: pipeline("scenery", "vs_plain", "fs_scenery", &bare).build(context),
             shadow: PipelineRecipe {
                 layouts: &[Some(&shared.frame_layout)],
@@ -222,8 +273,8 @@ impl SurfaceRenderer {
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers, field: &FieldBuffers) {
         pass.set_bind_group(2, &self.group, &[]);
-        let pipeline = if field.bind(pass) { &self.field } else { &self.plain };
-        pass.set_pipeline(pipeline);
+        let pipelines = if field.bind(pass) { &self.field } else { &self.plain };
+        pass.set_pipeline(&pipelines[usize::from(mesh.tints.is_some())]);
         mesh.draw(pass);
     }
 

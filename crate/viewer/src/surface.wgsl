@@ -27,6 +27,8 @@ struct Style {
     // Between the stripes, and on them.
     @align(16) surface: Finish,
     @align(16) stripe: Finish,
+    // Center and radius of the brush; radius 0 for none.
+    @align(16) brush: vec4f,
 }
 
 @group(2) @binding(0) var<uniform> style: Style;
@@ -46,6 +48,10 @@ const HATCH_WIDTH = 0.3;
 const MOST_ROUGHENED = 0.25;
 // Thin lines between two others.
 const SUBDIVISIONS = 5.0;
+// The outline of the brush: half the width of its light line, and of that with its dark edges, CSS pixels.
+const OUTLINE = vec2f(1.0, 2.2);
+// Opacity of a tint from which on it is a wall.
+const SOLID = 0.99;
 
 struct Fragment {
     @builtin(position) clip: vec4f,
@@ -57,11 +63,22 @@ struct Fragment {
     @location(3) reached: f32,
     // Direction in which distance grows, about unit length.
     @location(4) tangent: vec3f,
+    // Of the ground: color and opacity, 1 for a wall.
+    @location(5) tint: vec4f,
 }
 
 @vertex
 fn vs_plain(@location(0) position: vec3f, @location(1) normal: vec3f) -> Fragment {
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0));
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0), vec4f(0.0));
+}
+
+@vertex
+fn vs_plain_tinted(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(6) tint: vec4f,
+) -> Fragment {
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0), tint);
 }
 
 // Distances are shares of the largest one; what is beyond 1, rounding apart, marks an unreachable vertex.
@@ -72,8 +89,24 @@ fn vs_field(
     @location(2) distance: f32,
     @location(3) tangent: vec4f,
 ) -> Fragment {
+    return with_field(position, normal, distance, tangent, vec4f(0.0));
+}
+
+@vertex
+fn vs_field_tinted(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+    @location(6) tint: vec4f,
+) -> Fragment {
+    return with_field(position, normal, distance, tangent, tint);
+}
+
+fn with_field(position: vec3f, normal: vec3f, distance: f32, tangent: vec4f, tint: vec4f) -> Fragment {
     let clip = frame.clip_from_world * vec4f(position, 1.0);
-    return Fragment(clip, position, normal, select(0.0, distance, distance < 1.5), select(0.0, 1.0, distance < 1.5), tangent.xyz);
+    let reached = select(0.0, 1.0, distance < 1.5);
+    return Fragment(clip, position, normal, distance * reached, reached, tangent.xyz, tint);
 }
 
 @vertex
@@ -212,13 +245,38 @@ fn unreached(clip: vec4f) -> Material {
     return Material(UNREACHABLE * (1.0 - 0.22 * hatch.x), 0.0, 0.6, vec3f(0.0), 1.0);
 }
 
+// What the ground makes of a color.
+fn tinted(color: vec3f, tint: vec4f) -> vec3f {
+    return mix(color, tint.rgb, tint.a);
+}
+
+fn is_wall(tint: vec4f) -> bool {
+    return tint.a > SOLID;
+}
+
+fn wall(tint: vec4f) -> Material {
+    return Material(tint.rgb, 0.0, 0.8, vec3f(0.0), 1.0);
+}
+
+// Shares of a pixel that the light line of the brush's outline covers, and that with its dark edges.
+fn outline(position: vec3f) -> vec2f {
+    let away = distance(position, style.brush.xyz) - style.brush.w;
+    let pixels = abs(away) / max(length(vec2f(dpdx(away), dpdy(away))), 1e-9) / frame.pixel_ratio;
+    return select(vec2f(0.0), clamp(OUTLINE + 0.5 - pixels, vec2f(0.0), vec2f(1.0)), style.brush.w > 0.0);
+}
+
+fn outlined(color: vec4f, outline: vec2f) -> vec4f {
+    return vec4f(mix(mix(color.rgb, vec3f(0.08), 0.7 * outline.y), vec3f(0.98), outline.x), color.a);
+}
+
 @fragment
 fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
     let mark = mark(fragment.distance, fragment.tangent, geometric.xyz);
     let turned = turning(fragment.normal) + mark.turned;
-    let between = surface_color(fragment.distance);
+    let brush = outline(fragment.position);
+    let between = tinted(surface_color(fragment.distance), fragment.tint);
     let stripe = stripe_color(fragment.distance);
     var material = Material(
         mix(between, stripe, mark.share * style.stripe_opacity),
@@ -230,15 +288,23 @@ fn fs_field(fragment: Fragment) -> @location(0) vec4f {
     var normal = mark.normal;
     if fragment.reached < 0.999 {
         material = unreached(fragment.clip);
+        material.albedo = tinted(material.albedo, fragment.tint);
         normal = geometric.xyz;
     }
-    return finish(material, fragment.position, normal, geometric);
+    if is_wall(fragment.tint) {
+        material = wall(fragment.tint);
+        normal = geometric.xyz;
+    }
+    return outlined(finish(material, fragment.position, normal, geometric), brush);
 }
 
 @fragment
 fn fs_plain(fragment: Fragment) -> @location(0) vec4f {
     let geometric = normal_to_eye(fragment.position, fragment.normal);
-    return finish(PLAIN, fragment.position, geometric.xyz, geometric);
+    let brush = outline(fragment.position);
+    var material = PLAIN;
+    material.albedo = tinted(material.albedo, fragment.tint);
+    return outlined(finish(material, fragment.position, geometric.xyz, geometric), brush);
 }
 
 @fragment

@@ -10,6 +10,9 @@ pub(crate) trait Attribute: bytemuck::Pod {
 /// Four signed bytes that shaders read as −1 to 1.
 pub(crate) type Snorm8x4 = [i8; 4];
 
+/// Four unsigned bytes that shaders read as 0 to 1.
+pub(crate) type Unorm8x4 = [u8; 4];
+
 /// Four unsigned words that shaders read as 0 to 1.
 pub(crate) type Unorm16x4 = [u16; 4];
 
@@ -27,6 +30,9 @@ impl Attribute for Vec4 {
 }
 impl Attribute for Snorm8x4 {
     const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Snorm8x4;
+}
+impl Attribute for Unorm8x4 {
+    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Unorm8x4;
 }
 impl Attribute for Unorm16x4 {
     const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Unorm16x4;

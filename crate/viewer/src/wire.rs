@@ -15,10 +15,12 @@ struct Segment {
     end: Vec3,
     /// Linear light.
     color: Vec3,
+    /// CSS pixels.
+    half_width: f32,
 }
 
 const SEGMENT: wgpu::VertexBufferLayout<'static> =
-    vertex_layout!(Segment, per Instance: 0 => start, 1 => end, 2 => color);
+    vertex_layout!(Segment, per Instance: 0 => start, 1 => end, 2 => color, 3 => half_width);
 
 /// Draws edges as thin lines.
 pub(crate) struct Wires {
@@ -42,10 +44,10 @@ impl Wires {
         Self { pipeline, segments: Instances::new("edges") }
     }
 
-    /// Adds segments, two ends each, of one colour; sRGB, 0..1.
-    pub(crate) fn add(&mut self, context: &Context, ends: &[[Vec3; 2]], color: Vec3) {
+    /// Adds segments, two ends each, of one colour (sRGB, 0..1) and so wide; CSS pixels.
+    pub(crate) fn add(&mut self, context: &Context, ends: &[[Vec3; 2]], color: Vec3, width: f32) {
         let color = linear_from_srgb(color);
-        let segment = |&[start, end]: &[Vec3; 2]| Segment { start, end, color };
+        let segment = |&[start, end]: &[Vec3; 2]| Segment { start, end, color, half_width: 0.5 * width };
         self.segments.extend(context, ends.iter().map(segment));
     }
 

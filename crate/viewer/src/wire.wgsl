@@ -1,7 +1,5 @@
 // Edges of the mesh: segments of constant width in pixels, a little in front of the surface.
 
-// CSS pixels from the middle to the edge.
-const HALF_WIDTH = 0.6;
 // Pixels over which an edge fades, on top of that.
 const FEATHER = 1.0;
 // Depth that a segment is drawn in front of its place, in bounding radii.
@@ -21,15 +19,16 @@ fn vs_wire(
     @location(0) start: vec3f,
     @location(1) end: vec3f,
     @location(2) color: vec3f,
+    @location(3) half_width: f32,
 ) -> Fragment {
     let here = select(start, end, corner >= 2u);
     let to_eye = normalize(frame.eye - here);
     let side = normalize(cross(end - start, to_eye));
-    let half_width = HALF_WIDTH * frame.pixel_ratio;
-    let across = select(-1.0, 1.0, (corner & 1u) == 1u) * (half_width + FEATHER);
+    let half_pixels = half_width * frame.pixel_ratio;
+    let across = select(-1.0, 1.0, (corner & 1u) == 1u) * (half_pixels + FEATHER);
     let pixel = css_pixel(here) / frame.pixel_ratio;
     let position = here + across * pixel * side + LIFT * frame.radius * to_eye;
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), color, across, half_width);
+    return Fragment(frame.clip_from_world * vec4f(position, 1.0), color, across, half_pixels);
 }
 
 @fragment

@@ -30,8 +30,10 @@ export type Source = SurfacePoint & {
 
 /// A surface as it is drawn.
 pub struct Drawn {
-    /// `#D`, the welded vertex of each drawn vertex.
+    /// `#D`, the welded vertex of each drawn vertex; or `#F × 3`, of each corner of the drawn triangles.
     vertices: Vec<VertexId>,
+    /// Whether values are those of corners.
+    pub is_by_corner: bool,
     /// `#D`, the input vertex of each drawn vertex.
     inputs: Vec<InputVertex>,
     /// `#F`, the face of each drawn triangle.
@@ -52,7 +54,38 @@ impl Drawn {
         let mut mesh = draw_mesh(surface, appearance, CREASE_ANGLE, &transform);
         let posing = moving.and_then(|soup| Posing::new(soup, &mesh));
         let (vertices, inputs) = (std::mem::take(&mut mesh.vertex_of_drawn), std::mem::take(&mut mesh.input_of_drawn));
-        (Self { vertices, inputs, faces, transform }, DrawMesh::new(mesh), posing)
+        (Self { vertices, is_by_corner: false, inputs, faces, transform }, DrawMesh::new(mesh), posing)
+    }
+
+    /// The same with values of corners, of a surface that walls have parted.
+    pub fn by_corner(drawn: &Self, walled: &Surface) -> Self {
+        let Self { inputs, faces, transform, .. } = drawn;
+        let vertices = faces.iter().flat_map(|&face| walled.faces()[face]).collect();
+        Self { vertices, is_by_corner: true, inputs: inputs.clone(), faces: faces.clone(), transform: *transform }
+    }
+
+    /// The face of a drawn triangle.
+    pub fn face(&self, triangle: u32) -> Option<FaceId> {
+        self.faces.get(triangle as usize).copied()
+    }
+
+    /// `#F`, the face of each drawn triangle.
+    pub fn faces(&self) -> &[FaceId] {
+        &self.faces
+    }
+
+    /// `#F`, the drawn triangle of each face.
+    pub fn triangles(&self) -> FaceData<u32> {
+        let mut triangles: FaceData<u32> = vec![0; self.faces.len()].into();
+        for (triangle, &face) in (0..).zip(&self.faces) {
+            triangles[face] = triangle;
+        }
+        triangles
+    }
+
+    /// The direction in the file that is drawn upward.
+    pub fn up(&self) -> DVec3 {
+        DVec3::from_array(DVec3::AXES.map(|axis| self.transform.direction(axis).y))
     }
 
     pub fn input_vertices(&self) -> Vec<u32> {

@@ -25,6 +25,7 @@ impl Origin {
 #[wasm_bindgen(inspectable)]
 pub struct Field {
     values: Vec<f32>,
+    is_by_corner: bool,
     max: f64,
     unreachable: u32,
     exact_below: f64,
@@ -34,7 +35,14 @@ pub struct Field {
 }
 
 impl Field {
-    pub(crate) fn of(drawn: &Drawn, distance: &Distance, origin: Origin, error: Option<RelativeError>) -> Self {
+    /// `in_walls`: how many vertices cannot be reached by anything.
+    pub(crate) fn of(
+        drawn: &Drawn,
+        distance: &Distance,
+        origin: Origin,
+        error: Option<RelativeError>,
+        in_walls: usize,
+    ) -> Self {
         let (mut max, mut reachable, mut exact) = (0.0_f64, 0, 0);
         for &value in &distance.values {
             if value.is_finite() {
@@ -45,8 +53,9 @@ impl Field {
         }
         Self {
             values: drawn.spread(&distance.values),
+            is_by_corner: drawn.is_by_corner,
             max,
-            unreachable: (distance.values.len() - reachable) as u32,
+            unreachable: (distance.values.len() - reachable).saturating_sub(in_walls) as u32,
             exact_below: distance.exact_below,
             exact_share: exact as f64 / reachable.max(1) as f64,
             origin,
@@ -57,10 +66,16 @@ impl Field {
 
 #[wasm_bindgen]
 impl Field {
-    /// One value a drawn vertex of the surface; Infinity where no source can be reached.
+    /// One value a drawn vertex of the surface, or a corner of a drawn triangle (see `byCorner`); Infinity where no source can be reached.
     #[wasm_bindgen(getter)]
     pub fn distance(&self) -> Float32Array {
         self.values.as_slice().into()
+    }
+
+    /// Whether values are those of corners, `#F × 3`: walls part vertices.
+    #[wasm_bindgen(getter, js_name = byCorner)]
+    pub fn is_by_corner(&self) -> bool {
+        self.is_by_corner
     }
 
     /// Largest finite distance.
@@ -69,7 +84,7 @@ impl Field {
         self.max
     }
 
-    /// Welded vertices that no source reaches.
+    /// Welded vertices that no source reaches, those in walls apart.
     #[wasm_bindgen(getter, js_name = unreachableVertices)]
     pub fn unreachable(&self) -> u32 {
         self.unreachable

@@ -10,6 +10,7 @@ mod camera;
 mod drawn;
 mod failure;
 mod field;
+mod ground;
 mod joined;
 mod motion;
 mod outline;

@@ -1,7 +1,5 @@
 //! What moves: the animations of a file, and scenery.
 
-use std::sync::Arc;
-
 use heatwalk::{Path, Soup, Surface, surface::motion};
 use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
@@ -46,8 +44,6 @@ pub fn moment(clip: Option<u32>, seconds: f64) -> Option<(usize, f64)> {
 /// What a surface that moves has besides.
 pub struct Moving {
     pub posing: Posing,
-    /// In the pose of the file.
-    pub surface: Arc<Surface>,
     /// The last path that was traced, where distances are measured.
     pub path: Option<Path>,
 }

@@ -2,8 +2,8 @@
 //! is copied once, into a buffer of JavaScript's.
 
 use glam::Vec3;
-use heatwalk::Path;
 use heatwalk::surface::appearance::Run;
+use heatwalk::{Costs, Path, PathPoint, Surface};
 use heatwalk_bake::{Bounds, Hierarchy};
 use heatwalk_scene::DrawTransform;
 use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
@@ -203,15 +203,36 @@ pub struct SurfacePath {
     normals: Vec<f32>,
     length: f64,
     drawn_length: f32,
+    cost: f64,
+    segment_costs: Vec<f32>,
 }
 
 impl SurfacePath {
     /// A path as it is `shown`: the path itself, or that carried to another pose.
-    pub(crate) fn of(path: &Path, shown: &Path, transform: &DrawTransform) -> Self {
+    pub(crate) fn of(
+        surface: &Surface,
+        path: &Path,
+        shown: &Path,
+        costs: Option<&Costs>,
+        transform: &DrawTransform,
+    ) -> Self {
         let points = transform.places(shown.points.iter().map(|point| point.position));
         let normals =
             shown.normals.iter().flat_map(|&normal| transform.direction(normal).as_vec3().to_array()).collect();
-        Self { points, normals, length: path.length(), drawn_length: transform.length(shown.length()) }
+        let segment = |ends: &[PathPoint]| {
+            let segment = Path::new(surface, ends.to_vec());
+            let length = segment.length();
+            costs.filter(|_| length > 0.0).map_or(1.0, |costs| (costs.of_path(surface, &segment) / length) as f32)
+        };
+        let length = path.length();
+        Self {
+            points,
+            normals,
+            length,
+            drawn_length: transform.length(shown.length()),
+            cost: costs.map_or(length, |costs| costs.of_path(surface, path)),
+            segment_costs: if costs.is_some() { path.points.windows(2).map(segment).collect() } else { Vec::new() },
+        }
     }
 }
 
@@ -233,6 +254,18 @@ impl SurfacePath {
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> f64 {
         self.length
+    }
+
+    /// What walking it costs: its length, each segment times what a unit of it costs.
+    #[wasm_bindgen(getter)]
+    pub fn cost(&self) -> f64 {
+        self.cost
+    }
+
+    /// `#P − 1`, what a unit of each segment costs; empty where all cost 1.
+    #[wasm_bindgen(getter, js_name = segmentCosts)]
+    pub fn segment_costs(&self) -> Float32Array {
+        self.segment_costs.as_slice().into()
     }
 
     /// Length of the line through the points.

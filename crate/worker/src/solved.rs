@@ -32,9 +32,9 @@ impl Solved {
     }
 
     /// As the page gets it.
-    pub fn field(&self, drawn: &Drawn) -> Field {
+    pub fn field(&self, drawn: &Drawn, in_walls: usize) -> Field {
         let error = self.instant().map(|instant| RelativeError::between(instant, &self.distance.values));
-        Field::of(drawn, &self.distance, self.origin, error)
+        Field::of(drawn, &self.distance, self.origin, error, in_walls)
     }
 
     /// The values before they were made exact; none until all are.

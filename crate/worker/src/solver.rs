@@ -1,5 +1,6 @@
 //! A surface that answers questions, the field solved last, and who walks on it.
 
+mod ground;
 mod pose;
 
 use std::num::NonZeroU16;
@@ -19,6 +20,7 @@ use wasm_bindgen::prelude::*;
 use crate::drawn::Drawn;
 use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
+use crate::ground::Ground;
 use crate::joined::Joined;
 use crate::motion::Moving;
 use crate::parameters::parameters;
@@ -39,8 +41,15 @@ const CROWD_SEED: u64 = 1;
 #[wasm_bindgen]
 pub struct Solver {
     drawn: Arc<Drawn>,
-    /// The surface that distances are measured on.
+    /// The surface that distances are measured on, with what it costs.
     geometry: Arc<ExactGeometry>,
+    /// The same without costs, where these differ.
+    unweighted: Option<Arc<ExactGeometry>>,
+    ground: Ground,
+    /// The surface in the pose of the file, as walls part it.
+    parted: Arc<Surface>,
+    /// How many of its vertices are in walls.
+    in_walls: usize,
     /// The same as it is shown: in another pose, if distances are measured in that of the file.
     shown: Arc<Surface>,
     /// Of the surface in the pose of the file.
@@ -48,6 +57,8 @@ pub struct Solver {
     moving: Option<Moving>,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
+    /// Whether that is for another ground.
+    is_stale: bool,
     /// That of the last field by windows, kept for its memory.
     propagation: Option<Propagation>,
     solved: Option<Solved>,
@@ -78,10 +89,15 @@ impl Solver {
         Self {
             drawn: Arc::clone(drawn),
             geometry,
-            moving: posing.map(|posing| Moving { posing, surface: Arc::clone(&surface), path: None }),
+            unweighted: None,
+            ground: Ground::new(&surface, drawn),
+            parted: Arc::clone(&surface),
+            in_walls: 0,
+            moving: posing.map(|posing| Moving { posing, path: None }),
             shown: surface,
             joined: Joined::default(),
             heat,
+            is_stale: false,
             propagation: None,
             solved: None,
             search: None,
@@ -124,7 +140,7 @@ impl Solver {
     /// The last field as the page gets it; the crowd follows it.
     fn field(&mut self) -> Result<Field> {
         self.lead_crowd()?;
-        Ok(self.solved()?.field(&self.drawn))
+        Ok(self.solved()?.field(&self.drawn, self.in_walls))
     }
 
     fn lead_crowd(&mut self) -> Result<()> {
@@ -148,8 +164,11 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<()> {
         let parameters = parameters(given)?;
-        if let Some(heat) = &mut self.heat {
+        if let (Some(heat), false) = (&mut self.heat, self.is_stale) {
             heat.set_parameters(parameters, &mut reporter(progress))?;
+        } else if self.heat.is_some() {
+            self.heat = Some(self.factored_for(self.geometry.surface(), parameters)?);
+            self.is_stale = false;
         }
         self.solved = None;
         self.search = None;
@@ -159,14 +178,12 @@ impl Solver {
     /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and so many links between the
     /// nearest of the groups that stay apart; forgets the field.
     pub fn bridge(&mut self, rule: &str, links: u32) -> Result<()> {
-        let is_changed = self.joined.join(&self.of_file(), rule.parse()?, links as usize);
+        let is_changed = self.joined.join(&self.ground.surface, rule.parse()?, links as usize);
         self.propagation = None;
         self.solved = None;
         self.search = None;
         if is_changed {
-            let geometry = ExactGeometry::clone(&self.geometry);
-            let here = self.joined.bridges().carried(geometry.surface());
-            self.geometry = Arc::new(geometry.bridged(&here));
+            self.lay_out(self.plain_geometry());
         }
         Ok(())
     }
@@ -195,7 +212,7 @@ impl Solver {
     /// reach all that can be linked.
     pub fn links_to_reach_more(&mut self) -> Result<u32> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let surface = self.of_file();
+        let surface = Arc::clone(&self.ground.surface);
         let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(&surface)).collect();
         Ok(self.joined.links_to_reach_more(&surface, &components) as u32)
     }
@@ -211,6 +228,7 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
         quick: bool,
     ) -> Result<Field> {
+        self.factor_anew()?;
         let sources = self.sources(sources)?;
         let distance = self.heat_distance(&sources, quick)?;
         let origin = Origin::of_heat(factored(self.heat.as_ref())?);
@@ -246,6 +264,8 @@ impl Solver {
         let surface = self.geometry.surface();
         let from = self.drawn.point(surface, from)?;
         let path = match kind.parse()? {
+            // Where costs differ, straight paths bend.
+            _ if self.geometry.costs().is_some() => descend(surface, &solved.distance, from)?,
             PathKind::Descent => descend(surface, &solved.distance, from)?,
             PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?)?,
             PathKind::Exact => exact::shortest_path(&self.geometry, from, &solved.sources)?,
@@ -330,7 +350,9 @@ impl Solver {
             Some(crowd) => crowd.set_count(count as usize),
             None => {
                 let height = height * self.geometry.surface().bounding_radius();
-                self.crowd = Some(Crowd::new(Arc::clone(&self.shown), count as usize, height, CROWD_SEED)?);
+                let mut crowd = Crowd::new(Arc::clone(&self.shown), count as usize, height, CROWD_SEED)?;
+                crowd.set_costs(self.ground.costs.as_ref());
+                self.crowd = Some(crowd);
                 self.lead_crowd()?;
             }
         }

@@ -7,6 +7,7 @@ import type {
   DrawTransform,
   EdgeKind,
   FaceField,
+  GroundChange,
   Factoring,
   MeshInput,
   Moment,
@@ -192,6 +193,20 @@ const api: SolverApi = {
     return factoringOf(mesh, memory);
   },
 
+  ground({ triangles, costs, lines, slope, highest }: GroundChange): Promise<void> {
+    openMesh().solver.set_ground(triangles, costs, lines, slope, highest);
+    return Promise.resolve();
+  },
+
+  neighbors(): Promise<Uint32Array> {
+    const neighbors = openMesh().solver.neighbors();
+    return Promise.resolve(transfer(neighbors, [neighbors.buffer]));
+  },
+
+  line(from: number, to: number): Promise<Uint32Array> {
+    return Promise.resolve(openMesh().solver.line(from, to));
+  },
+
   linksToReachMore(): Promise<number> {
     return Promise.resolve(openMesh().solver.links_to_reach_more());
   },
@@ -357,7 +372,7 @@ function nextWork(work: number, passed: number, wanted: number): number {
 }
 
 function pathBuffersOf({ path }: Pick<TracedPath, 'path'>): Transferable[] {
-  return path ? [path.points.buffer, path.normals.buffer] : [];
+  return path ? [path.points.buffer, path.normals.buffer, path.segmentCosts.buffer] : [];
 }
 
 interface MeshSource {

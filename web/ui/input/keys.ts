@@ -1,8 +1,11 @@
 /** The keyboard, and the reticle at the centre of the view that stands in for a pointer. */
 import type { SurfacePoint } from '../../protocol';
+import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
+import { RADII } from '../../state/brush';
 import { addSource, moveSource, removeSelected, sendWalker, setSource, turnUp } from '../../state/edit';
 import type { Signal } from '../../state/signal';
+import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
@@ -12,6 +15,7 @@ const ORBIT_PX = 24;
 /** How far an arrow moves the selected source on the screen. */
 const NUDGE_PX = 6;
 const ZOOM_STEP = 1.15;
+const BRUSH_STEP = 1.2;
 
 const ARROWS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -25,6 +29,7 @@ export interface KeysOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
+  ground: GroundEditor;
   chooseFile: () => void;
   /** Closes the newest message; false if there was none. */
   closeMessage: () => boolean;
@@ -92,11 +97,25 @@ export class Keys {
     else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
     else if (event.key.toLowerCase() === 'o') chooseFile();
+    else if (event.key.toLowerCase() === 'b') this.#toggleBrush();
+    else if (event.key === '[') this.#resizeBrush(1 / BRUSH_STEP);
+    else if (event.key === ']') this.#resizeBrush(BRUSH_STEP);
     else if (event.key.toLowerCase() === 'u') this.#turn();
     else if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(session.scene);
     else if (event.key === 'Escape') this.#escape(closeMessage);
     else return false;
     return true;
+  }
+
+  #toggleBrush(): void {
+    const { ground } = this.#o;
+    ground.set({ on: !ground.brush.value.on });
+  }
+
+  #resizeBrush(factor: number): void {
+    const { ground } = this.#o;
+    const radius = ground.brush.value.radius * factor;
+    ground.set({ radius: Math.min(RADII[1], Math.max(RADII[0], radius)) });
   }
 
   #turn(): void {
@@ -108,6 +127,8 @@ export class Keys {
   #escape(closeMessage: () => boolean): void {
     const { session } = this.#o;
     if (session.loading.value) session.cancelOpening();
+    else if (this.#o.ground.endLine()) return;
+    else if (this.#o.ground.brush.value.on) this.#o.ground.set({ on: false });
     else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
     else if (!closeMessage()) this.#hideReticle();
   }
@@ -117,13 +138,23 @@ export class Keys {
     if (event.key !== 'Enter' && !walker) return false;
     const { session, acted } = this.#o;
     this.#showReticle();
-    const point = this.#underReticle();
+    const [x, y] = session.view.centre;
+    const hit = session.view.pick(x, y);
     acted();
-    if (!point) return true;
-    if (walker) sendWalker(session.scene, point);
+    if (!hit) return true;
+    const { point } = hit;
+    if (this.#o.ground.brush.value.on && !walker && !event.shiftKey) this.#paint(hit, x, y);
+    else if (walker) sendWalker(session.scene, point);
     else if (event.shiftKey) addSource(session.scene, point);
     else setSource(session.scene, point);
     return true;
+  }
+
+  /** What a click there would do. */
+  #paint(hit: PointHit, x: number, y: number): void {
+    const { ground } = this.#o;
+    if (ground.brush.value.tool !== 'brush') void ground.click(hit.point, x, y);
+    else if (ground.begin(hit)) ground.end();
   }
 
   #nudge(x: number, y: number): void {

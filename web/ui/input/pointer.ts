@@ -6,6 +6,7 @@ import type { Signal } from '../../state/signal';
 import { reducedMotion } from '../../view/motion';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
+import type { BrushInput } from './brush';
 import { type Finger, listenToWheel, pinch } from './orbit';
 import { type Target, targetAt } from './pick';
 
@@ -15,7 +16,7 @@ const LONG_PRESS_MS = 500;
 const DOUBLE_MS = 300;
 const DOUBLE_PX = 8;
 
-type Mode = 'pressed' | 'orbit' | 'pan' | 'move' | 'pinch' | 'done';
+type Mode = 'pressed' | 'orbit' | 'pan' | 'move' | 'paint' | 'pinch' | 'done';
 
 interface Press {
   mode: Mode;
@@ -32,6 +33,7 @@ export interface PointerOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
+  brush: BrushInput;
   /** The user did something: the hint may go. */
   acted: () => void;
   /** The user moved the camera. */
@@ -62,6 +64,7 @@ export class PointerInput {
     stage.addEventListener('pointerleave', () => {
       this.#hover = null;
       readout.hide();
+      this.#o.brush.leave();
     });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     listenToWheel(stage, session.view, () => {
@@ -80,6 +83,7 @@ export class PointerInput {
     clearTimeout(this.#longPress);
     if (this.#pointers.size > 1) {
       if (this.#press) {
+        if (this.#press.mode === 'paint') this.#o.brush.abandon();
         this.#endMove(this.#press);
         this.#press.mode = this.#pointers.size === 2 ? 'pinch' : 'done';
       }
@@ -88,6 +92,13 @@ export class PointerInput {
     const touch = event.pointerType === 'touch';
     const target = targetAt(this.#o.session, x, y, touch);
     this.#press = { mode: 'pressed', target, x, y, time: event.timeStamp, touch, gesture: {} };
+    if (this.#o.brush.takes(event, target)) {
+      if (!this.#o.brush.begin(x, y)) return;
+      this.#press.mode = 'paint';
+      this.#o.readout.hide();
+      this.#o.acted();
+      return;
+    }
     if (touch && target.kind === 'surface') {
       const { point } = target;
       this.#longPress = window.setTimeout(() => this.#holdStill(point, x, y), LONG_PRESS_MS);
@@ -126,6 +137,7 @@ export class PointerInput {
     if (press.mode === 'pan') view.pan(dx, dy);
     if (press.mode === 'orbit' || press.mode === 'pan') this.#o.cameraMoved();
     if (press.mode === 'move') this.#moveSource(press, x, y);
+    if (press.mode === 'paint') this.#o.brush.drag(x, y);
   }
 
   #beginDrag(press: Press, event: PointerEvent): void {
@@ -164,6 +176,7 @@ export class PointerInput {
       return;
     }
     this.#press = null;
+    if (!press.touch) this.#hover = event;
     this.#stage.dataset.cursor = '';
     this.#endMove(press);
     if (press.mode === 'pressed' && event.button === 0) this.#click(press, event);
@@ -180,6 +193,7 @@ export class PointerInput {
   #endMove(press: Press): void {
     const { session, cameraMoved } = this.#o;
     if (press.mode === 'move') session.dragging = false;
+    if (press.mode === 'paint') this.#o.brush.end();
     if (press.mode === 'orbit') {
       session.view.letGo(!reducedMotion());
       cameraMoved();
@@ -189,6 +203,7 @@ export class PointerInput {
   #click(press: Press, event: PointerEvent): void {
     const { session, acted } = this.#o;
     const { x, y, target } = press;
+    if (this.#o.brush.click(event, target)) return;
     const last = this.#lastClick;
     const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
     acted();
@@ -225,6 +240,7 @@ export class PointerInput {
     if (!event || this.#press || event.pointerType === 'touch') return;
     const { session, readout } = this.#o;
     const { clientX: x, clientY: y } = event;
+    this.#o.brush.hover(x, y);
     const target = targetAt(session, x, y, false);
     this.#stage.dataset.cursor = target.kind;
     const point = target.kind === 'source' ? session.scene.state.sources[target.index] : null;

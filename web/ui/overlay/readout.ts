@@ -36,7 +36,7 @@ function readoutText({ shown }: Session, point: SurfacePoint): string | null {
   const { opened, places, answer } = shown.value;
   const vertex = `vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
-  const distance = places.valueAt(point, answer.field.distance);
+  const distance = places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return `unreachable · ${vertex}`;
   return `${measure(distance, opened)} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -46,6 +46,7 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Mean error before refinement', field?.error ? finePercent(field.error.mean) : '–'],
     ['Maximum error', field?.error ? finePercent(field.error.max) : '–'],
     ['Path', path ? `${measure(path.length, opened)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
+    ['Cost of the path', path ? length(path.cost) : '–'],
     ['Windows of a half-edge', field?.windows ? count(field.windows) : '–'],
     ['Time factor m', field?.timeFactor ? length(field.timeFactor) : '–'],
     ['Read', milliseconds(timings.readMs)],

@@ -108,7 +108,7 @@ export function sourcesSection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     const sentence = shown?.answer.field ? unreachedSentence(shown.opened, shown.answer.field) : null;
     unreached.hidden = !sentence;
-    linking.hidden = !sentence;
+    linking.hidden = !sentence || shown?.opened.report.components === 1;
     if (unreached.textContent !== (sentence ?? '')) unreached.textContent = sentence ?? '';
   });
   unreached.setAttribute('role', 'status');

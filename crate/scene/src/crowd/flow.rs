@@ -32,7 +32,7 @@ pub(super) fn combined([p, q, r]: [DVec3; 3], [a, b, c]: [f64; 3]) -> DVec3 {
 /// A straight segment of a descent, in one face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Leg {
-    from: Place,
+    pub from: Place,
     to: [f64; 3],
     /// In the file's unit.
     pub length: f64,

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use flow::{Flow, Place, combined};
+use heatwalk::Costs;
 use heatwalk::Distance;
 use heatwalk::FaceId;
 use heatwalk::Surface;
@@ -67,6 +68,8 @@ pub struct Crowd {
     /// Steps since.
     steps: usize,
     flow: Flow,
+    /// `#F`, what a unit of length costs; none where that is 1 everywhere.
+    costs: Option<Costs>,
     random: SplitMix64,
 }
 
@@ -92,6 +95,7 @@ impl Crowd {
             order: Vec::new(),
             steps: 0,
             flow,
+            costs: None,
             random: SplitMix64::seed_from_u64(seed),
         })
     }
@@ -105,6 +109,26 @@ impl Crowd {
     pub fn set_count(&mut self, count: usize) {
         self.count = count;
         self.walkers.truncate(count);
+    }
+
+    /// How many walkers there are to be.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// How high they are, in the file's unit.
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+
+    /// Lets walkers go slower where a unit of length costs more, and faster where it costs less than 1; nowhere without costs.
+    ///
+    /// # Panics
+    /// Where there is not one cost a face.
+    pub fn set_costs(&mut self, costs: Option<&Costs>) {
+        let is_suited = |costs: &Costs| costs.of_faces().len() == self.surface.face_count();
+        assert!(costs.is_none_or(is_suited), "one cost a face");
+        self.costs = costs.cloned();
     }
 
     /// Sends the walkers down a distance, from where they are.
@@ -132,7 +156,8 @@ impl Crowd {
         let from = std::mem::replace(&mut self.surface, to);
         self.footing = footing(&self.surface);
         self.flow = Flow::new(&self.surface);
-        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, turn: 1.0 };
+        let costs = self.costs.as_ref();
+        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, costs, turn: 1.0 };
         for walker in &mut self.walkers {
             let (position, upright) = ground.stand(Place { face: walker.face, weights: walker.weights });
             let ahead = carried(walker.heading, from.corners(walker.face), self.surface.corners(walker.face));
@@ -142,7 +167,7 @@ impl Crowd {
         Ok(())
     }
 
-    /// Moves every walker by `step`, in the file's unit, along the surface down the distance. Those who arrive on the way
+    /// Moves every walker by `step`, in the file's unit where that costs 1, along the surface down the distance. Those who arrive on the way
     /// start again, and those who are missing start, spread by area over the components with a source; they stand there
     /// until the next call. Without a distance to [`follow`](Self::follow) nobody is out.
     ///
@@ -162,7 +187,8 @@ impl Crowd {
         }
         self.steps += 1;
         let turn = -(-step / self.height).exp_m1();
-        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, turn };
+        let costs = self.costs.as_ref();
+        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, costs, turn };
         for &walker in &self.order {
             let walker = &mut self.walkers[walker as usize];
             *walker = ground.walked(walker, step).unwrap_or_else(|| ground.start(&mut self.random));
@@ -193,6 +219,7 @@ struct Ground<'a> {
     flow: &'a Flow,
     /// `#V`, position and normal.
     footing: &'a VertexData<[DVec3; 2]>,
+    costs: Option<&'a Costs>,
     /// Share of a turn that a step makes.
     turn: f64,
 }
@@ -201,24 +228,28 @@ impl Ground<'_> {
     /// A walker after a step; `None` where its path ends before.
     fn walked(&self, walker: &Walker, step: f64) -> Option<Walker> {
         let mut place = Place { face: walker.face, weights: walker.weights };
+        // What is left to be spent, and the length walked for the rest.
         let mut left = step;
+        let mut walked = 0.0;
         for _ in 0..MOST_LEGS {
             let leg = self.flow.leg(self.surface, place)?;
-            if left < leg.length {
-                place = leg.at(left / leg.length);
-                left = 0.0;
+            let cost = self.costs.map_or(1.0, |costs| costs.of(leg.from.face));
+            if left < cost * leg.length {
+                place = leg.at(left / (cost * leg.length));
+                walked += left / cost;
                 break;
             }
             if leg.is_last {
                 return None;
             }
             place = leg.end();
-            left -= leg.length;
+            left -= cost * leg.length;
+            walked += leg.length;
         }
         let (position, upright) = self.stand(place);
         let heading = turned(walker.heading, position - walker.position, upright, self.turn);
         let Place { face, weights } = place;
-        Some(Walker { face, weights, position, upright, heading, arc: walker.arc + (step - left) })
+        Some(Walker { face, weights, position, upright, heading, arc: walker.arc + walked })
     }
 
     /// A walker at a random place, facing where it will go.

@@ -7,7 +7,6 @@ use crate::csr::Csr;
 use crate::element::{Element, FaceData, FaceId, HalfedgeId, VertexId};
 use crate::error::{Error, Result};
 use crate::parallel;
-use crate::point::Place;
 
 /// What no path crosses.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -110,29 +109,6 @@ impl Surface {
     /// Whether a face is a wall of a surface that was [parted](Self::walled).
     pub fn is_wall(&self, face: FaceId) -> bool {
         self.is_wall.get(face).copied().unwrap_or(false)
-    }
-
-    /// Whether a place touches walls alone, so that no path leads there.
-    pub fn is_in_wall(&self, place: Place) -> bool {
-        !self.is_wall.is_empty() && place.faces(self).into_iter().all(|face| self.is_wall(face))
-    }
-
-    /// A place of the surface before it was [parted](Self::walled), on this one: on an edge of walls, on the side of the
-    /// triangle named; at a vertex there, on the vertex's first side.
-    pub fn place_across_walls(&self, before: &Self, place: Place) -> Place {
-        match place {
-            Place::Edge { halfedge, fraction } if halfedge.index() >= 3 * before.face_count() => {
-                Place::Edge { halfedge: before.mesh.twin(halfedge), fraction: 1.0 - fraction }
-            }
-            Place::Edge { halfedge, fraction } if self.is_wall(halfedge.triangle()) => {
-                // The other side of the edge may be open.
-                let is_open = |other: &HalfedgeId| !self.is_wall(other.triangle());
-                let Some(other) = before.edges.around(halfedge).find(is_open) else { return place };
-                let is_against = before.ends(other) != before.ends(halfedge);
-                Place::Edge { halfedge: other, fraction: if is_against { 1.0 - fraction } else { fraction } }
-            }
-            _ => place,
-        }
     }
 
     /// The corners of a vertex by sectors, which paths reach from each other. The first one keeps the vertex's number: an open

@@ -120,7 +120,30 @@ impl Renderer {
     /// # Errors
     /// When the count is not the surface's number of vertices, or `max` is no finite number; the old field then stays.
     pub fn set_field(&mut self, count: usize, max: f64, fill: impl FnOnce(&mut [f32], &mut [i8])) -> Result<(), Error> {
-        let expected = self.surface.as_ref().map_or(0, |(_, field)| field.vertex_count());
+        self.write_field(count, max, false, fill)
+    }
+
+    /// The same with one value a corner of each triangle of a surface that is [tinted](Self::set_tints).
+    ///
+    /// # Errors
+    /// As [`Self::set_field`]; when the surface is not tinted.
+    pub fn set_corner_field(
+        &mut self,
+        count: usize,
+        max: f64,
+        fill: impl FnOnce(&mut [f32], &mut [i8]),
+    ) -> Result<(), Error> {
+        self.write_field(count, max, true, fill)
+    }
+
+    fn write_field(
+        &mut self,
+        count: usize,
+        max: f64,
+        is_by_corner: bool,
+        fill: impl FnOnce(&mut [f32], &mut [i8]),
+    ) -> Result<(), Error> {
+        let expected = self.surface.as_ref().map_or(0, |(_, field)| field.value_count(is_by_corner));
         if count != 0 && count != expected {
             return Err(Error::WrongLength { what: "distances", expected, found: count });
         }
@@ -135,7 +158,7 @@ impl Renderer {
         }
         // All are 0 where the largest is.
         self.max = if max > 0.0 { max } else { 1.0 };
-        field.write(&self.context, self.max, fill);
+        field.write(&self.context, self.max, is_by_corner, fill);
         self.surfaces.set_style(&self.context, &self.style, self.max);
         Ok(())
     }
@@ -240,13 +263,13 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// Adds edges, two ends each, of one colour; sRGB, 0..1.
+    /// Adds edges, two ends each, of one colour (sRGB, 0..1) and so wide; CSS pixels.
     ///
     /// # Errors
     /// When an end is no finite place.
-    pub fn add_edges(&mut self, ends: &[[Vec3; 2]], color: Vec3) -> Result<(), Error> {
+    pub fn add_edges(&mut self, ends: &[[Vec3; 2]], color: Vec3, width: f32) -> Result<(), Error> {
         check::places("edges", ends.as_flattened())?;
-        self.wires.add(&self.context, ends, color);
+        self.wires.add(&self.context, ends, color, width);
         self.dirty = true;
         Ok(())
     }

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use super::Viewer;
 use super::materials::{DrawnMaterial, image, material};
 use super::numbers::{
-    DrawnMesh, DrawnShade, color, finish, lights as lights_of, mesh_arrays, mesh_pose, points, shade,
+    DrawnMesh, DrawnShade, appearance, color, finish, lights as lights_of, mesh_arrays, mesh_pose, points, shade,
 };
 use crate::environment;
 use crate::error::Error;
@@ -110,21 +110,48 @@ impl Viewer {
     }
 
     /// One value a drawn vertex, Infinity = unreachable, and the direction in which it grows, four numbers a drawn vertex,
-    /// 127 for a unit; empty = no field.
+    /// 127 for a unit; empty = no field. `by_corner`: one a corner of each triangle of a tinted surface instead.
     ///
     /// # Errors
     /// Throws when the numbers of values are not those of the surface's vertices, or `max`, the largest finite value, is no
     /// finite number.
-    pub fn set_field(&mut self, values: &Float32Array, tangents: &Int8Array, max: f64) -> Result<(), JsError> {
+    pub fn set_field(
+        &mut self,
+        values: &Float32Array,
+        tangents: &Int8Array,
+        max: f64,
+        by_corner: bool,
+    ) -> Result<(), JsError> {
         let count = values.length() as usize;
         let found = tangents.length() as usize;
         if found != 4 * count {
             return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found }.into());
         }
-        Ok(self.renderer.set_field(count, max, |distances, directions| {
+        let fill = |distances: &mut [f32], directions: &mut [i8]| {
             values.copy_to(distances);
             tangents.copy_to(directions);
-        })?)
+        };
+        if by_corner {
+            return Ok(self.renderer.set_corner_field(count, max, fill)?);
+        }
+        Ok(self.renderer.set_field(count, max, fill)?)
+    }
+
+    /// Tints the triangles of the surface, which `mesh` was set as: `#F × 4` bytes, linear RGB and opacity, 255 for walls.
+    ///
+    /// # Errors
+    /// Throws when there are more or fewer, or the arrays are too large for the device.
+    pub fn set_tints(&mut self, mesh: &DrawnMesh, tints: &[u8]) -> Result<(), JsError> {
+        let (faces, rest) = tints.as_chunks::<4>();
+        if !rest.is_empty() {
+            return Err(Error::WrongLength { what: "tints", expected: 4 * faces.len(), found: tints.len() }.into());
+        }
+        Ok(self.renderer.set_tints(faces, || appearance(mesh))?)
+    }
+
+    /// Outlines a brush of a radius about a place on the surface; 0 for none.
+    pub fn set_brush(&mut self, x: f32, y: f32, z: f32, radius: f32) {
+        self.renderer.set_brush(Vec3::new(x, y, z), radius);
     }
 
     /// Stripes: period in the unit of the field's values, share of it covered, sharpness 0..1, height in periods.
@@ -225,18 +252,18 @@ impl Viewer {
         self.renderer.clear_edges();
     }
 
-    /// Adds `#E × 2 × 3` ends of edges in an sRGB colour, 0..1.
+    /// Adds `#E × 2 × 3` ends of edges in an sRGB colour, 0..1, so many CSS pixels wide.
     ///
     /// # Errors
     /// Throws when the numbers are no pairs of points or the colour has not three numbers.
-    pub fn add_edges(&mut self, ends: &[f32], rgb: &[f32]) -> Result<(), JsError> {
+    pub fn add_edges(&mut self, ends: &[f32], rgb: &[f32], width: f32) -> Result<(), JsError> {
         let (pairs, rest) = ends.as_chunks::<6>();
         if !rest.is_empty() {
             return Err(Error::WrongLength { what: "edges", expected: 6 * pairs.len(), found: ends.len() }.into());
         }
         let ends: Vec<[Vec3; 2]> =
             pairs.iter().map(|&[a, b, c, d, e, f]| [Vec3::new(a, b, c), Vec3::new(d, e, f)]).collect();
-        Ok(self.renderer.add_edges(&ends, color("edge color", rgb)?)?)
+        Ok(self.renderer.add_edges(&ends, color("edge color", rgb)?, width)?)
     }
 
     /// Stands the walker at an arc length of the path.

@@ -123,7 +123,7 @@ pub(super) fn mesh_pose(positions: &Float32Array, normals: &Float32Array) -> Res
     Ok(MeshPose { positions: groups("posed positions", positions)?, normals: groups("posed normals", normals)? })
 }
 
-fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
+pub(super) fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
     let runs: Vec<[u32; 3]> = groups("material runs", mesh.runs().to_vec())?;
     Ok(MeshAppearance {
         texcoords: groups("texture coordinates", mesh.texcoords().to_vec())?,

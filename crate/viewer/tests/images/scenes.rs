@@ -2,7 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 use heatwalk_viewer::{
     Blend, CrowdPose, Error, Finish, Hierarchy, MeshAppearance, MeshArrays, Pattern, RAMP_BYTES, Renderer, Style,
     Surroundings, View,
@@ -14,13 +14,14 @@ pub struct Scene {
     pub show: fn(&mut Renderer) -> Result<(), Error>,
 }
 
-pub const SCENES: [Scene; 7] = [
+pub const SCENES: [Scene; 8] = [
     Scene { name: "stripes", show: stripes },
     Scene { name: "lines_and_edges", show: lines_and_edges },
     Scene { name: "pins_path_and_walker", show: pins_path_and_walker },
     Scene { name: "crowd", show: crowd },
     Scene { name: "scenery_and_unreachable", show: scenery_and_unreachable },
     Scene { name: "arrows", show: arrows },
+    Scene { name: "ground", show: ground },
     Scene { name: "materials_of_a_file", show: crate::materials::belts },
 ];
 
@@ -139,6 +140,7 @@ pub const BANDS: Style = Style {
     blend: Blend::Over,
     surface: Finish { metalness: 1.0, roughness: 0.3, glow: 0.0 },
     stripe: Finish { metalness: 0.0, roughness: 0.4, glow: 0.1 },
+    brush: Vec4::ZERO,
 };
 
 /// Little happens on the surface, so that what stands on it is seen.
@@ -147,6 +149,31 @@ const PLAIN: Style = Style {
     surface: Finish { metalness: 0.0, roughness: 0.5, glow: 0.0 },
     ..BANDS
 };
+
+/// Bands of ground and a wall, sharp by triangle, beyond which distance jumps; and the outline of a brush.
+fn ground(renderer: &mut Renderer) -> Result<(), Error> {
+    show_sphere(renderer, 1.0, 4.0, BANDS)?;
+    let MeshArrays { positions, triangles, .. } = sphere().arrays();
+    let tint = |corners: &[u32; 3]| match corners.map(|vertex| positions[vertex as usize].y).iter().sum::<f32>() / 3.0 {
+        height if height > 0.5 => [180, 120, 30, 200],
+        height if height > 0.0 => [0; 4],
+        height if height > -0.08 => [8, 9, 12, 255],
+        _ => [60, 20, 5, 140],
+    };
+    let tints: Vec<[u8; 4]> = triangles.iter().map(tint).collect();
+    renderer.set_tints(&tints, || Ok(MeshAppearance::default()))?;
+    renderer.set_corner_field(3 * triangles.len(), 5.0, |values, directions| {
+        for (corner, &vertex) in triangles.as_flattened().iter().enumerate() {
+            let place = positions[vertex as usize];
+            let beyond = if tints[corner / 3] == [60, 20, 5, 140] { 1.5 } else { 0.0 };
+            values[corner] = angle(place) + beyond;
+            let direction = (127.0 * away(place)).to_array().map(|component| component as i8);
+            directions[4 * corner..4 * corner + 3].copy_from_slice(&direction);
+        }
+    })?;
+    renderer.set_brush(Vec3::new(-0.3, 0.1, 0.95).normalize(), 0.3);
+    Ok(())
+}
 
 fn stripes(renderer: &mut Renderer) -> Result<(), Error> {
     stripes_in_unit(renderer, 1.0)
@@ -160,7 +187,7 @@ fn lines_and_edges(renderer: &mut Renderer) -> Result<(), Error> {
     show_sphere(renderer, 1.0, 4.0, Style { pattern: Pattern::Lines { width: 3.0 }, ..PLAIN })?;
     let meridian = |turn: f32| (0..24).map(move |step| [step, step + 1].map(|step| at(turn, step as f32 / 24.0)));
     let meridians: Vec<[Vec3; 2]> = (0..12).flat_map(|index| meridian(index as f32 / 12.0)).collect();
-    renderer.add_edges(&meridians, Vec3::new(0.1, 0.4, 0.85))
+    renderer.add_edges(&meridians, Vec3::new(0.1, 0.4, 0.85), 1.2)
 }
 
 /// A place of the sphere: shares of a full turn about the vertical, and from pole to pole.

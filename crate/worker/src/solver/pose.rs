@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::exact::ExactGeometry;
-use heatwalk::{Distance, HeatSolver, Path, Surface};
+use heatwalk::{Distance, HeatSolver, Parameters, Path, Surface};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
@@ -21,16 +21,22 @@ impl Solver {
     /// A path as it is shown, and from now on in every pose.
     pub(super) fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
         let shown = path.carried(self.geometry.surface(), &self.shown)?;
-        let drawn = SurfacePath::of(&path, &shown, &self.drawn.transform);
+        let drawn = self.drawn_path(&path, &shown);
         if let Some(moving) = &mut self.moving {
             moving.path = Some(path);
         }
         Ok(drawn)
     }
 
-    /// The surface in the pose of the file.
-    pub(super) fn of_file(&self) -> Arc<Surface> {
-        Arc::clone(self.moving.as_ref().map_or(self.geometry.surface(), |moving| &moving.surface))
+    fn drawn_path(&self, path: &Path, shown: &Path) -> SurfacePath {
+        let costs = self.ground.costs.as_ref();
+        SurfacePath::of(self.geometry.surface(), path, shown, costs, &self.drawn.transform)
+    }
+
+    /// Factors for a surface with the ground's costs.
+    pub(super) fn factored_for(&self, surface: &Arc<Surface>, parameters: Parameters) -> Result<HeatSolver> {
+        let go_on = &mut |_, _| ControlFlow::Continue(());
+        Ok(HeatSolver::weighted(Arc::clone(surface), self.ground.costs.clone(), parameters, go_on)?)
     }
 
     /// Measures on this surface, a pose of the one so far, from now on.
@@ -39,17 +45,15 @@ impl Solver {
             return Ok(());
         }
         let heat = match &self.heat {
-            Some(heat) => {
-                Some(HeatSolver::new(Arc::clone(surface), heat.parameters(), &mut |_, _| ControlFlow::Continue(()))?)
-            }
+            Some(heat) => Some(self.factored_for(surface, heat.parameters())?),
             None => None,
         };
         let geometry = match &heat {
-            Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
-            None => ExactGeometry::new(Arc::clone(surface)),
+            Some(heat) if self.ground.costs.is_none() => ExactGeometry::clone(heat.exact_geometry()),
+            _ => ExactGeometry::new(Arc::clone(surface)),
         };
-        self.geometry = Arc::new(geometry.bridged(&self.joined.bridges().carried(surface)));
-        (self.heat, self.propagation, self.solved, self.search) = (heat, None, None, None);
+        (self.heat, self.is_stale) = (heat, false);
+        self.lay_out(geometry);
         Ok(())
     }
 }
@@ -59,10 +63,10 @@ impl Solver {
     /// Shows the surface as it is so many seconds after the beginning of an animation, or without one in its file; none where it
     /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
     pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
+        let of_file = self.of_file();
         let Some(moving) = &mut self.moving else { return Ok(None) };
         moving.posing.take(moment(clip, seconds))?;
         let posed = DrawPose::new(moving.posing.draw(&self.drawn.transform));
-        let of_file = Arc::clone(&moving.surface);
         self.shown = match clip {
             None => Arc::clone(&of_file),
             Some(_) => Arc::new(of_file.posed(moving.posing.positions(&of_file))),
@@ -80,6 +84,6 @@ impl Solver {
     pub fn posed_path(&self) -> Option<SurfacePath> {
         let path = self.moving.as_ref()?.path.as_ref()?;
         let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
-        Some(SurfacePath::of(path, &shown, &self.drawn.transform))
+        Some(self.drawn_path(path, &shown))
     }
 }

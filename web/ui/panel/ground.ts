@@ -1,0 +1,217 @@
+import type { GroundEditor } from '../../session/ground';
+import type { Session } from '../../session/session';
+import { colourOfCost, WALL_COLOURS } from '../../session/tints';
+import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
+import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
+import { h, labelled, select, slider, toggle } from '../dom';
+import { length, measure, percent } from '../words';
+
+const TOOL_WORDS: Record<GroundTool, string> = {
+  brush: 'brush',
+  fill: 'fill an area',
+  line: 'wall along edges',
+  toggle: 'open and close gates',
+};
+
+const TOOL_HINTS: Record<GroundTool, string> = {
+  brush: 'Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.',
+  fill: 'Click an area: all of it that costs the same is painted.',
+  line: 'Click one vertex after the other; Esc, or a click on the last one, ends the wall.',
+  toggle: 'Click a wall or a gate to open it, or to close it again.',
+};
+
+const MATERIAL_WORDS: Record<Material, string> = {
+  mud: 'Mud',
+  sand: 'Sand',
+  road: 'Road',
+  custom: 'Custom',
+  wall: 'Wall',
+  gate: 'Gate',
+  eraser: 'Eraser',
+};
+
+/** Steps of the sliders of costs for a factor of ten, of the size, and of the relief for a factor of two. */
+const COST_STEPS = 25;
+const SIZE_STEPS = 100;
+const HEIGHT_POWERS = 5;
+
+/** The brush, what slopes and height cost, and what the path costs. */
+export function groundSection(session: Session, editor: GroundEditor): HTMLElement {
+  const { scene } = session;
+  const brush = toggle('Brush', (on) => editor.set({ on }));
+  brush.element.title = 'The pointer paints the ground (B)';
+  const tool = select<GroundTool>('Tool', labelled(TOOLS, TOOL_WORDS), (value) =>
+    editor.set({ on: true, tool: value }),
+  );
+  const hint = h('p', { class: 'quiet' });
+  const buttons = MATERIALS.map((material) => {
+    const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
+    const button = h(
+      'button',
+      { class: 'material', onclick: () => editor.set({ on: true, material }) },
+      swatch,
+      MATERIAL_WORDS[material],
+    );
+    return { material, swatch, button };
+  });
+  const materials = h(
+    'div',
+    { class: 'materials', role: 'group', 'aria-label': 'Material' },
+    ...buttons.map(({ button }) => button),
+  );
+  const cost = slider({
+    label: 'Cost',
+    min: COST_STEPS * Math.log10(COSTS[0]),
+    max: COST_STEPS * Math.log10(COSTS[1]),
+    step: 1,
+    describe: (step) => `${length(costAt(step))} × as dear`,
+    change: (step) => editor.set({ on: true, material: 'custom', cost: costAt(step) }),
+  });
+  const size = slider({
+    label: 'Size',
+    min: 0,
+    max: SIZE_STEPS,
+    step: 1,
+    describe: (step) => `${length(100 * radiusAt(step))} % of the diameter`,
+    change: (step) => editor.set({ radius: radiusAt(step) }),
+  });
+  size.element.title = '[ and ] change it';
+  const soft = slider({
+    label: 'Soft edge',
+    min: 0,
+    max: 1,
+    step: 0.05,
+    describe: percent,
+    change: (value) => editor.set({ soft: value }),
+  });
+  const fill = h('button', { class: 'small', title: 'Paints all of it', onclick: () => editor.fillAll() }, 'Fill all');
+  const clear = h(
+    'button',
+    { class: 'small', title: 'Takes away all that is painted, and all walls', onclick: () => editor.clear() },
+    'Clear',
+  );
+  const slope = toggle('Slope', (on) => editor.setRelief({ slope: on }));
+  slope.element.title = 'Tobler’s hiking function';
+  const slopeHint = h(
+    'p',
+    { class: 'quiet' },
+    'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.',
+  );
+  let gesture = {};
+  const height = slider({
+    label: 'Height',
+    min: -HEIGHT_POWERS,
+    max: HEIGHT_POWERS,
+    step: 0.5,
+    describe: (power) => (power === 0 ? 'costs nothing' : `${length(2 ** power)} × at the top`),
+    change: (power) => editor.setRelief({ highest: 2 ** power }, gesture),
+  });
+  height.element.querySelector('input')?.addEventListener('change', () => {
+    gesture = {};
+  });
+  const legend = h('p', { class: 'ground-legend', role: 'status' });
+
+  const showBrush = () => {
+    const { on, tool: chosen, material, cost: custom, radius, soft: edge } = editor.brush.value;
+    brush.show(on);
+    tool.show(chosen);
+    const isLine = editor.lineEnd.value !== null;
+    hint.textContent = isLine ? 'Click the next vertex; Esc ends the wall.' : TOOL_HINTS[chosen];
+    hint.hidden = !on;
+    for (const { material: other, swatch, button } of buttons) {
+      button.setAttribute('aria-pressed', String(other === material));
+      const title = titleOf(other, custom);
+      button.title = title;
+      swatch.style.background = swatchOf(other, custom);
+    }
+    materials.hidden = chosen === 'line' || chosen === 'toggle';
+    cost.show(Math.round(COST_STEPS * Math.log10(custom)));
+    cost.element.hidden = materials.hidden || material !== 'custom';
+    size.show(Math.round(stepOf(radius)));
+    size.element.hidden = chosen !== 'brush';
+    soft.show(edge);
+    soft.element.hidden = chosen !== 'brush' || material === 'wall' || material === 'gate';
+  };
+  editor.brush.watch(showBrush);
+  editor.lineEnd.watch(showBrush);
+
+  const showGround = () => {
+    const { ground } = scene.state;
+    slope.show(ground.slope);
+    slopeHint.hidden = !ground.slope;
+    height.show(Math.log2(ground.highest));
+    clear.disabled = !isPainted(ground);
+    const shown = session.shown.value;
+    const path = shown?.answer.path;
+    const walked =
+      path && shown ? `The path is ${measure(path.length, shown.opened)} long and costs ${length(path.cost)}. ` : '';
+    const exactness = isWeighted(ground) ? 'Where costs differ, no distances are exact.' : '';
+    legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
+  };
+  scene.subscribe((state, previous) => {
+    if (state.ground !== previous.ground) showGround();
+  });
+  session.shown.watch(showGround);
+  return h(
+    'div',
+    { class: 'stack' },
+    brush.element,
+    tool.element,
+    hint,
+    materials,
+    cost.element,
+    size.element,
+    soft.element,
+    h('div', { class: 'linking' }, fill, clear),
+    slope.element,
+    slopeHint,
+    height.element,
+    legend,
+  );
+}
+
+/** As it is painted: powers of two in steps of a twelfth. */
+function costAt(step: number): number {
+  return costOf(codeOf(10 ** (step / COST_STEPS)));
+}
+
+function radiusAt(step: number): number {
+  return RADII[0] * (RADII[1] / RADII[0]) ** (step / SIZE_STEPS);
+}
+
+function stepOf(radius: number): number {
+  return (SIZE_STEPS * Math.log(radius / RADII[0])) / Math.log(RADII[1] / RADII[0]);
+}
+
+function titleOf(material: Material, custom: number): string {
+  switch (material) {
+    case 'wall':
+      return 'Nobody walks through';
+    case 'gate':
+      return 'A wall that can be opened';
+    case 'eraser':
+      return 'Costs 1 again; also takes walls away';
+    case 'custom':
+      return `A unit costs ${length(custom)}`;
+    case 'mud':
+    case 'sand':
+    case 'road':
+      return `A unit costs ${length(MATERIAL_COSTS[material])}`;
+  }
+}
+
+function swatchOf(material: Material, custom: number): string {
+  switch (material) {
+    case 'wall':
+    case 'gate':
+      return WALL_COLOURS[material];
+    case 'eraser':
+      return 'transparent';
+    case 'custom':
+      return colourOfCost(custom);
+    case 'mud':
+    case 'sand':
+    case 'road':
+      return colourOfCost(MATERIAL_COSTS[material]);
+  }
+}

@@ -1,0 +1,76 @@
+/** What a picture is made of, and the order in which the renderer needs it. */
+import type { Appearance, DistanceField } from '../protocol';
+import type { Viewer } from '../wasm/viewer/heatwalk_viewer.js';
+
+/** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
+export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance' | 'byCorner'>;
+
+/** Segments, #E × 2 × 3, their CSS colour, and their width in CSS pixels, a thin line's when left out. */
+export interface Edges {
+  ends: Float32Array;
+  colour: string;
+  width?: number;
+}
+
+export const THIN = 1.2;
+
+/** The order in which the parts of a picture must be given: the surface clears what depends on it. */
+export const ORDER = [
+  'background',
+  'materials',
+  'surface',
+  'scenery',
+  'pose',
+  'ground',
+  'surroundings',
+  'lights',
+  'style',
+  'offset',
+  'field',
+  'pins',
+  'path',
+  'walker',
+  'crowd',
+  'arrows',
+  'edges',
+  'spin',
+] as const;
+export type Layer = (typeof ORDER)[number];
+export const CLEARED_BY_SURFACE: readonly Layer[] = [
+  'pose',
+  'ground',
+  'field',
+  'pins',
+  'path',
+  'walker',
+  'crowd',
+  'arrows',
+  'edges',
+];
+/** What a preview has from the scene that it stands before. */
+export const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
+
+/** All that is shown together. */
+export interface Picture {
+  layers: Map<Layer, (viewer: Viewer) => void>;
+  /** Drawn length of a unit of the path. */
+  stride: number;
+  overlays: readonly Edges[];
+  walls: readonly Edges[];
+}
+
+export const NO_MESH = {
+  positions: new Float32Array(),
+  normals: new Float32Array(),
+  triangles: new Uint32Array(),
+  order: new Uint32Array(),
+  boxes: new Float32Array(),
+  texcoords: new Float32Array(),
+  colors: new Uint16Array(),
+  runs: new Uint32Array(),
+};
+export const NO_APPEARANCE: Appearance = { materials: [], images: [] };
+export const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
+export function emptyPicture(): Picture {
+  return { layers: new Map(), stride: 1, overlays: [], walls: [] };
+}
