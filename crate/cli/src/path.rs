@@ -33,7 +33,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let from = arguments.from.on(&input.soup, &surface)?;
     let to = arguments.to.on(&input.soup, &surface)?;
-    let joined = join(&surface, &arguments.bridging);
+    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(&input.soup);
