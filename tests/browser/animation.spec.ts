@@ -1,7 +1,7 @@
 /** Files that move: poses, what rides along, and distance measured in them. */
 import { ARM, ARM_LENGTH, armGlb } from '../animated';
 import { glb, sphere } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { difference, expect, type HeatwalkPage, test } from '../page';
 
 const LINK = 'p=0&s=0&w=1&method=auto';
 
@@ -59,6 +59,32 @@ test('a link shows the moment, and distance, path and pins ride along', async ({
   expect((await apart(heatwalk, ARM.start, ARM.end)) / straight).toBeLessThan(0.9);
   expect(await heatwalk.distanceAt({ vertex: ARM.end })).toBeCloseTo(far, 9);
   expect(await walked(heatwalk)).toBeCloseTo(length, 9);
+});
+
+test('where the view refuses another mesh, the pose comes back', async ({ heatwalk, page }) => {
+  await openArm(heatwalk, 'clip=0');
+  const straight = await heatwalk.picture();
+  await openArm(heatwalk, 'clip=0&time=1');
+  const bent = await heatwalk.picture();
+  expect(difference(straight, bent)).toBeGreaterThan(0.02);
+
+  // The next buffer ends the renderer as a panic does.
+  await page.evaluate(() => {
+    const target = WebGL2RenderingContext.prototype;
+    const original = Object.getOwnPropertyDescriptor(target, 'createBuffer') ?? {};
+    const trap = () => {
+      Object.defineProperty(target, 'createBuffer', original);
+      throw new WebAssembly.RuntimeError('unreachable');
+    };
+    Object.defineProperty(target, 'createBuffer', { ...original, value: trap });
+  });
+  await heatwalk.drop([['still.glb', glb(sphere(12))]]);
+  await expect(page.getByRole('alert')).toContainText('still.glb');
+  await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).toBe(heatwalk.backend);
+  expect(await page.evaluate(() => window.heatwalk.mesh?.name)).toBe('arm.glb');
+  expect((await animation(heatwalk)).moment).toEqual({ clip: 0, seconds: 1 });
+  // The walker has gone on.
+  expect(difference(await heatwalk.picture(), bent)).toBeLessThan(0.01);
 });
 
 test('places are found where they are seen', async ({ heatwalk, page }) => {

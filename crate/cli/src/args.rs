@@ -54,7 +54,7 @@ pub struct Mesh {
     /// (auto), or no wider than D
     #[arg(long, value_name = "exact|auto|D", default_value_t, allow_negative_numbers = true)]
     pub weld: WeldRule,
-    /// Threads that build the surface and answer --each; all that the machine has if not given
+    /// Threads that build the surface, find contacts and answer --each; all that the machine has if not given
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
     /// Print one JSON object

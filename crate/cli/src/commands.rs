@@ -33,7 +33,7 @@ fn info(arguments: &Info) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(&input.soup);
-    let joined = join(&surface, &arguments.bridging);
+    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());

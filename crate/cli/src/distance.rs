@@ -34,7 +34,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
 
     let mut report = Report::default();
-    let joined = join(&surface, &arguments.bridging);
+    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     report.push_surface(surface.report());
     report.push_unit(&input.soup);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);

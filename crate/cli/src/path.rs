@@ -39,7 +39,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let ground = arguments.ground.on(&input.soup, &surface, arguments.up)?;
     let from = arguments.from.on(&input.soup, &ground.surface)?;
     let to = arguments.to.on(&input.soup, &ground.surface)?;
-    let joined = join(&surface, &arguments.bridging);
+    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(&input.soup);

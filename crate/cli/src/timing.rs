@@ -32,9 +32,9 @@ pub struct Joined {
 }
 
 /// Finds what joins the components of a surface.
-pub fn join(surface: &Surface, bridging: &Bridging) -> Joined {
+pub fn join(surface: &Surface, bridging: &Bridging, threads: NonZeroUsize) -> Joined {
     let start = Instant::now();
-    let mut bridges = Bridges::find(surface, bridging.rule);
+    let mut bridges = Bridges::find_on_threads(surface, bridging.rule, threads);
     let contacts = bridges.contacts().len();
     let mut links = Vec::new();
     if bridging.links > 0 {

@@ -5,10 +5,14 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
-use common::{distance_from, square, surface};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use common::{distance_from, random, square, surface};
 use glam::DVec3;
 use heatwalk::gradient::{face_directions, face_gradients, vertex_directions, vertex_tangents};
-use heatwalk::{Surface, VertexData};
+use heatwalk::propagation::propagated_distance;
+use heatwalk::{PropagationOptions, Surface, VertexData, VertexId};
 use heatwalk_shapes::icosphere;
 
 const SLOPE: DVec3 = DVec3::new(2.0, -3.0, 0.0);
@@ -61,7 +65,7 @@ fn where_there_is_no_slope_there_is_no_direction() {
 fn a_distance_grows_away_from_its_source_and_heat_towards_it() {
     let (solver, distance) = distance_from(&icosphere(4), 0);
     let sphere = solver.surface();
-    let source = sphere.position(heatwalk::VertexId(0));
+    let source = sphere.position(VertexId(0));
     // Along the meridian, not near the poles, where directions turn within a face.
     let meridian = |at: DVec3| {
         let height = at.normalize().dot(source);
@@ -89,5 +93,55 @@ fn a_distance_grows_away_from_its_source_and_heat_towards_it() {
             assert!((towards.length() - 1.0).abs() < ROUNDING);
             assert!(towards.dot(meridian) < -0.95, "{}", towards.dot(meridian));
         }
+    }
+}
+
+/// Mean angle, degrees, of the gradients of distances by so many windows against what is known: at the centers of faces and
+/// at vertices, farther than an edge from the source.
+fn mean_angles(surface: &Arc<Surface>, windows: &str, expected: impl Fn(DVec3, DVec3) -> DVec3) -> [f64; 2] {
+    let options = PropagationOptions { windows: windows.parse().expect("a number"), ..PropagationOptions::default() };
+    let source = VertexId((surface.vertex_count() / 2 + 17) as u32);
+    let distance = propagated_distance(surface, &[source], options, &mut |_| ControlFlow::Continue(()));
+    let distance = distance.expect("a valid source");
+    let from = surface.position(source);
+    let mean = |angles: Vec<f64>| angles.iter().sum::<f64>() / angles.len() as f64;
+    let angle = |found: DVec3, at: DVec3, normal: DVec3| {
+        let expected = expected(from, at).reject_from(normal);
+        // At the antipode there is none.
+        let is_known = at.distance(from) > surface.mean_edge() && expected != DVec3::ZERO;
+        is_known.then(|| found.angle_between(expected).to_degrees())
+    };
+    let gradients = distance.gradients(surface).expect("its surface");
+    let of_faces = gradients.enumerate().filter_map(|(face, &gradient)| {
+        angle(gradient, surface.corners(face).iter().sum::<DVec3>() / 3.0, surface.face_normal(face))
+    });
+    let tangents = distance.tangents(surface).expect("its surface");
+    let of_vertices = tangents
+        .enumerate()
+        .filter_map(|(vertex, &tangent)| angle(tangent, surface.position(vertex), surface.vertex_normal(vertex)));
+    [mean(of_faces.collect()), mean(of_vertices.collect())]
+}
+
+/// Limits are half as much again as measured.
+#[test]
+fn directions_are_those_of_shortest_paths() {
+    let mut plane = square(40);
+    let mut seed = 1;
+    for position in &mut plane.positions {
+        if position.x > 0.0 && position.x < 1.0 && position.y > 0.0 && position.y < 1.0 {
+            let mut shift = || 0.008 * (random(&mut seed, 1000) as f64 / 1000.0 - 0.5);
+            *position += DVec3::new(shift(), shift(), 0.0);
+        }
+    }
+    let plane = Arc::new(surface(&plane));
+    let sphere = Arc::new(surface(&icosphere(5)));
+    let cases =
+        [("all", [0.43, 0.50], [0.28, 0.04]), ("2", [0.75, 0.62], [0.98, 0.45]), ("1", [1.15, 0.8], [1.8, 0.9])];
+    for (windows, on_plane, on_sphere) in cases {
+        let found = mean_angles(&plane, windows, |from, at| at - from);
+        assert!(found[0] < on_plane[0] && found[1] < on_plane[1], "plane, {windows}: {found:?}");
+        // Away from the source along the meridian.
+        let found = mean_angles(&sphere, windows, |from, at| at * at.dot(from) - from * at.length_squared());
+        assert!(found[0] < on_sphere[0] && found[1] < on_sphere[1], "sphere, {windows}: {found:?}");
     }
 }

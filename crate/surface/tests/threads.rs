@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use glam::DVec3;
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Element, Error, FaceId, InputTriangle, Soup, Surface};
+use heatwalk_surface::{BridgeRule, Bridges, Element, Error, FaceId, InputTriangle, Soup, Surface};
 
 const COUNTS: [usize; 3] = [2, 3, 8];
 
@@ -163,4 +163,23 @@ fn the_first_error_is_told() {
         soup.positions[vertex] = DVec3::NAN;
     }
     assert_eq!(Surface::build_on(&soup, threads(8)).map(|_| ()), Err(Error::NotFinite { vertex: 10_000 }));
+}
+
+#[test]
+fn contacts_found_on_several_threads_are_the_same() {
+    // Near copies of so many triangles that all threads have something to do.
+    let mut soup = Soup::default();
+    for scale in [1.0, 1.001] {
+        let part = shapes::torus(2.0, 0.7, 160, 120);
+        let first = soup.positions.len() as u32;
+        soup.positions.extend(part.positions.iter().map(|&position| scale * position));
+        soup.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        soup.end_part("part");
+    }
+    let surface = Surface::build(&soup).expect("a surface");
+    let one = Bridges::find(&surface, BridgeRule::Automatic);
+    assert!(one.portals().len() > 1000, "{}", one.portals().len());
+    for count in COUNTS {
+        assert!(one == Bridges::find_on_threads(&surface, BridgeRule::Automatic, threads(count)), "{count}");
+    }
 }

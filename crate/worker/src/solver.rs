@@ -11,7 +11,7 @@ use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
     CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
-    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, straighten,
+    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract, straighten,
 };
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
@@ -263,12 +263,13 @@ impl Solver {
         let solved = self.solved()?;
         let surface = self.geometry.surface();
         let from = self.drawn.point(surface, from)?;
-        let path = match kind.parse()? {
-            // Where costs differ, straight paths bend.
-            _ if self.geometry.costs().is_some() => descend(surface, &solved.distance, from)?,
-            PathKind::Descent => descend(surface, &solved.distance, from)?,
-            PathKind::Straightened => straighten(surface, &descend(surface, &solved.distance, from)?)?,
-            PathKind::Exact => exact::shortest_path(&self.geometry, from, &solved.sources)?,
+        let steepest = || descend(surface, &solved.distance, from);
+        let path = match (kind.parse()?, self.geometry.costs()) {
+            (PathKind::Descent, _) => steepest()?,
+            // Where costs differ, no path is known to be exact.
+            (PathKind::Straightened | PathKind::Exact, Some(costs)) => refract(surface, costs, &steepest()?)?,
+            (PathKind::Straightened, None) => straighten(surface, &steepest()?)?,
+            (PathKind::Exact, None) => exact::shortest_path(&self.geometry, from, &solved.sources)?,
         };
         self.shown_path(path)
     }

@@ -2,6 +2,20 @@
 
 use glam::DVec3;
 
+/// The smaller of two numbers each. As in C: one instruction, where [`f64::min`] takes three to see to what is no number.
+#[inline]
+fn smaller(a: DVec3, b: DVec3) -> DVec3 {
+    let least = |a: f64, b: f64| if b < a { b } else { a };
+    DVec3::new(least(a.x, b.x), least(a.y, b.y), least(a.z, b.z))
+}
+
+/// The larger of two numbers each, likewise.
+#[inline]
+fn larger(a: DVec3, b: DVec3) -> DVec3 {
+    let most = |a: f64, b: f64| if b > a { b } else { a };
+    DVec3::new(most(a.x, b.x), most(a.y, b.y), most(a.z, b.z))
+}
+
 /// Least and greatest corner of an axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
@@ -16,7 +30,7 @@ impl Bounds {
     /// The least box that holds these points.
     #[inline]
     pub fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
-        let with = |bounds: Self, point| Self { low: bounds.low.min(point), high: bounds.high.max(point) };
+        let with = |bounds: Self, point| Self { low: smaller(bounds.low, point), high: larger(bounds.high, point) };
         points.into_iter().fold(Self::EMPTY, with)
     }
 
@@ -24,7 +38,7 @@ impl Bounds {
     #[must_use]
     #[inline]
     pub fn around(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+        Self { low: smaller(self.low, other.low), high: larger(self.high, other.high) }
     }
 
     /// The box that reaches farther by this much to every side.
@@ -49,7 +63,7 @@ impl Bounds {
     /// Square of the least distance between points of both.
     #[inline]
     pub fn squared_distance(self, other: Self) -> f64 {
-        (other.low - self.high).max(self.low - other.high).max(DVec3::ZERO).length_squared()
+        larger(larger(other.low - self.high, self.low - other.high), DVec3::ZERO).length_squared()
     }
 
     /// The shares of the way from `start` to `end` between which the segment is in it.

@@ -1,6 +1,7 @@
 //! Which components are joined.
 
 use std::collections::HashMap;
+use std::num::NonZeroUsize;
 
 use super::bounds::Bounds;
 use super::hierarchy::Hierarchy;
@@ -8,6 +9,7 @@ use super::portals::portals;
 use super::scene::Scene;
 use super::search::{Candidate, Tolerance, distances, search};
 use super::{BridgeRule, Bridges, Portal};
+use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
 
@@ -40,10 +42,19 @@ impl Bridges {
     /// bounding box. What rounding of the positions may have moved apart touches.
     #[must_use]
     pub fn find(surface: &Surface, rule: BridgeRule) -> Self {
+        Self::find_on_threads(surface, rule, parallel::ONE)
+    }
+
+    /// The same on so many threads. It makes no difference how many.
+    ///
+    /// # Panics
+    /// Where there are no threads, as on wasm32, and more than one is asked for.
+    #[must_use]
+    pub fn find_on_threads(surface: &Surface, rule: BridgeRule, threads: NonZeroUsize) -> Self {
         if rule == BridgeRule::Off || surface.report().components < 2 {
             return Self::new(surface, Vec::new());
         }
-        let scene = Scene::new(surface);
+        let scene = Scene::new(surface, threads);
         let hierarchy = Hierarchy::new(&scene);
         let alone = (0..scene.bounds.len() as u32).collect();
         let candidates = match rule {

@@ -2,11 +2,14 @@
 //! triangles of each along one of their own, in leaves of a few, under a complete binary tree (Lauterbach and others, "Fast
 //! BVH construction on GPUs", 2009). Nearly every box holds a single component.
 
+use glam::DVec3;
+
 use super::bounds::Bounds;
 use super::scene::Scene;
 use super::triangles::{Triangle, longest_side};
 use crate::order::along_curve;
 use crate::parallel;
+use crate::triangle::area_vector;
 
 /// Triangles of a leaf, but for the last one.
 pub const LEAF: usize = 4;
@@ -15,6 +18,8 @@ pub const LEAF: usize = 4;
 #[derive(Clone, Copy)]
 pub struct Item {
     pub corners: Triangle,
+    /// Unit normal; zero where there is none.
+    pub normal: DVec3,
     /// Length of its longest side.
     pub longest: f64,
     pub face: u32,
@@ -49,6 +54,11 @@ impl Node {
     }
 }
 
+/// Triangles of whole leaves, in groups of neighbours of one component.
+fn groups(items: &[Item]) -> impl Iterator<Item = &[Item]> {
+    items.chunks(LEAF).flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
+}
+
 /// What is below a node.
 pub enum Below<'a> {
     Nodes([usize; 2]),
@@ -73,7 +83,8 @@ impl Hierarchy {
             for index in along_curve(faces.len(), middle, parallel::ONE) {
                 let face = faces[index as usize];
                 let corners = scene.triangle(face);
-                items.push(Item { corners, longest: longest_side(&corners), face, component });
+                let normal = area_vector(corners).normalize_or_zero();
+                items.push(Item { corners, normal, longest: longest_side(&corners), face, component });
             }
         }
         let of_item =
@@ -91,8 +102,12 @@ impl Hierarchy {
 
     /// All triangles, in groups of at most [`LEAF`] neighbours of one component.
     pub fn groups(&self) -> impl Iterator<Item = &[Item]> {
-        let leaves = self.items.chunks(LEAF);
-        leaves.flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
+        groups(&self.items)
+    }
+
+    /// The same in successive parts of so many leaves.
+    pub fn parts(&self, leaves: usize) -> impl Iterator<Item = impl Iterator<Item = &[Item]>> {
+        self.items.chunks(LEAF * leaves).map(groups)
     }
 
     /// What the components of all triangles below a node have in common, by node.

@@ -12,6 +12,7 @@ use super::hierarchy::{Below, Hierarchy, Item};
 use super::scene::Scene;
 use super::search::{Candidate, Tolerance, search};
 use super::{Bridges, Portal, triangles};
+use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
 
@@ -47,7 +48,7 @@ impl Bridges {
         if self.group_count() < 2 {
             return Vec::new();
         }
-        let mut scene = Scene::new(surface);
+        let mut scene = Scene::new(surface, parallel::ONE);
         scene.least_spacing = SLACK;
         let hierarchy = Hierarchy::new(&scene);
         let mut places = spanning_tree(&hierarchy, &self.groups);
@@ -170,7 +171,7 @@ fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
         return None;
     }
     let pair = [item.corners, other.corners];
-    if triangles::plane_distance(&pair) >= least {
+    if triangles::plane_distance(&pair, [item.normal, other.normal]) >= least {
         return None;
     }
     if squared == 0.0

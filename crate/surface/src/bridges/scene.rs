@@ -1,5 +1,7 @@
 //! A surface in units of its own size, so that nothing depends on the unit of the file or on how far the origin is.
 
+use std::num::NonZeroUsize;
+
 use glam::DVec3;
 
 use super::bounds::Bounds;
@@ -23,6 +25,8 @@ const BENT: f64 = 0.866;
 /// Lengths here are shares of the diagonal of the surface's bounding box, places are relative to its centre.
 pub struct Scene<'a> {
     pub surface: &'a Surface,
+    /// Threads that look for contacts.
+    pub threads: NonZeroUsize,
     /// `#V`.
     points: Vec<DVec3>,
     /// Half the diagonal, in the file's unit: a number where the diagonal is none.
@@ -42,7 +46,7 @@ pub struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     /// Of a surface.
-    pub fn new(surface: &'a Surface) -> Self {
+    pub fn new(surface: &'a Surface, threads: NonZeroUsize) -> Self {
         let Bounds { low, high } = Bounds::of_points(surface.positions().iter().copied());
         let half_diagonal = triangle::length(0.5 * high - 0.5 * low);
         let half_centre = 0.25 * high + 0.25 * low;
@@ -55,6 +59,7 @@ impl<'a> Scene<'a> {
         let (first_face, faces) = distribute(components, face_count, parallel::ONE, component, |face| face as u32);
         let mut scene = Self {
             surface,
+            threads,
             points,
             half_diagonal,
             rounding: ROUNDINGS * f64::EPSILON * farthest.max(1.0),

@@ -10,6 +10,7 @@ use super::bounds::Bounds;
 use super::hierarchy::{Below, Hierarchy, Item, LEAF};
 use super::scene::Scene;
 use super::triangles::{self, Pair, Weights};
+use crate::parallel;
 use crate::triangle::area_vector;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
@@ -27,6 +28,9 @@ const ENOUGH: f64 = 0.001;
 
 /// Of places of large triangles that are in one cell, so many of which make a spacing, the nearest is enough.
 const CELLS: f64 = 8.0;
+
+/// Leaves that one thread searches at once: so few that all threads get their share of the contacts.
+const LEAVES_OF_PART: usize = 64;
 
 /// Which components may be joined. Lengths in units of the scene.
 pub struct Tolerance {
@@ -88,16 +92,31 @@ impl Candidate {
 
 /// All places where components are no farther apart than they may be. Of those that pierce each other, that they do.
 pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Vec<Candidate> {
-    let slots = vec![NONE; scene.bounds.len()];
-    let mut search = Search { scene, tolerance, slots, reached: Vec::new(), found: Vec::new(), cells: Vec::new() };
-    visit(hierarchy, tolerance, &mut search);
-    search.found
+    // Parts are dealt out in turn: where components meet, there is more to do.
+    let busy = parallel::ranges(scene.surface.face_count(), scene.threads).len();
+    let leaves = if busy > 1 { LEAVES_OF_PART } else { usize::MAX / LEAF };
+    let dealt = parallel::map(0..busy, |first| {
+        let parts = hierarchy.parts(leaves).skip(first).step_by(busy);
+        let mut search = Search::new(scene, tolerance);
+        let found = parts.map(|groups| {
+            visit(hierarchy, groups, tolerance, &mut search);
+            std::mem::take(&mut search.found)
+        });
+        found.collect::<Vec<_>>()
+    });
+    let mut dealt: Vec<_> = dealt.into_iter().map(Vec::into_iter).collect();
+    let mut found = Vec::new();
+    // The first thread has as many parts as any.
+    for _ in 0..dealt[0].len() {
+        dealt.iter_mut().for_each(|parts| found.extend(parts.next().into_iter().flatten()));
+    }
+    found
 }
 
 /// The distances of components that are no farther apart than they may be, the lower number first.
 pub fn distances(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> HashMap<[u32; 2], f64> {
     let mut distances = Distances { scene, tolerance, least: HashMap::new() };
-    visit(hierarchy, tolerance, &mut distances);
+    visit(hierarchy, hierarchy.groups(), tolerance, &mut distances);
     distances.least
 }
 
@@ -113,10 +132,16 @@ trait Visitor {
     fn leave(&mut self) {}
 }
 
-/// Shows the triangles of each group those larger ones of other components that may be near enough, the nearest boxes first.
-fn visit(hierarchy: &Hierarchy, tolerance: &Tolerance, visitor: &mut impl Visitor) {
+/// Shows the triangles of each of the groups those larger ones of other components that may be near enough, the nearest boxes
+/// first.
+fn visit<'a>(
+    hierarchy: &Hierarchy,
+    groups: impl Iterator<Item = &'a [Item]>,
+    tolerance: &Tolerance,
+    visitor: &mut impl Visitor,
+) {
     let mut waiting = Vec::new();
-    for group in hierarchy.groups() {
+    for group in groups {
         let mut bounds = [Bounds::EMPTY; LEAF];
         let (mut around, mut shortest) = (Bounds::EMPTY, f64::INFINITY);
         for (item, bounds) in group.iter().zip(&mut bounds) {
@@ -198,13 +223,13 @@ impl Visitor for Distances<'_> {
 /// No slot.
 const NONE: u32 = u32::MAX;
 
-/// What a triangle knows of a component.
-#[derive(Clone, Copy)]
+/// What the triangles of a group know of a component.
 struct Nearest {
-    /// How near places must be to be of use.
-    bound: f64,
-    /// The nearest one, if it is the only one to be told.
-    place: Option<Candidate>,
+    component: u32,
+    /// How near places must be to be of use to each.
+    bounds: [f64; LEAF],
+    /// The number of the nearest one, where it is the only one to be told, or [`NONE`].
+    places: [u32; LEAF],
 }
 
 struct Search<'a> {
@@ -212,12 +237,17 @@ struct Search<'a> {
     tolerance: &'a Tolerance,
     /// `#components`, the number of each among those that are reached, or [`NONE`].
     slots: Vec<u32>,
-    /// The components that any triangle of the group has met, and what each triangle knows of them.
-    reached: Vec<(u32, [Nearest; LEAF])>,
+    /// The components that any triangle of the group has met.
+    reached: Vec<Nearest>,
+    /// Places that triangles of the group know.
+    places: Vec<Candidate>,
     found: Vec<Candidate>,
-    /// Where a place of large triangles of the group was found, and its number.
-    cells: Vec<(Cell, usize)>,
+    /// Where a place of large triangles of the group was found, and its number, in lists by [`Cell::list`].
+    cells: [Vec<(Cell, usize)>; LISTS],
 }
+
+/// Lists of cells; a power of two.
+const LISTS: usize = 64;
 
 /// Places that do the same for distance: of one other component, near each other, on the same sides of both surfaces.
 #[derive(Clone, Copy, PartialEq)]
@@ -228,24 +258,36 @@ struct Cell {
     place: [i64; 3],
 }
 
+impl Cell {
+    /// The list that it is in (Teschner and others, "Optimized spatial hashing for collision detection of deformable objects",
+    /// 2003).
+    fn list(&self) -> usize {
+        let [x, y, z] = self.place;
+        let hash = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
+        hash as usize % LISTS
+    }
+}
+
 impl Visitor for Search<'_> {
     #[inline]
     fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
         match self.slots[component as usize] {
             NONE => self.tolerance.between(group[0].component, component),
             slot => {
-                let bounds = self.reached[slot as usize].1[..group.len()].iter().map(|nearest| nearest.bound);
-                Some(bounds.fold(0.0, f64::max))
+                let bounds = &self.reached[slot as usize].bounds[..group.len()];
+                Some(bounds.iter().fold(0.0, |most, &bound| if bound > most { bound } else { most }))
             }
         }
     }
 
     fn leave(&mut self) {
-        self.cells.clear();
-        for (component, nearest) in self.reached.drain(..) {
+        self.cells.iter_mut().for_each(Vec::clear);
+        for Nearest { component, places, .. } in self.reached.drain(..) {
             self.slots[component as usize] = NONE;
-            self.found.extend(nearest.into_iter().filter_map(|nearest| nearest.place));
+            let places = places.into_iter().filter(|&place| place != NONE);
+            self.found.extend(places.map(|place| self.places[place as usize]));
         }
+        self.places.clear();
     }
 
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
@@ -254,8 +296,8 @@ impl Visitor for Search<'_> {
             return;
         }
         let items = [&group[own], other];
-        let pair = items.map(|item| item.corners);
-        let apart = triangles::plane_distance(&pair);
+        let pair = [items[0].corners, items[1].corners];
+        let apart = triangles::plane_distance(&pair, items.map(|item| item.normal));
         if apart > bound {
             return;
         }
@@ -272,10 +314,10 @@ impl Visitor for Search<'_> {
                     self.found.push(Candidate::new(items, weights, 0.0));
                 }
                 if is_small {
-                    self.nearest(group, own, other.component).settle(None);
+                    self.settle(group, own, other.component, None);
                 }
             } else if is_small {
-                self.nearest(group, own, other.component).settle(Some(Candidate::new(items, ends[0], 0.0)));
+                self.settle(group, own, other.component, Some(Candidate::new(items, ends[0], 0.0)));
             } else {
                 self.found.push(Candidate::new(items, ends[0], 0.0));
             }
@@ -288,7 +330,7 @@ impl Visitor for Search<'_> {
                 None => None,
             };
             let bound = distance.map_or(bound, |distance| bound.min(distance + slack));
-            self.nearest(group, own, other.component).bound = bound;
+            self.nearest(group, other.component).bounds[own] = bound;
             // Where steep triangles cross, all that is near is near the crossing.
             if crossing.is_none() || !triangles::are_steep(&pair) {
                 let is_rim = items.map(|item| self.scene.is_rim(item.face));
@@ -306,52 +348,80 @@ impl Visitor for Search<'_> {
             let enough = ENOUGH * spacing;
             if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
                 let bound = (distance - enough).max(0.0);
-                let place = Some(Candidate::new(items, weights, distance));
-                *self.nearest(group, own, other.component) = Nearest { bound, place };
+                self.nearest(group, other.component).bounds[own] = bound;
+                self.put(group, own, other.component, Candidate::new(items, weights, distance));
             }
         }
     }
 }
 
-impl Nearest {
-    /// Nothing is nearer than this.
-    fn settle(&mut self, place: Option<Candidate>) {
-        if self.bound > 0.0 || self.place.is_some_and(|place| place.gap > 0.0) {
-            *self = Self { bound: 0.0, place };
+impl<'a> Search<'a> {
+    fn new(scene: &'a Scene<'a>, tolerance: &'a Tolerance) -> Self {
+        Self {
+            scene,
+            tolerance,
+            slots: vec![NONE; scene.bounds.len()],
+            reached: Vec::new(),
+            places: Vec::new(),
+            found: Vec::new(),
+            cells: std::array::from_fn(|_| Vec::new()),
         }
     }
-}
 
-impl Search<'_> {
+    /// To a triangle of a group, no place of a component is nearer than this one, or than what was found otherwise.
+    fn settle(&mut self, group: &[Item], own: usize, component: u32, place: Option<Candidate>) {
+        let nearest = self.nearest(group, component);
+        let (bound, number) = (nearest.bounds[own], nearest.places[own]);
+        if bound > 0.0 || self.places.get(number as usize).is_some_and(|place| place.gap > 0.0) {
+            let nearest = self.nearest(group, component);
+            (nearest.bounds[own], nearest.places[own]) = (0.0, NONE);
+            place.into_iter().for_each(|place| self.put(group, own, component, place));
+        }
+    }
+
+    /// The nearest place of a component to a triangle of a group.
+    fn put(&mut self, group: &[Item], own: usize, component: u32, place: Candidate) {
+        let next = self.places.len() as u32;
+        let number = &mut self.nearest(group, component).places[own];
+        if *number == NONE {
+            *number = next;
+            self.places.push(place);
+        } else {
+            let number = *number as usize;
+            self.places[number] = place;
+        }
+    }
+
     /// How near a place of a component must be to be of use to a triangle of a group; `None` where none is.
     #[inline]
     fn bound_of(&self, group: &[Item], own: usize, component: u32) -> Option<f64> {
         match self.slots[component as usize] {
             NONE => self.tolerance.between(group[own].component, component),
-            slot => Some(self.reached[slot as usize].1[own].bound),
+            slot => Some(self.reached[slot as usize].bounds[own]),
         }
     }
 
     /// Keeps a place of large triangles, unless one of the same cell is as near.
     fn keep(&mut self, cell: Cell, place: Candidate) {
-        match self.cells.iter().find(|(other, _)| *other == cell) {
+        let cells = &mut self.cells[cell.list()];
+        match cells.iter().find(|(other, _)| *other == cell) {
             Some(&(_, number)) if self.found[number].gap <= place.gap => {}
             Some(&(_, number)) => self.found[number] = place,
             None => {
-                self.cells.push((cell, self.found.len()));
+                cells.push((cell, self.found.len()));
                 self.found.push(place);
             }
         }
     }
 
-    /// What a triangle of a group knows of a component that it may be joined with.
-    fn nearest(&mut self, group: &[Item], own: usize, component: u32) -> &mut Nearest {
+    /// What the triangles of a group know of a component that they may be joined with.
+    fn nearest(&mut self, group: &[Item], component: u32) -> &mut Nearest {
         let slot = &mut self.slots[component as usize];
         if *slot == NONE {
             *slot = self.reached.len() as u32;
-            let bound = self.tolerance.between(group[own].component, component).unwrap_or(0.0);
-            self.reached.push((component, [Nearest { bound, place: None }; LEAF]));
+            let bound = self.tolerance.between(group[0].component, component).unwrap_or(0.0);
+            self.reached.push(Nearest { component, bounds: [bound; LEAF], places: [NONE; LEAF] });
         }
-        &mut self.reached[*slot as usize].1[own]
+        &mut self.reached[*slot as usize]
     }
 }

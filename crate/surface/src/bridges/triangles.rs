@@ -76,10 +76,11 @@ fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
     ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0)
 }
 
-/// The point of a triangle that is nearest to a point: below it, or else on a side.
+/// The point of a triangle that is nearest to a point: below it, or else on a side. `normal`: twice the area, along the unit
+/// normal.
 #[inline]
-pub fn nearest_on_triangle(from: DVec3, triangle: &Triangle) -> [f64; 3] {
-    if let Some(weights) = weights_inside(from, triangle, area_vector(*triangle)) {
+fn nearest_on_triangle(from: DVec3, triangle: &Triangle, normal: DVec3) -> [f64; 3] {
+    if let Some(weights) = weights_inside(from, triangle, normal) {
         return weights;
     }
     let on_sides = [0, 1, 2].map(|k| on_side(k, nearest_on_segment(from, side(triangle, k))));
@@ -90,7 +91,7 @@ pub fn nearest_on_triangle(from: DVec3, triangle: &Triangle) -> [f64; 3] {
 /// The shares of the way along two segments of positive length where they are nearest to each other: inside both, where
 /// the line between is at right angles to them, or else at an end of one.
 #[inline]
-pub fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
+fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
     let (along, across, between) = (first[1] - first[0], second[1] - second[0], second[0] - first[0]);
     let normal = along.cross(across);
     let squared = normal.length_squared();
@@ -105,17 +106,17 @@ pub fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
     all.fold(ends[0], |best, other| if distance(other) < distance(best) { other } else { best })
 }
 
-/// A lower bound of the distance of two triangles: that of one to the plane of the other.
+/// A lower bound of the distance of two triangles with these unit normals: that of one to the plane of the other.
 #[inline]
-pub fn plane_distance(triangles: &[Triangle; 2]) -> f64 {
-    let to_plane = |[of, other]: [&Triangle; 2]| {
-        let normal = area_vector(*of).normalize_or_zero();
-        let heights = other.map(|corner| normal.dot(corner - of[0]));
-        let (least, most) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
-        least.max(-most)
+pub fn plane_distance(triangles: &[Triangle; 2], normals: [DVec3; 2]) -> f64 {
+    let to_plane = |of: usize| {
+        let (normal, origin) = (normals[of], triangles[of][0]);
+        let [a, b, c] = triangles[1 - of].map(|corner| normal.dot(corner - origin));
+        let (least, most) = if a < b { (a, b) } else { (b, a) };
+        let (least, most) = (if c < least { c } else { least }, if c > most { c } else { most });
+        if least > -most { least } else { -most }
     };
-    let [first, second] = triangles;
-    to_plane([first, second]).max(to_plane([second, first])).max(0.0)
+    to_plane(0).max(to_plane(1)).max(0.0)
 }
 
 /// Whether the planes of two triangles are at an angle of more than 30°.
@@ -142,16 +143,21 @@ pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pa
 /// Shows each corner of one with the nearest point of the other, where these are no farther apart than `within`, which becomes
 /// what `found` says, and in the end is given back.
 fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) -> f64 {
-    let boxes = triangles.map(Bounds::of_points);
+    let boxes = [0, 1].map(|of| Bounds::of_points(triangles[of]));
     for of in 0..2 {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
+        let normal = area_vector(*other);
+        let squared = normal.length_squared();
         for (k, &corner) in triangle.iter().enumerate() {
-            if within < 0.0 || boxes[1 - of].squared_distance(Bounds::of_points([corner])) > within * within {
+            let height = normal.dot(corner - other[0]);
+            let is_far = height * height > within * within * squared
+                || boxes[1 - of].squared_distance(Bounds::of_points([corner])) > within * within;
+            if within < 0.0 || is_far {
                 continue;
             }
             let mut own = [0.0; 3];
             own[k] = 1.0;
-            let others = nearest_on_triangle(corner, other);
+            let others = nearest_on_triangle(corner, other, normal);
             let pair = Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] });
             if pair.distance <= within {
                 within = found(pair);
@@ -163,15 +169,16 @@ fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMu
 
 /// The same with the nearest points of each side of one and each side of the other.
 fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) {
-    let [sides, others] = triangles.map(|triangle| [0, 1, 2].map(|k| side(&triangle, k)));
-    let boxes = others.map(Bounds::of_points);
-    for (i, &own) in sides.iter().enumerate() {
+    let [triangle, other_triangle] = triangles;
+    let boxes = [0, 1, 2].map(|k| Bounds::of_points(side(other_triangle, k)));
+    for i in 0..3 {
+        let own = side(triangle, i);
         let own_box = Bounds::of_points(own);
-        for (j, &other) in others.iter().enumerate() {
+        for j in 0..3 {
             if within < 0.0 || own_box.squared_distance(boxes[j]) > within * within {
                 continue;
             }
-            let [first, second] = nearest_on_segments(own, other);
+            let [first, second] = nearest_on_segments(own, side(other_triangle, j));
             let pair = Pair::new(triangles, [on_side(i, first), on_side(j, second)]);
             if pair.distance <= within {
                 within = found(pair);
@@ -247,10 +254,11 @@ pub fn spread(
     for of in 0..2 {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
         let near = Bounds::of_points(*other).grown(tolerance);
+        let normal = area_vector(*other);
         let mut take_own = |own: [f64; 3]| {
             let place = point(triangle, own);
             if near.holds(place) {
-                let others = nearest_on_triangle(place, other);
+                let others = nearest_on_triangle(place, other, normal);
                 let pair = Pair::new(triangles, if of == 0 { [own, others] } else { [others, own] });
                 if pair.distance <= tolerance {
                     found(pair);

@@ -76,7 +76,7 @@ fn the_distance_is_that_of_samples() {
         let does_cross = crossing(&triangles).is_some();
         let distance = if does_cross { 0.0 } else { pair.distance };
         assert!(sampled >= distance - 1e-12 && sampled <= distance + 0.01, "{sampled} {distance} {triangles:?}");
-        assert!(plane_distance(&triangles) <= distance + 1e-12);
+        assert!(plane_distance(&triangles, triangles.map(|corners| unit(area_vector(corners)))) <= distance + 1e-12);
         crossings += u32::from(does_cross);
         touching += u32::from(!does_cross && distance < 1e-12);
     }
