@@ -4,6 +4,7 @@ use glam::DVec3;
 use heatwalk::VertexId;
 
 use crate::error::{Error, Result};
+use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::{TetId, TetMesh};
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
@@ -111,5 +112,31 @@ impl TetSource {
 impl<P: Into<TetPoint>> From<P> for TetSource {
     fn from(point: P) -> Self {
         Self { point: point.into(), initial_distance: 0.0 }
+    }
+}
+
+impl TetMesh {
+    /// The point at a place in space; none outside of the mesh.
+    pub fn locate(&self, place: DVec3) -> Option<TetPoint> {
+        let inside = |tetrahedron: TetId| {
+            let corners = self.corners(tetrahedron);
+            let (low, high) = corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &corner| {
+                (low.min(corner), high.max(corner))
+            });
+            let margin = (high - low) * GRAZING;
+            if place.cmplt(low - margin).any() || place.cmpgt(high + margin).any() {
+                return None;
+            }
+            let weights = weights(corners, place);
+            weights.iter().all(|&weight| weight >= -GRAZING).then(|| TetPoint::inside(tetrahedron, weights))
+        };
+        (0..self.tetrahedron_count() as u32).map(TetId).find_map(inside)
+    }
+}
+
+/// A vertex as a place.
+impl From<VertexId> for TetPoint {
+    fn from(vertex: VertexId) -> Self {
+        Self::Vertex(vertex)
     }
 }

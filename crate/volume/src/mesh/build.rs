@@ -7,39 +7,13 @@ use heatwalk::surface::union_find::UnionFind;
 
 use crate::error::{Error, Result};
 use crate::lists::Lists;
+use crate::mesh::report::MeshReport;
 use crate::mesh::{EDGES, MeshId, NONE, TetMesh, faces, six_volumes};
 use crate::soup::TetSoup;
 
 /// A tetrahedron is flat where its volume is below this share of the cube of its longest edge, over 6: what rounding of its
 /// corners to 53 bits makes of four points in a plane that is a few thousand edges from the origin.
 const FLAT: f64 = 1e-12;
-
-/// What building found and did.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MeshReport {
-    /// Vertices of the input.
-    pub input_vertices: usize,
-    /// Tetrahedra of the input.
-    pub input_tetrahedra: usize,
-    /// Vertices of the mesh.
-    pub vertices: usize,
-    /// Tetrahedra of the mesh.
-    pub tetrahedra: usize,
-    /// Connected components.
-    pub components: usize,
-    /// Vertices of the input that no tetrahedron uses; left out.
-    pub unreferenced_vertices: usize,
-    /// Tetrahedra without volume; left out. What they alone join across faces is joined by edges and vertices only.
-    pub flat_tetrahedra: usize,
-    /// Tetrahedra of the same vertices as one before; left out.
-    pub duplicate_tetrahedra: usize,
-    /// Tetrahedra whose corners were in the other orientation; turned.
-    pub inverted_tetrahedra: usize,
-    /// Triangles with one tetrahedron.
-    pub boundary_faces: usize,
-    /// Volume of all tetrahedra, in the file's unit cubed.
-    pub volume: f64,
-}
 
 impl TetMesh {
     /// Checks and connects the tetrahedra of a soup. Flat and duplicate ones are left out, inverted ones are turned, vertices that

@@ -1,16 +1,14 @@
 //! Where in a mesh a place in space is, and whether a straight line stays inside.
 
 use glam::DVec3;
-use heatwalk::VertexId;
 
 use crate::mesh::{FACES, NONE, TetId, TetMesh};
-use crate::point::TetPoint;
 
 /// A barycentric coordinate of the end of a line may be this far below 0 in a tetrahedron that the line stays in: lines along
 /// the boundary and through edges are inside, whatever rounding makes of them. In lengths, it is this share of a tetrahedron's
 /// height, which is not seen; rounding of coordinates is below it as long as a tetrahedron's height is not below
 /// 10⁻⁶ of the line's length.
-const GRAZING: f64 = 1e-9;
+pub(crate) const GRAZING: f64 = 1e-9;
 
 /// Barycentric weights of a place in a tetrahedron; one is negative for each face that it is beyond.
 #[inline]
@@ -23,25 +21,6 @@ pub(crate) fn weights([a, b, c, d]: [DVec3; 4], point: DVec3) -> [f64; 4] {
     let of_c = -ad.dot(turned) * scale;
     let of_d = ac.dot(turned) * scale;
     [1.0 - of_b - of_c - of_d, of_b, of_c, of_d]
-}
-
-impl TetMesh {
-    /// The point at a place in space; none outside of the mesh.
-    pub fn locate(&self, place: DVec3) -> Option<TetPoint> {
-        let inside = |tetrahedron: TetId| {
-            let corners = self.corners(tetrahedron);
-            let (low, high) = corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &corner| {
-                (low.min(corner), high.max(corner))
-            });
-            let margin = (high - low) * GRAZING;
-            if place.cmplt(low - margin).any() || place.cmpgt(high + margin).any() {
-                return None;
-            }
-            let weights = weights(corners, place);
-            weights.iter().all(|&weight| weight >= -GRAZING).then(|| TetPoint::inside(tetrahedron, weights))
-        };
-        (0..self.tetrahedron_count() as u32).map(TetId).find_map(inside)
-    }
 }
 
 /// The tetrahedra that lines may go through.
@@ -144,12 +123,5 @@ impl Sight<'_> {
             }
         }
         best.map(|(_, tetrahedron, weights)| (tetrahedron, weights))
-    }
-}
-
-/// A vertex as a place.
-impl From<VertexId> for TetPoint {
-    fn from(vertex: VertexId) -> Self {
-        Self::Vertex(vertex)
     }
 }

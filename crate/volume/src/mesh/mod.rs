@@ -5,6 +5,7 @@ mod build;
 mod faces;
 pub(crate) mod locate;
 pub(crate) mod quality;
+mod report;
 
 use std::num::NonZeroU64;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,10 +16,10 @@ use heatwalk::VertexId;
 use crate::lists::Lists;
 
 pub use boundary::Boundary;
-pub use build::MeshReport;
 pub(crate) use build::components;
 pub(crate) use locate::{Crossing, Sight, Start};
 pub use quality::Quality;
+pub use report::MeshReport;
 
 /// In place of a number: there is none.
 pub(crate) const NONE: u32 = u32::MAX;

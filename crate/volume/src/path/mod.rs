@@ -3,6 +3,7 @@
 //! A march's path goes back along its waves, straight from bend to bend. Any other descends the distance from tetrahedron to
 //! tetrahedron. It is then pulled taut where costs do not change.
 
+mod corner;
 mod descent;
 mod taut;
 
@@ -13,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::march::{March, Medium, Waves};
 use crate::mesh::{MeshId, Start, TetMesh};
 use crate::point::{TetPoint, TetSource};
+use corner::Corner;
 use descent::Descent;
 
 /// Bends of a path, at most: more than there are concave edges on any way.
@@ -35,16 +37,6 @@ impl VolumePath {
     pub fn mesh(&self) -> MeshId {
         self.mesh
     }
-}
-
-/// A corner of a path.
-#[derive(Debug, Clone, Copy)]
-struct Corner {
-    place: DVec3,
-    /// Where that is in the mesh.
-    start: Start,
-    /// Cost of what follows.
-    cost: f64,
 }
 
 /// The path from a place that was checked.

@@ -1,7 +1,7 @@
 //! Paths pulled taut: corners are left out where straight lines see past them, and cut where they do not. Lines stay in tetrahedra of
 //! one cost, so corners where a path refracts stay where they are.
 
-use super::Corner;
+use super::corner::Corner;
 use crate::march::Medium;
 use crate::mesh::{Crossing, Start, TetMesh};
 
