@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 use crate::cost::Costs;
 use crate::error::Result;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{FaceId, Path, PathPoint, Place, VertexId};
+use heatwalk_surface::{FaceId, Path, PathPoint, Place};
 use row::{Crossing, Row};
 
 /// Share of its cost that leading a path around a vertex must save: more than what the minimization leaves.
@@ -200,13 +200,5 @@ impl<'a> Chain<'a> {
         }
         add(self.node(at).place, last_face);
         points
-    }
-}
-
-/// The vertex that a place is, or `None`.
-fn vertex_of(place: Place) -> Option<VertexId> {
-    match place {
-        Place::Vertex(vertex) => Some(vertex),
-        _ => None,
     }
 }

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::vertex_of;
 use crate::cost::Costs;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{FaceId, HalfedgeId, Place, VertexId};
@@ -309,4 +308,12 @@ fn fan(
         side = if sides[0] == across { sides[1] } else { sides[0] };
     }
     Some((edges, faces))
+}
+
+/// The vertex that a place is, or `None`.
+fn vertex_of(place: Place) -> Option<VertexId> {
+    match place {
+        Place::Vertex(vertex) => Some(vertex),
+        _ => None,
+    }
 }
