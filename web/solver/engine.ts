@@ -49,6 +49,12 @@ type FieldQuestion = Pick<
   'sources' | 'method' | 'windows' | 'parameters' | 'bridge' | 'links' | 'ground' | 'moment' | 'quick'
 >;
 
+/** What is traced first. Where costs differ, straightened paths bend, which takes longer than a frame of a drag has. */
+function pathKindOf({ pathKind, quick }: Question, weighted: boolean): PathKind {
+  if (weighted && quick) return 'descent';
+  return pathKind === 'exact' ? 'straight' : pathKind;
+}
+
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
 /** Windows that it takes where they are refracted, see `propagation::REFRACTED`. */
@@ -266,7 +272,7 @@ export class Engine {
     const posing = isSameMoment(question.moment, this.#measured) ? null : this.#measureAt(question.moment);
     const laying = question.ground === this.#ground ? null : this.#lay(question.ground);
     const weighted = isWeighted(question.ground);
-    const pathKind = weighted ? 'descent' : question.pathKind === 'exact' ? 'straight' : question.pathKind;
+    const pathKind = pathKindOf(question, weighted);
     const about = { question, posed: null, pathKind, factoring: this.#factoring };
     if (sources.length === 0) {
       const [posed] = await Promise.all([posing, laying]);
