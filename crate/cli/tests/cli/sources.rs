@@ -56,7 +56,7 @@ fn bad_places_are_refused() {
         ("", "such as 12"),
         ("1.5", "such as 12"),
         ("1:0.5,0.5", "three weights"),
-        ("1:0.2,0.3,0.3,0.2", "three weights"),
+        ("1:0.2,0.3,0.3,0.2", "a place in a triangle has three"),
         ("1:a,b,c", "three weights"),
         (":1,0,0", "three weights"),
         ("1:0.9,0.9,0.9", "face 1 with weights [0.9, 0.9, 0.9]"),

@@ -55,8 +55,8 @@ fn shapes_and_single_parts_have_rows() {
     let output = run(&folder, &["table", "two.obj#7"]);
     let error = String::from_utf8(output.stderr).unwrap();
     assert!(!output.status.success() && error.contains("two.obj#7") && error.contains("part 7"), "{error}");
-    let error = refused(&folder, &["info", "shape:cube"]);
-    assert!(error.contains("cube") && error.contains("torus"), "{error}");
+    let error = refused(&folder, &["info", "shape:cuboid"]);
+    assert!(error.contains("cuboid") && error.contains("torus"), "{error}");
 }
 
 #[test]
