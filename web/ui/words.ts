@@ -218,10 +218,10 @@ function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCo
   let first = 0;
   for (const part of active) {
     const end = first + 3 * parts[part].triangles;
-    const values = byCorner
-      ? distance.subarray(first, end)
-      : surface.triangles.subarray(first, end).map((corner) => distance[corner]);
-    if (values.every((value) => value === Infinity)) names.push(parts[part].name);
+    const isUnreached = byCorner
+      ? distance.subarray(first, end).every((value) => value === Infinity)
+      : surface.triangles.subarray(first, end).every((vertex) => distance[vertex] === Infinity);
+    if (isUnreached) names.push(parts[part].name);
     first = end;
   }
   return names;
