@@ -1,15 +1,18 @@
 //! Errors and times of distances inside of meshes, against closed forms: `cargo run --release -p heatwalk-volume --example inside
-//! [--large] [--write FOLDER]`. With `--large`, also meshes of half a million tetrahedra, by the march alone. With `--write`, each mesh is left in FOLDER with its source and its exact distances, for other
-//! programs to be asked the same.
+//! [--large] [--write FOLDER]`. With `--large`, also meshes of half a million tetrahedra, by the march alone. With `--write`, each
+//! mesh is left in FOLDER with its source and its exact distances, for other programs to be asked the same.
+
+#[path = "../tests/common/mod.rs"]
+mod common;
 
 use std::env;
-use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
+use common::{around_cylinder, around_sphere};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{TetMesh, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
@@ -43,13 +46,13 @@ fn main() {
                 "pierced cube",
                 shapes::pierced_cube(HOLE, 4 * scale, 0.15),
                 [("inside", DVec3::new(-0.7, 0.0, 0.0)), ("at the hole", DVec3::new(-HOLE, 0.0, 0.4))],
-                around_cylinder,
+                |a, b| around_cylinder(HOLE)(a, b),
             ),
             (
                 "cave",
                 shapes::cave(INNER, 4 * scale, 0.15),
                 [("inside", DVec3::new(-0.7, 0.1, 0.2)), ("at the inner sphere", DVec3::new(-INNER, 0.0, 0.0))],
-                around_sphere,
+                |a, b| around_sphere(INNER)(a, b),
             ),
         ];
         for (name, soup, sources, exact) in cases {
@@ -124,28 +127,4 @@ fn write(path: &Path, mesh: &TetMesh, source: VertexId, truth: &[f64]) {
         let _ = writeln!(text, "{a} {b} {c} {d}");
     }
     fs::write(path, text).expect("the folder is there");
-}
-
-/// Around a cylinder along z, unrolled: tangents and an arc across, and straight along it.
-fn around_cylinder(a: DVec3, b: DVec3) -> f64 {
-    let angle = (a.y.atan2(a.x) - b.y.atan2(b.x)).abs();
-    let across = around_circle([a.truncate().length(), b.truncate().length()], angle.min(TAU - angle), HOLE);
-    across.hypot(a.z - b.z)
-}
-
-/// Around a sphere, in the plane of both places and its center.
-fn around_sphere(a: DVec3, b: DVec3) -> f64 {
-    around_circle([a.length(), b.length()], a.angle_between(b), INNER)
-}
-
-/// Between two places at these distances from the center of a circle, at an angle.
-fn around_circle([a, b]: [f64; 2], angle: f64, radius: f64) -> f64 {
-    let free = |distance: f64| (radius / distance).min(1.0).acos();
-    let arc = angle - free(a) - free(b);
-    let tangent = |distance: f64| (distance * distance - radius * radius).max(0.0).sqrt();
-    if arc > 0.0 {
-        tangent(a) + tangent(b) + radius * arc
-    } else {
-        (a * a + b * b - 2.0 * a * b * angle.cos()).max(0.0).sqrt()
-    }
 }

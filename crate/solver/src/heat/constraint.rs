@@ -1,7 +1,10 @@
 //! What a solution shall be at places.
 
+use std::collections::BTreeMap;
+
 use heatwalk_sparse::Functional;
 use heatwalk_surface::VertexId;
+use heatwalk_surface::union_find::UnionFind;
 
 /// The value that a solution shall have at a place: at a vertex, or as a weighted mean of vertices.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +27,38 @@ impl Constraint {
     /// At a vertex.
     pub fn at_vertex(vertex: VertexId, value: f64) -> Self {
         Self::new([(vertex, 1.0)], value)
+    }
+
+    /// What a potential has to meet beyond a region of known values: on the rim of each patch of the region, the mean of the
+    /// values there. `touched` are the elements with corners in the region, each with whether all of them are; `value` tells
+    /// that of a vertex in the region, of `vertices` in all. A patch that covers its whole component has no rim, and there is
+    /// nothing beyond it.
+    pub fn of_rims<const N: usize>(
+        vertices: usize,
+        touched: impl IntoIterator<Item = ([u32; N], bool)>,
+        value: impl Fn(u32) -> Option<f64>,
+    ) -> Vec<Self> {
+        let patches = UnionFind::new(vertices);
+        let mut rim: Vec<(u32, f64)> = Vec::new();
+        for (corners, is_inside) in touched {
+            if is_inside {
+                corners.windows(2).for_each(|side| patches.join(side[0], side[1]));
+            } else {
+                rim.extend(corners.into_iter().filter_map(|vertex| Some((vertex, value(vertex)?))));
+            }
+        }
+        rim.sort_unstable_by_key(|&(vertex, _)| vertex);
+        rim.dedup_by_key(|&mut (vertex, _)| vertex);
+        let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
+        for (vertex, value) in rim {
+            rims.entry(patches.least(vertex)).or_default().push((vertex, value));
+        }
+        let mean = |rim: Vec<(u32, f64)>| {
+            let weight = 1.0 / rim.len() as f64;
+            let value = rim.iter().map(|&(_, value)| weight * value).sum();
+            Self::new(rim.into_iter().map(|(vertex, _)| (VertexId(vertex), weight)), value)
+        };
+        rims.into_values().map(mean).collect()
     }
 
     /// The vertex, where it is at one.

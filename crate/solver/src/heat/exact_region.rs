@@ -2,13 +2,11 @@
 //! have different costs, it has those of refracted windows.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use crate::exact::Wavefront;
 use crate::heat::constraint::Constraint;
 use crate::options::ExactRadius;
 use crate::propagation::Propagation;
-use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 
 /// With several sources, a radius that work has cut short is rounded down to a power of this in mean edges, so that
@@ -140,29 +138,8 @@ impl<'a> ExactRegion<'a> {
     /// What distance beyond the region has to meet: on the rim of each patch of the region the mean of the exact
     /// distances, and the initial distances of sources that no patch contains.
     pub(super) fn constraints(&self, surface: &Surface, touched: &[Touched], sources: &[Source]) -> Vec<Constraint> {
-        let patches = UnionFind::new(surface.vertex_count());
-        let mut rim: Vec<(u32, f64)> = Vec::new();
-        for &Touched { corners, is_inside } in touched {
-            if is_inside {
-                patches.join(corners[0], corners[1]);
-                patches.join(corners[1], corners[2]);
-            } else {
-                rim.extend(corners.into_iter().filter_map(|vertex| Some((vertex, self.value(vertex)?))));
-            }
-        }
-        // A patch that covers its whole component has no rim, and there is nothing beyond it.
-        rim.sort_unstable_by_key(|&(vertex, _)| vertex);
-        rim.dedup_by_key(|&mut (vertex, _)| vertex);
-        let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
-        for (vertex, value) in rim {
-            rims.entry(patches.least(vertex)).or_default().push((vertex, value));
-        }
-        let mean = |rim: Vec<(u32, f64)>| {
-            let weight = 1.0 / rim.len() as f64;
-            let value = rim.iter().map(|&(_, value)| weight * value).sum();
-            Constraint::new(rim.into_iter().map(|(vertex, _)| (VertexId(vertex), weight)), value)
-        };
-        let mut constraints: Vec<Constraint> = rims.into_values().map(mean).collect();
+        let touched = touched.iter().map(|triangle| (triangle.corners, triangle.is_inside));
+        let mut constraints = Constraint::of_rims(surface.vertex_count(), touched, |vertex| self.value(vertex));
         let is_beyond =
             |source: &&Source| source.place().support(surface).any(|(vertex, _)| self.value(vertex.0).is_none());
         let at_source = |source: &Source| Constraint::new(source.place().support(surface), source.initial_distance());

@@ -1,11 +1,8 @@
 //! Exact distances around the sources, and the field of which distance beyond is the potential.
 
-use std::collections::BTreeMap;
-
 use glam::DVec3;
+use heatwalk::ExactRadius;
 use heatwalk::heat::Constraint;
-use heatwalk::surface::union_find::UnionFind;
-use heatwalk::{ExactRadius, VertexId};
 
 use crate::heat::elements::Elements;
 use crate::march::{March, Medium};
@@ -103,27 +100,8 @@ impl Region {
         touched: &[([u32; 4], bool)],
         sources: &[TetSource],
     ) -> Vec<Constraint> {
-        let patches = UnionFind::new(mesh.vertex_count());
-        let mut rim: Vec<(u32, f64)> = Vec::new();
-        for &(corners, is_inside) in touched {
-            if is_inside {
-                corners[1..].iter().for_each(|&corner| patches.join(corners[0], corner));
-            } else {
-                rim.extend(corners.into_iter().filter_map(|vertex| Some((vertex, self.value(vertex)?))));
-            }
-        }
-        rim.sort_unstable_by_key(|&(vertex, _)| vertex);
-        rim.dedup_by_key(|&mut (vertex, _)| vertex);
-        let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
-        for (vertex, value) in rim {
-            rims.entry(patches.least(vertex)).or_default().push((vertex, value));
-        }
-        let mean = |rim: Vec<(u32, f64)>| {
-            let weight = 1.0 / rim.len() as f64;
-            let value = rim.iter().map(|&(_, value)| weight * value).sum();
-            Constraint::new(rim.into_iter().map(|(vertex, _)| (VertexId(vertex), weight)), value)
-        };
-        let mut constraints: Vec<Constraint> = rims.into_values().map(mean).collect();
+        let touched = touched.iter().copied();
+        let mut constraints = Constraint::of_rims(mesh.vertex_count(), touched, |vertex| self.value(vertex));
         let is_beyond =
             |source: &&TetSource| source.point.support(mesh).any(|(vertex, _)| self.value(vertex.0).is_none());
         let at_source = |source: &TetSource| Constraint::new(source.point.support(mesh), source.initial_distance);

@@ -2,6 +2,7 @@
 
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "meshio")]
 mod meshio;
 
 use std::collections::HashMap;
