@@ -86,6 +86,20 @@ pub enum Error {
         /// The distance given.
         distance: f64,
     },
+    /// Values of another number than vertices.
+    #[error("{values} values were given for {vertices} vertices: give one for each")]
+    ValueCount {
+        /// Values given.
+        values: usize,
+        /// Vertices there are.
+        vertices: usize,
+    },
+    /// A level that no surface of equal distance has.
+    #[error("a level is {level}; it must be a finite number")]
+    BadLevel {
+        /// The level given.
+        level: f64,
+    },
     /// Costs of another number than tetrahedra.
     #[error("{costs} costs were given for {tetrahedra} tetrahedra: give one for each")]
     CostCount {
@@ -145,6 +159,8 @@ impl Error {
             Self::NoSuchTetrahedron { .. } => "no-such-tetrahedron",
             Self::BadWeights { .. } => "bad-weights",
             Self::BadInitialDistance { .. } => "bad-initial-distance",
+            Self::ValueCount { .. } => "value-count",
+            Self::BadLevel { .. } => "bad-level",
             Self::CostCount { .. } => "cost-count",
             Self::BadCost { .. } => "bad-cost",
             Self::SourceInWall { .. } => "source-in-wall",

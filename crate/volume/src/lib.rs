@@ -33,6 +33,7 @@ pub mod march;
 pub mod mesh;
 pub mod path;
 mod point;
+pub mod section;
 pub mod shapes;
 mod solver;
 mod soup;

@@ -153,6 +153,12 @@ impl TetMesh {
         self.vertex_of_input.iter().map(value).collect()
     }
 
+    /// The least and the largest coordinates of vertices.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        self.positions.iter().fold(none, |(low, high), &position| (low.min(position), high.max(position)))
+    }
+
     /// Mean length of the edges, in the file's unit.
     pub fn mean_edge(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0_usize);
