@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::crossing::CROSSED;
+use super::cut::{Side, Sides};
 use super::{Cut, Plane, Section};
 use crate::mesh::{FACES, TetId, TetMesh};
 
@@ -145,23 +146,11 @@ impl Section {
         }
         let beyond = |plane: &Plane| mesh.positions().iter().map(|&place| plane.beyond(place)).collect();
         let beyond: Vec<Vec<f64>> = planes.iter().map(beyond).collect();
-        // One bit for each plane that a vertex is beyond.
-        let mut sides = vec![0_u8; mesh.vertex_count()];
-        for (plane, beyond) in beyond.iter().enumerate() {
-            for (side, &beyond) in sides.iter_mut().zip(beyond) {
-                *side |= u8::from(beyond > 0.0) << plane;
-            }
-        }
-        let all_planes = (1 << planes.len()) - 1;
+        let sides = Sides::new(mesh, cut);
         for (tetrahedron, vertices) in mesh.tetrahedra().iter().enumerate() {
-            let [a, b, c, d] = vertices.map(|vertex| sides[vertex as usize]);
-            let (some, all) = (a | b | c | d, a & b & c & d);
-            // Most are beside every plane, or where the other plane leaves no cap.
-            if some != all_planes || all == all_planes {
-                continue;
-            }
+            let Side::Across(crossed) = sides.of(vertices) else { continue };
             let places = mesh.corners(TetId(tetrahedron as u32));
-            for plane in (0..planes.len()).filter(|plane| (some ^ all) >> plane & 1 == 1) {
+            for plane in (0..planes.len()).filter(|plane| crossed >> plane & 1 == 1) {
                 let values = |plane: usize| vertices.map(|vertex| beyond[plane][vertex as usize]);
                 let other = (planes.len() == 2).then(|| values(1 - plane));
                 let polygon = Cell { vertices, places, own: values(plane), other }.polygon();

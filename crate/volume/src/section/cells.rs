@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::cut::{Side, Sides};
 use super::{Cut, Section};
 use crate::mesh::{FACES, NONE, TetId, TetMesh};
 
@@ -10,8 +11,8 @@ impl Section {
     /// that stays, the boundary of the mesh included. Three vertices a triangle, with the normal of the triangle, outward.
     pub fn of_tetrahedra(mesh: &TetMesh, cut: &Cut) -> Self {
         let mut section = Self::empty(mesh);
-        let stays: Vec<bool> = tetrahedra(mesh).map(|tetrahedron| stays(mesh, cut, tetrahedron)).collect();
-        for tetrahedron in tetrahedra(mesh).filter(|tetrahedron| stays[tetrahedron.index()]) {
+        let stays = stays(mesh, cut);
+        for tetrahedron in those_that(&stays) {
             for (corner, &neighbor) in mesh.neighbors()[tetrahedron.index()].iter().enumerate() {
                 if neighbor == NONE || !stays[neighbor as usize] {
                     section.add_face(mesh, tetrahedron, corner, DVec3::ZERO);
@@ -30,7 +31,7 @@ impl Section {
         let mut section = Self::empty(mesh);
         let (low, high) = mesh.bounds();
         let middle = (low + high) / 2.0;
-        for tetrahedron in tetrahedra(mesh).filter(|&tetrahedron| stays(mesh, cut, tetrahedron)) {
+        for tetrahedron in those_that(&stays(mesh, cut)) {
             let shift = gap * (centroid(mesh, tetrahedron) - middle);
             for corner in 0..4 {
                 section.add_face(mesh, tetrahedron, corner, shift);
@@ -55,14 +56,21 @@ impl Section {
     }
 }
 
-fn tetrahedra(mesh: &TetMesh) -> impl Iterator<Item = TetId> + use<> {
-    (0..mesh.tetrahedron_count() as u32).map(TetId)
+fn those_that(stay: &[bool]) -> impl Iterator<Item = TetId> + '_ {
+    (0..stay.len() as u32).map(TetId).filter(|tetrahedron| stay[tetrahedron.index()])
 }
 
 fn centroid(mesh: &TetMesh, tetrahedron: TetId) -> DVec3 {
     mesh.corners(tetrahedron).iter().sum::<DVec3>() / 4.0
 }
 
-fn stays(mesh: &TetMesh, cut: &Cut, tetrahedron: TetId) -> bool {
-    !cut.removes(centroid(mesh, tetrahedron))
+/// Whether each tetrahedron stays.
+fn stays(mesh: &TetMesh, cut: &Cut) -> Vec<bool> {
+    let sides = Sides::new(mesh, cut);
+    let stays = |(tetrahedron, corners): (usize, &[u32; 4])| match sides.of(corners) {
+        Side::Before => true,
+        Side::Beyond => false,
+        Side::Across(_) => !cut.removes(centroid(mesh, TetId(tetrahedron as u32))),
+    };
+    mesh.tetrahedra().iter().enumerate().map(stays).collect()
 }

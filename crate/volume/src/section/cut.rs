@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::mesh::TetMesh;
+
 /// A plane, and the half-space beyond it that is taken away: where `normal · p > offset`. What lies in the plane itself stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
@@ -54,6 +56,51 @@ impl Cut {
             Self::Whole => &[],
             Self::Plane(plane) => std::slice::from_ref(plane),
             Self::Wedge(planes) => planes,
+        }
+    }
+}
+
+/// On which sides of the planes of a cut the vertices of a mesh are.
+pub(super) struct Sides {
+    /// `#V`, one bit for each plane that a vertex is beyond.
+    of_vertex: Vec<u8>,
+    all: u8,
+}
+
+/// Where a tetrahedron is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Before one of the planes with all of it: it stays.
+    Before,
+    /// Beyond all planes with all of it: it is taken away.
+    Beyond,
+    /// Some of it may stay and some not. It crosses the planes of these bits.
+    Across(u8),
+}
+
+impl Sides {
+    pub(super) fn new(mesh: &TetMesh, cut: &Cut) -> Self {
+        let mut of_vertex = vec![0; mesh.vertex_count()];
+        for (bit, plane) in cut.planes().iter().enumerate() {
+            for (side, &place) in of_vertex.iter_mut().zip(mesh.positions()) {
+                *side |= u8::from(plane.beyond(place) > 0.0) << bit;
+            }
+        }
+        // Without planes there is one that nothing is beyond.
+        Self { of_vertex, all: (1 << cut.planes().len().max(1)) - 1 }
+    }
+
+    /// The side of a tetrahedron with these corners.
+    #[inline]
+    pub(super) fn of(&self, corners: &[u32; 4]) -> Side {
+        let [a, b, c, d] = corners.map(|vertex| self.of_vertex[vertex as usize]);
+        let (some, every) = (a | b | c | d, a & b & c & d);
+        if some != self.all {
+            Side::Before
+        } else if every == self.all {
+            Side::Beyond
+        } else {
+            Side::Across(some ^ every)
         }
     }
 }

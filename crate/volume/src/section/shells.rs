@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
+use super::Cut;
 use super::clip::clip;
 use super::crossing::CROSSED;
-use super::{Cut, Plane};
+use super::cut::{Side, Sides};
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
 use crate::mesh::{TetId, TetMesh};
@@ -56,8 +57,7 @@ impl Shells {
         levels.sort_unstable_by(f64::total_cmp);
         levels.dedup();
         let mut march = March { mesh, values: &distance.values, vertices: HashMap::new(), shells: Self::default() };
-        let sides = sides(mesh, cut);
-        let all_planes = if cut.planes().is_empty() { u8::MAX } else { (1 << cut.planes().len()) - 1 };
+        let sides = Sides::new(mesh, cut);
         for (tetrahedron, corners) in mesh.tetrahedra().iter().enumerate() {
             let values = corners.map(|vertex| distance.values[vertex as usize]);
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -67,7 +67,7 @@ impl Shells {
             }
             let first = levels.partition_point(|&level| level <= least);
             let crossed = levels[first..].iter().take_while(|&&level| level <= most);
-            if first == levels.len() || levels[first] > most || removed(&sides, corners, all_planes) {
+            if first == levels.len() || levels[first] > most || sides.of(corners) == Side::Beyond {
                 continue;
             }
             for (level, &value) in crossed.enumerate() {
@@ -79,20 +79,6 @@ impl Shells {
         shells.compact();
         Ok(shells)
     }
-}
-
-/// Of each vertex one bit for each plane that it is beyond; empty where there are none.
-fn sides(mesh: &TetMesh, cut: &Cut) -> Vec<u8> {
-    let bit = |place: DVec3| {
-        let bits = cut.planes().iter().enumerate();
-        bits.fold(0, |side, (bit, plane): (usize, &Plane)| side | u8::from(plane.beyond(place) > 0.0) << bit)
-    };
-    if cut.planes().is_empty() { Vec::new() } else { mesh.positions().iter().map(|&place| bit(place)).collect() }
-}
-
-/// Whether all corners are taken away, and so, since that is convex, is all of a tetrahedron.
-fn removed(sides: &[u8], corners: &[u32; 4], all_planes: u8) -> bool {
-    !sides.is_empty() && corners.iter().all(|&vertex| sides[vertex as usize] == all_planes)
 }
 
 /// Marching tetrahedra in work.
