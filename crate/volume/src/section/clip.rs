@@ -73,10 +73,8 @@ impl Shells {
         for &vertex in self.triangles.iter().flatten() {
             number[vertex as usize] = 0;
         }
-        let mut next = 0;
-        for number in number.iter_mut().filter(|number| **number == 0) {
-            *number = next;
-            next += 1;
+        for (next, number) in number.iter_mut().filter(|number| **number == 0).enumerate() {
+            *number = next as u32;
         }
         let is_kept = |vertex: usize| number[vertex] != u32::MAX;
         self.positions = kept(&self.positions, is_kept);

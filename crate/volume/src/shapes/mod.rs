@@ -1,6 +1,8 @@
-//! Generated meshes: what a page or a test needs without a file. All are deterministic and made of grids whose cells are cut
+//! Generated meshes: what a page or a test needs without a file. All are deterministic. Most are made of grids whose cells are cut
 //! into six tetrahedra each (Kuhn 1960), so that the same shape with twice the cells has the vertices of the coarser one where
-//! nothing is jittered.
+//! nothing is jittered; [`pipe`] and [`pillared_cave`] of layers of prisms.
+
+mod layers;
 
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -8,6 +10,8 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 
 use crate::soup::TetSoup;
+
+pub use layers::{pillared_cave, pipe};
 
 /// Steps from corner to corner of a cell's tetrahedra: the six orders of the axes.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -99,11 +103,10 @@ pub fn cave(inner_radius: f64, cells: usize, jitter: f64) -> TetSoup {
     icosahedral(2 * cells, cells, jitter, &|share| inner_radius + (1.0 - inner_radius) * (2.0 * share - 1.0))
 }
 
-/// The layers from `first` on of an icosahedron cut into `layers`, mapped to spheres whose radius `radius` tells from the share of
-/// layers.
-fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) -> f64) -> TetSoup {
+/// The corners of a regular icosahedron, of length 1.
+fn icosahedron() -> Vec<DVec3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
-    let corners: Vec<DVec3> = (0..12)
+    (0..12)
         .map(|index| {
             let sign = |bit: usize| if index >> bit & 1 == 0 { 1.0 } else { -1.0 };
             let mut corner = [0.0; 3];
@@ -111,46 +114,54 @@ fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) ->
             corner[(index / 4 + 1) % 3] = golden * sign(1);
             DVec3::from_array(corner).normalize()
         })
-        .collect();
+        .collect()
+}
+
+/// Corners of the faces of a regular icosahedron, ascending.
+fn faces_of(corners: &[DVec3]) -> impl Iterator<Item = [usize; 3]> + '_ {
     // Neighboring corners are at an angle of 63.4°, others at 116.6° or 180°.
     let is_edge = |a: usize, b: usize| corners[a].dot(corners[b]) > 0.0;
+    let triples = (0..12).flat_map(|a| (a + 1..12).flat_map(move |b| (b + 1..12).map(move |c| [a, b, c])));
+    triples.filter(move |&[a, b, c]| is_edge(a, b) && is_edge(b, c) && is_edge(c, a))
+}
+
+/// The layers from `first` on of an icosahedron cut into `layers`, mapped to spheres whose radius `radius` tells from the share of
+/// layers.
+fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) -> f64) -> TetSoup {
+    let corners = icosahedron();
     let mut soup = TetSoup::default();
     let mut numbers: HashMap<[(usize, usize); 3], u32> = HashMap::new();
     let mut state = 1;
-    for a in 0..12 {
-        for b in a + 1..12 {
-            for c in (b + 1..12).filter(|&c| is_edge(a, b) && is_edge(b, c) && is_edge(c, a)) {
-                let mut vertex = |[x, y, z]: [usize; 3]| {
-                    // Weights of a, b and c in layer x. A vertex is known by those that are not 0, also in another face.
-                    let mut weights = [(a, x - y), (b, y - z), (c, z)];
-                    weights.iter_mut().filter(|weight| weight.1 == 0).for_each(|weight| *weight = (0, 0));
-                    weights.sort_unstable();
-                    *numbers.entry(weights).or_insert_with(|| {
-                        let mut direction: DVec3 =
-                            weights.iter().map(|&(corner, weight)| corners[corner] * weight as f64).sum();
-                        let mut layer = x as f64;
-                        if x > first && x < layers {
-                            let mut shift = || jitter * (2.0 * random(&mut state) - 1.0);
-                            direction += DVec3::new(shift(), shift(), shift());
-                            layer += shift();
-                        }
-                        soup.positions.push(radius(layer / layers as f64) * direction.normalize_or_zero());
-                        soup.positions.len() as u32 - 1
-                    })
-                };
-                for x in first..layers {
-                    for (y, z) in (0..=x).flat_map(|y| (0..=y).map(move |z| (y, z))) {
-                        for order in ORDERS {
-                            let mut corner = [x, y, z];
-                            let mut steps = [corner; 4];
-                            for (step, &axis) in order.iter().enumerate() {
-                                corner[axis] += 1;
-                                steps[step + 1] = corner;
-                            }
-                            if steps.iter().all(|&[x, y, z]| x >= y && y >= z) {
-                                soup.tetrahedra.push(steps.map(&mut vertex));
-                            }
-                        }
+    for [a, b, c] in faces_of(&corners) {
+        let mut vertex = |[x, y, z]: [usize; 3]| {
+            // Weights of a, b and c in layer x. A vertex is known by those that are not 0, also in another face.
+            let mut weights = [(a, x - y), (b, y - z), (c, z)];
+            weights.iter_mut().filter(|weight| weight.1 == 0).for_each(|weight| *weight = (0, 0));
+            weights.sort_unstable();
+            *numbers.entry(weights).or_insert_with(|| {
+                let mut direction: DVec3 =
+                    weights.iter().map(|&(corner, weight)| corners[corner] * weight as f64).sum();
+                let mut layer = x as f64;
+                if x > first && x < layers {
+                    let mut shift = || jitter * (2.0 * random(&mut state) - 1.0);
+                    direction += DVec3::new(shift(), shift(), shift());
+                    layer += shift();
+                }
+                soup.positions.push(radius(layer / layers as f64) * direction.normalize_or_zero());
+                soup.positions.len() as u32 - 1
+            })
+        };
+        for x in first..layers {
+            for (y, z) in (0..=x).flat_map(|y| (0..=y).map(move |z| (y, z))) {
+                for order in ORDERS {
+                    let mut corner = [x, y, z];
+                    let mut steps = [corner; 4];
+                    for (step, &axis) in order.iter().enumerate() {
+                        corner[axis] += 1;
+                        steps[step + 1] = corner;
+                    }
+                    if steps.iter().all(|&[x, y, z]| x >= y && y >= z) {
+                        soup.tetrahedra.push(steps.map(&mut vertex));
                     }
                 }
             }
@@ -200,16 +211,21 @@ pub fn pierced_cube(radius: f64, cells: usize, jitter: f64) -> TetSoup {
     Grid { cells: [cells, 8 * cells, 2 * cells], is_closed: true, has: &|_| true, jitter, map: &map }.soup()
 }
 
-/// The names that [`by_name`] takes.
-pub const NAMES: [&str; 5] = ["cube", "ball", "bent_pipe", "cave", "pierced_cube"];
+const NAMES: [&str; 6] = ["cube", "ball", "pipe", "bent_pipe", "cave", "pierced_cube"];
 
-/// A mesh at its default resolution, 30,000 to 90,000 tetrahedra; none for a name that is not in [`NAMES`].
+/// The names that [`by_name`] takes.
+pub fn names() -> &'static [&'static str] {
+    &NAMES
+}
+
+/// A mesh at its default resolution, 30,000 to 90,000 tetrahedra; none for a name that is not in [`names`].
 pub fn by_name(name: &str) -> Option<TetSoup> {
     Some(match name {
         "cube" => cube(20, 0.2),
         "ball" => ball(14, 0.2),
+        "pipe" => pipe(0.33, 5, 0.1),
         "bent_pipe" => bent_tube(0.35, 1.5 * PI, 12, 0.15),
-        "cave" => cave(0.5, 7, 0.15),
+        "cave" => pillared_cave(0.5, 0.28, 12, 0.1),
         "pierced_cube" => pierced_cube(0.4, 8, 0.15),
         _ => return None,
     })
