@@ -4,7 +4,7 @@
 use glam::Vec3;
 use heatwalk_surface::{along_curve, parallel};
 
-use crate::ray::{Hit, Ray};
+use crate::ray::{Hit, Ray, entry};
 
 /// Triangles of a leaf, but for the last one.
 const LEAF: usize = 8;
@@ -108,18 +108,7 @@ impl Hierarchy {
 
     /// How far along a ray its box begins; 0 from inside, infinite where the ray misses it. `inverse`: of its direction.
     fn entry(&self, node: usize, origin: Vec3, inverse: Vec3) -> f32 {
-        let Some([low, high]) = self.boxes.get(node) else { return f32::INFINITY };
-        let (mut enters, mut leaves) = (0.0_f32, f32::INFINITY);
-        for axis in 0..3 {
-            let [a, b] = [low, high].map(|side| side[axis] - origin[axis]);
-            if inverse[axis].is_finite() {
-                enters = enters.max((a * inverse[axis]).min(b * inverse[axis]));
-                leaves = leaves.min((a * inverse[axis]).max(b * inverse[axis]));
-            } else if a > 0.0 || b < 0.0 {
-                return f32::INFINITY;
-            }
-        }
-        if enters <= leaves { enters } else { f32::INFINITY }
+        self.boxes.get(node).map_or(f32::INFINITY, |&corners| entry(corners, origin, inverse))
     }
 }
 

@@ -15,6 +15,6 @@ pub use bounds::Bounds;
 pub use contact::{CONTACT_SIZE, Floor};
 pub use hierarchy::{Corners, Hierarchy};
 pub use occlusion::{Cube, OCCLUSION_SIZE};
-pub use pick::Picker;
+pub use pick::{Picker, cast_at_all};
 pub use ray::{Hit, Ray};
 pub use shade::Shade;

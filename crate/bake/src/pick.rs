@@ -32,30 +32,15 @@ impl Picker {
     /// The nearest triangle in front of the ray's origin, seen from either side.
     #[must_use]
     pub fn cast(&self, ray: Ray) -> Option<Hit> {
-        self.hierarchy.nearest(ray, |triangle| self.meet(ray, triangle))
+        self.cast_where(ray, |_| true)
     }
 
-    /// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), in double precision so that
-    /// the weights keep their digits when the camera is far away.
-    fn meet(&self, ray: Ray, triangle: u32) -> Option<Hit> {
-        let [a, b, c] = self.triangles[triangle as usize].map(|vertex| self.positions[vertex as usize].as_dvec3());
-        let direction = ray.direction.as_dvec3();
-        let (ab, ac) = (b - a, c - a);
-        let across: DVec3 = direction.cross(ac);
-        let determinant = ab.dot(across);
-        // Exactly zero only for a degenerate triangle or a ray in its plane: nothing to stand on.
-        if determinant == 0.0 {
-            return None;
-        }
-        let from_a = ray.origin.as_dvec3() - a;
-        let v = from_a.dot(across) / determinant;
-        let along = from_a.cross(ab);
-        let w = direction.dot(along) / determinant;
-        let depth = ac.dot(along) / determinant;
-        if v < 0.0 || w < 0.0 || v + w > 1.0 || depth <= 0.0 {
-            return None;
-        }
-        Some(Hit { triangle, weights: DVec3::new(1.0 - v - w, v, w).as_vec3(), depth: depth as f32 })
+    /// The nearest of the places where the ray meets a triangle and `is_there` is true.
+    #[must_use]
+    pub fn cast_where(&self, ray: Ray, is_there: impl Fn(Vec3) -> bool) -> Option<Hit> {
+        let meet =
+            |triangle: u32| meet(ray, triangle, self.corners(triangle).map(|vertex| self.positions[vertex as usize]));
+        self.hierarchy.nearest(ray, |triangle| meet(triangle).filter(|hit| is_there(ray.at(hit.depth))))
     }
 
     /// The vertices, `#V × 3`; world space.
@@ -83,9 +68,47 @@ impl Picker {
     }
 }
 
+/// The nearest triangle in front of the ray's origin, seen from either side; looks at all, for triangles that change too often
+/// to be worth a hierarchy. The indices must be in range.
+#[must_use]
+pub fn cast_at_all(ray: Ray, positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Hit> {
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
+    let hits = (0..).zip(triangles).filter_map(|(index, triangle)| meet(ray, index, corners(triangle)));
+    hits.min_by(|one, other| one.depth.total_cmp(&other.depth))
+}
+
+/// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), in double precision so that
+/// the weights keep their digits when the camera is far away.
+fn meet(ray: Ray, triangle: u32, corners: [Vec3; 3]) -> Option<Hit> {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let direction = ray.direction.as_dvec3();
+    let (ab, ac) = (b - a, c - a);
+    let across: DVec3 = direction.cross(ac);
+    let determinant = ab.dot(across);
+    // Exactly zero only for a degenerate triangle or a ray in its plane: nothing to stand on.
+    if determinant == 0.0 {
+        return None;
+    }
+    let from_a = ray.origin.as_dvec3() - a;
+    let v = from_a.dot(across) / determinant;
+    let along = from_a.cross(ab);
+    let w = direction.dot(along) / determinant;
+    let depth = ac.dot(along) / determinant;
+    if v < 0.0 || w < 0.0 || v + w > 1.0 || depth <= 0.0 {
+        return None;
+    }
+    Some(Hit { triangle, weights: DVec3::new(1.0 - v - w, v, w).as_vec3(), depth: depth as f32 })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Picker {
+        fn meet(&self, ray: Ray, triangle: u32) -> Option<Hit> {
+            meet(ray, triangle, self.corners(triangle).map(|vertex| self.positions[vertex as usize]))
+        }
+    }
 
     /// A small deterministic generator: tests must not vary from run to run.
     struct Lcg(u64);
@@ -127,10 +150,30 @@ mod tests {
                     .filter_map(|triangle| picker.meet(ray, triangle))
                     .min_by(|left, right| left.depth.total_cmp(&right.depth));
                 assert_eq!(picker.cast(ray), nearest);
+                assert_eq!(cast_at_all(ray, picker.positions(), picker.triangles()), nearest);
                 hits += usize::from(nearest.is_some());
             }
             assert!(count < 700 || hits > 300, "the rays must meet something: {hits}");
         }
+    }
+
+    #[test]
+    fn goes_on_through_what_is_not_there() {
+        let picker = soup(700, 7);
+        let mut random = Lcg(17);
+        let mut farther = 0;
+        for _ in 0..1000 {
+            let origin = 3.0 * random.point();
+            let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+            let is_there = |place: Vec3| place.x + place.y < 0.1;
+            let nearest = (0..700)
+                .filter_map(|triangle| picker.meet(ray, triangle))
+                .filter(|hit| is_there(ray.at(hit.depth)))
+                .min_by(|left, right| left.depth.total_cmp(&right.depth));
+            assert_eq!(picker.cast_where(ray, is_there), nearest);
+            farther += usize::from(nearest.is_some() && nearest != picker.cast(ray));
+        }
+        assert!(farther > 20, "some rays must meet something behind what is not there: {farther}");
     }
 
     #[test]

@@ -25,11 +25,13 @@ struct Arrow {
 
 const ARROW: wgpu::VertexBufferLayout<'static> = vertex_layout!(Arrow, per Instance: 3 => middle, 4 => vector);
 
-/// Draws a vector field, an arrow a triangle.
+/// Draws a vector field, an arrow a triangle, and one within the solid.
 pub(crate) struct Arrows {
     pipeline: wgpu::RenderPipeline,
+    inner_pipeline: wgpu::RenderPipeline,
     solid: SolidBuffers,
     instances: Instances<Arrow>,
+    inner: Instances<Arrow>,
 }
 
 impl Arrows {
@@ -37,7 +39,7 @@ impl Arrows {
         let mut solid = Solid::new(Detail::COARSE);
         // A dart: blunt behind, pointed ahead.
         solid.turned(Vec3::NEG_Y * 0.5, Vec3::Y, &[(0.0, 0.001), (0.0, 0.17), (0.06, 0.17), (1.0, 0.004)], [0.0; 2]);
-        let pipeline = PipelineRecipe {
+        let recipe = PipelineRecipe {
             label: "arrow",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
             module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
@@ -46,9 +48,15 @@ impl Arrows {
             buffers: &[Some(SolidBuffers::LAYOUT), Some(ARROW)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place: Place::Solid,
-        }
-        .build(context);
-        Ok(Self { pipeline, solid: solid.upload(context)?, instances: Instances::new("arrows") })
+        };
+        Ok(Self {
+            pipeline: recipe.build(context),
+            inner_pipeline: PipelineRecipe { label: "inner arrow", fragment: "fs_inner_arrow", ..recipe }
+                .build(context),
+            solid: solid.upload(context)?,
+            instances: Instances::new("arrows"),
+            inner: Instances::new("inner arrows"),
+        })
     }
 
     /// One vector a triangle; those of no length have no arrow. On a fine mesh some triangles go without, evenly over the
@@ -65,13 +73,71 @@ impl Arrows {
         self.instances.set(context, arrows);
     }
 
+    /// Takes those of the surface away.
     pub(crate) fn clear(&mut self) {
         self.instances.clear();
     }
 
+    /// Takes those within the solid away.
+    pub(crate) fn clear_inner(&mut self) {
+        self.inner.clear();
+    }
+
+    /// Replaces the arrows within the solid, one vector a place; those of no length have none. Where places are close, some go
+    /// without, evenly over the solid. `radius` is the surface's bounding radius.
+    pub(crate) fn set_inner(&mut self, context: &Context, places: &[Vec3], vectors: &[Vec3], radius: f32) {
+        let size = LONGEST * radius;
+        let arrows = apart(places, size / LENGTH).into_iter().filter_map(|index| {
+            let direction = vectors[index].try_normalize()?;
+            Some(Arrow { middle: places[index], vector: size * direction })
+        });
+        self.inner.set(context, arrows);
+    }
+
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(count) = self.instances.bind(pass, 1) else { return };
-        pass.set_pipeline(&self.pipeline);
-        self.solid.draw(pass, count);
+        for (pipeline, instances) in [(&self.pipeline, &self.instances), (&self.inner_pipeline, &self.inner)] {
+            if let Some(count) = instances.bind(pass, 1) {
+                pass.set_pipeline(pipeline);
+                self.solid.draw(pass, count);
+            }
+        }
+    }
+}
+
+/// Indices of at most [`MOST`] places: of each cell of a grid the one that is nearest to its middle. Cells are `side` wide, or
+/// more where they would be too many.
+fn apart(places: &[Vec3], side: f32) -> Vec<usize> {
+    let mut side = side;
+    loop {
+        let listed = |(index, &place): (usize, &Vec3)| {
+            let cell = (place / side).floor();
+            ((place / side - cell - 0.5).length_squared(), cell.as_ivec3().to_array(), index)
+        };
+        let mut listed: Vec<_> = places.iter().enumerate().map(listed).collect();
+        listed.sort_unstable_by(|one, other| one.1.cmp(&other.1).then(one.0.total_cmp(&other.0)));
+        listed.dedup_by_key(|&mut (_, cell, _)| cell);
+        if listed.len() <= MOST {
+            return listed.into_iter().map(|(_, _, index)| index).collect();
+        }
+        // At twice the volume about half of them are left.
+        side *= 2_f32.cbrt();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrows_inside_are_few_and_keep_apart() {
+        let axis = || (0..40).map(|step| step as f32 / 40.0);
+        let places: Vec<Vec3> =
+            axis().flat_map(|x| axis().flat_map(move |y| axis().map(move |z| Vec3::new(x, y, z)))).collect();
+        let few = apart(&places, 0.2);
+        assert_eq!(few.len(), 5 * 5 * 5);
+        let nearest_to_a_middle = few.iter().all(|&index| (places[index] % 0.2 - 0.1).abs().max_element() < 0.02);
+        assert!(nearest_to_a_middle);
+        let many = apart(&places, 0.01).len();
+        assert!(many <= MOST && many > MOST / 4, "{many} of {}", places.len());
     }
 }

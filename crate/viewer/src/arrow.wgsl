@@ -1,4 +1,4 @@
-// Darts on the surface that show a vector field, one instance a triangle.
+// Darts on the surface or within the solid that show a vector field, one instance each.
 
 const AMBER = vec3f(1.0, 0.42, 0.10);
 
@@ -22,9 +22,17 @@ fn vs_arrow(
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, axes * solid_normal);
 }
 
+const DART = Material(AMBER, 0.0, 0.45, 0.15 * AMBER, 1.0);
+
 @fragment
 fn fs_arrow(fragment: Fragment) -> @location(0) vec4f {
-    let material = Material(AMBER, 0.0, 0.45, 0.15 * AMBER, 1.0);
     let normal = normalize(fragment.normal);
-    return encode(shade(material, fragment.position, normal, normal));
+    return encode(shade(DART, fragment.position, normal, normal));
+}
+
+// Within the solid: what is seen of it lies open.
+@fragment
+fn fs_inner_arrow(fragment: Fragment) -> @location(0) vec4f {
+    let normal = normalize(fragment.normal);
+    return encode(shade_open(DART, fragment.position, normal, normal));
 }

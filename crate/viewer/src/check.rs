@@ -36,6 +36,16 @@ pub(crate) fn same_length(what: &'static str, places: &[Vec3], vectors: &[Vec3])
     Err(Error::WrongLength { what, expected: 3 * places.len(), found: 3 * vectors.len() })
 }
 
+/// Every corner of a triangle must be a vertex.
+#[inline(never)]
+pub(crate) fn corners(triangles: &[[u32; 3]], vertex_count: usize) -> Result<(), Error> {
+    let corners = triangles.as_flattened();
+    match corners.iter().position(|&vertex| vertex as usize >= vertex_count) {
+        None => Ok(()),
+        Some(at) => Err(Error::VertexOutOfRange { triangle: at / 3, vertex: corners[at], vertex_count }),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -51,5 +61,7 @@ mod tests {
         assert!(vectors("normals", &[Vec3::splat(1e25)]).is_ok());
         assert!(vectors("normals", &[Vec3::ZERO, Vec3::NAN]).is_err());
         assert!(same_length("normals", &[Vec3::ZERO; 2], &[Vec3::ZERO]).is_err());
+        let refused = corners(&[[0, 1, 2], [2, 3, 1]], 3).expect_err("a vertex that is not there");
+        assert!(matches!(refused, Error::VertexOutOfRange { triangle: 1, vertex: 3, vertex_count: 3 }));
     }
 }

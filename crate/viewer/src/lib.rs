@@ -18,11 +18,13 @@ mod check;
 mod color;
 mod context;
 mod curve;
+mod cut;
 mod environment;
 mod error;
 mod gait;
 mod ground;
 mod image;
+mod inner;
 mod lighting;
 mod material;
 mod mesh;
@@ -32,8 +34,10 @@ mod pipeline;
 mod pose;
 mod punctual;
 mod renderer;
+mod section;
 mod shadow;
 mod shared;
+mod shell;
 mod solid;
 mod style;
 mod surface;
@@ -55,11 +59,13 @@ pub use environment::Surroundings;
 pub use error::Error;
 pub use heatwalk_bake::{Bounds, Hierarchy, Ray, Shade};
 pub use image::Image;
+pub use inner::InnerTriangles;
 pub use material::{CHANNELS, Material, TextureUse};
 pub use mesh::{MeshArrays, MeshPose};
 pub use pose::{CrowdPose, Pose, Track};
 pub use punctual::{MOST_PUNCTUAL, PunctualLight};
 pub use renderer::{Renderer, SurfaceHit};
+pub use section::SectionArrays;
 pub use style::{Blend, Finish, Pattern, RAMP_SIZE, Style};
 pub use surface::RAMP_BYTES;
 
@@ -77,6 +83,9 @@ mod shader_tests {
             ("background", include_str!("background.wgsl")),
             ("ground", include_str!("ground.wgsl")),
             ("surface", include_str!("surface.wgsl")),
+            ("cut", concat!(include_str!("surface.wgsl"), include_str!("cut.wgsl"))),
+            ("section", concat!(include_str!("surface.wgsl"), include_str!("section.wgsl"))),
+            ("shell", concat!(include_str!("surface.wgsl"), include_str!("shell.wgsl"))),
             ("model", concat!(include_str!("surface.wgsl"), include_str!("model.wgsl"))),
             ("curve", include_str!("curve.wgsl")),
             ("pin", include_str!("pin.wgsl")),

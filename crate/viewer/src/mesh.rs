@@ -43,12 +43,7 @@ impl MeshArrays {
         if found != self.triangles.len() {
             return Err(Error::WrongLength { what: "hierarchy", expected: self.triangles.len(), found });
         }
-        for (triangle, corners) in self.triangles.iter().enumerate() {
-            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
-                return Err(Error::VertexOutOfRange { triangle, vertex, vertex_count });
-            }
-        }
-        Ok(())
+        check::corners(&self.triangles, vertex_count)
     }
 }
 

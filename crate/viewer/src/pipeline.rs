@@ -53,6 +53,17 @@ impl PipelineRecipe<'_> {
         self.create(context, 1, None)
     }
 
+    /// Of what casts a shadow but for the pixels that the fragment shader discards.
+    pub(crate) fn build_holed_shadow(&self, context: &Context) -> wgpu::RenderPipeline {
+        let fragment = wgpu::FragmentState {
+            module: self.module,
+            entry_point: Some(self.fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[],
+        };
+        self.create(context, 1, Some(fragment))
+    }
+
     fn create(
         &self,
         context: &Context,

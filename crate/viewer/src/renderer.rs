@@ -1,9 +1,11 @@
 mod content;
 mod frame;
+mod inside;
 mod tint;
 
 use glam::{Vec2, Vec3};
 
+use self::inside::Inside;
 use crate::arrow::Arrows;
 use crate::background::Background;
 use crate::camera::{Camera, Insets, View};
@@ -25,10 +27,12 @@ use crate::walker::Walkers;
 use crate::wire::Wires;
 use heatwalk_bake::{Bounds, Shade};
 
-/// A place on the surface under a pixel.
+/// A place on the surface or the section under a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceHit {
-    /// Index of the triangle.
+    /// Whether it is on the section.
+    pub is_on_section: bool,
+    /// Index of the triangle, of the surface or of the section.
     pub triangle: u32,
     /// Barycentric weights of its corners.
     pub weights: Vec3,
@@ -64,6 +68,7 @@ pub struct Renderer {
     /// Of the surface alone, where it was given.
     shade: Option<Shade>,
     scenery: Vec<Mesh>,
+    inside: Inside,
     /// Of surface and scenery together, as they last came to rest.
     scene: Bounds,
     /// Least and greatest corner of these and of all poses since, where there were any.
@@ -102,6 +107,7 @@ impl Renderer {
             surface: None,
             shade: None,
             scenery: Vec::new(),
+            inside: Inside::default(),
             scene: Bounds::UNIT,
             reach: None,
             track: None,
@@ -146,7 +152,19 @@ impl Renderer {
         self.surface.iter().map(|(mesh, _)| mesh).chain(&self.scenery)
     }
 
-    /// Bounds of all that has cast a shadow since the scene last came to rest.
+    /// The surface, unless it is hidden.
+    fn seen_surface(&self) -> Option<&(Mesh, FieldBuffers)> {
+        self.surface.as_ref().filter(|_| !self.inside.hides_surface)
+    }
+
+    /// Bounds of all that has cast a shadow since the scene last came to rest, and of the section, whose parts may be drawn
+    /// asunder.
+    fn drawn(&self) -> Bounds {
+        let scene = self.shadowed();
+        Bounds { radius: scene.radius.max(self.inside.reach), ..scene }
+    }
+
+    /// Bounds of all but the section that has cast a shadow since the scene last came to rest.
     fn shadowed(&self) -> Bounds {
         self.reach.and_then(|reach| Bounds::of_points(reach.iter())).unwrap_or(self.scene)
     }
@@ -167,21 +185,33 @@ impl Renderer {
         self.dirty = true;
     }
 
-    /// The nearest place of the surface under a physical pixel; None where there is none or scenery hides it.
+    /// The nearest place of the surface or the section under a physical pixel; None where there is none or scenery hides it.
+    /// What is cut away is not there.
     #[must_use]
     pub fn pick(&self, pixel: Vec2) -> Option<SurfaceHit> {
         let ray = self.camera.ray(pixel);
-        let (mesh, _) = self.surface.as_ref()?;
-        let hit = mesh.picker.cast(ray)?;
+        let on_surface = self.seen_surface().and_then(|(mesh, _)| {
+            let hit = mesh.picker.cast_where(ray, |place| !self.inside.cut.takes(place))?;
+            Some((hit, mesh.picker.corners(hit.triangle).map(|vertex| mesh.normals[vertex as usize])))
+        });
+        let on_section = self.inside.section.as_ref().and_then(|section| {
+            let hit = section.cast(ray)?;
+            Some((hit, section.corner_normals(hit.triangle)))
+        });
+        let is_on_section = match (&on_surface, &on_section) {
+            (Some((surface, _)), Some((section, _))) => section.depth <= surface.depth,
+            (_, section) => section.is_some(),
+        };
+        let (hit, [a, b, c]) = if is_on_section { on_section } else { on_surface }?;
         if self.scenery.iter().filter_map(|mesh| mesh.picker.cast(ray)).any(|scenery| scenery.depth < hit.depth) {
             return None;
         }
-        let [a, b, c] = mesh.picker.corners(hit.triangle).map(|vertex| mesh.normals[vertex as usize]);
         let normal = hit.weights.x * a + hit.weights.y * b + hit.weights.z * c;
         Some(SurfaceHit {
+            is_on_section,
             triangle: hit.triangle,
             weights: hit.weights,
-            point: ray.origin + hit.depth * ray.direction,
+            point: ray.at(hit.depth),
             normal: normal.try_normalize().unwrap_or(a),
         })
     }

@@ -1,9 +1,10 @@
 use encase::ShaderType;
-use glam::{Mat4, Vec2, Vec3};
+use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::binding::uniform_layout;
 use crate::camera::Eye;
 use crate::context::Context;
+use crate::cut::Cut;
 use crate::environment::{Environment, LIGHT_COUNT, Light};
 use crate::lighting::Lighting;
 use crate::punctual::{self, MOST_PUNCTUAL, PunctualLight, dimmed};
@@ -25,6 +26,9 @@ pub(crate) struct Frame<'a> {
     pub(crate) environment: Environment,
     /// Of the file; where there are some, those of the environment are out.
     pub(crate) punctual: &'a [PunctualLight],
+    pub(crate) cut: Cut,
+    /// Whether a section closes the cut.
+    pub(crate) is_capped: bool,
 }
 
 /// `Frame` of shared.wgsl.
@@ -48,6 +52,8 @@ struct FrameUniform {
     punctual_count: i32,
     lights: [Light; LIGHT_COUNT],
     punctual: [PunctualLight; MOST_PUNCTUAL],
+    cut: [Vec4; 2],
+    is_capped: f32,
 }
 
 impl Frame<'_> {
@@ -75,6 +81,8 @@ impl Frame<'_> {
             punctual_count: self.punctual.len().min(MOST_PUNCTUAL) as i32,
             lights: if is_lit_by_file { lights.map(Light::out) } else { lights },
             punctual: punctual::drawn(self.punctual),
+            cut: self.cut.uniform(),
+            is_capped: f32::from(u8::from(self.is_capped)),
         }
     }
 }

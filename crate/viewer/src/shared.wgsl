@@ -62,6 +62,10 @@ struct Frame {
     punctual_count: i32,
     lights: array<Light, LIGHT_COUNT>,
     punctual: array<PunctualLight, MOST_PUNCTUAL>,
+    // Planes that the surface is cut open by, unit normal and offset: what is beyond both is away.
+    cut: array<vec4f, 2>,
+    // 1 where a section closes the cut.
+    is_capped: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -242,6 +246,16 @@ fn lit_by_file(position: vec3f, normal: vec3f, to_eye: vec3f, roughness: f32) ->
 // Light that leaves a surface towards the eye, tone mapped: diffuse under sky and lights, and their reflection blurred by
 // roughness. `normal` is that of the relief upon the surface, whose own is `geometric`; both face the eye.
 fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -> vec3f {
+    return shade_under(material, position, normal, geometric, openness(position, geometric));
+}
+
+// The same where nothing is around the place but what casts a shadow: half of all directions are open.
+fn shade_open(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -> vec3f {
+    return shade_under(material, position, normal, geometric, vec4f(0.25 * geometric, 0.5));
+}
+
+// The same where light comes from around as `open` tells: see `openness`.
+fn shade_under(material: Material, position: vec3f, normal: vec3f, geometric: vec3f, open: vec4f) -> vec3f {
     let to_eye = normalize(frame.eye - position);
     let facing = clamp(dot(normal, to_eye), 0.02, 1.0);
     let mirrored = reflect(-to_eye, normal);
@@ -265,7 +279,6 @@ fn shade(material: Material, position: vec3f, normal: vec3f, geometric: vec3f) -
     let straight_on = mix(vec3f(0.04), material.albedo, material.metalness);
     let body = material.albedo * (1.0 - material.metalness);
     // What is open of the half sphere over the normal, and beside the mirrored direction.
-    let open = openness(position, geometric);
     let above = clamp(open.w + 2.0 * dot(open.xyz, normal), 0.0, 1.0);
     let whole = 0.5 + 0.75 * max(dot(geometric, mirrored), 0.0);
     let beside = clamp((open.w + 3.0 * dot(open.xyz, mirrored)) / whole, 0.0, 1.0);

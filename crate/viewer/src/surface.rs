@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::pipeline::{PipelineRecipe, Place, shader};
 use crate::shared::Shared;
 use crate::style::{RAMP_SIZE, Style, StyleUniform};
-use crate::tint::{TINT, TintBuffer};
+use crate::tint::{TINT, TINT_SLOT, TintBuffer};
 use crate::uniform::Uniform;
 use crate::vertex::{Snorm8x4, attribute, single};
 
@@ -17,7 +17,7 @@ pub(crate) const SURFACE_WGSL: &str = include_str!("surface.wgsl");
 pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
 /// Stands for "unreachable" in a vertex buffer, whose values are shares of the largest one: interpolating an infinity gives
 /// NaN on some devices.
-const UNREACHABLE: f32 = 2.0;
+pub(crate) const UNREACHABLE: f32 = 2.0;
 
 pub(crate) const POSITION: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(0)]);
 pub(crate) const NORMAL: wgpu::VertexBufferLayout<'static> = single::<Vec3>(PER_VERTEX, &[attribute::<Vec3>(1)]);
@@ -25,6 +25,21 @@ pub(crate) const DISTANCE: wgpu::VertexBufferLayout<'static> = single::<f32>(PER
 pub(crate) const TANGENT: wgpu::VertexBufferLayout<'static> =
     single::<Snorm8x4>(PER_VERTEX, &[attribute::<Snorm8x4>(3)]);
 pub(crate) const PER_VERTEX: wgpu::VertexStepMode = wgpu::VertexStepMode::Vertex;
+
+/// The vertex shader of a mesh, with or without a field, bare or tinted, and its buffers.
+pub(crate) fn vertices(
+    has_field: bool,
+    is_tinted: bool,
+) -> (&'static str, [Option<wgpu::VertexBufferLayout<'static>>; TINT_SLOT as usize + 1]) {
+    let [distance, tangent] = [DISTANCE, TANGENT].map(|buffer| has_field.then_some(buffer));
+    let vertex = match (has_field, is_tinted) {
+        (true, false) => "vs_field",
+        (true, true) => "vs_field_tinted",
+        (false, false) => "vs_plain",
+        (false, true) => "vs_plain_tinted",
+    };
+    (vertex, [Some(POSITION), Some(NORMAL), distance, tangent, None, None, is_tinted.then_some(TINT)])
+}
 
 /// A triangle mesh on the device.
 pub(crate) struct MeshBuffers {
@@ -68,7 +83,7 @@ impl MeshBuffers {
         context.queue.write_buffer(&self.normals, 0, bytemuck::cast_slice(normals));
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.bind(pass);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
@@ -87,7 +102,7 @@ impl MeshBuffers {
         pass.set_index_buffer(self.triangles.slice(..), wgpu::IndexFormat::Uint32);
     }
 
-    fn draw_positions(&self, pass: &mut wgpu::RenderPass<'_>) {
+    pub(crate) fn draw_positions(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.bind_positions(pass);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
@@ -221,35 +236,31 @@ impl SurfaceRenderer {
         });
         let module = shader(context, "surface.wgsl", SURFACE_WGSL);
         let layouts = [Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)];
-        let pipeline = |label, vertex, fragment, buffers| PipelineRecipe {
-            label,
+        let recipe = PipelineRecipe {
+            label: "surface shadow",
             layouts: &layouts,
             module: &module,
-            vertex,
-            fragment,
-            buffers,
+            vertex: "vs_shadow",
+            fragment: "",
+            buffers: &[Some(POSITION)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             place: Place::Solid,
         };
-        let bare = [Some(POSITION), Some(NORMAL)];
-        let with_field = [Some(POSITION), Some(NORMAL), Some(DISTANCE), Some(TANGENT)];
-        let tinted_field = [Some(POSITION), Some(NORMAL), Some(DISTANCE), Some(TANGENT), None, None, Some(TINT)];
-        let tinted = [Some(POSITION), Some(NORMAL), None, None, None, None, Some(TINT)];
+        let surface = |label, fragment, has_field, is_tinted| {
+            let (vertex, buffers) = vertices(has_field, is_tinted);
+            PipelineRecipe { label, vertex, fragment, buffers: &buffers, ..recipe.clone() }.build(context)
+        };
         let renderer = Self {
             field: [
-                pipeline("surface with field", "vs_field", "fs_field", &with_field).build(context),
-                pipeline("tinted surface with field", "vs_field_tinted", "fs_field", &tinted_field).build(context),
+                surface("surface with field", "fs_field", true, false),
+                surface("tinted surface with field", "fs_field", true, true),
             ],
             plain: [
-                pipeline("surface without field", "vs_plain", "fs_plain", &bare).build(context),
-                pipeline("tinted surface without field", "vs_plain_tinted", "fs_plain", &tinted).build(context),
+                surface("surface without field", "fs_plain", false, false),
+                surface("tinted surface without field", "fs_plain", false, true),
             ],
-            scenery: pipeline("scenery", "vs_plain", "fs_scenery", &bare).build(context),
-            shadow: PipelineRecipe {
-                layouts: &[Some(&shared.frame_layout)],
-                ..pipeline("surface shadow", "vs_shadow", "", &[Some(POSITION)])
-            }
-            .build_shadow(context),
+            scenery: surface("scenery", "fs_scenery", false, false),
+            shadow: PipelineRecipe { layouts: &[Some(&shared.frame_layout)], ..recipe.clone() }.build_shadow(context),
             group,
             style_layout: layout,
             style,

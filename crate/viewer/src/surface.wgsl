@@ -269,9 +269,19 @@ fn outlined(color: vec4f, outline: vec2f) -> vec4f {
     return vec4f(mix(mix(color.rgb, vec3f(0.08), 0.7 * outline.y), vec3f(0.98), outline.x), color.a);
 }
 
-@fragment
-fn fs_field(fragment: Fragment) -> @location(0) vec4f {
-    // Derivatives first: they need every pixel of a quad to come along.
+// What is seen of a place on the surface before light falls on it.
+struct Painted {
+    material: Material,
+    // Of the relief, and that of the surface (w: 1 for the outside); both face the eye.
+    normal: vec3f,
+    geometric: vec4f,
+    // Of the brush.
+    outline: vec2f,
+}
+
+// Every pixel of a quad has to come along.
+fn paint_field(fragment: Fragment) -> Painted {
+    // Derivatives first.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
     let mark = mark(fragment.distance, fragment.tangent, geometric.xyz);
     let turned = turning(fragment.normal) + mark.turned;
@@ -295,16 +305,28 @@ fn fs_field(fragment: Fragment) -> @location(0) vec4f {
         material = wall(fragment.tint);
         normal = geometric.xyz;
     }
-    return outlined(finish(material, fragment.position, normal, geometric), brush);
+    return Painted(material, normal, geometric, brush);
+}
+
+fn paint_plain(fragment: Fragment) -> Painted {
+    let geometric = normal_to_eye(fragment.position, fragment.normal);
+    var material = PLAIN;
+    material.albedo = tinted(material.albedo, fragment.tint);
+    return Painted(material, geometric.xyz, geometric, outline(fragment.position));
+}
+
+fn lit(painted: Painted, position: vec3f) -> vec4f {
+    return outlined(finish(painted.material, position, painted.normal, painted.geometric), painted.outline);
+}
+
+@fragment
+fn fs_field(fragment: Fragment) -> @location(0) vec4f {
+    return lit(paint_field(fragment), fragment.position);
 }
 
 @fragment
 fn fs_plain(fragment: Fragment) -> @location(0) vec4f {
-    let geometric = normal_to_eye(fragment.position, fragment.normal);
-    let brush = outline(fragment.position);
-    var material = PLAIN;
-    material.albedo = tinted(material.albedo, fragment.tint);
-    return outlined(finish(material, fragment.position, geometric.xyz, geometric), brush);
+    return lit(paint_plain(fragment), fragment.position);
 }
 
 @fragment

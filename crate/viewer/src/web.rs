@@ -2,6 +2,7 @@
 
 mod camera;
 mod content;
+mod inside;
 mod materials;
 mod numbers;
 mod results;

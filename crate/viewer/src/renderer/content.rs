@@ -13,12 +13,13 @@ use crate::mesh::{Mesh, MeshArrays, MeshPose};
 use crate::model::ModelRenderer;
 use crate::pose::{CrowdPose, Track};
 use crate::punctual::PunctualLight;
+use crate::shell::ramp_row;
 use crate::style::Style;
 use crate::surface::{FieldBuffers, RAMP_BYTES};
 
 impl Renderer {
-    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges. The view stays the same relative to the
-    /// bounds. `shade`: that of the surface alone, where it is known.
+    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows, edges, cut, section and shells. The view stays the
+    /// same relative to the bounds. `shade`: that of the surface alone, where it is known.
     ///
     /// # Errors
     /// When the arrays do not fit together, or the device, or are no finite places; the old surface then stays.
@@ -34,7 +35,9 @@ impl Renderer {
         self.track = None;
         self.walkers.clear();
         self.arrows.clear();
+        self.arrows.clear_inner();
         self.wires.clear();
+        self.inside.clear();
         self.adopt_meshes();
         Ok(())
     }
@@ -90,8 +93,7 @@ impl Renderer {
         let before = self.reach.unwrap_or_else(|| self.scene.cube());
         let reach = self.meshes().flat_map(Mesh::positions).fold(before, grown);
         self.reach = Some(reach);
-        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
-        self.camera.set_bounds(surface, self.shadowed());
+        self.adopt_bounds();
         (self.dirty, self.shadows_dirty) = (true, true);
         if rests {
             self.scene = self.shadowed();
@@ -109,8 +111,15 @@ impl Renderer {
         let all = if self.scenery.is_empty() { None } else { all() };
         self.scene = all.unwrap_or(surface);
         self.reach = None;
-        self.camera.set_bounds(surface, self.scene);
+        self.adopt_bounds();
         (self.dirty, self.shadows_dirty, self.occlusion_dirty) = (true, true, true);
+    }
+
+    /// Tells the camera what is drawn where.
+    pub(super) fn adopt_bounds(&mut self) {
+        self.inside.measure(self.shadowed().center);
+        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
+        self.camera.set_bounds(surface, self.drawn());
     }
 
     /// Replaces the field: `fill` writes one value a vertex, infinite where unreachable, and the direction in which it
@@ -157,7 +166,10 @@ impl Renderer {
             return Ok(());
         }
         // All are 0 where the largest is.
-        self.max = if max > 0.0 { max } else { 1.0 };
+        let before = std::mem::replace(&mut self.max, if max > 0.0 { max } else { 1.0 });
+        if self.max != before {
+            self.inside.scale(&self.context, self.max);
+        }
         field.write(&self.context, self.max, is_by_corner, fill);
         self.surfaces.set_style(&self.context, &self.style, self.max);
         Ok(())
@@ -187,6 +199,7 @@ impl Renderer {
             found: texels.len(),
         })?;
         self.surfaces.set_ramps(&self.context, texels);
+        self.inside.set_ramp_row(&self.context, ramp_row(texels));
         self.dirty = true;
         Ok(())
     }

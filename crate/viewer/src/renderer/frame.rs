@@ -72,7 +72,7 @@ impl Renderer {
 
     /// Writes the frame's uniform and draws the shadows that have changed.
     fn prepare(&self, camera: &Camera) -> wgpu::CommandEncoder {
-        let shadows = ShadowView::new(self.shadowed(), self.environment.key());
+        let shadows = ShadowView::new(self.drawn(), self.environment.key());
         let moves = self.walkers.are_out() || !self.pins.is_empty();
         let radius = self.radius();
         self.shared.write(
@@ -86,6 +86,8 @@ impl Renderer {
                 cube: Cube::around(self.scene),
                 environment: self.environment,
                 punctual: &self.lights,
+                cut: self.inside.cut,
+                is_capped: self.inside.section.is_some(),
             },
         );
         let mut encoder = self.context.encoder();
@@ -95,8 +97,14 @@ impl Renderer {
             self.ground.set_light(&self.context, key_share);
             self.shared.lighting.maps.draw(&mut encoder, Casters::Still, |pass| {
                 pass.set_bind_group(0, &self.shared.shadow_group, &[]);
-                for mesh in self.meshes() {
-                    self.surfaces.draw_shadow(pass, &mesh.buffers);
+                match (&self.inside.cuts, self.seen_surface()) {
+                    (Some(cuts), Some((mesh, _))) if !self.is_whole(mesh) => cuts.draw_shadow(pass, &mesh.buffers),
+                    (_, Some((mesh, _))) => self.surfaces.draw_shadow(pass, &mesh.buffers),
+                    (_, None) => {}
+                }
+                let others = self.scenery.iter().map(|mesh| &mesh.buffers);
+                for buffers in others.chain(self.inside.section.iter().map(|section| &section.buffers)) {
+                    self.surfaces.draw_shadow(pass, buffers);
                 }
             });
         }
@@ -117,10 +125,19 @@ impl Renderer {
             self.background.draw(pass);
         }
         self.ground.draw(pass, eye.position.y as f32);
-        if let Some((mesh, field)) = &self.surface
+        if let Some((mesh, field)) = self.seen_surface()
             && !self.draw_model(pass, mesh, Some(field), Pass::Solid)
         {
-            self.surfaces.draw(pass, &mesh.buffers, field);
+            match &self.inside.cuts {
+                Some(cuts) if !self.is_whole(mesh) => {
+                    let device = (&self.context, &self.shared, &self.surfaces);
+                    cuts.draw(pass, &mesh.buffers, field, self.inside.section.is_some(), device);
+                }
+                _ => self.surfaces.draw(pass, &mesh.buffers, field),
+            }
+        }
+        if let (Some(sections), Some(section)) = (&self.inside.sections, &self.inside.section) {
+            sections.draw(pass, section, &self.surfaces);
         }
         for mesh in &self.scenery {
             if !self.draw_model(pass, mesh, None, Pass::Solid) {
@@ -129,7 +146,7 @@ impl Renderer {
         }
         self.walkers.draw(pass);
         self.pins.draw(pass);
-        let surface = self.surface.iter().map(|(mesh, field)| (mesh, Some(field)));
+        let surface = self.seen_surface().into_iter().map(|(mesh, field)| (mesh, Some(field)));
         let mut meshes: Vec<_> = surface.chain(self.scenery.iter().map(|mesh| (mesh, None))).collect();
         let depth = |mesh: &Mesh| line_of_sight(eye).dot(mesh.bounds.center);
         meshes.sort_by(|(one, _), (other, _)| depth(other).total_cmp(&depth(one)));
@@ -139,6 +156,14 @@ impl Renderer {
         self.arrows.draw(pass);
         self.curve.draw(pass);
         self.wires.draw(pass);
+        if let (Some(films), Some(shells)) = (&self.inside.films, &self.inside.shells) {
+            films.draw(pass, shells, &self.surfaces);
+        }
+    }
+
+    /// Whether a mesh is drawn without a cut: there is none, or the mesh is drawn in the materials of its file.
+    fn is_whole(&self, mesh: &Mesh) -> bool {
+        self.inside.cut.is_none() || (mesh.model.is_some() && self.style.has_materials_of_file)
     }
 
     /// Draws a mesh in the materials of its file; false where it has none or the style does not want them.
@@ -156,6 +181,9 @@ impl Renderer {
 
     /// Puts the triangles that let light through in order for an eye.
     fn sort_blended(&mut self, eye: Eye) {
+        if let Some(shells) = &mut self.inside.shells {
+            shells.sort(&self.context, line_of_sight(eye));
+        }
         let Some(models) = self.models.as_ref().filter(|_| self.style.has_materials_of_file) else { return };
         let surface = self.surface.iter_mut().map(|(mesh, _)| mesh);
         for mesh in surface.chain(&mut self.scenery) {

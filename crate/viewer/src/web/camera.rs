@@ -74,7 +74,8 @@ impl Viewer {
         Ok(())
     }
 
-    /// The nearest place of the surface under a physical pixel that scenery does not hide.
+    /// The nearest place of the surface or the section under a physical pixel that scenery does not hide. What is cut away is
+    /// not there.
     #[must_use]
     pub fn pick(&self, x: f32, y: f32) -> Option<Hit> {
         self.renderer.pick(Vec2::new(x, y)).map(Hit)

@@ -35,8 +35,8 @@ pub enum StripeBlend {
 
 #[wasm_bindgen]
 impl Viewer {
-    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows and edges. `shaded`: what it keeps off the
-    /// light where it is alone, if that is known.
+    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows, edges, cut, section and shells. `shaded`: what it
+    /// keeps off the light where it is alone, if that is known.
     ///
     /// # Errors
     /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown

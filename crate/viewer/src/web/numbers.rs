@@ -2,13 +2,15 @@
 
 use glam::{Vec3, Vec4};
 use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
-use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
+use js_sys::{Float32Array, Int8Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
+use crate::inner::InnerTriangles;
 use crate::mesh::{MeshArrays, MeshPose};
 use crate::punctual::PunctualLight;
+use crate::section::SectionArrays;
 use crate::style::Finish;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -26,6 +28,21 @@ export interface DrawnMesh {
   colors: Uint16Array;
   /** Three numbers a run of triangles of one material: its first triangle, the one after its last, and the material. */
   runs: Uint32Array;
+}
+
+/** Triangles inside of a solid: `#N × 3` positions and unit normals, `#T × 3` indices. */
+export interface DrawnShells {
+  positions: Float32Array;
+  normals: Float32Array;
+  /** `#N`, in the unit of the field's values. */
+  values: Float32Array;
+  triangles: Uint32Array;
+}
+
+/** Triangles that close a cut; its values are Infinity where unreachable, and may be empty: no field. */
+export interface DrawnSection extends DrawnShells {
+  /** `#N × 4`, the direction in which the values grow, 127 for a unit; empty where the values are. */
+  tangents: Int8Array;
 }
 
 /** What a surface keeps off the light around it. */
@@ -56,6 +73,24 @@ extern "C" {
     fn colors(this: &DrawnMesh) -> Uint16Array;
     #[wasm_bindgen(method, getter, structural)]
     fn runs(this: &DrawnMesh) -> Uint32Array;
+
+    /// Triangles inside of a solid.
+    #[wasm_bindgen(typescript_type = "DrawnShells")]
+    pub type DrawnShells;
+    #[wasm_bindgen(method, getter, structural)]
+    fn positions(this: &DrawnShells) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn normals(this: &DrawnShells) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn values(this: &DrawnShells) -> Float32Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn triangles(this: &DrawnShells) -> Uint32Array;
+
+    /// The same with directions.
+    #[wasm_bindgen(extends = DrawnShells, typescript_type = "DrawnSection")]
+    pub type DrawnSection;
+    #[wasm_bindgen(method, getter, structural)]
+    fn tangents(this: &DrawnSection) -> Int8Array;
 
     /// Another one.
     #[wasm_bindgen(typescript_type = "DrawnShade")]
@@ -130,6 +165,29 @@ pub(super) fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
         colors: groups("vertex colors", mesh.colors().to_vec())?,
         runs: runs.into_iter().map(|[first, end, material]| MeshRun { triangles: first..end, material }).collect(),
     })
+}
+
+pub(super) fn shells(given: &DrawnShells) -> Result<InnerTriangles, Error> {
+    Ok(InnerTriangles {
+        positions: groups("positions", given.positions().to_vec())?,
+        normals: groups("normals", given.normals().to_vec())?,
+        values: given.values().to_vec(),
+        triangles: groups("triangle indices", given.triangles().to_vec())?,
+    })
+}
+
+pub(super) fn section(given: &DrawnSection) -> Result<SectionArrays, Error> {
+    Ok(SectionArrays { mesh: shells(given)?, tangents: groups("tangents", given.tangents().to_vec())? })
+}
+
+/// Planes of four numbers each.
+pub(super) fn planes(numbers: &[f32]) -> Result<Vec<Vec4>, Error> {
+    let (planes, rest) = numbers.as_chunks::<4>();
+    if !rest.is_empty() {
+        let expected = 4 * (planes.len() + 1);
+        return Err(Error::WrongLength { what: "planes of the cut", expected, found: numbers.len() });
+    }
+    Ok(planes.iter().copied().map(Vec4::from_array).collect())
 }
 
 /// Lights of twelve numbers each: the four of each field in turn.

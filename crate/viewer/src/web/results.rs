@@ -5,13 +5,20 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::capture::Capture;
 use crate::renderer::SurfaceHit;
 
-/// A place on the surface.
+/// A place on the surface or the section.
 #[wasm_bindgen]
 pub struct Hit(pub(super) SurfaceHit);
 
 #[wasm_bindgen]
 impl Hit {
-    /// Index of the triangle.
+    /// Whether it is on the section.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn is_on_section(&self) -> bool {
+        self.0.is_on_section
+    }
+
+    /// Index of the triangle, of the surface or of the section.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn triangle(&self) -> u32 {

@@ -5,6 +5,7 @@
 //! `WRITE_REFERENCES=1` writes the reference images anew.
 
 mod image;
+mod inside;
 mod materials;
 mod scenes;
 

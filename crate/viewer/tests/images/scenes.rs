@@ -8,13 +8,15 @@ use heatwalk_viewer::{
     Surroundings, View,
 };
 
+use crate::inside;
+
 /// A picture and how its scene is set up.
 pub struct Scene {
     pub name: &'static str,
     pub show: fn(&mut Renderer) -> Result<(), Error>,
 }
 
-pub const SCENES: [Scene; 8] = [
+pub const SCENES: [Scene; 14] = [
     Scene { name: "stripes", show: stripes },
     Scene { name: "lines_and_edges", show: lines_and_edges },
     Scene { name: "pins_path_and_walker", show: pins_path_and_walker },
@@ -23,10 +25,16 @@ pub const SCENES: [Scene; 8] = [
     Scene { name: "arrows", show: arrows },
     Scene { name: "ground", show: ground },
     Scene { name: "materials_of_a_file", show: crate::materials::belts },
+    Scene { name: "cut_open", show: inside::cut_open },
+    Scene { name: "hollow", show: inside::hollow },
+    Scene { name: "wedge", show: inside::wedge },
+    Scene { name: "shells", show: inside::shells },
+    Scene { name: "whole_cells", show: inside::whole_cells },
+    Scene { name: "arrows_inside", show: inside::arrows_inside },
 ];
 
 /// Where distance is measured from; unit length.
-const SOURCE: Vec3 = Vec3::new(-0.48, 0.6, 0.64);
+pub const SOURCE: Vec3 = Vec3::new(-0.48, 0.6, 0.64);
 
 /// A grid of vertices around an axis, closed in both directions or ending in poles.
 pub struct Grid {
@@ -100,11 +108,7 @@ pub fn show_field(
     style: Style,
 ) -> Result<(), Error> {
     let positions = arrays.positions.clone();
-    renderer.set_surface(arrays, None)?;
-    renderer.set_environment(Surroundings::Studio, 0.4);
-    renderer.set_background(Vec3::new(0.93, 0.94, 0.96), Vec3::new(0.78, 0.81, 0.85));
-    renderer.set_ramps(&ramps())?;
-    renderer.set_style(Style { period: unit * style.period, ..style });
+    show_mesh(renderer, arrays, Style { period: unit * style.period, ..style })?;
     let max = unit * f64::from(reach.min(PI));
     renderer.set_field(positions.len(), max, |values, directions| {
         for (index, &place) in positions.iter().enumerate() {
@@ -113,7 +117,16 @@ pub fn show_field(
             let direction = (127.0 * away(place)).to_array().map(|component| component as i8);
             directions[4 * index..4 * index + 3].copy_from_slice(&direction);
         }
-    })?;
+    })
+}
+
+/// Shows a mesh without a field.
+pub fn show_mesh(renderer: &mut Renderer, arrays: MeshArrays, style: Style) -> Result<(), Error> {
+    renderer.set_surface(arrays, None)?;
+    renderer.set_environment(Surroundings::Studio, 0.4);
+    renderer.set_background(Vec3::new(0.93, 0.94, 0.96), Vec3::new(0.78, 0.81, 0.85));
+    renderer.set_ramps(&ramps())?;
+    renderer.set_style(style);
     renderer.move_camera(|camera| {
         camera.set_view(View { yaw: -0.35, pitch: 0.5, distance: 4.2, target: glam::DVec3::ZERO });
     });
@@ -144,7 +157,7 @@ pub const BANDS: Style = Style {
 };
 
 /// Little happens on the surface, so that what stands on it is seen.
-const PLAIN: Style = Style {
+pub const PLAIN: Style = Style {
     pattern: Pattern::Bands { width: 0.0, sharpness: 1.0, relief: 0.0 },
     surface: Finish { metalness: 0.0, roughness: 0.5, glow: 0.0 },
     ..BANDS

@@ -1,0 +1,153 @@
+//! The surface cut open by planes.
+
+use std::cell::OnceCell;
+
+use glam::{Vec3, Vec4};
+
+use crate::context::Context;
+use crate::error::Error;
+use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::shared::Shared;
+use crate::surface::{FieldBuffers, MeshBuffers, POSITION, SURFACE_WGSL, SurfaceRenderer, vertices};
+
+/// Planes that cut the surface open; world space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Cut {
+    /// Normal and offset; one twice where there is one.
+    planes: Option<[Vec4; 2]>,
+}
+
+impl Cut {
+    /// Of none, one or two planes.
+    ///
+    /// # Errors
+    /// When there are more, or a number is not finite.
+    pub(crate) fn new(planes: &[Vec4]) -> Result<Self, Error> {
+        if let Some(index) = planes.iter().position(|plane| !plane.is_finite()) {
+            return Err(Error::NotFinite { what: "planes of the cut", index });
+        }
+        match *planes {
+            [] => Ok(Self { planes: None }),
+            [plane] => Ok(Self { planes: Some([plane; 2]) }),
+            [first, second] => Ok(Self { planes: Some([first, second]) }),
+            _ => Err(Error::WrongLength { what: "planes of the cut", expected: 8, found: 4 * planes.len() }),
+        }
+    }
+
+    pub(crate) fn is_none(self) -> bool {
+        self.planes.is_none()
+    }
+
+    /// Whether what is at a place is cut away: it is beyond both planes.
+    pub(crate) fn takes(self, place: Vec3) -> bool {
+        self.planes.is_some_and(|planes| planes.iter().all(|plane| plane.truncate().dot(place) > plane.w))
+    }
+
+    /// As shared.wgsl has them.
+    pub(crate) fn uniform(self) -> [Vec4; 2] {
+        self.planes.unwrap_or_default()
+    }
+}
+
+/// Draws the surface where it is cut open. It has pipelines of its own, so that another surface does not pay for it.
+pub(crate) struct CutRenderer {
+    module: wgpu::ShaderModule,
+    /// All but the rim, and the rim; without a field, and with one; bare, and tinted. Few surfaces need all.
+    pipelines: [[[OnceCell<wgpu::RenderPipeline>; 2]; 2]; 2],
+    shadow: wgpu::RenderPipeline,
+}
+
+impl CutRenderer {
+    pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
+        let source = format!("{SURFACE_WGSL}\n{}", include_str!("cut.wgsl"));
+        let module = shader(context, "cut.wgsl", &source);
+        let shadow = PipelineRecipe {
+            label: "shadow of a cut surface",
+            layouts: &[Some(&shared.frame_layout)],
+            module: &module,
+            vertex: "vs_shadow_cut",
+            fragment: "fs_shadow_cut",
+            buffers: &[Some(POSITION)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            place: Place::Solid,
+        }
+        .build_holed_shadow(context);
+        Self { module, pipelines: Default::default(), shadow }
+    }
+
+    /// Draws what is left of the surface. `is_capped`: a section closes the cut, up to which the rim reaches.
+    pub(crate) fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        mesh: &MeshBuffers,
+        field: &FieldBuffers,
+        is_capped: bool,
+        device: (&Context, &Shared, &SurfaceRenderer),
+    ) {
+        pass.set_bind_group(2, &device.2.group, &[]);
+        let (has_field, is_tinted) = (field.bind(pass), mesh.tints.is_some());
+        for is_rim in [false, true].into_iter().take(1 + usize::from(is_capped)) {
+            let build = || self.build(is_rim, has_field, is_tinted, device);
+            let pipelines = &self.pipelines[usize::from(is_rim)][usize::from(has_field)];
+            pass.set_pipeline(pipelines[usize::from(is_tinted)].get_or_init(build));
+            mesh.draw(pass);
+        }
+    }
+
+    fn build(
+        &self,
+        is_rim: bool,
+        has_field: bool,
+        is_tinted: bool,
+        (context, shared, surfaces): (&Context, &Shared, &SurfaceRenderer),
+    ) -> wgpu::RenderPipeline {
+        let (vertex, buffers) = vertices(has_field, is_tinted);
+        PipelineRecipe {
+            label: "cut surface",
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&surfaces.style_layout)],
+            module: &self.module,
+            vertex,
+            fragment: match (is_rim, has_field) {
+                (false, true) => "fs_field_cut",
+                (false, false) => "fs_plain_cut",
+                (true, true) => "fs_field_rim",
+                (true, false) => "fs_plain_rim",
+            },
+            buffers: &buffers,
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            place: Place::Solid,
+        }
+        .build(context)
+    }
+
+    pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBuffers) {
+        pass.set_pipeline(&self.shadow);
+        mesh.draw_positions(pass);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_plane_takes_a_half_and_two_a_wedge() {
+        let (right, front) = (Vec3::X.extend(0.5), Vec3::Z.extend(0.0));
+        let [right_only, both, neither] =
+            [Vec3::new(1.0, 0.0, -1.0), Vec3::new(1.0, 0.0, 1.0), Vec3::new(0.5, 0.0, -1.0)];
+        let taken = |planes: &[Vec4]| {
+            let cut = Cut::new(planes).expect("planes");
+            [right_only, both, neither].map(|place| cut.takes(place))
+        };
+        assert_eq!(taken(&[]), [false; 3]);
+        assert_eq!(taken(&[right]), [true, true, false], "what lies in the plane stays");
+        assert_eq!(taken(&[right, front]), [false, true, false]);
+    }
+
+    #[test]
+    fn refuses_what_is_no_plane() {
+        let plane = Vec4::X;
+        assert!(matches!(Cut::new(&[plane; 3]), Err(Error::WrongLength { expected: 8, found: 12, .. })));
+        assert!(matches!(Cut::new(&[plane, Vec4::NAN]), Err(Error::NotFinite { index: 1, .. })));
+    }
+}

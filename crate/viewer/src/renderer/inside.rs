@@ -1,0 +1,138 @@
+//! What is shown of the inside of a solid.
+
+use glam::{Vec3, Vec4};
+
+use super::Renderer;
+use crate::check;
+use crate::context::Context;
+use crate::cut::{Cut, CutRenderer};
+use crate::error::Error;
+use crate::inner::InnerTriangles;
+use crate::section::{Section, SectionArrays, SectionRenderer};
+use crate::shell::{ShellRenderer, Shells};
+
+/// The cut and what is seen through it. Most meshes are not solids: nothing is built before it is shown.
+#[derive(Default)]
+pub(super) struct Inside {
+    pub(super) cut: Cut,
+    pub(super) cuts: Option<CutRenderer>,
+    pub(super) section: Option<Section>,
+    pub(super) sections: Option<SectionRenderer>,
+    /// Something else stands in the place of the surface.
+    pub(super) hides_surface: bool,
+    pub(super) shells: Option<Shells>,
+    pub(super) films: Option<ShellRenderer>,
+    /// Greatest distance of the section from the middle of the scene; 0 where there is none.
+    pub(super) reach: f32,
+    /// Of the shells.
+    opacity: f32,
+    ramp_row: usize,
+}
+
+impl Inside {
+    /// Takes all away.
+    pub(super) fn clear(&mut self) {
+        self.cut = Cut::default();
+        (self.section, self.shells) = (None, None);
+        self.hides_surface = false;
+    }
+
+    /// `max`: the largest value of the field from now on.
+    pub(super) fn scale(&self, context: &Context, max: f64) {
+        if let Some(section) = &self.section {
+            section.scale(context, max);
+        }
+        if let Some(shells) = &self.shells {
+            shells.scale(context, max);
+        }
+    }
+
+    /// `center`: the middle of the scene from now on.
+    pub(super) fn measure(&mut self, center: Vec3) {
+        self.reach = self.section.as_ref().map_or(0.0, |section| section.reach(center));
+    }
+
+    /// Which of the ramps shells are coloured by.
+    pub(super) fn set_ramp_row(&mut self, context: &Context, row: usize) {
+        self.ramp_row = row;
+        self.write_film(context);
+    }
+
+    fn write_film(&self, context: &Context) {
+        if let Some(films) = &self.films {
+            films.set_film(context, self.opacity, self.ramp_row);
+        }
+    }
+}
+
+impl Renderer {
+    /// Cuts the surface open by none, one or two planes: a unit normal and the offset along it each, world space. What is
+    /// beyond all of them is neither drawn nor picked, and casts no shadow. A surface in the materials of its file is drawn
+    /// whole.
+    ///
+    /// # Errors
+    /// When there are more planes, or a number is not finite; the cut then stays as it is.
+    pub fn set_cut(&mut self, planes: &[Vec4]) -> Result<(), Error> {
+        let cut = Cut::new(planes)?;
+        if cut == self.inside.cut {
+            return Ok(());
+        }
+        self.inside.cut = cut;
+        if !cut.is_none() {
+            self.inside.cuts.get_or_insert_with(|| CutRenderer::new(&self.context, &self.shared));
+        }
+        (self.dirty, self.shadows_dirty) = (true, true);
+        Ok(())
+    }
+
+    /// Replaces the section that closes the cut, drawn with the pattern of the surface as if it lay open. `hides_surface`: it
+    /// stands in the place of the surface, which is neither drawn nor picked, and casts no shadow.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together, or the device, or are no finite places; the old section then stays.
+    pub fn set_section(&mut self, section: Option<SectionArrays>, hides_surface: bool) -> Result<(), Error> {
+        let make = |arrays| Section::new(&self.context, arrays, self.max);
+        let section = section.map(make).transpose()?.flatten();
+        if section.is_some() {
+            let make = || SectionRenderer::new(&self.context, &self.shared, &self.surfaces);
+            self.inside.sections.get_or_insert_with(make);
+        }
+        self.inside.section = section;
+        self.inside.hides_surface = hides_surface;
+        self.adopt_bounds();
+        (self.dirty, self.shadows_dirty) = (true, true);
+        Ok(())
+    }
+
+    /// Replaces the shells, iso-surfaces that let light through, seen where the surface is cut open or hidden. `opacity`: of
+    /// one that is seen straight on, 0..1.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together, or the device, or are no finite places; the old shells then stay.
+    pub fn set_shells(&mut self, shells: Option<InnerTriangles>, opacity: f32) -> Result<(), Error> {
+        let make = |mesh| Shells::new(&self.context, mesh, self.max);
+        let shells = shells.map(make).transpose()?.flatten();
+        if shells.is_some() {
+            let make = || ShellRenderer::new(&self.context, &self.shared, &self.surfaces);
+            self.inside.films.get_or_insert_with(make);
+        }
+        (self.inside.shells, self.inside.opacity) = (shells, opacity);
+        self.inside.write_film(&self.context);
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// Replaces the arrows inside: one vector a place, of any length. Where places are close, some go without an arrow.
+    ///
+    /// # Errors
+    /// When their numbers differ or one is not finite; the old arrows then stay.
+    pub fn set_inner_arrows(&mut self, places: &[Vec3], vectors: &[Vec3]) -> Result<(), Error> {
+        check::same_length("inner arrows", places, vectors)?;
+        check::places("places of inner arrows", places)?;
+        check::vectors("inner arrows", vectors)?;
+        let radius = self.radius();
+        self.arrows.set_inner(&self.context, places, vectors, radius);
+        self.dirty = true;
+        Ok(())
+    }
+}

@@ -1,0 +1,188 @@
+//! Balls that are cut open, with the straight distance inside of them.
+
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
+
+use glam::{Vec2, Vec3, Vec4};
+use heatwalk_viewer::{
+    Error, Hierarchy, InnerTriangles, MeshAppearance, MeshArrays, Pattern, Renderer, SectionArrays, Style, View,
+};
+
+use crate::scenes::{self, BANDS, SOURCE};
+
+/// Of the ball is away what is beyond this plane.
+const PLANE: Vec4 = Vec4::new(0.36, 0.48, 0.8, 0.1);
+
+/// Distance from the source in a straight line, and the direction in which it grows.
+fn straight(place: Vec3) -> (f32, Vec3) {
+    let way = place - SOURCE;
+    (way.length(), way.normalize_or_zero())
+}
+
+fn snorm(direction: Vec3) -> [i8; 4] {
+    (127.0 * direction).extend(0.0).to_array().map(|component| component as i8)
+}
+
+/// Shows the ball with its straight distances.
+fn show_ball(renderer: &mut Renderer, style: Style) -> Result<(), Error> {
+    show_solid(renderer, scenes::sphere().arrays(), style)
+}
+
+fn show_solid(renderer: &mut Renderer, arrays: MeshArrays, style: Style) -> Result<(), Error> {
+    let positions = arrays.positions.clone();
+    scenes::show_mesh(renderer, arrays, style)?;
+    renderer.set_field(positions.len(), 2.0, |values, directions| {
+        for ((&place, value), direction) in positions.iter().zip(values).zip(directions.as_chunks_mut::<4>().0) {
+            let (distance, grows) = straight(place);
+            (*value, *direction) = (distance, snorm(grows));
+        }
+    })
+}
+
+/// A flat sheet: a grid from an inner to an outer rim, whose places are given by shares around and from rim to rim.
+fn sheet(normal: Vec3, columns: u32, rows: u32, at: impl Fn(f32, f32) -> Vec3) -> InnerTriangles {
+    let corners = (0..=rows).flat_map(|row| (0..=columns).map(move |column| (column, row)));
+    let positions: Vec<Vec3> =
+        corners.map(|(column, row)| at(column as f32 / columns as f32, row as f32 / rows as f32)).collect();
+    let squares = (0..rows).flat_map(|row| (0..columns).map(move |column| row * (columns + 1) + column));
+    let triangles = squares.flat_map(|a| {
+        let [b, c, d] = [a + 1, a + columns + 2, a + columns + 1];
+        [[a, b, c], [a, c, d]]
+    });
+    InnerTriangles {
+        normals: vec![normal; positions.len()],
+        values: positions.iter().map(|&place| straight(place).0).collect(),
+        triangles: triangles.collect(),
+        positions,
+    }
+}
+
+/// What a plane leaves of a spherical shell between two radii: a disk, or a ring.
+fn disk(plane: Vec4, inner: f32, outer: f32) -> InnerTriangles {
+    let (normal, offset) = (plane.truncate(), plane.w);
+    let (right, up) = normal.any_orthonormal_pair();
+    let rim = |radius: f32| (radius * radius - offset * offset).max(0.0).sqrt();
+    sheet(normal, 96, 24, |around, along| {
+        let (sin, cos) = (TAU * around).sin_cos();
+        offset * normal + (rim(inner) + along * (rim(outer) - rim(inner))) * (cos * right + sin * up)
+    })
+}
+
+fn section(parts: impl IntoIterator<Item = InnerTriangles>) -> SectionArrays {
+    let mesh = joined(parts);
+    let tangents = mesh.positions.iter().map(|&place| snorm(straight(place).1)).collect();
+    SectionArrays { mesh, tangents }
+}
+
+fn joined(parts: impl IntoIterator<Item = InnerTriangles>) -> InnerTriangles {
+    parts.into_iter().fold(InnerTriangles::default(), |mut all, part| {
+        let first = all.positions.len() as u32;
+        all.triangles.extend(part.triangles.iter().map(|corners| corners.map(|vertex| first + vertex)));
+        all.positions.extend(part.positions);
+        all.normals.extend(part.normals);
+        all.values.extend(part.values);
+        all
+    })
+}
+
+/// The part of a sphere about the source that is inside of the ball.
+fn shell(radius: f32) -> InnerTriangles {
+    let (right, up) = SOURCE.any_orthonormal_pair();
+    // Of the unit sphere about the origin are at this distance the places of a circle about the axis.
+    let widest = (0.5 * radius).acos();
+    let outward = |around: f32, along: f32| {
+        let ((sin, cos), turn) = ((along * widest).sin_cos(), Vec2::from_angle(TAU * around));
+        sin * (turn.x * right + turn.y * up) - cos * SOURCE
+    };
+    let mut shell = sheet(Vec3::ZERO, 96, 32, |around, along| SOURCE + radius * outward(around, along));
+    shell.normals = shell.positions.iter().map(|&place| straight(place).1).collect();
+    shell.values.fill(radius);
+    shell
+}
+
+/// A ball cut by a plane: stripes run over the rim.
+pub fn cut_open(renderer: &mut Renderer) -> Result<(), Error> {
+    // The section may come before the field that its values belong to.
+    show_ball(renderer, BANDS)?;
+    renderer.set_cut(&[PLANE])?;
+    renderer.set_section(Some(section([disk(PLANE, 0.0, 1.0)])), false)
+}
+
+/// A hollow ball: the cavity is seen through the cut.
+pub fn hollow(renderer: &mut Renderer) -> Result<(), Error> {
+    const CAVITY: f32 = 0.6;
+    let mut arrays = scenes::sphere().arrays();
+    let count = arrays.positions.len() as u32;
+    let inner: Vec<Vec3> = arrays.positions.iter().map(|&place| CAVITY * place).collect();
+    let inward: Vec<Vec3> = arrays.normals.iter().map(|&normal| -normal).collect();
+    let turned: Vec<[u32; 3]> = arrays.triangles.iter().map(|&[a, b, c]| [count + a, count + c, count + b]).collect();
+    arrays.positions.extend(inner);
+    arrays.normals.extend(inward);
+    arrays.triangles.extend(turned);
+    let hierarchy = Hierarchy::new(&arrays.positions, &arrays.triangles);
+    show_solid(renderer, MeshArrays { hierarchy, appearance: MeshAppearance::default(), ..arrays }, LINES)?;
+    renderer.set_cut(&[PLANE])?;
+    renderer.set_section(Some(section([disk(PLANE, CAVITY, 1.0)])), false)
+}
+
+const LINES: Style = Style { pattern: Pattern::Lines { width: 2.0 }, ..scenes::PLAIN };
+
+/// A ball without a quarter.
+pub fn wedge(renderer: &mut Renderer) -> Result<(), Error> {
+    show_ball(renderer, Style { period: 0.16, ..BANDS })?;
+    renderer.set_cut(&[Vec4::X, Vec4::Z])?;
+    // Half disks on either plane, from the axis to the rim on the side that is away.
+    let half = |normal: Vec3, side: Vec3| {
+        sheet(normal, 48, 24, |around, along| {
+            let (sin, cos) = (PI * around - FRAC_PI_2).sin_cos();
+            along * (cos * side + sin * Vec3::Y)
+        })
+    };
+    renderer.set_section(Some(section([half(Vec3::X, Vec3::Z), half(Vec3::Z, Vec3::X)])), false)
+}
+
+/// Shells around the source before a section.
+pub fn shells(renderer: &mut Renderer) -> Result<(), Error> {
+    show_ball(renderer, LINES)?;
+    renderer.set_cut(&[PLANE])?;
+    renderer.set_section(Some(section([disk(PLANE, 0.0, 1.0)])), false)?;
+    renderer.set_shells(Some(joined([0.4, 0.7, 1.0, 1.3, 1.6].map(shell))), 0.3)
+}
+
+/// Blocks, the outer ones drawn asunder, in the place of the surface.
+pub fn whole_cells(renderer: &mut Renderer) -> Result<(), Error> {
+    const STEPS: u32 = 4;
+    const VERTICES: usize = 6 * (STEPS as usize + 1).pow(2);
+    show_ball(renderer, BANDS)?;
+    let steps = || (-4..4).map(|step| 0.25 * step as f32 + 0.125);
+    let middles = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vec3::new(x, y, z))));
+    let kept = middles.filter(|&middle| middle.length() < 0.95 && PLANE.truncate().dot(middle) < PLANE.w);
+    let faces = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
+    let block = |middle: Vec3| {
+        faces.map(|normal| {
+            let (right, up) = normal.any_orthonormal_pair();
+            sheet(normal, STEPS, STEPS, |across, along| {
+                middle + 0.125 * (normal + (2.0 * across - 1.0) * right + (2.0 * along - 1.0) * up)
+            })
+        })
+    };
+    let mut asunder = section(kept.flat_map(block));
+    // Values stay those of the places that the blocks come from.
+    let places = asunder.mesh.positions.chunks_mut(VERTICES);
+    places.for_each(|block| {
+        let middle = block.iter().sum::<Vec3>() / block.len() as f32;
+        block.iter_mut().for_each(|place| *place += 0.3 * middle);
+    });
+    renderer.set_section(Some(asunder), true)
+}
+
+/// Arrows before a section.
+pub fn arrows_inside(renderer: &mut Renderer) -> Result<(), Error> {
+    show_ball(renderer, LINES)?;
+    renderer.set_cut(&[PLANE])?;
+    renderer.set_section(Some(section([disk(PLANE, 0.0, 1.0)])), false)?;
+    let steps = || (-24..=24).map(|step| step as f32 / 24.0);
+    let places = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vec3::new(x, y, z))));
+    let places: Vec<Vec3> = places.filter(|place| place.length() < 1.0).collect();
+    let vectors: Vec<Vec3> = places.iter().map(|&place| straight(place).1).collect();
+    renderer.set_inner_arrows(&places, &vectors)
+}
