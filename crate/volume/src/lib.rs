@@ -23,6 +23,8 @@
 //! exact. The [heat method](VolumeMethod::Heat) is there for smooth distances, for boundary conditions, and for many sources on one
 //! mesh.
 
+mod boxes;
+pub mod crowd;
 mod distance;
 mod error;
 pub mod fill;
@@ -33,11 +35,13 @@ pub mod march;
 pub mod mesh;
 pub mod path;
 mod point;
+mod random;
 pub mod section;
 pub mod shapes;
 mod solver;
 mod soup;
 
+pub use crowd::VolumeCrowd;
 pub use distance::{VolumeDistance, VolumeMethod};
 pub use error::{Error, Result};
 pub use mesh::{MeshReport, TetId, TetMesh};

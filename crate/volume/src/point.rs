@@ -3,6 +3,7 @@
 use glam::DVec3;
 use heatwalk::VertexId;
 
+use crate::boxes::{Bounds, Boxes};
 use crate::error::{Error, Result};
 use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::{TetId, TetMesh};
@@ -116,21 +117,22 @@ impl<P: Into<TetPoint>> From<P> for TetSource {
 }
 
 impl TetMesh {
-    /// The point at a place in space; none outside of the mesh.
+    /// The point at a place in space; none outside of the mesh. Where it is on a face, an edge or a vertex, it is in the first of the
+    /// tetrahedra there. The first question makes a hierarchy of boxes, of about 16 bytes a tetrahedron, which is kept.
     pub fn locate(&self, place: DVec3) -> Option<TetPoint> {
-        let inside = |tetrahedron: TetId| {
-            let corners = self.corners(tetrahedron);
-            let (low, high) = corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &corner| {
-                (low.min(corner), high.max(corner))
-            });
-            let margin = (high - low) * GRAZING;
-            if place.cmplt(low - margin).any() || place.cmpgt(high + margin).any() {
-                return None;
+        let bounds = |tetrahedron: usize| Bounds::of(&self.corners(TetId(tetrahedron as u32)), GRAZING);
+        let boxes = self.boxes().get_or_init(|| Boxes::new(self.tetrahedron_count(), bounds));
+        let mut first: Option<(u32, [f64; 4])> = None;
+        boxes.near(place, |tetrahedron| {
+            let is_first = first.is_none_or(|(other, _)| tetrahedron < other);
+            if is_first && bounds(tetrahedron as usize).contains(place) {
+                let weights = weights(self.corners(TetId(tetrahedron)), place);
+                if weights.iter().all(|&weight| weight >= -GRAZING) {
+                    first = Some((tetrahedron, weights));
+                }
             }
-            let weights = weights(corners, place);
-            weights.iter().all(|&weight| weight >= -GRAZING).then(|| TetPoint::inside(tetrahedron, weights))
-        };
-        (0..self.tetrahedron_count() as u32).map(TetId).find_map(inside)
+        });
+        first.map(|(tetrahedron, weights)| TetPoint::inside(TetId(tetrahedron), weights))
     }
 }
 

@@ -55,7 +55,7 @@ impl VolumeOptions {
 #[derive(Debug)]
 pub struct VolumeSolver {
     mesh: Arc<TetMesh>,
-    medium: Medium,
+    medium: Arc<Medium>,
     /// That of all that are no walls, where they have one. All is computed as if it were 1, and then multiplied.
     cost: f64,
     heat: Option<VolumeHeat>,
@@ -66,7 +66,7 @@ impl VolumeSolver {
     pub fn new(mesh: impl Into<Arc<TetMesh>>) -> Self {
         let mesh = mesh.into();
         let medium = Medium::new(&mesh, None).expect("without costs there is nothing to refuse");
-        Self { mesh, medium, cost: 1.0, heat: None }
+        Self { mesh, medium: medium.into(), cost: 1.0, heat: None }
     }
 
     /// Of a mesh where each unit of length costs `costs` (`#T`), 10⁻³ to 10³, or infinity for walls, which nothing enters.
@@ -77,12 +77,12 @@ impl VolumeSolver {
         let mesh = mesh.into();
         let medium = Medium::new(&mesh, Some(costs))?;
         if !medium.is_uniform() {
-            return Ok(Self { mesh, medium, cost: 1.0, heat: None });
+            return Ok(Self { mesh, medium: medium.into(), cost: 1.0, heat: None });
         }
         let cost = costs.iter().copied().fold(f64::INFINITY, f64::min);
         let of_one: Vec<f64> = costs.iter().map(|&own| if own.is_finite() { 1.0 } else { own }).collect();
         let medium = Medium::new(&mesh, Some(&of_one))?;
-        Ok(Self { mesh, medium, cost, heat: None })
+        Ok(Self { mesh, medium: medium.into(), cost, heat: None })
     }
 
     /// The mesh.
@@ -168,7 +168,18 @@ impl VolumeSolver {
         }
         let mut path = path::find(&self.mesh, &self.medium, &distance.clone().times(self.cost.recip()), from)?;
         path.cost *= self.cost;
+        path.costs.iter_mut().for_each(|cost| *cost *= self.cost);
         Ok(path)
+    }
+
+    /// What paths are found in.
+    pub(crate) fn medium(&self) -> &Arc<Medium> {
+        &self.medium
+    }
+
+    /// What lengths in that are to be multiplied by.
+    pub(crate) fn unit_cost(&self) -> f64 {
+        self.cost
     }
 
     /// Stored entries of all factors; 0 where nothing is factored.

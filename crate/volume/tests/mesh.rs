@@ -132,3 +132,45 @@ fn a_regular_tetrahedron_has_its_angles() {
         assert!((angle - expected).abs() < 1e-12, "{quality:?}");
     }
 }
+
+/// The first tetrahedron whose barycentric weights at a place are all above −10⁻⁹, found by trying each.
+fn first_around(mesh: &TetMesh, place: DVec3) -> Option<TetId> {
+    (0..mesh.tetrahedron_count() as u32).map(TetId).find(|&tetrahedron| {
+        let corners = mesh.corners(tetrahedron);
+        let six_volumes = |[a, b, c, d]: [DVec3; 4]| (b - a).cross(c - a).dot(d - a);
+        let weight = |corner: usize| {
+            let mut moved = corners;
+            moved[corner] = place;
+            six_volumes(moved) / six_volumes(corners)
+        };
+        (0..4).all(|corner| weight(corner) >= -1e-9)
+    })
+}
+
+#[test]
+fn places_are_found_in_the_first_tetrahedron_that_has_them() {
+    let mut random = Random::new(12);
+    for soup in [pair(), shapes::cube(5, 0.2), shapes::cube(4, 0.0), shapes::cave(0.5, 2, 0.1)] {
+        let mesh = mesh(&soup);
+        let (low, high) = mesh.bounds();
+        let mut places: Vec<DVec3> = mesh.positions().to_vec();
+        for tetrahedron in 0..mesh.tetrahedron_count() as u32 {
+            let [a, b, c, _] = mesh.corners(TetId(tetrahedron));
+            places.extend([(a + b) / 2.0, (a + b + c) / 3.0]);
+        }
+        places.extend((0..1000).map(|_| {
+            let shares = DVec3::from_array([0; 3].map(|_| 1.2 * random.share() - 0.1));
+            low + shares * (high - low)
+        }));
+        places.extend([DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e300)]);
+        for place in places {
+            let found = mesh.locate(place);
+            let tetrahedron = found.map(|point| match point {
+                TetPoint::Inside { tetrahedron, .. } => tetrahedron,
+                TetPoint::Vertex(_) => panic!("{point:?}"),
+            });
+            assert_eq!(tetrahedron, first_around(&mesh, place), "{place}");
+            assert!(found.is_none_or(|point| point.position(&mesh).distance(place) < 1e-8));
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! From a soup to a mesh.
 
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 use glam::DVec3;
 use heatwalk::surface::union_find::UnionFind;
@@ -82,6 +83,7 @@ impl TetMesh {
             vertex_of_input,
             tetrahedron_of_input,
             report,
+            boxes: OnceLock::new(),
         })
     }
 }

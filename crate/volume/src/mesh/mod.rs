@@ -8,11 +8,13 @@ pub(crate) mod quality;
 mod report;
 
 use std::num::NonZeroU64;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use heatwalk::VertexId;
 
+use crate::boxes::Boxes;
 use crate::lists::Lists;
 
 pub use boundary::Boundary;
@@ -72,6 +74,8 @@ pub struct TetMesh {
     vertex_of_input: Vec<u32>,
     tetrahedron_of_input: Vec<u32>,
     report: MeshReport,
+    /// Made by the first question where a place is.
+    boxes: OnceLock<Boxes>,
 }
 
 impl TetMesh {
@@ -169,6 +173,11 @@ impl TetMesh {
             }
         }
         sum / count as f64
+    }
+
+    /// Boxes around the tetrahedra, once something has made them.
+    pub(crate) fn boxes(&self) -> &OnceLock<Boxes> {
+        &self.boxes
     }
 
     pub(crate) fn neighbors(&self) -> &[[u32; 4]] {

@@ -30,6 +30,8 @@ pub struct VolumePath {
     pub length: f64,
     /// Length by the costs that it goes through; the length itself where all are 1.
     pub cost: f64,
+    /// What each unit of length costs between each point and the next.
+    pub costs: Vec<f64>,
 }
 
 impl VolumePath {
@@ -72,6 +74,7 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
         mesh: mesh.id(),
         length: legs().map(|(length, _)| length).sum(),
         cost: legs().map(|(length, cost)| length * cost).sum(),
+        costs: legs().map(|(_, cost)| cost).collect(),
         points: corners.iter().map(|corner| corner.place).collect(),
     })
 }

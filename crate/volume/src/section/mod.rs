@@ -2,9 +2,9 @@
 
 mod caps;
 mod cells;
-mod clip;
 mod crossing;
 mod cut;
+mod levels;
 mod shells;
 
 use glam::DVec3;

@@ -1,16 +1,10 @@
-//! Surfaces of equal distance.
+//! Surfaces of equal distance, and how they are cut.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::Cut;
-use super::clip::clip;
-use super::crossing::CROSSED;
-use super::cut::{Side, Sides};
-use crate::distance::VolumeDistance;
-use crate::error::{Error, Result};
-use crate::mesh::{TetId, TetMesh};
+use super::cut::{Cut, Plane};
 
 /// Level sets of a distance as triangles: where its linear interpolation in each tetrahedron has a value.
 #[derive(Debug, Clone, Default)]
@@ -28,121 +22,88 @@ pub struct Shells {
 }
 
 impl Shells {
-    /// Where a distance has these values, in any order, as far as a cut leaves it: triangles are clipped at its planes. Tetrahedra with
-    /// a corner at infinity have none. A vertex of the mesh at just a level counts as beyond it.
-    ///
-    /// ```
-    /// use glam::DVec3;
-    /// use heatwalk_volume::section::{Cut, Shells};
-    /// use heatwalk_volume::{TetMesh, VolumeOptions, VolumeSolver, shapes};
-    ///
-    /// let mut solver = VolumeSolver::new(TetMesh::build(&shapes::cube(8, 0.0))?);
-    /// let middle = solver.mesh().locate(DVec3::ZERO).expect("inside");
-    /// let distance = solver.distance(&[middle], &VolumeOptions::default())?;
-    /// let shells = Shells::of(solver.mesh(), &distance, &[0.4, 0.8], &Cut::Whole)?;
-    /// for (position, level) in shells.positions.iter().zip(&shells.values) {
-    ///     assert!((position.length() / level - 1.0).abs() < 0.15);
-    /// }
-    /// # Ok::<(), heatwalk_volume::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::ForeignMesh`]; [`Error::BadLevel`] for a level that is not finite.
-    pub fn of(mesh: &TetMesh, distance: &VolumeDistance, levels: &[f64], cut: &Cut) -> Result<Self> {
-        distance.require(mesh)?;
-        if let Some(&level) = levels.iter().find(|level| !level.is_finite()) {
-            return Err(Error::BadLevel { level });
-        }
-        let mut levels = levels.to_vec();
-        levels.sort_unstable_by(f64::total_cmp);
-        levels.dedup();
-        let mut march = March { mesh, values: &distance.values, vertices: HashMap::new(), shells: Self::default() };
-        let sides = Sides::new(mesh, cut);
-        for (tetrahedron, corners) in mesh.tetrahedra().iter().enumerate() {
-            let values = corners.map(|vertex| distance.values[vertex as usize]);
-            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let most = values.iter().copied().fold(0.0, f64::max);
-            if most == f64::INFINITY {
+    /// Takes away what a cut removes. Triangles that cross a plane are cut there; those at one edge share the vertex where it is cut.
+    pub(super) fn clip(&mut self, cut: &Cut) {
+        let triangles = std::mem::take(&mut self.triangles);
+        self.triangles = match cut {
+            Cut::Whole => triangles,
+            Cut::Plane(plane) => {
+                let [stays, _] = self.split(&triangles, plane);
+                stays
+            }
+            Cut::Wedge([first, second]) => {
+                // What a wedge leaves is not convex: all before one plane, and of the rest what is before the other.
+                let [mut stays, beyond] = self.split(&triangles, first);
+                let [rest, _] = self.split(&beyond, second);
+                stays.extend(rest);
+                stays
+            }
+        };
+        self.compact();
+    }
+
+    /// Triangles before and beyond a plane. What crosses it is cut, with vertices added where it does.
+    fn split(&mut self, triangles: &[[u32; 3]], plane: &Plane) -> [Vec<[u32; 3]>; 2] {
+        let beyond: Vec<f64> = self.positions.iter().map(|&place| plane.beyond(place)).collect();
+        let mut crossings: HashMap<[u32; 2], u32> = HashMap::new();
+        let mut parts = [Vec::with_capacity(triangles.len()), Vec::new()];
+        for &triangle in triangles {
+            let is_beyond = triangle.map(|vertex| beyond[vertex as usize] > 0.0);
+            let count = is_beyond.iter().filter(|&&is_beyond| is_beyond).count();
+            if count % 3 == 0 {
+                parts[usize::from(count == 3)].push(triangle);
                 continue;
             }
-            let first = levels.partition_point(|&level| level <= least);
-            let crossed = levels[first..].iter().take_while(|&&level| level <= most);
-            if first == levels.len() || levels[first] > most || sides.of(corners) == Side::Beyond {
-                continue;
-            }
-            for (level, &value) in crossed.enumerate() {
-                march.cross(TetId(tetrahedron as u32), (first + level) as u32, value);
+            // Turned so that the first vertex is alone on its side.
+            let alone = (0..3).find(|&k| is_beyond[k] == (count == 1)).unwrap_or_default();
+            let [a, b, c] = [0, 1, 2].map(|k| triangle[(alone + k) % 3]);
+            let [ab, ac] = [b, c].map(|other| {
+                let ends = if is_beyond[alone] { [other, a] } else { [a, other] };
+                // Where the plane goes through a vertex, the edge is not cut.
+                if beyond[ends[0] as usize] == 0.0 {
+                    return ends[0];
+                }
+                *crossings.entry(ends).or_insert_with(|| self.add_between(ends, ends.map(|end| beyond[end as usize])))
+            });
+            let pieces = [(count == 1, [a, ab, ac]), (count == 2, [ab, b, c]), (count == 2, [ab, c, ac])];
+            for (is_beyond, piece @ [a, b, c]) in pieces {
+                if a != b && b != c && c != a {
+                    parts[usize::from(is_beyond)].push(piece);
+                }
             }
         }
-        let mut shells = march.finish();
-        clip(&mut shells, cut);
-        shells.compact();
-        Ok(shells)
+        parts
+    }
+
+    /// Adds the vertex between two that are before and beyond a plane by so much.
+    fn add_between(&mut self, ends: [u32; 2], [before, beyond]: [f64; 2]) -> u32 {
+        let share = before / (before - beyond);
+        let [a, b] = ends.map(|end| end as usize);
+        self.positions.push(self.positions[a].lerp(self.positions[b], share));
+        self.normals.push(self.normals[a].lerp(self.normals[b], share).normalize_or(self.normals[a]));
+        self.values.push(self.values[a]);
+        self.positions.len() as u32 - 1
+    }
+
+    /// Leaves out vertices that no triangle has.
+    fn compact(&mut self) {
+        let mut number = vec![u32::MAX; self.positions.len()];
+        for &vertex in self.triangles.iter().flatten() {
+            number[vertex as usize] = 0;
+        }
+        for (next, number) in number.iter_mut().filter(|number| **number == 0).enumerate() {
+            *number = next as u32;
+        }
+        let is_kept = |vertex: usize| number[vertex] != u32::MAX;
+        self.positions = kept(&self.positions, is_kept);
+        self.normals = kept(&self.normals, is_kept);
+        self.values = kept(&self.values, is_kept);
+        for vertex in self.triangles.iter_mut().flatten() {
+            *vertex = number[*vertex as usize];
+        }
     }
 }
 
-/// Marching tetrahedra in work.
-struct March<'a> {
-    mesh: &'a TetMesh,
-    values: &'a [f64],
-    /// By level and edge, or twice a vertex where that is at just the level.
-    vertices: HashMap<(u32, [u32; 2]), u32>,
-    shells: Shells,
-}
-
-impl March<'_> {
-    /// Adds the triangles of one level in a tetrahedron.
-    fn cross(&mut self, tetrahedron: TetId, number: u32, level: f64) {
-        let corners = self.mesh.tetrahedra()[tetrahedron.index()];
-        let is_beyond = |corner: usize| self.values[corners[corner] as usize] >= level;
-        let mask = (0..4).filter(|&corner| is_beyond(corner)).fold(0, |mask, corner| mask | 1 << corner);
-        let edges = CROSSED[mask].edges();
-        let mut polygon = [0; 4];
-        for (vertex, edge) in polygon.iter_mut().zip(edges) {
-            *vertex = self.vertex(edge.map(|corner| corners[corner]), number, level);
-        }
-        for next in 2..edges.len() {
-            let triangle @ [a, b, c] = [polygon[0], polygon[next - 1], polygon[next]];
-            if a == b || b == c || c == a {
-                continue;
-            }
-            // Normals of triangles, weighted by area: in each tetrahedron distance is linear, so they are along its gradient.
-            let [at_a, at_b, at_c] = triangle.map(|vertex| self.shells.positions[vertex as usize]);
-            let area = (at_b - at_a).cross(at_c - at_a);
-            for vertex in triangle {
-                self.shells.normals[vertex as usize] += area;
-            }
-            self.shells.triangles.push(triangle);
-        }
-    }
-
-    /// Where an edge from below to beyond a level crosses it.
-    fn vertex(&mut self, ends: [u32; 2], number: u32, level: f64) -> u32 {
-        let [below, beyond] = ends.map(|end| self.values[end as usize]);
-        let key = if beyond == level { [ends[1]; 2] } else { ends };
-        let Self { mesh, vertices, shells, .. } = self;
-        *vertices.entry((number, key)).or_insert_with(|| {
-            let [from, to] = ends.map(|end| mesh.positions()[end as usize]);
-            let share = (level - below) / (beyond - below);
-            shells.positions.push(if beyond == level { to } else { from.lerp(to, share) });
-            shells.normals.push(DVec3::ZERO);
-            shells.values.push(level);
-            shells.positions.len() as u32 - 1
-        })
-    }
-
-    /// With normals of length 1.
-    fn finish(self) -> Shells {
-        let mut shells = self.shells;
-        let mut ends = vec![[0; 2]; shells.positions.len()];
-        for ((_, edge), vertex) in self.vertices {
-            ends[vertex as usize] = edge;
-        }
-        for (normal, [from, to]) in shells.normals.iter_mut().zip(ends) {
-            // Where areas underflow, the edge rises, too.
-            let along = self.mesh.positions()[to as usize] - self.mesh.positions()[from as usize];
-            *normal = normal.try_normalize().unwrap_or_else(|| along.normalize_or(DVec3::Z));
-        }
-        shells
-    }
+fn kept<T: Copy>(items: &[T], is_kept: impl Fn(usize) -> bool) -> Vec<T> {
+    items.iter().enumerate().filter(|&(index, _)| is_kept(index)).map(|(_, &item)| item).collect()
 }

@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::{faces_of, icosahedron, random};
+use super::icosahedron::{faces_of, icosahedron};
+use crate::random::random;
 use crate::soup::TetSoup;
 
 /// Radius of the bends of a [`pipe`].

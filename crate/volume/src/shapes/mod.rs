@@ -2,6 +2,7 @@
 //! into six tetrahedra each (Kuhn 1960), so that the same shape with twice the cells has the vertices of the coarser one where
 //! nothing is jittered; [`pipe`] and [`pillared_cave`] of layers of prisms.
 
+mod icosahedron;
 mod layers;
 
 use std::collections::HashMap;
@@ -9,7 +10,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
+use crate::random::random;
 use crate::soup::TetSoup;
+use icosahedron::{faces_of, icosahedron};
 
 pub use layers::{pillared_cave, pipe};
 
@@ -77,15 +80,6 @@ impl Grid<'_> {
     }
 }
 
-/// The next number of SplitMix64 (Steele, Lea, Flood 2014), from 0 to 1.
-fn random(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut bits = *state;
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// A cube of edge 2 around the origin, of 6 `cells`³ tetrahedra. Vertices inside are moved by up to `jitter` cells along each axis;
 /// up to 0.2 no tetrahedron is inverted.
 pub fn cube(cells: usize, jitter: f64) -> TetSoup {
@@ -101,28 +95,6 @@ pub fn ball(cells: usize, jitter: f64) -> TetSoup {
 /// What is between two spheres around the origin, of radius 1 and of `inner_radius` (less than 1), of 140 `cells`³ tetrahedra.
 pub fn cave(inner_radius: f64, cells: usize, jitter: f64) -> TetSoup {
     icosahedral(2 * cells, cells, jitter, &|share| inner_radius + (1.0 - inner_radius) * (2.0 * share - 1.0))
-}
-
-/// The corners of a regular icosahedron, of length 1.
-fn icosahedron() -> Vec<DVec3> {
-    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
-    (0..12)
-        .map(|index| {
-            let sign = |bit: usize| if index >> bit & 1 == 0 { 1.0 } else { -1.0 };
-            let mut corner = [0.0; 3];
-            corner[index / 4] = sign(0);
-            corner[(index / 4 + 1) % 3] = golden * sign(1);
-            DVec3::from_array(corner).normalize()
-        })
-        .collect()
-}
-
-/// Corners of the faces of a regular icosahedron, ascending.
-fn faces_of(corners: &[DVec3]) -> impl Iterator<Item = [usize; 3]> + '_ {
-    // Neighboring corners are at an angle of 63.4°, others at 116.6° or 180°.
-    let is_edge = |a: usize, b: usize| corners[a].dot(corners[b]) > 0.0;
-    let triples = (0..12).flat_map(|a| (a + 1..12).flat_map(move |b| (b + 1..12).map(move |c| [a, b, c])));
-    triples.filter(move |&[a, b, c]| is_edge(a, b) && is_edge(b, c) && is_edge(c, a))
 }
 
 /// The layers from `first` on of an icosahedron cut into `layers`, mapped to spheres whose radius `radius` tells from the share of
