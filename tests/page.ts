@@ -1,7 +1,7 @@
 /** What the browser tests share: the page on the project's backend, files dropped on it, pictures read from it. */
 import { expect, type Page, test as base } from '@playwright/test';
 import { PNG } from 'pngjs';
-import type { SurfacePoint } from '../web/protocol';
+import type { MeshPoint } from '../web/protocol';
 
 export { expect };
 
@@ -95,11 +95,11 @@ export class HeatwalkPage {
     return this.page.evaluate(() => window.heatwalk.solves);
   }
 
-  distanceAt(point: SurfacePoint): Promise<number> {
+  distanceAt(point: MeshPoint): Promise<number> {
     return this.page.evaluate((place) => window.heatwalk.distanceAt(place), point);
   }
 
-  async pixelOf(point: SurfacePoint): Promise<[number, number]> {
+  async pixelOf(point: MeshPoint): Promise<[number, number]> {
     const pixel = await this.page.evaluate((place) => window.heatwalk.pixelOf(place), point);
     if (!pixel) throw new Error('the place is not in view');
     return pixel;

@@ -11,6 +11,7 @@ import { type Given, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
 import { FIRST_PRESET } from './state/presets';
+import { DEFAULT_FILL } from './state/inside';
 import { Scene } from './state/scene';
 import { Signal } from './state/signal';
 import { h } from './ui/dom';
@@ -19,6 +20,7 @@ import { BrushInput } from './ui/input/brush';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followPaste } from './ui/input/paste';
+import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
@@ -33,6 +35,7 @@ import { shareSection } from './ui/panel/share';
 import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
 import { groundSection } from './ui/panel/ground';
+import { insideSection } from './ui/panel/inside';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
@@ -65,7 +68,8 @@ const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);
 const acted = () => hint.remove();
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
-const frames = new Frames(session, crowd);
+const handle = new CutHandle(session);
+const frames = new Frames(session, crowd, () => handle.follow());
 const cameraMoved = () => {
   acted();
   frames.cameraMoved();
@@ -81,6 +85,7 @@ const keys = new Keys({
   acted,
   cameraMoved,
   chooseFile: dialogue.choose,
+  fill: () => void opener.fill(DEFAULT_FILL),
   closeMessage: () => messages.closeNewest(),
 });
 
@@ -92,6 +97,7 @@ page.append(
   h('div', { class: 'foot' }, hint, bar),
   messages.element,
   loadingBar(session),
+  handle.element,
   readout.element,
   keys.reticle,
   dropTarget(openGiven, (dragged) => void opener.address(dragged)),
@@ -110,6 +116,7 @@ if (!address.kiosk) {
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
+    { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },

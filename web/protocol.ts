@@ -6,8 +6,14 @@
  */
 
 import type { AUTOMATIC, EdgeKind, FaceField, Parameters, PathKind, Up } from './wasm/contract';
+import type * as interior from './wasm/interior/heatwalk_interior';
 import type * as wasm from './wasm/solver/heatwalk_worker';
-import type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
+
+/** A place on a surface, or inside of tetrahedra. */
+export type MeshPoint = wasm.SurfacePoint | interior.InnerPoint;
+
+/** A place that distance is measured from. */
+export type Source = MeshPoint & Pick<wasm.Source, 'offset'>;
 
 /** What becomes of the ground; see `SolverApi.ground`. */
 export interface GroundChange {
@@ -30,19 +36,20 @@ export interface GivenFile {
 
 /**
  * What to open. Of files and archives, the mesh at the path `mesh`; what it refers to is looked for beside it. `positions` is
- * #V × 3, `triangles` #F × 3.
+ * #V × 3, `triangles` #F × 3. `tetrahedra`: a shape of these.
  */
 export type MeshInput =
   | { kind: 'files'; mesh: string; files: readonly GivenFile[] }
   | { kind: 'archive'; mesh: string; archive: Blob }
   | { kind: 'shape'; shape: string }
+  | { kind: 'tetrahedra'; shape: string }
   | { kind: 'arrays'; name: string; positions: Float32Array; triangles: Uint32Array };
 
 /** What the solver's module gives, as a plain object: its properties without its methods. */
 export type Plain<T> = { [Key in keyof T as T[Key] extends (...given: never[]) => unknown ? never : Key]: T[Key] };
 
 export type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
-export type { Source, SurfacePoint } from './wasm/solver/heatwalk_worker';
+export type InnerCut = interior.InnerCut;
 
 /** What there must be room for beside a mesh. */
 export interface Room {
@@ -139,6 +146,20 @@ export interface Simplified {
   diagonal: number;
 }
 
+/** The tetrahedra of a mesh whose boundary is drawn, counted as in the input. */
+export interface Interior {
+  /** #V × 3, as they are drawn. */
+  positions: Float32Array;
+  /** #T × 4, corners. */
+  tetrahedra: Uint32Array;
+  report: Plain<interior.InnerReport>;
+  /** Of reading or filling, and finding neighbors. */
+  madeMs: number;
+}
+
+/** What is drawn of the inside. */
+export type InnerView = Plain<interior.InnerView>;
+
 /** How a file wants its surface to look. */
 export interface Appearance {
   /** What the runs of drawn meshes name. */
@@ -185,6 +206,8 @@ export interface OpenedMesh {
   report: BuildReport;
   /** Mean edge length. */
   meanEdge: number;
+  /** Null for a surface. */
+  interior: Interior | null;
 }
 
 export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'maxError'> {
@@ -192,6 +215,8 @@ export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'ma
   tangents: Int8Array;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
   error: FieldError | null;
+  /** Of tetrahedra: one value a vertex of the input, Infinity where no source can be reached; null for a surface. */
+  inner: Float32Array | null;
   /** Of `solve` or `propagate` alone. */
   solveMs: number;
   /** Of all steps of refinement so far. */
@@ -206,7 +231,7 @@ export interface FieldError {
 
 /** A path that is wanted. */
 export interface PathRequest {
-  from: SurfacePoint;
+  from: MeshPoint;
   kind: PathKind;
 }
 
@@ -220,6 +245,8 @@ export interface TracedPath {
 /** A field and the path on it, in one message: both are shown in the same frame. */
 export interface Solved extends TracedPath {
   field: DistanceField;
+  /** The inside with this field, as it was asked for last; null where nothing of it is. */
+  inside: InnerView | null;
 }
 
 export interface Progress {
@@ -244,7 +271,7 @@ export interface SolverApi {
   /**
    * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
    * for all. `up`: the axis that points up where it is drawn. `triangles`: more than so many are simplified to them, as one part
-   * without materials.
+   * without materials. `fill`: what the surface encloses is filled with about so many tetrahedra.
    */
   open(
     input: MeshInput,
@@ -253,6 +280,7 @@ export interface SolverApi {
     progress: ProgressListener,
     up?: Up | typeof AUTOMATIC,
     triangles?: number | null,
+    fill?: number | null,
   ): Promise<OpenedMesh>;
   /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
   prepare(parameters: Parameters | null, progress: ProgressListener): Promise<Factoring>;
@@ -269,6 +297,8 @@ export interface SolverApi {
    * what slope and height cost. The last field is forgotten, and what is factored is factored anew by the next `solve`.
    */
   ground(change: GroundChange): Promise<void>;
+  /** How the inside of tetrahedra is looked into from now on; null: not at all. What is seen of it with the last field. */
+  look(cut: InnerCut | null): Promise<InnerView | null>;
   /** #F × 3, the drawn triangles beside each; itself at the boundary. */
   neighbors(): Promise<Uint32Array>;
   /** The shortest line along edges from one vertex of the input to another, both included. */
@@ -296,7 +326,7 @@ export interface SolverApi {
   /** A path on the last field. */
   path(request: PathRequest): Promise<TracedPath>;
   /** One step of searching the exact path, of 100 to 200 ms; null: it is not found yet, and the next call goes on. */
-  searchPath(from: SurfacePoint): Promise<TracedPath | null>;
+  searchPath(from: MeshPoint): Promise<TracedPath | null>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

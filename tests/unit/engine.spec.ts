@@ -3,9 +3,10 @@ import type { DistanceField, Factoring, OpenedMesh, Solved, Source, PathRequest 
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
 import { LEVEL } from '../../web/state/ground';
+import { WHOLE } from '../../web/state/inside';
 import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 
-const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, path: null, pathMs: 0 });
+const solved = (refineMs: number) => ({ field: { refineMs } as DistanceField, inside: null, path: null, pathMs: 0 });
 const QUESTION: Question = {
   sources: [{ vertex: 0 }],
   method: 'heat',
@@ -15,6 +16,7 @@ const QUESTION: Question = {
   moment: null,
   links: 0,
   ground: LEVEL,
+  inside: WHOLE,
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,

@@ -31,6 +31,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     error: null,
     solveMs: 1,
     refineMs: 0,
+    inner: null,
   };
   const question = {
     sources: [{ vertex: 0 }],
@@ -41,6 +42,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     moment: null,
     links: STATE.links,
     ground: STATE.ground,
+    inside: STATE.inside,
     from: { vertex: 1 },
     pathKind,
     quick: false,
@@ -50,6 +52,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   return {
     question,
     posed: null,
+    inside: null,
     field,
     path: PATH,
     pathKind: pathKind === 'exact' ? 'straight' : pathKind,

@@ -16,6 +16,7 @@ const FIELD: DistanceField = {
   error: null,
   solveMs: 1,
   refineMs: 1,
+  inner: null,
 };
 
 const PROPAGATED: DistanceField = { ...FIELD, timeFactor: undefined, windows: 2 };

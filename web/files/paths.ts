@@ -1,16 +1,24 @@
 /** Paths of files that were given together. */
 
 /** The mesh formats by their extensions; an archive may hold meshes. */
-const MESH_FILE = /\.(3mf|glb|gltf|obj|off|ply|stl|vtk|vtp|vtu)$/i;
+const MESH_FILE = /\.(3mf|ele|glb|gltf|mesh|meshb|msh|node|obj|off|ply|stl|vtk|vtp|vtu)$/i;
+/** Those of tetrahedra; VTK files may hold a surface as well. */
+const TETRAHEDRA = /\.(ele|mesh|meshb|msh|node)$/i;
+const EITHER = /\.(vtk|vtu)$/i;
 const ARCHIVE = /\.zip$/i;
 export const FORMATS =
-  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), alone, in a folder or in a .zip';
+  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip';
 
 /** What systems put beside the files of the user. */
 const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;
 
 export function isMesh(path: string): boolean {
   return MESH_FILE.test(path) && !HIDDEN.test(path);
+}
+
+/** Whether a mesh is one of tetrahedra by its name. */
+export function holdsTetrahedra(path: string): boolean | 'perhaps' {
+  return TETRAHEDRA.test(path) || (EITHER.test(path) && 'perhaps');
 }
 
 export function isArchive(path: string): boolean {
@@ -23,7 +31,11 @@ export function fileName(path: string): string {
 
 /** The meshes of a folder, the uppermost first. */
 export function meshesAmong(paths: readonly string[]): string[] {
-  return paths.filter(isMesh).toSorted((a, b) => depth(a) - depth(b));
+  const meshes = paths.filter(isMesh);
+  // A pair of files of TetGen is one mesh.
+  const named = new Set(meshes.map((path) => path.toLowerCase()));
+  const isSecond = (path: string) => /\.ele$/i.test(path) && named.has(path.toLowerCase().replace(/ele$/, 'node'));
+  return meshes.filter((path) => !isSecond(path)).toSorted((a, b) => depth(a) - depth(b));
 }
 
 function depth(path: string): number {

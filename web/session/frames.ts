@@ -13,6 +13,7 @@ const SLOW_MS = 80;
 export class Frames {
   readonly #session: Session;
   readonly #crowd: CrowdWalk;
+  readonly #drawn: () => void;
   #last = performance.now();
   /** Whether the last frame was drawn. */
   #drew = false;
@@ -24,9 +25,11 @@ export class Frames {
   /** Where the camera was a frame ago, while a camera move still settles. */
   #settling: string | null = null;
 
-  constructor(session: Session, crowd: CrowdWalk) {
+  /** `drawn` is called after each frame that was drawn. */
+  constructor(session: Session, crowd: CrowdWalk, drawn: () => void) {
     this.#session = session;
     this.#crowd = crowd;
+    this.#drawn = drawn;
     session.preview.watch((preview, before) => {
       // What was moved in front of a mesh that was not opened belongs to no scene.
       if (!preview && before && session.shown.value?.opened !== before.opened) this.#settling = null;
@@ -64,6 +67,7 @@ export class Frames {
     const waits = now < this.#rests && this.#session.dragging;
     this.#last = now;
     this.#drew = !waits && this.#session.view.render(step(passed));
+    if (this.#drew) this.#drawn();
     if (this.#settling !== null && !this.#session.preview.value) this.#settle();
   }
 

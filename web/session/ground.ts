@@ -1,5 +1,5 @@
 /** Changes the ground of the scene as pointer, keyboard and panel ask for it. */
-import type { OpenedMesh, SurfacePoint } from '../protocol';
+import type { OpenedMesh, MeshPoint } from '../protocol';
 import {
   areaOf,
   BRUSH,
@@ -114,7 +114,7 @@ export class GroundEditor {
   }
 
   /** What a click does with the tools that do not paint by dragging. */
-  async click(point: SurfacePoint, x: number, y: number): Promise<void> {
+  async click(point: MeshPoint, x: number, y: number): Promise<void> {
     const { tool } = this.brush.value;
     if (tool === 'line') await this.#extendLine(point);
     else if (tool === 'toggle') this.#toggle(point, x, y);
@@ -157,7 +157,7 @@ export class GroundEditor {
   }
 
   /** Opens a gate, or closes it; any wall can be one. */
-  #toggle(point: SurfacePoint, x: number, y: number): void {
+  #toggle(point: MeshPoint, x: number, y: number): void {
     const { scene } = this.#session;
     const { ground } = scene.state;
     const index = this.#lineAt(x, y);
@@ -171,7 +171,7 @@ export class GroundEditor {
     if (changed) scene.place({ ground: changed });
   }
 
-  async #extendLine(point: SurfacePoint): Promise<void> {
+  async #extendLine(point: MeshPoint): Promise<void> {
     const session = this.#session;
     const { engine, shown } = session;
     const places = shown.value?.places;

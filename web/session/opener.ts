@@ -7,13 +7,14 @@ import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isPainted, LEVEL } from '../state/ground';
+import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { LoadingListener } from './loading';
-import type { OpenRequest, Shown } from './prepare';
+import { type OpenRequest, relativePlaces, type Shown } from './prepare';
 import type { Session } from './session';
 
 export interface Action {
@@ -188,6 +189,19 @@ export class Opener {
     await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, links: 0, ground: LEVEL });
   }
 
+  /**
+   * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. Sources and walker stay about where
+   * they are.
+   */
+  async fill(count: number | null): Promise<void> {
+    const { scene, shown } = this.#session;
+    const { state } = scene;
+    const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
+    const method = state.fill === null && count !== null ? 'auto' : state.method;
+    const fresh = { ...state, fill: count, inside, method, sources: [], walker: null, links: 0, ground: LEVEL };
+    await this.#again(fresh, shown.value ? relativePlaces(shown.value, state) : undefined);
+  }
+
   /** What can be done when a question to the mesh on screen has failed. */
   remedy(failure: Error): Action | undefined {
     const { state } = this.#session.scene;
@@ -199,9 +213,9 @@ export class Opener {
   }
 
   /** The same mesh once more, in a worker of its own. */
-  async #again(state: SceneState): Promise<void> {
+  async #again(state: SceneState, near?: OpenRequest['near']): Promise<void> {
     const { request } = this.#session;
-    if (request) await this.#open({ ...request, state, choosePlaces: true, view: null });
+    if (request) await this.#open({ ...request, state, choosePlaces: true, view: null, ...(near && { near }) });
   }
 
   /** When nothing is opened, the reason is told. */

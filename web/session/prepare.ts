@@ -4,7 +4,7 @@ import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
-import { Places } from '../state/places';
+import { Places, type Vector } from '../state/places';
 import { type Animation, type SceneState, STILL } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
@@ -24,6 +24,8 @@ export interface OpenRequest {
   choosePlaces: boolean;
   /** Shows the file as its author made it: in its materials and in motion, where it has these. */
   asAuthored?: true;
+  /** Where sources and walker are to be where the state has none, as `Places.relative` gives them. */
+  near?: { sources: readonly Vector[]; walker: Vector | null };
   /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
   view: readonly [number, number] | null;
 }
@@ -43,6 +45,12 @@ export function suited(request: OpenRequest, { appearance, clips }: OpenedMesh):
   return { ...rest, state };
 }
 
+/** Where sources and walker are relative to the mesh. */
+export function relativePlaces({ places }: Shown, { sources, walker }: SceneState): NonNullable<OpenRequest['near']> {
+  const found = sources.map((source) => places.relative(source)).filter((place) => place !== null);
+  return { sources: found, walker: walker && places.relative(walker) };
+}
+
 /** Where an animation stands; null: as in the file. */
 export function momentOf({ clip, seconds }: Animation): Moment | null {
   return clip === null ? null : { clip, seconds };
@@ -50,16 +58,17 @@ export function momentOf({ clip, seconds }: Animation): Moment | null {
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, links, ground, walker, pathKind, animation } = state;
+  const { sources, windows, parameters, bridge, links, ground, inside, walker, pathKind, animation } = state;
   const moment = animation.live ? momentOf(animation) : null;
-  return { sources, method, windows, parameters, bridge, links, ground, moment, from: walker, pathKind, quick: false };
+  const from = walker;
+  return { sources, method, windows, parameters, bridge, links, ground, inside, moment, from, pathKind, quick: false };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
-export function wantedOf({ parts, method, windows, parameters, up, triangles }: SceneState): Wanted {
+export function wantedOf({ parts, method, windows, parameters, up, triangles, fill }: SceneState): Wanted {
   return method === 'heat'
-    ? { parts, parameters, up, triangles, room: { windows: 0, memory: AUTOMATIC } }
-    : { parts, parameters: null, up, triangles, room: { windows, memory: parameters.memory } };
+    ? { parts, parameters, up, triangles, fill, room: { windows: 0, memory: AUTOMATIC } }
+    : { parts, parameters: null, up, triangles, fill, room: { windows, memory: parameters.memory } };
 }
 
 /** Makes the state fit the mesh and solves it for the first time. */
@@ -68,6 +77,9 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const places = new Places(opened);
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
+  const { near } = request;
+  if (near && sources.length === 0) sources = near.sources.map((place) => places.nearest(place));
+  if (near?.walker && !walker) walker = places.nearest(near.walker);
   if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });

@@ -1,6 +1,7 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
 import { isPainted, isWeighted } from '../state/ground';
+import { innerCutOf } from '../state/inside';
 import { type Scene, type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField } from '../view/layers';
@@ -198,6 +199,11 @@ export class Presenter {
     this.#shown = shown;
     this.#field = shown.answer.field;
     if (this.#state.colorBy === 'distance') this.paint(null);
+    this.#showInside(shown);
+  }
+
+  #showInside({ answer: { inside, question }, places }: Shown): void {
+    this.#view.setInside(inside, innerCutOf(question.inside, places.box)?.planes ?? []);
   }
 
   #showPath(path: SurfacePath | null, arc: number): void {

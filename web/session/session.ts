@@ -458,7 +458,8 @@ export class Session {
       isSameField(question, asked) &&
       question.method === asked.method &&
       question.from === asked.from &&
-      question.pathKind === asked.pathKind
+      question.pathKind === asked.pathKind &&
+      question.inside === asked.inside
     );
   }
 

@@ -20,6 +20,8 @@ export interface Wanted {
   up: Up | typeof AUTOMATIC;
   /** What a mesh of more triangles is simplified to; null: nothing is. */
   triangles: number | null;
+  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  fill: number | null;
 }
 
 export class SolverClient {
@@ -39,7 +41,7 @@ export class SolverClient {
    */
   async open(
     load: () => Promise<MeshInput>,
-    { parts, parameters, room, up, triangles }: Wanted,
+    { parts, parameters, room, up, triangles, fill }: Wanted,
     progress: ProgressListener,
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
@@ -50,7 +52,7 @@ export class SolverClient {
     try {
       const input = await worker.call(load());
       const given = transfer(input, buffersOf(input));
-      const opening = worker.api.open(given, [...parts], room, proxy(progress), up, triangles);
+      const opening = worker.api.open(given, [...parts], room, proxy(progress), up, triangles, fill);
       const opened = await worker.call(opening);
       const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
       const telling = (async () => built(opened))();
@@ -109,6 +111,7 @@ function buffersOf(input: MeshInput): Transferable[] {
     case 'files':
     case 'archive':
     case 'shape':
+    case 'tetrahedra':
       return [];
   }
 }

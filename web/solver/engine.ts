@@ -4,6 +4,7 @@ import type {
   EdgeKind,
   FaceField,
   Factoring,
+  InnerView,
   Moment,
   OpenedMesh,
   Parameters,
@@ -11,12 +12,14 @@ import type {
   Posed,
   Solved,
   Source,
-  SurfacePoint,
+  MeshPoint,
   TracedPath,
   PathRequest,
 } from '../protocol';
 import { type Bridge, CROWD_HEIGHT, type Windows } from '../state/scene';
 import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
+import { innerCutOf, type Inside, WHOLE } from '../state/inside';
+import { type Box, boxAround } from '../state/places';
 import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 
@@ -35,8 +38,10 @@ export interface Question {
   ground: Ground;
   /** In which pose distances are measured; null: in that of the file. */
   moment: Moment | null;
+  /** How the inside of tetrahedra is looked into. */
+  inside: Inside;
   /** Start of the path; null: no path is wanted. */
-  from: SurfacePoint | null;
+  from: MeshPoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
   pathKind: PathKind;
   /** A small exact region, or one window, is enough. */
@@ -85,6 +90,8 @@ export interface Answer extends TracedPath {
   posed: Posed | null;
   /** Null when there are no sources. */
   field: DistanceField | null;
+  /** What is seen of the inside; null for surfaces, and where nothing is. */
+  inside: InnerView | null;
   /** What `path` is. */
   pathKind: PathKind;
   factoring: Factoring;
@@ -106,6 +113,9 @@ export class Engine {
   #bridge: Bridge = 'off';
   #links = 0;
   #ground = LEVEL;
+  #inside = WHOLE;
+  #view: InnerView | null = null;
+  #box: Box | null = null;
   /** The pose that the worker shows, and that in which it measures. */
   #shown: Moment | null = null;
   #measured: Moment | null = null;
@@ -128,6 +138,12 @@ export class Engine {
     this.isFactored = parameters !== null;
     this.#parameters = parameters;
     this.#factoring = factoring;
+  }
+
+  /** The box around the mesh as it is drawn. */
+  get box(): Box {
+    this.#box ??= boxAround(this.opened.surface.positions);
+    return this.#box;
   }
 
   /** Resolves when the worker is lost. */
@@ -262,7 +278,11 @@ export class Engine {
       this.#held = null;
     }
     const { bridge, links } = question;
-    if (this.opened.report.components > 1 && (bridge !== this.#bridge || links !== this.#links)) {
+    if (
+      !this.opened.interior &&
+      this.opened.report.components > 1 &&
+      (bridge !== this.#bridge || links !== this.#links)
+    ) {
       this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
       this.#bridge = bridge;
       this.#links = links;
@@ -270,10 +290,15 @@ export class Engine {
     }
     // The question follows without waiting for it: each turn of the page may take as long as a frame.
     const posing = isSameMoment(question.moment, this.#measured) ? null : this.#measureAt(question.moment);
-    const laying = question.ground === this.#ground ? null : this.#lay(question.ground);
+    const isLaid = this.opened.interior || question.ground === this.#ground;
+    const laying = isLaid ? null : this.#lay(question.ground);
+    if (this.opened.interior && question.inside !== this.#inside) {
+      this.#inside = question.inside;
+      this.#view = await this.#worker.call(api.look(innerCutOf(question.inside, this.box)));
+    }
     const weighted = isWeighted(question.ground);
     const pathKind = pathKindOf(question, weighted);
-    const about = { question, posed: null, pathKind, factoring: this.#factoring };
+    const about = { question, posed: null, pathKind, factoring: this.#factoring, inside: this.#view };
     if (sources.length === 0) {
       const [posed] = await Promise.all([posing, laying]);
       return { ...about, posed, field: null, path: null, pathMs: 0 };
@@ -296,6 +321,7 @@ export class Engine {
     );
     const [posed, , solved] = await Promise.all([posing, laying, solving]);
     this.#held = { question, field: solved.field };
+    this.#view = solved.inside;
     return { ...about, posed, ...solved };
   }
 

@@ -9,12 +9,23 @@ import { isOutOfMemory } from './trap';
 
 /**
  * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks;
- * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `costs`: not possible where costs differ; `idle`: no field; `memory`, `late` and
+ * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `costs`: not possible where costs differ; `inside`: nor in tetrahedra; `idle`: no field; `memory`, `late` and
  * `stuck`: given up, for want of memory or time, or because a few steps made no progress; `failed`: the query or a step
  * failed.
  */
 export type Phase =
-  'solving' | 'resting' | 'refining' | 'exact' | 'off' | 'costs' | 'idle' | 'memory' | 'late' | 'stuck' | 'failed';
+  | 'solving'
+  | 'resting'
+  | 'refining'
+  | 'exact'
+  | 'off'
+  | 'costs'
+  | 'inside'
+  | 'idle'
+  | 'memory'
+  | 'late'
+  | 'stuck'
+  | 'failed';
 
 /**
  * Pause before refinement begins, of a field by windows and of one by heat: each step of the second ends with a solve, by
@@ -79,7 +90,7 @@ export class Refiner {
     this.interrupt();
     const turn = this.#turn;
     const isWanted = state.pathKind === 'exact' && answer.path !== null && answer.pathKind !== 'exact';
-    const traces = isWanted && !this.#hasLostWorker && !isWeighted(answer.question.ground);
+    const traces = isWanted && !this.#hasLostWorker && !isWeighted(answer.question.ground) && !answer.field?.inner;
     const end = this.#endOf(answer, isRefined(state));
     if (end && !traces) {
       this.phase.value = end;
@@ -148,6 +159,7 @@ export class Refiner {
   #endOf(answer: Answer, refines: boolean): Phase | null {
     if (!answer.field) return 'idle';
     if (isExact(answer)) return 'exact';
+    if (answer.field.inner) return 'inside';
     if (isWeighted(answer.question.ground)) return 'costs';
     if (!refines) return 'off';
     return this.#hasLostWorker || answer.field === this.#full ? 'memory' : null;

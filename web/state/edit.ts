@@ -1,17 +1,18 @@
 /** What pointer and keyboard do to sources and walker. */
-import type { SurfacePoint } from '../protocol';
+import type { MeshPoint } from '../protocol';
 import { UP, type Up } from '../wasm/contract';
+import type { Inside } from './inside';
 import { type Scene, upOf, withOffset } from './scene';
 
-export function setSource(scene: Scene, point: SurfacePoint): void {
+export function setSource(scene: Scene, point: MeshPoint): void {
   scene.place({ sources: [point], selected: -1 });
 }
 
-export function addSource(scene: Scene, point: SurfacePoint): void {
+export function addSource(scene: Scene, point: MeshPoint): void {
   scene.place({ sources: [...scene.state.sources, point], selected: -1 });
 }
 
-export function moveSource(scene: Scene, index: number, point: SurfacePoint, gesture: object): void {
+export function moveSource(scene: Scene, index: number, point: MeshPoint, gesture: object): void {
   const { sources } = scene.state;
   const source = withOffset(point, sources[index].offset ?? 0);
   scene.place({ sources: sources.with(index, source), selected: index }, gesture);
@@ -30,8 +31,13 @@ export function removeSelected(scene: Scene): boolean {
   return true;
 }
 
-export function sendWalker(scene: Scene, point: SurfacePoint): void {
+export function sendWalker(scene: Scene, point: MeshPoint): void {
   scene.place({ walker: point });
+}
+
+/** Changes how the inside is looked into. */
+export function lookInto(scene: Scene, change: Partial<Inside>, gesture: object): void {
+  scene.place({ inside: { ...scene.state.inside, ...change } }, gesture);
 }
 
 /** Draws the next axis upward, of a mesh that by itself has `upright` there. */

@@ -1,5 +1,5 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
-import type { Source, SurfacePoint } from '../protocol';
+import type { Source, MeshPoint } from '../protocol';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -18,6 +18,7 @@ import {
 } from '../wasm/contract';
 import { addressIn } from '../files/address';
 import { COSTS, decodeGround, encodeGround, type Ground } from './ground';
+import { CUTS, FILLS, type Inside, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
 import type { Finish, Style, MapName } from './styles';
 import {
   findStyle,
@@ -65,6 +66,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   };
   add('p', state.parts.join(','), start.parts.join(','));
   add('triangles', triangles(state.triangles), triangles(start.triangles));
+  add('fill', fill(state.fill), fill(start.fill));
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
@@ -72,6 +74,11 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('ground', encodeGround(state.ground), encodeGround(start.ground));
   add('slope', flag(state.ground.slope), flag(start.ground.slope));
   add('height', number(state.ground.highest), number(start.ground.highest));
+  const { inside } = state;
+  add('cut', inside.cut, start.inside.cut);
+  for (const key of INSIDE_NUMBERS) add(key, number(inside[key]), number(start.inside[key]));
+  add('whole', flag(inside.whole), flag(start.inside.whole));
+  add('arrows', flag(inside.arrows), flag(start.inside.arrows));
   add('method', state.method, start.method);
   add('windows', number(state.windows), number(start.windows));
   add('bridge', bridge(state.bridge), bridge(start.bridge));
@@ -138,6 +145,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
   read('triangles', parseTriangles, ([most]) => (state.triangles = most ?? null));
+  read('fill', parseFill, ([count]) => (state.fill = count ?? null));
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
@@ -146,6 +154,14 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('ground', decodeGround, lay);
   read('slope', oneOf(['0', '1']), (slope) => lay({ slope: slope === '1' }));
   read('height', within(...COSTS), (highest) => lay({ highest }));
+  const look = (part: Partial<Inside>) => (state.inside = { ...state.inside, ...part });
+  read('cut', oneOf(CUTS), (cut) => look({ cut }));
+  for (const key of INSIDE_NUMBERS) {
+    const [low, high] = INSIDE_RANGES[key];
+    read(key, within(low, high), (value) => look({ [key]: value }));
+  }
+  read('whole', oneOf(['0', '1']), (whole) => look({ whole: whole === '1' }));
+  read('arrows', oneOf(['0', '1']), (arrows) => look({ arrows: arrows === '1' }));
   read('method', choiceOf(METHOD), (method) => (state.method = method));
   read('windows', parseWindows, (windows) => (state.windows = windows));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));
@@ -265,6 +281,10 @@ function triangles(most: number | null): string {
   return most === null ? 'all' : String(most);
 }
 
+function fill(count: number | null): string {
+  return count === null ? 'none' : String(count);
+}
+
 function clipNumber(index: number | null): string {
   return index === null ? 'none' : String(index);
 }
@@ -282,8 +302,13 @@ function encodePoints(points: readonly Source[]): string {
 }
 
 function encodePoint(point: Source): string {
-  const place = 'vertex' in point ? String(point.vertex) : `${point.face}:${point.weights.map(number).join('/')}`;
+  const place = 'vertex' in point ? String(point.vertex) : `${numberOf(point)}:${point.weights.map(number).join('/')}`;
   return point.offset ? `${place}@${amount(point.offset)}` : place;
+}
+
+/** A face has three weights, a tetrahedron four. */
+function numberOf(point: Exclude<MeshPoint, { vertex: number }>): number {
+  return 'face' in point ? point.face : point.tetrahedron;
 }
 
 function encodeFinish({ metalness, roughness, glow }: Finish): string {
@@ -328,14 +353,17 @@ function parseSource(text: string): Source | null {
   return Number.isFinite(offset) ? withOffset(point, offset) : null;
 }
 
-function parsePoint(text: string): SurfacePoint | null {
+function parsePoint(text: string): MeshPoint | null {
   if (/^\d{1,9}$/.test(text)) return { vertex: Number(text) };
-  const match = /^(\d{1,9}):([\d.]+)\/([\d.]+)\/([\d.]+)$/.exec(text);
+  const match = /^(\d{1,9}):([\d.]+(?:\/[\d.]+){2,3})$/.exec(text);
   if (!match) return null;
-  const [face, a, b, c] = match.slice(1).map(Number);
-  const sum = a + b + c;
+  const index = Number(match[1]);
+  const weights = match[2].split('/').map(Number);
+  const sum = weights.reduce((all, weight) => all + weight, 0);
   // The digits of a link are rounded, so the weights may miss 1 by a little.
-  return Math.abs(sum - 1) < 0.01 ? { face, weights: [a / sum, b / sum, c / sum] } : null;
+  if (!(Math.abs(sum - 1) < 0.01)) return null;
+  const [a, b, c, d] = weights.map((weight) => weight / sum);
+  return d === undefined ? { face: index, weights: [a, b, c] } : { tetrahedron: index, weights: [a, b, c, d] };
 }
 
 /** A number, or none for all. */
@@ -343,6 +371,13 @@ function parseTriangles(text: string): number[] | null {
   if (text === 'all') return [];
   const most = within(...TRIANGLES)(text);
   return most === null ? null : [Math.round(most)];
+}
+
+/** A number of tetrahedra, or none. */
+function parseFill(text: string): number[] | null {
+  if (text === 'none') return [];
+  const count = within(...FILLS)(text);
+  return count === null ? null : [Math.round(count)];
 }
 
 /** The number of one, or of none. */

@@ -1,7 +1,10 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
-import type { DistanceField, DrawPose, OpenedMesh, SurfacePoint } from '../protocol';
+import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
 
 export type Vector = [number, number, number];
+
+/** Least and greatest corner of a box. */
+export type Box = readonly [Vector, Vector];
 
 /** Position and normal as they are drawn: see `DrawTransform`. */
 export interface Place {
@@ -10,7 +13,10 @@ export interface Place {
 }
 
 /** Values of a field. */
-type Values = Pick<DistanceField, 'distance' | 'byCorner'>;
+type Values = Pick<DistanceField, 'distance' | 'byCorner' | 'inner'>;
+
+/** What stands inside stands upright. */
+const UPWARD: Vector = [0, 1, 0];
 
 export class Places {
   readonly #mesh: OpenedMesh;
@@ -22,6 +28,8 @@ export class Places {
   readonly diameter: number;
   /** The same as it is drawn. */
   readonly drawnDiameter: number;
+  /** The bounding box as it is drawn. */
+  readonly box: Box;
 
   constructor(mesh: OpenedMesh) {
     this.#mesh = mesh;
@@ -30,7 +38,8 @@ export class Places {
     mesh.inputVertices.forEach((vertex, drawn) => {
       this.#drawnOf[vertex] = drawn;
     });
-    this.drawnDiameter = boxDiagonal(mesh.surface.positions);
+    this.box = boxAround(mesh.surface.positions);
+    this.drawnDiameter = distanceBetween(...this.box);
     this.diameter = this.drawnDiameter / mesh.drawTransform.scale;
   }
 
@@ -39,8 +48,21 @@ export class Places {
     this.#pose = pose;
   }
 
-  /** The three drawn corners and their weights; null when the mesh has no such place. */
-  #corners(point: SurfacePoint): { corners: Vector; weights: Vector } | null {
+  /** The corners of a place inside, vertices of the input, and their weights; null where it is none. */
+  #inner(point: MeshPoint): { corners: readonly number[]; weights: readonly number[] } | null {
+    const { interior } = this.#mesh;
+    if (!interior || 'face' in point) return null;
+    if ('vertex' in point) {
+      const isThere = 3 * point.vertex + 2 < interior.positions.length;
+      return isThere ? { corners: [point.vertex], weights: [1] } : null;
+    }
+    const corners = interior.tetrahedra.subarray(4 * point.tetrahedron, 4 * point.tetrahedron + 4);
+    return corners.length === 4 ? { corners: [...corners], weights: point.weights } : null;
+  }
+
+  /** The three drawn corners and their weights; null when the surface has no such place. */
+  #corners(point: MeshPoint): { corners: Vector; weights: Vector } | null {
+    if ('tetrahedron' in point) return null;
     if ('vertex' in point) {
       const drawn = this.#drawnOf[point.vertex] ?? -1;
       return drawn < 0 ? null : { corners: [drawn, drawn, drawn], weights: [1, 0, 0] };
@@ -56,13 +78,17 @@ export class Places {
     return this.#pose.positions;
   }
 
-  has(point: SurfacePoint): boolean {
-    return this.#corners(point) !== null;
+  has(point: MeshPoint): boolean {
+    return this.#corners(point) !== null || this.#inner(point) !== null;
   }
 
-  at(point: SurfacePoint): Place | null {
+  at(point: MeshPoint): Place | null {
     const found = this.#corners(point);
-    if (!found) return null;
+    if (!found) {
+      const inner = this.#inner(point);
+      const places = this.#mesh.interior?.positions;
+      return inner && places ? { position: blend(places, inner.corners, inner.weights), normal: UPWARD } : null;
+    }
     const { positions, normals } = this.#pose;
     return {
       position: blend(positions, found.corners, found.weights),
@@ -70,15 +96,36 @@ export class Places {
     };
   }
 
+  /** Where a place is relative to the middle of the box, in its diagonals, as it is drawn; null where the mesh has no such place. */
+  relative(point: MeshPoint): Vector | null {
+    const place = this.at(point);
+    return place && (place.position.map((along, axis) => (along - this.#middle(axis)) / this.drawnDiameter) as Vector);
+  }
+
+  /** The drawn vertex that is nearest to a place as `relative` gives it. */
+  nearest(place: Vector): MeshPoint {
+    const { surface, inputVertices } = this.#mesh;
+    const [x, y, z] = place.map((along, axis) => along * this.drawnDiameter + this.#middle(axis));
+    const p = surface.positions;
+    const nearness = (i: number) => -Math.hypot(x - p[3 * i], y - p[3 * i + 1], z - p[3 * i + 2]);
+    return { vertex: inputVertices[indexOfMax(inputVertices.length, nearness)] };
+  }
+
+  #middle(axis: number): number {
+    return (this.box[0][axis] + this.box[1][axis]) / 2;
+  }
+
   /** Linear over the triangle; Infinity as soon as one corner is out of reach; NaN where the mesh has no such place. */
-  valueAt(point: SurfacePoint, { distance: values, byCorner }: Values): number {
+  valueAt(point: MeshPoint, { distance: values, byCorner, inner }: Values): number {
+    const within = inner && this.#inner(point);
+    if (within) return interpolated(inner, within.corners, within.weights);
     const found = this.#corners(point);
     if (!found) return Number.NaN;
     if (byCorner && 'vertex' in point) return this.#leastAt(point.vertex, values);
     const { weights } = found;
     const first = 'face' in point ? 3 * point.face : 0;
-    const corners = byCorner ? [first, first + 1, first + 2] : found.corners;
-    return corners.reduce((sum, corner, i) => sum + (weights[i] === 0 ? 0 : weights[i] * values[corner]), 0);
+    const corners: readonly number[] = byCorner ? [first, first + 1, first + 2] : found.corners;
+    return interpolated(values, corners, weights);
   }
 
   /** The least value of the corners at a vertex, which walls part. */
@@ -92,15 +139,19 @@ export class Places {
   }
 
   /** Of the corners of the point's triangle the nearest one in weights, as an index of the input. */
-  nearestVertex(point: SurfacePoint): number {
+  nearestVertex(point: MeshPoint): number {
     if ('vertex' in point) return point.vertex;
     const { surface, inputVertices } = this.#mesh;
+    if ('tetrahedron' in point) {
+      const corners = this.#inner(point)?.corners ?? [0];
+      return corners[point.weights.indexOf(Math.max(...point.weights))];
+    }
     const corner = point.weights.indexOf(Math.max(...point.weights));
     return inputVertices[surface.triangles[3 * point.face + corner]];
   }
 
   /** The vertex that lies farthest in a direction. */
-  extreme([x, y, z]: Vector): SurfacePoint {
+  extreme([x, y, z]: Vector): MeshPoint {
     const { surface, inputVertices } = this.#mesh;
     return {
       vertex:
@@ -114,7 +165,7 @@ export class Places {
   }
 
   /** The vertex with the largest finite value. */
-  farthest({ distance: values, byCorner }: Values): SurfacePoint {
+  farthest({ distance: values, byCorner }: Values): MeshPoint {
     const value = (index: number) => (Number.isFinite(values[index]) ? values[index] : Number.NEGATIVE_INFINITY);
     const best = indexOfMax(values.length, value);
     const { surface, inputVertices } = this.#mesh;
@@ -135,10 +186,15 @@ function indexOfMax(count: number, value: (index: number) => number): number {
   return best;
 }
 
-function blend(values: Float32Array, corners: Vector, weights: Vector): Vector {
+/** A corner out of reach counts only where it has a weight. */
+function interpolated(values: Float32Array, corners: readonly number[], weights: readonly number[]): number {
+  return corners.reduce((sum, corner, i) => sum + (weights[i] === 0 ? 0 : weights[i] * values[corner]), 0);
+}
+
+function blend(values: Float32Array, corners: readonly number[], weights: readonly number[]): Vector {
   const out: Vector = [0, 0, 0];
   for (let k = 0; k < 3; k++) {
-    for (let i = 0; i < 3; i++) out[k] += weights[i] * values[3 * corners[i] + k];
+    for (let i = 0; i < corners.length; i++) out[k] += weights[i] * values[3 * corners[i] + k];
   }
   return out;
 }
@@ -148,12 +204,17 @@ function normalised(vector: Vector): Vector {
   return [vector[0] / length, vector[1] / length, vector[2] / length];
 }
 
-function boxDiagonal(positions: Float32Array): number {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
+/** Least and greatest corner of the box around points. */
+export function boxAround(positions: Float32Array): Box {
+  const low: Vector = [Infinity, Infinity, Infinity];
+  const high: Vector = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {
     low[i % 3] = Math.min(low[i % 3], positions[i]);
     high[i % 3] = Math.max(high[i % 3], positions[i]);
   }
-  return Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return [low, high];
+}
+
+function distanceBetween(a: Vector, b: Vector): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }

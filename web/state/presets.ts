@@ -1,7 +1,8 @@
 /** The preset scenes. Each loads only when it is asked for. */
-import type { MeshInput, SurfacePoint } from '../protocol';
+import type { MeshInput, MeshPoint } from '../protocol';
 import { decodeGround, type Ground, LEVEL } from './ground';
 import { HIKE, VILLAGE } from './grounds';
+import { type Inside, WHOLE } from './inside';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract';
 import { nameOf } from '../files/address';
@@ -22,8 +23,8 @@ interface Outline {
   title: string;
   credit?: string;
   load?: () => Promise<MeshInput>;
-  sources: SurfacePoint[];
-  walker: SurfacePoint;
+  sources: MeshPoint[];
+  walker: MeshPoint;
   view?: readonly [number, number];
   style: string;
   change?: Partial<Style>;
@@ -34,13 +35,18 @@ interface Outline {
   ground?: Partial<Ground>;
   /** Active parts; all when left out. */
   parts?: readonly number[];
+  /** Tetrahedra that it is filled with. */
+  fill?: number;
+  /** How its inside is looked into, if at all. */
+  inside?: Partial<Inside>;
 }
 
 /** Default view of a mesh: yaw and pitch in radians. */
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, style, change, boundary, method, ground, parts } = outline;
+  const { title, credit, load, sources, walker, view, style, change, boundary, method, ground, parts, fill, inside } =
+    outline;
   return {
     id,
     title,
@@ -54,6 +60,8 @@ function preset(id: string, outline: Outline): Preset {
       sources,
       walker,
       ground: { ...LEVEL, ...ground },
+      fill: fill ?? null,
+      inside: { ...WHOLE, ...inside },
       parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
       style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
     },
@@ -113,7 +121,7 @@ export const PRESETS: readonly Preset[] = [
   preset('teapot', {
     title: 'Teapot',
     credit: 'Martin Newell, public domain',
-    load: async () => plainMesh('teapot', (await import('teapot')).default),
+    load: loadTeapot,
     // Body, lid and spout do not touch: each has a source of its own.
     sources: [at(420), at(598), at(568)],
     walker: at(124),
@@ -165,6 +173,38 @@ export const PRESETS: readonly Preset[] = [
     method: 'auto',
     ground: decodeGround(VILLAGE) ?? {},
   }),
+  preset('inside', {
+    title: 'Teapot inside',
+    credit: 'Martin Newell, public domain; filled',
+    load: loadTeapot,
+    sources: [at(0)],
+    walker: at(100),
+    view: [0.4, 0.4],
+    style: 'citrus',
+    method: 'auto',
+    fill: 60_000,
+    inside: { cut: 'plane', turn: 20, tilt: 20 },
+  }),
+  preset('pipe', {
+    title: 'Pipe',
+    load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'pipe' }),
+    sources: [at(0)],
+    walker: at(100),
+    view: [0.4, 0.4],
+    style: 'zebra',
+    method: 'auto',
+    inside: { cut: 'plane' },
+  }),
+  preset('cave', {
+    title: 'Cave',
+    load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'cave' }),
+    sources: [at(0)],
+    walker: at(100),
+    view: [0.4, 0.4],
+    style: 'lava',
+    method: 'auto',
+    inside: { cut: 'wedge' },
+  }),
   preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
   preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], style: 'citrus' }),
 ];
@@ -187,7 +227,7 @@ export function titleOf(mesh: MeshReference): string {
   }
 }
 
-function at(vertex: number): SurfacePoint {
+function at(vertex: number): MeshPoint {
   return { vertex };
 }
 
@@ -198,6 +238,10 @@ function plainMesh(name: string, { positions, cells }: PlainMesh): MeshInput {
     positions: Float32Array.from(positions.flat()),
     triangles: Uint32Array.from(cells.flat()),
   };
+}
+
+async function loadTeapot(): Promise<MeshInput> {
+  return plainMesh('teapot', (await import('teapot')).default);
 }
 
 async function loadDragon(): Promise<MeshInput> {

@@ -1,5 +1,5 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
-import type { Parameters, PathKind, SceneryPart, Source, SurfacePoint } from '../protocol';
+import type { Parameters, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
 import {
   AUTOMATIC,
   DEFAULT_PARAMETERS,
@@ -12,6 +12,7 @@ import {
   type WINDOWS,
 } from '../wasm/contract';
 import { type Ground, LEVEL } from './ground';
+import { type Inside, WHOLE } from './inside';
 import { tellEach } from './signal';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -78,13 +79,15 @@ export const CROWD_HEIGHT = 0.03;
 export interface Places {
   sources: readonly Source[];
   /** Where the walker starts; null: no walker. */
-  walker: SurfacePoint | null;
+  walker: MeshPoint | null;
   /** How many links there are between groups that stay apart, each time of the two that are nearest. */
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
   /** What it costs to walk where, and walls. */
   ground: Ground;
+  /** How the inside of tetrahedra is looked into. */
+  inside: Inside;
 }
 
 export interface SceneState extends Places {
@@ -93,6 +96,8 @@ export interface SceneState extends Places {
   parts: readonly number[];
   /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
   triangles: number | null;
+  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  fill: number | null;
   /** How distance is found. */
   method: Method;
   /** Of methods other than heat. */
@@ -127,11 +132,13 @@ export function emptyScene(mesh: MeshReference): SceneState {
     mesh,
     parts: [],
     triangles: null,
+    fill: null,
     sources: [],
     walker: null,
     links: 0,
     up: 'y',
     ground: LEVEL,
+    inside: WHOLE,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
@@ -167,9 +174,16 @@ export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: S
 }
 
 /** A source at a place. An initial distance of 0 is not written, so that equal sources are equal objects. */
-export function withOffset(point: SurfacePoint, offset: number): Source {
-  const place = 'vertex' in point ? { vertex: point.vertex } : { face: point.face, weights: point.weights };
+export function withOffset(point: MeshPoint, offset: number): Source {
+  const place = placeOf(point);
   return offset > 0 ? { ...place, offset } : place;
+}
+
+/** Without what else there may be. */
+function placeOf(point: MeshPoint): MeshPoint {
+  if ('vertex' in point) return { vertex: point.vertex };
+  if ('face' in point) return { face: point.face, weights: point.weights };
+  return { tetrahedron: point.tetrahedron, weights: point.weights };
 }
 
 export type SceneListener = (state: SceneState, previous: SceneState) => void;
@@ -250,8 +264,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up, ground }: SceneState): Places {
-  return { sources, walker, links, up, ground };
+function placesOf({ sources, walker, links, up, ground, inside }: SceneState): Places {
+  return { sources, walker, links, up, ground, inside };
 }
 
 function withValidSelection(state: SceneState): SceneState {

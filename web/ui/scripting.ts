@@ -1,5 +1,5 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
-import type { Clip, DistanceField, FaceField, Moment, PathKind, SurfacePoint } from '../protocol';
+import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
 import type { Session } from '../session/session';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
@@ -50,7 +50,7 @@ export interface Heatwalk {
   /** Arc lengths, what the path costs, and its kind; null without a walker. */
   readonly walker: { arc: number; length: number; cost: number; arrived: boolean; kind: PathKind } | null;
   /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
-  distanceAt(point: SurfacePoint): number;
+  distanceAt(point: MeshPoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
   gradients(kind: FaceField): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
@@ -58,9 +58,9 @@ export interface Heatwalk {
   /** A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`. */
   picture(scale?: number, clear?: boolean): Promise<Blob>;
   /** The place under a CSS pixel of the window. */
-  placeAt(x: number, y: number): SurfacePoint | null;
+  placeAt(x: number, y: number): MeshPoint | null;
   /** The CSS pixel of the window where a place is seen. */
-  pixelOf(point: SurfacePoint): [number, number] | null;
+  pixelOf(point: MeshPoint): [number, number] | null;
 }
 
 declare global {

@@ -26,6 +26,11 @@ export function measure(value: number, { unit }: OpenedMesh): string {
   return `${length(value)} ${unit || 'units'}`;
 }
 
+/** A volume in the unit of the mesh, cubed. */
+export function volume(value: number, { unit }: OpenedMesh): string {
+  return unit ? `${length(value)} ${unit}³` : `${length(value)} cubic units`;
+}
+
 export function percent(share: number): string {
   return `${Math.round(100 * share)} %`;
 }
@@ -61,9 +66,19 @@ export function bytes(value: number): string {
 /** Share of exact vertices that is worth telling. */
 const LEAST_EXACT = 0.01;
 
+/** How large a mesh is. */
+export function sizeWords({ report, interior }: OpenedMesh): string {
+  return interior ? `${count(interior.report.tetrahedra)} tetrahedra` : `${count(report.faces)} triangles`;
+}
+
 /** What was done to the triangles of a file, in one sentence. */
 export function openingSentence(opened: OpenedMesh, factoring: Factoring): string {
-  const { name, report } = opened;
+  const { name, report, interior } = opened;
+  if (interior) {
+    const { tetrahedra, components, remark } = interior.report;
+    const told = `${name}: ${counted(tetrahedra, 'tetrahedron', 'tetrahedra')}; ${counted(components, 'component')}.`;
+    return remark ? `${told} ${remark}.` : told;
+  }
   const done = repairs(report);
   const components = componentWords(report, factoring);
   const shape = `${components}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
@@ -143,21 +158,29 @@ function repairs(report: BuildReport): string[] {
 }
 
 /** What was solved, as people say it. */
-function methodWords({ windows }: DistanceField): string {
+function methodWords({ windows, inner, timeFactor }: DistanceField): string {
+  if (inner && timeFactor === undefined) return 'waves through the tetrahedra';
   return windows === undefined ? 'the heat method' : `propagation with ${counted(windows, 'window')}`;
 }
 
 /** How a field was found and how much of it is exact, in as few words as the heading has room for. */
 export function exactnessWords(field: DistanceField): string {
-  const { exactBelow, exactShare, windows } = field;
+  const { exactBelow, exactShare, windows, inner, timeFactor } = field;
   if (exactBelow === Infinity) return 'exact';
+  if (inner && timeFactor === undefined) return `waves, ${percentDown(exactShare)} in a straight line`;
   const method = windows === undefined ? 'heat method' : 'propagation';
   return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} exact` : method;
 }
 
 /** How a field was found, and how far it is exact, in a sentence. */
 export function fieldSentence(field: DistanceField): string {
-  const { exactBelow, exactShare, windows, error } = field;
+  const { exactBelow, exactShare, windows, error, inner, timeFactor } = field;
+  if (inner && timeFactor === undefined) {
+    const straight = `Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact`;
+    return exactBelow === Infinity
+      ? 'Exact: straight lines lead from everywhere to a source.'
+      : `By waves. ${straight}.`;
+  }
   if (exactBelow === Infinity) return error ? `Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : 'Exact.';
   const beyond = windows === undefined ? '' : ', an upper bound beyond';
   const exact =
@@ -185,6 +208,8 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
       return `${soFar} Refinement stopped because it made no progress.`;
     case 'off':
       return method === 'propagation' ? soFar : `${soFar} Refinement is off.`;
+    case 'inside':
+      return soFar;
     case 'costs':
       return `${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
     case 'exact':
@@ -201,7 +226,8 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
 export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
-  const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(opened.report.vertices)}`;
+  const all = (opened.interior?.report ?? opened.report).vertices;
+  const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(all)}`;
   if (field.byCorner && opened.report.components === 1) {
     return `Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
   }

@@ -1,5 +1,5 @@
 /** What a picture is made of, and the order in which the renderer needs it. */
-import type { Appearance, DistanceField } from '../protocol';
+import type { Appearance, DistanceField, InnerView } from '../protocol';
 import type { Viewer } from '../wasm/viewer/heatwalk_viewer.js';
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
@@ -27,6 +27,7 @@ export const ORDER = [
   'style',
   'offset',
   'field',
+  'inside',
   'pins',
   'path',
   'walker',
@@ -40,6 +41,7 @@ export const CLEARED_BY_SURFACE: readonly Layer[] = [
   'pose',
   'ground',
   'field',
+  'inside',
   'pins',
   'path',
   'walker',
@@ -57,6 +59,8 @@ export interface Picture {
   stride: number;
   overlays: readonly Edges[];
   walls: readonly Edges[];
+  /** What is seen of the inside of tetrahedra. */
+  inside: InnerView | null;
 }
 
 export const NO_MESH = {
@@ -71,6 +75,22 @@ export const NO_MESH = {
 };
 export const NO_APPEARANCE: Appearance = { materials: [], images: [] };
 export const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
+export const NO_INSIDE: InnerView = {
+  positions: new Float32Array(),
+  normals: new Float32Array(),
+  values: new Float32Array(),
+  tangents: new Int8Array(),
+  triangles: new Uint32Array(),
+  tetrahedra: new Uint32Array(),
+  weights: new Float32Array(),
+  hidesSurface: false,
+  shellPositions: new Float32Array(),
+  shellNormals: new Float32Array(),
+  shellValues: new Float32Array(),
+  shellTriangles: new Uint32Array(),
+  arrowPlaces: new Float32Array(),
+  arrowVectors: new Float32Array(),
+};
 export function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, overlays: [], walls: [] };
+  return { layers: new Map(), stride: 1, overlays: [], walls: [], inside: null };
 }

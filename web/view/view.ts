@@ -1,5 +1,5 @@
 /** The canvas and the renderer on it. What is shown is kept: a lost renderer is made again with the scene intact. */
-import type { Appearance, DrawMesh, DrawPose, Shade, SurfacePath, SurfacePoint } from '../protocol';
+import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, SurfacePath } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place, Vector } from '../state/places';
 import { isTrap } from '../solver/trap';
@@ -13,6 +13,7 @@ import {
   type Layer,
   NO_APPEARANCE,
   NO_FIELD,
+  NO_INSIDE,
   NO_MESH,
   ORDER,
   type Picture,
@@ -24,7 +25,7 @@ import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer
 import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
 
 export interface PointHit {
-  point: SurfacePoint;
+  point: MeshPoint;
   /** As it is drawn: see `DrawTransform`. */
   position: Vector;
 }
@@ -42,6 +43,9 @@ const RELAPSE_MS = 10_000;
 
 /** A picture that takes longer never comes. */
 const CAPTURE_MS = 30_000;
+
+/** Of a shell of equal distance that is seen straight on. */
+const SHELL_OPACITY = 0.35;
 
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
@@ -161,7 +165,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.overlays, picture.walls] = [[], []];
+      [picture.overlays, picture.walls, picture.inside] = [[], [], null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -227,6 +231,24 @@ export class View {
   setField(field: ShownField | null): void {
     const { distance, tangents, maxDistance, byCorner } = field ?? NO_FIELD;
     this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance, byCorner));
+  }
+
+  /** What is seen of the inside of tetrahedra, where planes of four numbers each cut them open; null: nothing. */
+  setInside(inside: InnerView | null, planes: readonly number[]): void {
+    if (!inside && !this.#picture.inside) return;
+    this.#picture.inside = inside;
+    const { positions, normals, values, tangents, triangles, hidesSurface } = inside ?? NO_INSIDE;
+    const { shellPositions, shellNormals, shellValues, shellTriangles, arrowPlaces, arrowVectors } =
+      inside ?? NO_INSIDE;
+    const section = triangles.length > 0 ? { positions, normals, values, tangents, triangles } : null;
+    const shells = { positions: shellPositions, normals: shellNormals, values: shellValues, triangles: shellTriangles };
+    const cut = Float32Array.from(inside ? planes : []);
+    this.#show('inside', (viewer) => {
+      viewer.set_cut(cut);
+      viewer.set_section(section, hidesSurface);
+      viewer.set_shells(shells.triangles.length > 0 ? shells : null, SHELL_OPACITY);
+      viewer.set_inner_arrows(arrowPlaces, arrowVectors);
+    });
   }
 
   /** Tints the triangles of the surface, `#F × 4`: see `Viewer.set_tints`. `surface`: as it was set. */
@@ -410,9 +432,10 @@ export class View {
     if (!hit) return null;
     const [a, b, c] = hit.weights;
     const [px, py, pz] = hit.point;
-    const found: PointHit = { point: { face: hit.triangle, weights: [a, b, c] }, position: [px, py, pz] };
+    const { triangle, is_on_section: isOnSection } = hit;
     hit.free();
-    return found;
+    const inner = isOnSection && this.#picture.inside ? innerPoint(this.#picture.inside, triangle, [a, b, c]) : null;
+    return { point: inner ?? { face: triangle, weights: [a, b, c] }, position: [px, py, pz] };
   }
 
   /** CSS pixels of the window; null behind the camera and while a preview is drawn. */
@@ -478,6 +501,13 @@ export class View {
     viewer.resize(...this.#size);
     viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
   }
+}
+
+/** A place on the section as one in its tetrahedron. */
+function innerPoint({ triangles, tetrahedra, weights }: InnerView, triangle: number, shares: Vector): MeshPoint {
+  const at = (corner: number) =>
+    shares.reduce((sum, share, i) => sum + share * weights[4 * triangles[3 * triangle + i] + corner], 0);
+  return { tetrahedron: tetrahedra[triangle], weights: [at(0), at(1), at(2), at(3)] };
 }
 
 /** Whether the instance must not be called again: it trapped, or an exception left it in the middle of a call. */

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use glam::DVec3;
+use heatwalk::VertexId;
 
 use crate::error::{Error, Result};
 use crate::heat::gradient_in;
@@ -84,6 +85,26 @@ impl VolumeDistance {
     /// `#V`, heat after time t, to an arbitrary scale near 10²⁹⁰; none where distance was found by other means.
     pub fn heat(&self) -> Option<&[f64]> {
         self.heat.as_deref()
+    }
+
+    /// Whether a straight line inside of the mesh leads from a vertex to its source, so that its distance is exact up to rounding. Known
+    /// of the march alone.
+    pub fn is_straight(&self, vertex: VertexId) -> bool {
+        self.waves.as_ref().is_some_and(|waves| waves.is_straight(vertex))
+    }
+
+    /// `#T`, unit vectors along the gradient of heat in each tetrahedron, towards the sources; zero where there is none.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`]; [`Error::Heat`] with `NoHeat` where distance was found by other means.
+    pub fn heat_directions(&self, mesh: &TetMesh) -> Result<Vec<DVec3>> {
+        self.require(mesh)?;
+        let heat = self.heat.as_deref().ok_or(heatwalk::Error::NoHeat)?;
+        let direction = |(tetrahedron, corners): (u32, &[u32; 4])| {
+            gradient_in(mesh.corners(TetId(tetrahedron)), corners.map(|corner| heat[corner as usize]))
+                .normalize_or_zero()
+        };
+        Ok((0..).zip(mesh.tetrahedra()).map(direction).collect())
     }
 
     /// The distance at a place, interpolated linearly in its tetrahedron.

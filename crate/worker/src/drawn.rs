@@ -5,11 +5,11 @@ use heatwalk::surface::Error;
 use heatwalk::{
     Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
 };
+use heatwalk_bindings::{Failure, Result, number};
 use heatwalk_scene::{DrawTransform, Posing, draw_mesh};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
-use crate::failure::{Failure, Result};
 use crate::results::DrawMesh;
 
 /// Edges bent by more than this are drawn sharp: above a smooth model's largest bend, under a box's.
@@ -131,8 +131,4 @@ impl Drawn {
     pub fn source(&self, surface: &Surface, place: &JsValue) -> Result<Source> {
         Ok(surface.source(self.point(surface, place)?, number(place, "offset").unwrap_or(0.0))?)
     }
-}
-
-fn number(object: &JsValue, key: &str) -> Option<f64> {
-    Reflect::get(object, &key.into()).ok().and_then(|value| value.as_f64())
 }

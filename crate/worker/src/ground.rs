@@ -7,7 +7,7 @@ use heatwalk::surface::Error;
 use heatwalk::{Costs, FaceData, FaceId, HalfedgeId, InputVertex, Place, Surface, VertexId, Walls, tobler};
 
 use crate::drawn::Drawn;
-use crate::failure::{Failure, Result};
+use heatwalk_bindings::{Failure, Result};
 
 /// What stands for a wall among costs.
 const WALL: f64 = f64::INFINITY;

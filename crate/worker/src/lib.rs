@@ -8,13 +8,11 @@
 mod appearance;
 mod camera;
 mod drawn;
-mod failure;
 mod field;
 mod ground;
 mod joined;
 mod motion;
 mod outline;
-mod parameters;
 mod results;
 mod solved;
 mod solver;
@@ -27,17 +25,17 @@ use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
-use js_sys::{Function, Object, Uint8Array};
+use js_sys::{Float64Array, Function, Object, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
 use crate::camera::CameraView;
 use crate::drawn::Drawn;
-use crate::failure::Result;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
+use heatwalk_bindings::Result;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
 #[wasm_bindgen(typescript_custom_section)]
@@ -54,7 +52,7 @@ export type Resource = (uri: string) => Uint8Array | undefined;
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
 #[wasm_bindgen(start)]
 pub fn start() {
-    std::panic::set_hook(Box::new(|panic| failure::end(&panic.to_string())));
+    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
 }
 
 /// Bytes that a program on wasm32 can have.
@@ -104,6 +102,34 @@ impl MeshFile {
     pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
         let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
         Self { soup: Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec()), up: Up::Y }
+    }
+
+    /// Takes triangles in double precision: `positions` is `#V × 3`, `triangles` is `#F × 3`. `up`: what points up, by the shape where
+    /// that is not known.
+    pub fn surface_of(
+        name: &str,
+        positions: &[f64],
+        triangles: &[u32],
+        #[wasm_bindgen(unchecked_param_type = "Up | undefined")] up: Option<String>,
+    ) -> Result<Self> {
+        let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
+        let soup = Soup::single(name, positions, triangles.as_chunks().0.to_vec());
+        let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&soup));
+        Ok(Self { up, soup })
+    }
+
+    /// `#V × 3`, all vertices of the file.
+    pub fn positions(&self) -> Float64Array {
+        let numbers: Vec<f64> = self.soup.positions.iter().flat_map(|position| position.to_array()).collect();
+        numbers.as_slice().into()
+    }
+
+    /// `#F × 3`, the triangles of these parts.
+    pub fn triangles_of(&self, parts: &[u32]) -> Uint32Array {
+        let parts = parts.iter().filter_map(|&part| self.soup.parts.get(part as usize));
+        let triangles: Vec<[u32; 3]> =
+            parts.flat_map(|part| self.soup.triangles[part.triangles.clone()].to_vec()).collect();
+        triangles.as_flattened().into()
     }
 
     /// The axis that points up, by the rules of the format or by the shape.

@@ -5,8 +5,8 @@ use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::failure::Result;
 use crate::results::{DrawMesh, DrawPose};
+use heatwalk_bindings::Result;
 
 /// An animation of the file.
 #[wasm_bindgen(inspectable)]

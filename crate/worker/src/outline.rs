@@ -4,7 +4,7 @@ use glam::DVec3;
 use heatwalk::Soup;
 use wasm_bindgen::prelude::*;
 
-use crate::failure::Result;
+use heatwalk_bindings::Result;
 
 /// The triangles of some parts, whose vertices are within ±1: simplifiers calculate in single precision.
 #[wasm_bindgen]

@@ -6,8 +6,8 @@ use heatwalk::exact::ExactGeometry;
 use heatwalk::{Distance, HeatSolver, PropagationRefinement, Refinement, RelativeError, Source, VertexData};
 
 use crate::drawn::Drawn;
-use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
+use heatwalk_bindings::{Failure, Result};
 
 /// A distance, what it was found from, and what makes it exact.
 pub struct Solved {

@@ -18,14 +18,14 @@ use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::failure::{Failure, Result};
 use crate::field::{Field, Origin};
 use crate::ground::Ground;
 use crate::joined::Joined;
 use crate::motion::Moving;
-use crate::parameters::parameters;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
+use heatwalk_bindings::parameters;
+use heatwalk_bindings::{Failure, Result};
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.

@@ -1,4 +1,4 @@
-//! Build steps that need Rust: `cargo xtask wasm [solver|viewer|basis]`, `cargo xtask contract`, `cargo xtask test-wasm`,
+//! Build steps that need Rust: `cargo xtask wasm [solver|viewer|interior|basis]`, `cargo xtask contract`, `cargo xtask test-wasm`,
 //! `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
 
 mod contract;
@@ -11,12 +11,12 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use crate::modules::{BASIS, SOLVER, VIEWER};
+use crate::modules::{BASIS, INTERIOR, SOLVER, VIEWER};
 use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
 const USAGE: &str =
-    "usage: cargo xtask wasm [solver|viewer|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
+    "usage: cargo xtask wasm [solver|viewer|interior|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -27,6 +27,7 @@ fn main() -> Result<()> {
             contract::write(workspace())?;
             modules::build(&SOLVER, &toolchain)?;
             modules::build(&VIEWER, &toolchain)?;
+            modules::build(&INTERIOR, &toolchain)?;
             modules::build(&BASIS, &toolchain)
         }
         ["wasm", "solver"] => {
@@ -34,6 +35,7 @@ fn main() -> Result<()> {
             modules::build(&SOLVER, &Toolchain::find()?)
         }
         ["wasm", "viewer"] => modules::build(&VIEWER, &Toolchain::find()?),
+        ["wasm", "interior"] => modules::build(&INTERIOR, &Toolchain::find()?),
         ["wasm", "basis"] => modules::build(&BASIS, &Toolchain::find()?),
         ["contract"] => contract::write(workspace()),
         ["test-wasm"] => modules::test_solver(&Toolchain::find()?),

@@ -15,8 +15,10 @@ pub struct Module {
     name: &'static str,
     package: &'static str,
     file: &'static str,
-    /// Compiler flags. They differ, so each module has a target folder of its own.
+    /// Compiler flags.
     flags: &'static [&'static str],
+    /// The target folder, one for modules of the same flags: others would be compiled again each time.
+    folder: &'static str,
     /// The profile of Cargo.toml that it is compiled with.
     profile: &'static str,
     /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
@@ -29,6 +31,7 @@ pub const SOLVER: Module = Module {
     package: "heatwalk-worker",
     file: "heatwalk_worker",
     flags: &["-Ctarget-feature=+simd128"],
+    folder: "wasm-solver",
     profile: "worker",
     is_restartable: false,
 };
@@ -39,6 +42,7 @@ pub const VIEWER: Module = Module {
     package: "heatwalk-viewer",
     file: "heatwalk_viewer",
     flags: &[],
+    folder: "wasm-viewer",
     profile: "viewer",
     is_restartable: true,
 };
@@ -49,8 +53,20 @@ pub const BASIS: Module = Module {
     package: "heatwalk-basis",
     file: "heatwalk_basis",
     flags: &[],
+    folder: "wasm-basis",
     profile: "worker",
     is_restartable: true,
+};
+
+/// Tetrahedra, which the worker loads where an inside is wanted.
+pub const INTERIOR: Module = Module {
+    name: "interior",
+    package: "heatwalk-interior",
+    file: "heatwalk_interior",
+    flags: SOLVER.flags,
+    folder: SOLVER.folder,
+    profile: SOLVER.profile,
+    is_restartable: false,
 };
 
 /// The packages whose tests run on wasm32 too.
@@ -59,7 +75,7 @@ const TESTED: [&str; 6] =
 
 impl Module {
     fn target_folder(&self) -> PathBuf {
-        workspace().join("target").join(format!("wasm-{}", self.name))
+        workspace().join("target").join(self.folder)
     }
 
     /// `cargo COMMAND` with the module's flags and `more` of them.
@@ -109,7 +125,7 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
-    for module in [&SOLVER, &VIEWER, &BASIS] {
+    for module in [&SOLVER, &VIEWER, &INTERIOR, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
         run(module.cargo(toolchain, "clippy", &["-Dwarnings"]).args([
             "--profile",

@@ -1,7 +1,6 @@
 /** The worker: the solver's wasm module behind the interface of protocol.ts. */
 import { expose, transfer } from 'comlink';
 import type {
-  Appearance,
   DistanceField,
   DrawMesh,
   DrawTransform,
@@ -9,14 +8,12 @@ import type {
   FaceField,
   GroundChange,
   Factoring,
-  MeshInput,
+  InnerCut,
+  InnerView,
   Moment,
   OpenedMesh,
   Parameters,
-  Plain,
   Posed,
-  ProgressListener,
-  Simplified,
   Solved,
   SolverApi,
   Source,
@@ -24,18 +21,17 @@ import type {
   Timings,
   TracedPath,
   PathRequest,
-  SurfacePoint,
+  MeshPoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
-import { fileName } from '../../files/paths';
 import { isOutOfMemory, isTrap } from '../trap';
-import { decodeImages } from './images';
-import { simplify } from './simplify';
-import { type Files, filesOf, readMesh, unpackedOf } from './files';
+import { innerSolver, interiorOf } from './interior';
+import { innerMesh, type Mesh, messageOf, type SolvedField, surfaceMesh } from './mesh';
+import { FILLED_FROM, lookOf, openingOf, sourceOf } from './opening';
+import { plain } from './plain';
 
-/** Where simplifying, building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
-const SIMPLIFY_FROM = 0.05;
+/** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
 const DRAW_FROM = 0.3;
 const SOLVE_FROM = 0.4;
@@ -56,8 +52,7 @@ const WARM_UP_SHAPE = 'icosphere';
 /** Calls that arrive while the module is still being compiled wait for it. */
 const { promise: ready, resolve: begin } = Promise.withResolvers<wasm.InitOutput>();
 
-interface Current {
-  solver: wasm.Solver;
+interface Current extends Mesh {
   timings: Timings;
   /** Windows of the next slice of refining. */
   work: number;
@@ -69,8 +64,10 @@ interface Current {
   refinedAt: number;
 }
 
-/** What is drawn of a mesh that is not prepared yet. */
-let opened: { drawing: wasm.Drawing; timings: Timings; vertices: number } | undefined;
+/** What is drawn of a mesh that is not prepared yet, and what answers on its tetrahedra, if any. */
+let opened:
+  | { drawing: wasm.Drawing; timings: Timings; vertices: number; inside: ReturnType<typeof innerSolver> | null }
+  | undefined;
 let current: Current | undefined;
 /** The inactive parts that move. */
 let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
@@ -95,15 +92,16 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, room, progress, wantedUp = AUTOMATIC, most = null) {
+  async open(input, parts, room, progress, wantedUp = AUTOMATIC, most = null, fill = null) {
     await ready;
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
-    const { name, hash, read } = await sourceOf(input);
+    const source = await sourceOf(input);
+    const { name, hash } = source;
     const clock = stopwatch();
-    const { file, chosen, simplified } = await fewer(read(), name, parts, most, progress);
+    const { file, chosen, simplified, inner } = await openingOf(source, { parts, most, fill }, progress);
     const look = lookOf(file);
     const readMs = clock();
-    progress({ stage: 'Welding', fraction: BUILD_FROM, vertices: 0 });
+    progress({ stage: 'Welding', fraction: inner ? FILLED_FROM : BUILD_FROM, vertices: 0 });
     const names = file.part_names();
     const triangles = file.part_triangles();
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
@@ -123,6 +121,10 @@ const api: SolverApi = {
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
+    const drawTransform = drawTransformOf(surface, up);
+    const drawn = drawing.input_vertices();
+    const interior = inner && interiorOf(inner.mesh, drawTransform);
+    const inputVertices = inner ? drawn.map((vertex) => inner.vertices[vertex]) : drawn;
     const mesh: OpenedMesh = {
       name,
       hash,
@@ -137,20 +139,23 @@ const api: SolverApi = {
       clips,
       missing,
       unit,
-      inputVertices: drawing.input_vertices(),
-      drawTransform: drawTransformOf(surface, up),
+      inputVertices,
+      drawTransform,
       upright,
       scenery,
-      report,
-      meanEdge: surface.mean_edge(),
+      report: interior ? { ...report, inputVertices: interior.report.inputVertices } : report,
+      meanEdge: interior?.report.meanEdge ?? surface.mean_edge(),
+      interior,
     };
     surface.free();
-    opened = { drawing, timings: { readMs, buildMs, drawMs: clock(), joinMs: 0, precomputeMs: 0 }, vertices };
+    const inside = inner && innerSolver(inner.mesh, inputVertices, mesh.surface.triangles, drawTransform);
+    opened = { drawing, timings: { readMs, buildMs, drawMs: clock(), joinMs: 0, precomputeMs: 0 }, vertices, inside };
     return transfer(mesh, [
       ...buffersOf(mesh.surface),
       ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
       mesh.inputVertices.buffer,
       mesh.lights.buffer,
+      ...(interior ? [interior.positions.buffer, interior.tetrahedra.buffer] : []),
       ...(mesh.appearance?.images.filter((image) => image !== null) ?? []),
     ]);
   },
@@ -158,17 +163,22 @@ const api: SolverApi = {
   async prepare(parameters, progress) {
     const { memory } = await ready;
     if (!opened) throw new Error('No mesh is open.');
-    const { drawing, timings, vertices } = opened;
+    const { drawing, timings, vertices, inside } = opened;
     const clock = stopwatch();
-    if (parameters) {
-      const solver = drawing.factor(parameters, (stage: string, fraction: number) => {
-        progress({ stage, fraction: SOLVE_FROM + (1 - SOLVE_FROM) * fraction, vertices });
-      });
-      current = currentOf(solver, { ...timings, precomputeMs: clock() });
+    const told = (stage: string, fraction: number) => {
+      progress({ stage, fraction: SOLVE_FROM + (1 - SOLVE_FROM) * fraction, vertices });
+    };
+    if (inside) {
+      if (parameters) inside.configure(parameters, told);
+      else told('Marching', 0);
+      current = currentOf(innerMesh(inside), { ...timings, precomputeMs: parameters ? clock() : 0 });
+    } else if (parameters) {
+      const solver = drawing.factor(parameters, told);
+      current = currentOf(surfaceMesh(solver), { ...timings, precomputeMs: clock() });
     } else {
-      progress({ stage: 'Propagating', fraction: SOLVE_FROM, vertices });
+      told('Propagating', 0);
       const solver = drawing.solver();
-      current = currentOf(solver, { ...timings, buildMs: timings.buildMs + clock() });
+      current = currentOf(surfaceMesh(solver), { ...timings, buildMs: timings.buildMs + clock() });
     }
     drawing.free();
     opened = undefined;
@@ -188,33 +198,40 @@ const api: SolverApi = {
     const { memory } = await ready;
     const mesh = openMesh();
     const clock = stopwatch();
-    mesh.solver.bridge(rule, links);
+    openSurface().bridge(rule, links);
     mesh.timings = { ...mesh.timings, joinMs: clock() };
     return factoringOf(mesh, memory);
   },
 
   ground({ triangles, costs, lines, slope, highest }: GroundChange): Promise<void> {
-    openMesh().solver.set_ground(triangles, costs, lines, slope, highest);
+    openSurface().set_ground(triangles, costs, lines, slope, highest);
     return Promise.resolve();
   },
 
+  look(cut: InnerCut | null): Promise<InnerView | null> {
+    const mesh = openMesh();
+    if (mesh.inside) mesh.inside.cut = cut;
+    const view = seen(mesh);
+    return Promise.resolve(view ? transfer(view, viewBuffersOf(view)) : null);
+  },
+
   neighbors(): Promise<Uint32Array> {
-    const neighbors = openMesh().solver.neighbors();
+    const neighbors = openSurface().neighbors();
     return Promise.resolve(transfer(neighbors, [neighbors.buffer]));
   },
 
   line(from: number, to: number): Promise<Uint32Array> {
-    return Promise.resolve(openMesh().solver.line(from, to));
+    return Promise.resolve(openSurface().line(from, to));
   },
 
   linksToReachMore(): Promise<number> {
-    return Promise.resolve(openMesh().solver.links_to_reach_more());
+    return Promise.resolve(openSurface().links_to_reach_more());
   },
 
   pose(moment: Moment | null, measured: boolean): Promise<Posed | null> {
-    const { solver } = openMesh();
-    const surface = solver.pose(moment?.clip, moment?.seconds ?? 0, measured);
-    if (!surface) return Promise.resolve(null);
+    const solver = openMesh().surface;
+    const surface = solver?.pose(moment?.clip, moment?.seconds ?? 0, measured);
+    if (!solver || !surface) return Promise.resolve(null);
     const scenery = movingScenery.flatMap(({ part, scenery: moving }) => {
       const pose = moving.pose(moment?.clip, moment?.seconds ?? 0);
       return pose ? [{ part, pose: plain(pose) }] : [];
@@ -227,18 +244,18 @@ const api: SolverApi = {
   },
 
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
-    return firstField(true, (solver) => solver.solve(sources, quick), request);
+    return firstField(true, ({ solver }) => messageOf(solver.solve(known(sources), quick)), request);
   },
 
   propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved> {
-    return firstField(false, (solver) => solver.propagate(sources, windows), request);
+    return firstField(false, ({ solver }) => messageOf(solver.propagate(known(sources), windows)), request);
   },
 
   refine(request: PathRequest | null): Promise<Solved> {
     const mesh = openMesh();
     const clock = stopwatch();
     const shownMs = mesh.refineMs > 0 ? performance.now() - mesh.refinedAt : 0;
-    const field = mesh.solver.refine(mesh.work);
+    const field = messageOf(openSurface().refine(mesh.work));
     const passed = clock();
     mesh.refineMs += passed;
     mesh.refinedAt = performance.now();
@@ -252,10 +269,10 @@ const api: SolverApi = {
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
-  searchPath(from: SurfacePoint): Promise<TracedPath | null> {
+  searchPath(from: MeshPoint): Promise<TracedPath | null> {
     const mesh = openMesh();
     const clock = stopwatch();
-    const path = pathOf(() => mesh.solver.search_path(from, mesh.work));
+    const path = pathOf(() => openSurface().search_path(known([from])[0], mesh.work));
     const pathMs = clock();
     mesh.work = nextWork(mesh.work, pathMs, SLICE_MS);
     if (path === undefined) return Promise.resolve(null);
@@ -289,7 +306,7 @@ const api: SolverApi = {
   },
 
   errors(): Promise<Float32Array | null> {
-    const errors = openMesh().solver.errors();
+    const errors = openMesh().surface?.errors();
     return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
   },
 
@@ -299,8 +316,8 @@ const api: SolverApi = {
   },
 };
 
-function currentOf(solver: wasm.Solver, timings: Timings): Current {
-  return { solver, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
+function currentOf(mesh: Mesh, timings: Timings): Current {
+  return { ...mesh, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
 }
 
 function openMesh(): Current {
@@ -308,13 +325,24 @@ function openMesh(): Current {
   return current;
 }
 
-function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): Factoring {
+/** A place that the mesh does not have is refused by its solver. */
+function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
+  return places as unknown as wasm.Source[];
+}
+
+function openSurface(): wasm.Solver {
+  const { surface } = openMesh();
+  if (!surface) throw new Error('Tetrahedra have no surface of their own to be walked on.');
+  return surface;
+}
+
+function factoringOf({ solver, surface, timings }: Current, memory: WebAssembly.Memory): Factoring {
   return {
     timings,
-    groups: solver.groups(),
-    contacts: solver.contacts(),
-    links: solver.links(),
-    linkedGap: solver.linked_gap(),
+    groups: surface?.groups() ?? 0,
+    contacts: surface?.contacts() ?? 0,
+    links: surface?.links() ?? 0,
+    linkedGap: surface?.linked_gap() ?? 0,
     factorNonzeros: solver.factor_nonzeros(),
     memoryBytes: memory.buffer.byteLength,
   };
@@ -323,39 +351,56 @@ function factoringOf({ solver, timings }: Current, memory: WebAssembly.Memory): 
 /** What a field is before any refinement. */
 function firstField(
   isByHeat: boolean,
-  answer: (solver: wasm.Solver) => wasm.Field,
+  answer: (mesh: Mesh) => SolvedField,
   request: PathRequest | null,
 ): Promise<Solved> {
   const mesh = openMesh();
   const clock = stopwatch();
-  const field = answer(mesh.solver);
+  const field = answer(mesh);
+  if (mesh.inside) mesh.inside.hasField = true;
   mesh.solveMs = clock();
   mesh.refineMs = 0;
   mesh.isByHeat = isByHeat;
   return solvedOf(field, mesh, request);
 }
 
-function solvedOf(field: wasm.Field, mesh: Current, request: PathRequest | null): Promise<Solved> {
-  const solved: Solved = { field: fieldOf(field, mesh), ...trace(mesh, request) };
+function solvedOf(found: SolvedField, mesh: Current, request: PathRequest | null): Promise<Solved> {
+  const solved: Solved = { field: fieldOf(found, mesh), inside: seen(mesh), ...trace(mesh, request) };
+  const { distance, tangents, inner } = solved.field;
   return Promise.resolve(
-    transfer(solved, [solved.field.distance.buffer, solved.field.tangents.buffer, ...pathBuffersOf(solved)]),
+    transfer(solved, [
+      distance.buffer,
+      tangents.buffer,
+      ...(inner ? [inner.buffer] : []),
+      ...(solved.inside ? viewBuffersOf(solved.inside) : []),
+      ...pathBuffersOf(solved),
+    ]),
   );
 }
 
-function fieldOf(field: wasm.Field, { solver, solveMs, refineMs }: Current): DistanceField {
-  const { meanError: mean, maxError: max, ...solved } = plain(field);
+function fieldOf(found: SolvedField, { solver, solveMs, refineMs }: Current): DistanceField {
+  const { meanError: mean, maxError: max, inner = null, ...solved } = found;
   const error = mean !== undefined && max !== undefined ? { mean, max } : null;
-  return { ...solved, tangents: solver.tangents(), error, solveMs, refineMs };
+  return { ...solved, inner, tangents: solver.tangents(), error, solveMs, refineMs };
+}
+
+/** What is seen of the inside with the last field. */
+function seen({ inside }: Mesh): InnerView | null {
+  return inside?.cut && inside.hasField ? plain(inside.solver.view(inside.cut)) : null;
+}
+
+function viewBuffersOf(view: InnerView): Transferable[] {
+  return Object.values(view).flatMap((part) => (typeof part === 'boolean' ? [] : [part.buffer]));
 }
 
 function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
-  const path = request && pathOf(() => solver.path(request.from, request.kind));
+  const path = request && pathOf(() => solver.path(known([request.from])[0], request.kind));
   return { path: path ?? null, pathMs: clock() };
 }
 
 /** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
-function pathOf(find: () => wasm.SurfacePath | undefined): SurfacePath | null | undefined {
+function pathOf(find: () => ReturnType<Mesh['solver']['path']> | undefined): SurfacePath | null | undefined {
   try {
     const found = find();
     return found && plain(found);
@@ -373,66 +418,6 @@ function nextWork(work: number, passed: number, wanted: number): number {
 
 function pathBuffersOf({ path }: Pick<TracedPath, 'path'>): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer, path.segmentCosts.buffer] : [];
-}
-
-interface MeshSource {
-  name: string;
-  hash: string;
-  read: () => wasm.MeshFile;
-}
-
-async function sourceOf(input: MeshInput): Promise<MeshSource> {
-  switch (input.kind) {
-    case 'files':
-      return sourceIn(filesOf(input.files), input.mesh);
-    case 'archive':
-      return sourceIn(await unpackedOf(input.archive), input.mesh);
-    case 'shape':
-      return { name: input.shape, hash: '', read: () => wasm.MeshFile.shape(input.shape) };
-    case 'arrays': {
-      const { name, positions, triangles } = input;
-      return { name, hash: '', read: () => wasm.MeshFile.arrays(name, positions, triangles) };
-    }
-  }
-}
-
-async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
-  const bytes = files.read(mesh);
-  return { name: fileName(mesh), hash: await hashOf(bytes), read: () => readMesh(mesh, bytes, files) };
-}
-
-/** What the module gave, as a message; its memory is given back. */
-function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T> {
-  const message = given.toJSON() as Plain<T>;
-  given.free();
-  return message;
-}
-
-/** The chosen parts of a file; a simplified model of these as the only part where they have more triangles than are wanted. */
-async function fewer(
-  file: wasm.MeshFile,
-  name: string,
-  parts: readonly number[],
-  most: number | null,
-  progress: ProgressListener,
-): Promise<{ file: wasm.MeshFile; chosen: Uint32Array; simplified: Simplified | null }> {
-  const sizes = file.part_triangles();
-  const chosen = Uint32Array.from(parts.length > 0 ? parts : sizes.keys());
-  if (most === null || chosen.reduce((sum, part) => sum + (sizes[part] ?? 0), 0) <= most) {
-    return { file, chosen, simplified: null };
-  }
-  progress({ stage: 'Simplifying', fraction: SIMPLIFY_FROM, vertices: 0 });
-  const less = await simplify(file, chosen, name, most);
-  file.free();
-  return { ...less, chosen: Uint32Array.of(0) };
-}
-
-/** What a file says of its looks; its images are decoded while the surface is built. */
-async function lookOf(file: wasm.MeshFile): Promise<{ appearance: Appearance | null; undecoded: string[] }> {
-  if (!file.has_appearance()) return { appearance: null, undecoded: [] };
-  const materials = file.materials().map(plain);
-  const { images, undecoded } = await decodeImages(file.images().map(plain));
-  return { appearance: { materials, images }, undecoded };
 }
 
 function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {
@@ -453,13 +438,6 @@ function stopwatch(): () => number {
     before = now;
     return passed;
   };
-}
-
-/** SHA-256 of a file; empty where the browser offers none (pages that are not served over HTTPS). */
-async function hashOf(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  if (!('subtle' in crypto)) return '';
-  const digest = await crypto.subtle.digest('SHA-256', bytes);
-  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 expose(api);

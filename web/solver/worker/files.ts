@@ -24,10 +24,15 @@ export async function unpackedOf(content: Blob): Promise<Files> {
 }
 
 /** Reads the mesh with these bytes at `mesh`, and what it refers to. */
-export function readMesh(mesh: string, bytes: Uint8Array, { paths, read }: Files): wasm.MeshFile {
+export function readMesh(mesh: string, bytes: Uint8Array, files: Files): wasm.MeshFile {
+  return withFiles(mesh, files, (resource) => wasm.MeshFile.read(fileName(mesh), bytes, resource));
+}
+
+/** Reads the mesh at `mesh` by a reader that asks for the files that it refers to. */
+export function withFiles<T>(mesh: string, { paths, read }: Files, reader: (resource: wasm.Resource) => T): T {
   let failure: unknown;
   try {
-    return wasm.MeshFile.read(fileName(mesh), bytes, (uri) => {
+    return reader((uri) => {
       const path = resolve(mesh, uri, paths);
       if (path === undefined) return undefined;
       try {

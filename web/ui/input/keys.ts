@@ -1,9 +1,10 @@
 /** The keyboard, and the reticle at the centre of the view that stands in for a pointer. */
-import type { SurfacePoint } from '../../protocol';
+import type { MeshPoint } from '../../protocol';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { RADII } from '../../state/brush';
-import { addSource, moveSource, removeSelected, sendWalker, setSource, turnUp } from '../../state/edit';
+import { INSIDE_RANGES } from '../../state/inside';
+import { addSource, lookInto, moveSource, removeSelected, sendWalker, setSource, turnUp } from '../../state/edit';
 import type { Signal } from '../../state/signal';
 import type { PointHit } from '../../view/view';
 import { h } from '../dom';
@@ -16,6 +17,8 @@ const ORBIT_PX = 24;
 const NUDGE_PX = 6;
 const ZOOM_STEP = 1.15;
 const BRUSH_STEP = 1.2;
+/** How far a key moves the cut, as a share of the way from the middle to the end. */
+const CUT_STEP = 0.02;
 
 const ARROWS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -31,6 +34,8 @@ export interface KeysOptions {
   tool: Signal<Tool>;
   ground: GroundEditor;
   chooseFile: () => void;
+  /** Fills the surface. */
+  fill: () => void;
   /** Closes the newest message; false if there was none. */
   closeMessage: () => boolean;
   acted: () => void;
@@ -42,6 +47,8 @@ export class Keys {
   readonly #o: KeysOptions;
   /** Arrows in a row are one step of undo. */
   #nudging: object | null = null;
+  /** So are keys in a row that move the cut. */
+  #cutting: object | null = null;
 
   constructor(options: KeysOptions) {
     this.#o = options;
@@ -101,6 +108,9 @@ export class Keys {
     else if (event.key === '[') this.#resizeBrush(1 / BRUSH_STEP);
     else if (event.key === ']') this.#resizeBrush(BRUSH_STEP);
     else if (event.key.toLowerCase() === 'u') this.#turn();
+    else if (event.key.toLowerCase() === 'i') this.#openUp();
+    else if (event.key === ',') this.#moveCut(-CUT_STEP);
+    else if (event.key === '.') this.#moveCut(CUT_STEP);
     else if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(session.scene);
     else if (event.key === 'Escape') this.#escape(closeMessage);
     else return false;
@@ -116,6 +126,24 @@ export class Keys {
     const { ground } = this.#o;
     const radius = ground.brush.value.radius * factor;
     ground.set({ radius: Math.min(RADII[1], Math.max(RADII[0], radius)) });
+  }
+
+  /** Cuts tetrahedra open, or closes them; a surface is filled. */
+  #openUp(): void {
+    const { session, fill } = this.#o;
+    const { scene, shown } = session;
+    if (shown.value?.opened.interior === null) fill();
+    else lookInto(scene, { cut: scene.state.inside.cut === 'none' ? 'plane' : 'none' }, {});
+  }
+
+  #moveCut(step: number): void {
+    const { scene, shown } = this.#o.session;
+    const { inside } = scene.state;
+    if (!shown.value?.opened.interior || inside.cut === 'none') return;
+    this.#cutting ??= {};
+    const [least, most] = INSIDE_RANGES.place;
+    lookInto(scene, { place: Math.min(most, Math.max(least, inside.place + step)) }, this.#cutting);
+    addEventListener('keyup', () => (this.#cutting = null), { once: true });
   }
 
   #turn(): void {
@@ -169,7 +197,7 @@ export class Keys {
     addEventListener('keyup', () => (this.#nudging = null), { once: true });
   }
 
-  #underReticle(): SurfacePoint | null {
+  #underReticle(): MeshPoint | null {
     return this.#o.session.view.pick(...this.#o.session.view.centre)?.point ?? null;
   }
 

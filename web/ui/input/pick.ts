@@ -1,8 +1,8 @@
 /** What lies under a pointer. */
-import type { SurfacePoint } from '../../protocol';
+import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 
-export type Target = { kind: 'source'; index: number } | { kind: 'surface'; point: SurfacePoint } | { kind: 'empty' };
+export type Target = { kind: 'source'; index: number } | { kind: 'surface'; point: MeshPoint } | { kind: 'empty' };
 
 /** Radius around the foot of a pin, in CSS pixels, within which it can be dragged. */
 const GRIP = { mouse: 14, touch: 26 };

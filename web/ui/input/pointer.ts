@@ -1,5 +1,5 @@
 /** Mouse and touch input on the stage. */
-import type { SurfacePoint } from '../../protocol';
+import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
 import type { Signal } from '../../state/signal';
@@ -105,7 +105,7 @@ export class PointerInput {
     }
   }
 
-  #holdStill(point: SurfacePoint, x: number, y: number): void {
+  #holdStill(point: MeshPoint, x: number, y: number): void {
     if (this.#press?.mode !== 'pressed') return;
     this.#press.mode = 'done';
     sendWalker(this.#o.session.scene, point);

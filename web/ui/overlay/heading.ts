@@ -1,7 +1,7 @@
 import type { Session } from '../../session/session';
 import { titleOf } from '../../state/presets';
 import { h } from '../dom';
-import { count, exactnessWords } from '../words';
+import { exactnessWords, sizeWords } from '../words';
 
 /** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact. */
 export function heading(session: Session): HTMLElement {
@@ -14,7 +14,7 @@ export function heading(session: Session): HTMLElement {
     const opened = (preview ?? shown)?.opened;
     const field = preview ? null : shown?.answer.field;
     title.textContent = preview?.title ?? titleOf(session.scene.state.mesh);
-    size.textContent = opened ? `${count(opened.report.faces)} triangles` : '';
+    size.textContent = opened ? sizeWords(opened) : '';
     exactness.textContent = field ? exactnessWords(field) : '';
   };
   session.shown.watch(tell);

@@ -1,4 +1,4 @@
-import type { SurfacePoint } from '../../protocol';
+import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import { h } from '../dom';
 import { measure, percent } from '../words';
@@ -12,7 +12,7 @@ export class Readout {
     this.#session = session;
   }
 
-  show(point: SurfacePoint, x: number, y: number): void {
+  show(point: MeshPoint, x: number, y: number): void {
     const text = readoutText(this.#session, point);
     if (text === null) {
       this.hide();
@@ -31,7 +31,7 @@ export class Readout {
   }
 }
 
-function readoutText({ shown }: Session, point: SurfacePoint): string | null {
+function readoutText({ shown }: Session, point: MeshPoint): string | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = `vertex ${places.nearestVertex(point)}`;

@@ -135,6 +135,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   editor.brush.watch(showBrush);
   editor.lineEnd.watch(showBrush);
 
+  const element = h('div', { class: 'stack' });
   const showGround = () => {
     const { ground } = scene.state;
     slope.show(ground.slope);
@@ -151,10 +152,14 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   scene.subscribe((state, previous) => {
     if (state.ground !== previous.ground) showGround();
   });
-  session.shown.watch(showGround);
-  return h(
-    'div',
-    { class: 'stack' },
+  session.shown.watch((shown, previous) => {
+    showGround();
+    // Inside of tetrahedra there is no ground.
+    if (shown?.opened !== previous?.opened) {
+      element.closest('details')?.toggleAttribute('hidden', (shown?.opened.interior ?? null) !== null);
+    }
+  });
+  element.append(
     brush.element,
     tool.element,
     hint,
@@ -168,6 +173,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     height.element,
     legend,
   );
+  return element;
 }
 
 /** As it is painted: powers of two in steps of a twelfth. */

@@ -34,6 +34,10 @@ const METHOD_HINTS: Record<Method, string> = {
   heat: 'Smooth distances from matrices that are factored once; refined to exact.',
   exact: 'Propagation at once, then always refined to exact. Nothing is factored.',
 };
+/** Inside of tetrahedra there are two. */
+const INSIDE_METHODS: readonly Method[] = ['auto', 'heat'];
+const INSIDE_HINT =
+  'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.';
 const PATHS: Record<PathKind, string> = {
   descent: 'Steepest descent',
   straight: 'Straightened',
@@ -132,14 +136,18 @@ export function solverSection(session: Session): HTMLElement {
     const { parameters, ...state } = scene.state;
     const isByHeat = state.method === 'heat';
     for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
-    for (const element of moreOfWindows) element.hidden = isByHeat;
+    const isInside = (session.shown.value?.opened.interior ?? null) !== null;
+    for (const element of moreOfWindows) element.hidden = isByHeat || isInside;
+    method.allow((name) => !isInside || INSIDE_METHODS.includes(name));
     method.show(state.method);
-    hint.textContent = METHOD_HINTS[state.method];
+    hint.textContent = isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method];
     windows.show(state.windows);
-    refine.element.hidden = !(isByHeat || state.method === 'auto');
+    refine.element.hidden = isInside || !(isByHeat || state.method === 'auto');
+    path.element.hidden = isInside;
+    operator.element.hidden = !isByHeat || isInside;
     refine.show(state.refine);
     path.show(state.pathKind);
-    bridge.element.hidden = (session.shown.value?.opened.report.components ?? 1) < 2;
+    bridge.element.hidden = isInside || (session.shown.value?.opened.report.components ?? 1) < 2;
     bridge.show(state.bridge);
     const factoring = session.shown.value?.answer.factoring;
     linked.textContent = factoring ? linksSentence(factoring) : null;

@@ -1,4 +1,4 @@
-import type { SurfacePoint } from '../../protocol';
+import type { MeshPoint } from '../../protocol';
 import { linkAll, linkNearest } from '../../session/links';
 import type { Session } from '../../session/session';
 import { setInitialDistance } from '../../state/edit';
@@ -108,13 +108,14 @@ export function sourcesSection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     const sentence = shown?.answer.field ? unreachedSentence(shown.opened, shown.answer.field) : null;
     unreached.hidden = !sentence;
-    linking.hidden = !sentence || shown?.opened.report.components === 1;
+    linking.hidden = !sentence || shown?.opened.report.components === 1 || shown?.opened.interior !== null;
     if (unreached.textContent !== (sentence ?? '')) unreached.textContent = sentence ?? '';
   });
   unreached.setAttribute('role', 'status');
   return h('div', { class: 'stack' }, list, unreached, linking);
 }
 
-function pointName(point: SurfacePoint): string {
-  return 'vertex' in point ? `Vertex ${point.vertex}` : `Triangle ${point.face}`;
+function pointName(point: MeshPoint): string {
+  if ('vertex' in point) return `Vertex ${point.vertex}`;
+  return 'face' in point ? `Triangle ${point.face}` : `Tetrahedron ${point.tetrahedron}`;
 }

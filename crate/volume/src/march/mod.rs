@@ -17,6 +17,7 @@ pub use medium::COSTS;
 pub(crate) use medium::Medium;
 
 use glam::DVec3;
+use heatwalk::VertexId;
 
 use crate::mesh::{Crossing, NONE, Start, TetMesh};
 use crate::point::TetSource;
@@ -72,6 +73,12 @@ pub(crate) struct Leg {
 }
 
 impl Waves {
+    /// Whether the wave of a vertex comes from a source, straight and through one cost.
+    pub(crate) fn is_straight(&self, vertex: VertexId) -> bool {
+        let wave = self.of_vertex[vertex.0 as usize];
+        wave != NONE && self.waves[wave as usize].is_first()
+    }
+
     /// The straight part of the shortest path from a place among `vertices`, whose waves it may come by. None where none comes there
     /// straight.
     pub(crate) fn leg(

@@ -114,6 +114,11 @@ impl Wave {
         Ray { distance: self.initial + self.cost * length, from }
     }
 
+    /// Whether it comes from a source.
+    pub(super) fn is_first(&self) -> bool {
+        self.ends.is_none()
+    }
+
     /// The distance at which it began at a place.
     pub(super) fn initial(&self) -> f64 {
         self.initial

@@ -9,8 +9,8 @@ use wasm_bindgen::prelude::*;
 
 use super::{CROWD_SEED, Solver};
 use crate::drawn::Drawn;
-use crate::failure::Result;
 use crate::ground::{Ground, Relief};
+use heatwalk_bindings::Result;
 
 impl Solver {
     /// The surface in the pose of the file, as walls part it.

@@ -8,9 +8,9 @@ use heatwalk::{Distance, HeatSolver, Parameters, Path, Surface};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
-use crate::failure::Result;
 use crate::motion::moment;
 use crate::results::{DrawPose, SurfacePath};
+use heatwalk_bindings::Result;
 
 impl Solver {
     /// The last field on the surface as it is shown.

@@ -14,7 +14,7 @@ use anyhow::{Context, Result};
 use self::read::Definitions;
 
 /// What defines the contract, in the order in which it is written.
-const SOURCES: [&str; 2] = ["crate/solver/src/options.rs", "crate/worker/src/failure.rs"];
+const SOURCES: [&str; 2] = ["crate/solver/src/options.rs", "crate/bindings/src/failure.rs"];
 
 /// Where the page finds it.
 const MODULE: &str = "web/wasm/contract.ts";

@@ -1,5 +1,6 @@
 //! Failures as JavaScript sees them: errors with a sentence, and with the solver's code as their name.
 
+use heatwalk::UnknownChoice;
 use js_sys::Error;
 use wasm_bindgen::{JsValue, throw_val};
 
@@ -30,9 +31,9 @@ impl Failure {
         Self(Error::new(sentence))
     }
 
-    /// The solver's error, with what a user of the page can do about it.
-    fn of(error: &heatwalk::Error) -> Self {
-        let remedy = match error.code() {
+    /// An error with its code, and what a user of the page can do about it.
+    fn coded(sentence: &str, code: &str) -> Self {
+        let remedy = match code {
             OUT_OF_MEMORY | MESH_TOO_LARGE => {
                 "; use a mesh with fewer triangles, or the native program on a larger machine"
             }
@@ -41,21 +42,31 @@ impl Failure {
             "missing-resource" => "; open both together, or the folder that holds them",
             _ => "",
         };
-        let thrown = Error::new(&format!("{error}{remedy}"));
-        thrown.set_name(error.code());
+        let thrown = Error::new(&format!("{sentence}{remedy}"));
+        thrown.set_name(code);
         Self(thrown)
     }
 }
 
-/// Whatever the solver can fail with.
-impl<E> From<E> for Failure
-where
-    heatwalk::Error: From<E>,
-{
-    fn from(error: E) -> Self {
-        Self::of(&error.into())
+impl From<UnknownChoice> for Failure {
+    fn from(unknown: UnknownChoice) -> Self {
+        heatwalk::Error::from(unknown).into()
     }
 }
+
+macro_rules! coded {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::coded(&error.to_string(), error.code())
+            }
+        })*
+    };
+}
+
+coded!(heatwalk::Error, heatwalk::surface::Error);
+#[cfg(feature = "volume")]
+coded!(heatwalk_volume::Error, heatwalk_volume::fill::Error, heatwalk_volume::io::Error);
 
 impl From<Failure> for JsValue {
     fn from(Failure(error): Failure) -> Self {

@@ -1,0 +1,182 @@
+//! The face of tetrahedra in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
+//!
+//! [`Tetrahedra`] are read, made or filled into a closed surface. The page draws their [boundary](Boundary) as it draws any surface;
+//! with that, an [`InnerSolver`](solver::InnerSolver) answers and shows what is inside.
+
+#![cfg(target_arch = "wasm32")]
+
+mod drawn;
+mod results;
+mod solver;
+mod view;
+
+use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::DVec3;
+use heatwalk::{Soup, Surface};
+use heatwalk_bindings::{Failure, Result};
+use heatwalk_scene::DrawTransform;
+use heatwalk_volume::fill::{FillReport, Resolution, Solid};
+use heatwalk_volume::io::{self, CellCounts};
+use heatwalk_volume::{TetMesh, TetSoup, shapes};
+use js_sys::{Float64Array, Function, Uint8Array, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::results::InnerReport;
+use crate::solver::InnerSolver;
+
+/// The types of arguments that have no type in Rust.
+#[wasm_bindgen(typescript_custom_section)]
+const ARGUMENTS: &str = "
+import type { FaceField, Parameters, Up } from '../contract';
+
+/** Told the fraction that is done, 0 to 1. */
+export type FillProgress = (fraction: number) => void;
+
+/** The bytes of the file that a mesh refers to by this relative URI; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
+";
+
+/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
+}
+
+/// How tetrahedra came about.
+enum Origin {
+    File(CellCounts),
+    Code,
+    Fill(FillReport),
+}
+
+/// Tetrahedra, checked, with their neighbors.
+#[wasm_bindgen]
+pub struct Tetrahedra {
+    /// As they came.
+    soup: Arc<TetSoup>,
+    mesh: Arc<TetMesh>,
+    origin: Origin,
+}
+
+impl Tetrahedra {
+    fn build(soup: TetSoup, origin: Origin) -> Result<Self> {
+        Ok(Self { mesh: Arc::new(TetMesh::build(&soup)?), soup: Arc::new(soup), origin })
+    }
+}
+
+#[wasm_bindgen]
+impl Tetrahedra {
+    /// Reads a file. `resource` gives the bytes of the other one of two.
+    pub fn read(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    ) -> Result<Self> {
+        let resource = |uri: &str| {
+            let found = resource.call1(&JsValue::NULL, &uri.into()).ok()?;
+            Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
+        };
+        let file = io::read(name, bytes, &resource)?;
+        Self::build(file.soup, Origin::File(file.cells))
+    }
+
+    /// Makes a shape.
+    pub fn shape(name: &str) -> Result<Self> {
+        let soup = shapes::by_name(name).ok_or_else(|| Failure::misuse("there is no such shape of tetrahedra"))?;
+        Self::build(soup, Origin::Code)
+    }
+
+    /// Fills a closed surface with about so many tetrahedra: `positions` are `#V × 3`, in the file's unit, `triangles` `#F × 3`.
+    pub fn fill(
+        positions: &[f64],
+        triangles: &[u32],
+        tetrahedra: u32,
+        #[wasm_bindgen(unchecked_param_type = "FillProgress")] progress: &Function,
+    ) -> Result<Self> {
+        let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
+        let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
+        let surface = Surface::build(&soup)?;
+        let solid = Solid::new(&soup, &surface, NonZeroUsize::MIN)?;
+        let filled = solid.fill(Resolution::Tetrahedra(tetrahedra as usize), &mut |share| {
+            // What the page does with it is no reason to stop.
+            let _ = progress.call1(&JsValue::NULL, &share.into());
+            ControlFlow::Continue(())
+        })?;
+        Self::build(filled.soup, Origin::Fill(filled.report))
+    }
+
+    /// What they are.
+    pub fn report(&self) -> InnerReport {
+        InnerReport::new(&self.mesh, &self.origin)
+    }
+
+    /// Their boundary.
+    pub fn boundary(&self) -> Boundary {
+        Boundary { boundary: self.mesh.boundary(), mesh: Arc::clone(&self.mesh) }
+    }
+
+    /// `#V × 3`, where the vertices of the input are drawn.
+    pub fn places(
+        &self,
+        center: &[f64],
+        scale: f64,
+        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+    ) -> Result<Vec<f32>> {
+        Ok(transform(center, scale, up)?.places(self.soup.positions.iter().copied()))
+    }
+
+    /// `#T × 4`, corners of the tetrahedra of the input.
+    pub fn corners(&self) -> Uint32Array {
+        self.soup.tetrahedra.as_flattened().into()
+    }
+
+    /// A solver on them as they are drawn: `vertices` are those of the input that drawn vertices are (`#D`), `triangles` those that are drawn
+    /// (`#F × 3`).
+    pub fn solver(
+        &self,
+        vertices: &[u32],
+        triangles: &[u32],
+        center: &[f64],
+        scale: f64,
+        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+    ) -> Result<InnerSolver> {
+        let transform = transform(center, scale, up)?;
+        let drawn = Drawn::new(&self.soup, &self.mesh, vertices, triangles.as_chunks().0, transform);
+        Ok(InnerSolver::new(&self.mesh, drawn))
+    }
+}
+
+fn transform(center: &[f64], scale: f64, up: &str) -> Result<DrawTransform> {
+    let center = center.try_into().map_err(|_| Failure::misuse("a center is three numbers"))?;
+    Ok(DrawTransform { center: DVec3::from_array(center), scale, up: up.parse()? })
+}
+
+/// A boundary, counter-clockwise seen from outside.
+#[wasm_bindgen]
+pub struct Boundary {
+    boundary: heatwalk_volume::mesh::Boundary,
+    mesh: Arc<TetMesh>,
+}
+
+#[wasm_bindgen]
+impl Boundary {
+    /// `#B × 3`, in the file's unit.
+    pub fn positions(&self) -> Float64Array {
+        let numbers: Vec<f64> = self.boundary.soup.positions.iter().flat_map(|position| position.to_array()).collect();
+        numbers.as_slice().into()
+    }
+
+    /// `#F × 3`, indices of its own vertices.
+    pub fn triangles(&self) -> Uint32Array {
+        self.boundary.soup.triangles.as_flattened().into()
+    }
+
+    /// `#B`, the vertices of the input that they are.
+    pub fn vertices(&self) -> Vec<u32> {
+        self.boundary.vertices.iter().map(|&vertex| self.mesh.input_of_vertex(vertex) as u32).collect()
+    }
+}

@@ -1,0 +1,195 @@
+//! Questions about distance and paths inside, and their answers.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::DVec3;
+use heatwalk::{EdgeKind, ExactRadius, FaceField, Stage};
+use heatwalk_bindings::{Result, parameters};
+use heatwalk_volume::crowd::VolumePose;
+use heatwalk_volume::{TetMesh, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
+use js_sys::{Array, Function, Object};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::results::{InnerField, InnerPath};
+use crate::view::InnerView;
+
+/// Mean edges around the sources that are marched ahead of heat while something is dragged.
+const QUICK_EDGES: f64 = 3.0;
+
+/// Starts the crowd's random numbers: the same walkers every time.
+const CROWD_SEED: u64 = 1;
+
+/// Distances and paths inside, and what there is to see of them.
+#[wasm_bindgen]
+pub struct InnerSolver {
+    mesh: Arc<TetMesh>,
+    drawn: Drawn,
+    solver: VolumeSolver,
+    options: VolumeOptions,
+    distance: Option<VolumeDistance>,
+    crowd: Option<VolumeCrowd>,
+}
+
+impl InnerSolver {
+    pub(crate) fn new(mesh: &Arc<TetMesh>, drawn: Drawn) -> Self {
+        Self {
+            mesh: Arc::clone(mesh),
+            drawn,
+            solver: VolumeSolver::new(Arc::clone(mesh)),
+            options: VolumeOptions::default(),
+            distance: None,
+            crowd: None,
+        }
+    }
+
+    fn answer(&mut self, sources: &Array, options: &VolumeOptions) -> Result<InnerField> {
+        let sources = sources.iter().map(|source| self.drawn.source(&source)).collect::<Result<Vec<_>>>()?;
+        let distance = self.solver.distance(&sources, options)?;
+        let field = InnerField::new(&self.drawn, &distance, self.solver.time_factor());
+        self.distance = Some(distance);
+        self.lead_crowd()?;
+        Ok(field)
+    }
+
+    fn lead_crowd(&mut self) -> Result<()> {
+        if let (Some(crowd), Some(distance)) = (&mut self.crowd, &self.distance) {
+            crowd.follow(&self.solver, distance.clone())?;
+        }
+        Ok(())
+    }
+
+    fn solved(&self) -> Result<&VolumeDistance> {
+        self.distance.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
+    }
+}
+
+#[wasm_bindgen]
+impl InnerSolver {
+    /// Factors for the heat method with these parameters, or again what the change needs; forgets the field.
+    pub fn configure(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
+        #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")] progress: &Function,
+    ) -> Result<()> {
+        self.options.heat = parameters(given)?;
+        let by_heat = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
+        self.distance = None;
+        self.solver.prepare(&by_heat, &mut |stage: Stage, fraction: f64| {
+            // What the page does with it is no reason to stop.
+            let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
+            ControlFlow::Continue(())
+        })?;
+        Ok(())
+    }
+
+    /// Stored entries of all factors together; 0 where nothing is factored.
+    pub fn factor_nonzeros(&self) -> f64 {
+        self.solver.factor_nonzeros() as f64
+    }
+
+    /// Distance to the nearest of `sources` by heat; with a small exact region when `quick`.
+    pub fn solve(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "readonly object[]")] sources: &Array,
+        quick: bool,
+    ) -> Result<InnerField> {
+        let mut options = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
+        options.heat.exact_radius = match options.heat.exact_radius {
+            radius if !quick => radius,
+            ExactRadius::Edges(edges) => ExactRadius::Edges(edges.min(QUICK_EDGES)),
+            ExactRadius::Automatic => ExactRadius::Edges(QUICK_EDGES),
+        };
+        self.answer(sources, &options)
+    }
+
+    /// Distance to the nearest of `sources` by the march of waves. Needs no factors.
+    pub fn propagate(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "readonly object[]")] sources: &Array,
+    ) -> Result<InnerField> {
+        let options = VolumeOptions { method: VolumeMethod::March, ..self.options };
+        self.answer(sources, &options)
+    }
+
+    /// The path from a place to its nearest source.
+    pub fn path(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<InnerPath> {
+        let path = self.solver.path(self.solved()?, self.drawn.point(from)?)?;
+        Ok(InnerPath::new(&path, &self.drawn.transform))
+    }
+
+    /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
+    pub fn tangents(&self) -> Result<Vec<i8>> {
+        let gradients = self.solved()?.gradient(&self.mesh)?;
+        let mut directions = vec![DVec3::ZERO; self.mesh.vertex_count()];
+        for (corners, gradient) in self.mesh.tetrahedra().iter().zip(gradients) {
+            for &corner in corners {
+                directions[corner as usize] += gradient;
+            }
+        }
+        directions.iter_mut().for_each(|direction| *direction = direction.normalize_or_zero());
+        Ok(self.drawn.spread_directions(&directions))
+    }
+
+    /// `#F × 3`: unit vectors along the gradient of "heat", or the gradient of "distance", in the tetrahedra at the drawn triangles.
+    pub fn gradients(&self, #[wasm_bindgen(unchecked_param_type = "FaceField")] kind: &str) -> Result<Vec<f32>> {
+        let distance = self.solved()?;
+        let vectors = match kind.parse()? {
+            FaceField::Distance => distance.gradient(&self.mesh)?,
+            FaceField::Heat => distance.heat_directions(&self.mesh)?,
+        };
+        Ok(self.drawn.spread_vectors(&vectors))
+    }
+
+    /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
+    pub fn heat(&self) -> Result<Vec<f32>> {
+        let heat = self.solved()?.heat().ok_or(heatwalk::Error::NoHeat)?;
+        let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let logarithms: Vec<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
+        Ok(self.drawn.spread(&logarithms))
+    }
+
+    /// `#E × 2 × 3`: ends of the edges of the boundary for "mesh", as they are drawn; of other kinds there are none.
+    pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
+        let EdgeKind::Mesh = kind.parse()? else { return Ok(Vec::new()) };
+        let boundary = self.mesh.boundary();
+        let sides = boundary.soup.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        // Each edge has two triangles, which go along it in opposite directions.
+        let ends = sides.filter(|[a, b]| a < b).flatten().map(|vertex| boundary.soup.positions[vertex as usize]);
+        Ok(self.drawn.transform.places(ends))
+    }
+
+    /// What is seen of the inside.
+    pub fn view(&self, #[wasm_bindgen(unchecked_param_type = "InnerCut")] wanted: &JsValue) -> Result<InnerView> {
+        InnerView::new(&self.mesh, &self.drawn, self.distance.as_ref(), wanted)
+    }
+
+    /// Changes the number of walkers; 0 sends all away.
+    pub fn set_crowd(&mut self, count: u32) -> Result<()> {
+        match &mut self.crowd {
+            _ if count == 0 => self.crowd = None,
+            Some(crowd) => crowd.set_count(count as usize),
+            None => {
+                self.crowd = Some(VolumeCrowd::new(Arc::clone(&self.mesh), count as usize, CROWD_SEED));
+                self.lead_crowd()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the crowd by `step` down the last field and gives each walker's pose, `#walkers × 10`: position, unit vector upward and
+    /// unit heading (three numbers each), and the length walked so far. Empty without a field or a crowd.
+    pub fn step_crowd(&mut self, step: f64) -> Result<Vec<f32>> {
+        let (Some(crowd), Some(_)) = (&mut self.crowd, &self.distance) else { return Ok(Vec::new()) };
+        crowd.advance(step)?;
+        let transform = &self.drawn.transform;
+        let up = DVec3::from_array(DVec3::AXES.map(|axis| transform.direction(axis).y));
+        let numbers = |pose: VolumePose| {
+            let [up, heading] = [pose.up, pose.heading].map(|vector| transform.direction(vector).as_vec3());
+            let vectors = [transform.place(pose.position), up, heading];
+            vectors.into_iter().flat_map(|vector| vector.to_array()).chain([transform.length(pose.arc)])
+        };
+        Ok(crowd.poses(up).flat_map(numbers).collect())
+    }
+}

@@ -1,0 +1,272 @@
+//! What is seen of the inside: the cut, shells of equal distance, arrows.
+
+use glam::DVec3;
+use heatwalk_bindings::{Failure, Result, number};
+use heatwalk_scene::DrawTransform;
+use heatwalk_volume::section::{Cut, Plane, Section, Shells};
+use heatwalk_volume::{TetMesh, VolumeDistance};
+use js_sys::{Array, Float32Array, Int8Array, Reflect, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use crate::drawn::Drawn;
+
+/// What [`InnerView::new`] reads.
+#[wasm_bindgen(typescript_custom_section)]
+const CUT: &str = "
+/** How the inside is looked into. */
+export interface InnerCut {
+  /** Four numbers a plane: unit normal and offset, as they are drawn. What is beyond one plane, or beyond both of two, is cut away. */
+  planes: readonly number[];
+  /** Whether whole tetrahedra stay; else the cut is smooth. */
+  whole: boolean;
+  /** How far apart tetrahedra are moved: 0 leaves them, 1 makes the mesh twice as wide. */
+  gap: number;
+  /** From one shell of equal distance to the next, as a share of the largest distance; 0 for none. */
+  spacing: number;
+  /** Whether there are arrows along the gradient on the cut. */
+  arrows: boolean;
+}
+";
+
+/// Tetrahedra that are moved apart at most: each is drawn as four triangles.
+const MOST_EXPLODED: usize = 300_000;
+
+/// The narrowest spacing of shells: more could not be told apart.
+const LEAST_SPACING: f64 = 0.02;
+
+/// What is drawn of the inside.
+#[wasm_bindgen(inspectable)]
+#[derive(Default)]
+pub struct InnerView {
+    positions: Vec<f32>,
+    normals: Vec<f32>,
+    values: Vec<f32>,
+    tangents: Vec<i8>,
+    triangles: Vec<u32>,
+    tetrahedra: Vec<u32>,
+    weights: Vec<f32>,
+    hides_surface: bool,
+    shells: ShellArrays,
+    arrow_places: Vec<f32>,
+    arrow_vectors: Vec<f32>,
+}
+
+#[derive(Default)]
+struct ShellArrays {
+    positions: Vec<f32>,
+    normals: Vec<f32>,
+    values: Vec<f32>,
+    triangles: Vec<u32>,
+}
+
+impl InnerView {
+    pub(crate) fn new(
+        mesh: &TetMesh,
+        drawn: &Drawn,
+        distance: Option<&VolumeDistance>,
+        wanted: &JsValue,
+    ) -> Result<Self> {
+        let cut = cut_of(&numbers(wanted, "planes"), &drawn.transform)?;
+        let gap = number(wanted, "gap").unwrap_or(0.0);
+        let is_whole = flag(wanted, "whole");
+        let section = if gap > 0.0 {
+            if mesh.tetrahedron_count() > MOST_EXPLODED {
+                return Err(Failure::misuse(&format!(
+                    "{} tetrahedra are too many to be moved apart; up to {MOST_EXPLODED} can, so fill it more coarsely",
+                    mesh.tetrahedron_count()
+                )));
+            }
+            Section::exploded(mesh, &cut, gap)
+        } else if is_whole {
+            Section::of_tetrahedra(mesh, &cut)
+        } else {
+            Section::of_cut(mesh, &cut)
+        };
+        let mut view = Self::of_section(mesh, drawn, distance, &section)?;
+        view.hides_surface = gap > 0.0 || is_whole;
+        let spacing = number(wanted, "spacing").unwrap_or(0.0);
+        if let Some(distance) = distance.filter(|_| spacing > 0.0) {
+            let levels = levels(distance.max(), spacing.max(LEAST_SPACING));
+            view.shells = ShellArrays::new(&Shells::of(mesh, distance, &levels, &cut)?, &drawn.transform);
+        }
+        if let Some(distance) = distance.filter(|_| flag(wanted, "arrows")) {
+            view.add_arrows(mesh, drawn, distance, &section)?;
+        }
+        Ok(view)
+    }
+
+    fn of_section(mesh: &TetMesh, drawn: &Drawn, distance: Option<&VolumeDistance>, section: &Section) -> Result<Self> {
+        let (values, tangents) = match distance {
+            Some(distance) => (
+                section.interpolate(mesh, &distance.values)?.into_iter().map(|value| value as f32).collect(),
+                section.gradients(mesh, distance)?.into_iter().flat_map(|gradient| drawn.bytes(gradient)).collect(),
+            ),
+            None => Default::default(),
+        };
+        let tetrahedron = |corners: &[u32; 3]| drawn.input_of(section.tetrahedra[corners[0] as usize]);
+        Ok(Self {
+            positions: drawn.transform.places(section.positions.iter().copied()),
+            normals: directions(&section.normals, &drawn.transform),
+            values,
+            tangents,
+            triangles: section.triangles.as_flattened().to_vec(),
+            tetrahedra: section.triangles.iter().map(tetrahedron).collect(),
+            weights: (section.tetrahedra.iter().zip(&section.weights))
+                .flat_map(|(&tetrahedron, &weights)| drawn.input_weights(tetrahedron, weights))
+                .map(|weight| weight as f32)
+                .collect(),
+            ..Self::default()
+        })
+    }
+
+    /// One a triangle of the section.
+    fn add_arrows(
+        &mut self,
+        mesh: &TetMesh,
+        drawn: &Drawn,
+        distance: &VolumeDistance,
+        section: &Section,
+    ) -> Result<()> {
+        let gradients = section.gradients(mesh, distance)?;
+        let middle =
+            |corners: &[u32; 3]| corners.iter().map(|&corner| section.positions[corner as usize]).sum::<DVec3>() / 3.0;
+        self.arrow_places = drawn.transform.places(section.triangles.iter().map(middle));
+        let of_triangle: Vec<DVec3> = section.triangles.iter().map(|corners| gradients[corners[0] as usize]).collect();
+        self.arrow_vectors = directions(&of_triangle, &drawn.transform);
+        Ok(())
+    }
+}
+
+impl ShellArrays {
+    fn new(shells: &Shells, transform: &DrawTransform) -> Self {
+        Self {
+            positions: transform.places(shells.positions.iter().copied()),
+            normals: directions(&shells.normals, transform),
+            values: shells.values.iter().map(|&value| value as f32).collect(),
+            triangles: shells.triangles.as_flattened().to_vec(),
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl InnerView {
+    /// `#N × 3`, the section, as it is drawn.
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Float32Array {
+        self.positions.as_slice().into()
+    }
+
+    /// `#N × 3`, unit length.
+    #[wasm_bindgen(getter)]
+    pub fn normals(&self) -> Float32Array {
+        self.normals.as_slice().into()
+    }
+
+    /// `#N`, distances; Infinity where no source can be reached; empty without a field.
+    #[wasm_bindgen(getter)]
+    pub fn values(&self) -> Float32Array {
+        self.values.as_slice().into()
+    }
+
+    /// `#N × 4`: direction in which distance grows, 127 for a unit; the fourth number is 0.
+    #[wasm_bindgen(getter)]
+    pub fn tangents(&self) -> Int8Array {
+        self.tangents.as_slice().into()
+    }
+
+    /// `#T × 3`, indices of the section's vertices.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Uint32Array {
+        self.triangles.as_slice().into()
+    }
+
+    /// `#T`, the tetrahedron of the input that each triangle is in.
+    #[wasm_bindgen(getter)]
+    pub fn tetrahedra(&self) -> Uint32Array {
+        self.tetrahedra.as_slice().into()
+    }
+
+    /// `#N × 4`, barycentric weights of each vertex in the tetrahedron of its triangles, by the corners that it has in the input.
+    #[wasm_bindgen(getter)]
+    pub fn weights(&self) -> Float32Array {
+        self.weights.as_slice().into()
+    }
+
+    /// Whether the section stands in for the boundary.
+    #[wasm_bindgen(getter, js_name = hidesSurface)]
+    pub fn hides_surface(&self) -> bool {
+        self.hides_surface
+    }
+
+    /// `#S × 3`, shells of equal distance, as they are drawn.
+    #[wasm_bindgen(getter, js_name = shellPositions)]
+    pub fn shell_positions(&self) -> Float32Array {
+        self.shells.positions.as_slice().into()
+    }
+
+    /// `#S × 3`, unit length, away from the sources.
+    #[wasm_bindgen(getter, js_name = shellNormals)]
+    pub fn shell_normals(&self) -> Float32Array {
+        self.shells.normals.as_slice().into()
+    }
+
+    /// `#S`, distances.
+    #[wasm_bindgen(getter, js_name = shellValues)]
+    pub fn shell_values(&self) -> Float32Array {
+        self.shells.values.as_slice().into()
+    }
+
+    /// Three indices of vertices of shells a triangle.
+    #[wasm_bindgen(getter, js_name = shellTriangles)]
+    pub fn shell_triangles(&self) -> Uint32Array {
+        self.shells.triangles.as_slice().into()
+    }
+
+    /// `#A × 3`, where arrows are drawn.
+    #[wasm_bindgen(getter, js_name = arrowPlaces)]
+    pub fn arrow_places(&self) -> Float32Array {
+        self.arrow_places.as_slice().into()
+    }
+
+    /// `#A × 3`, the gradient of distance there.
+    #[wasm_bindgen(getter, js_name = arrowVectors)]
+    pub fn arrow_vectors(&self) -> Float32Array {
+        self.arrow_vectors.as_slice().into()
+    }
+}
+
+/// The distances of shells up to the largest distance.
+fn levels(largest: f64, spacing: f64) -> Vec<f64> {
+    let shares = (1..).map(|number| f64::from(number) * spacing).take_while(|&share| share < 1.0);
+    shares.map(|share| share * largest).collect()
+}
+
+/// What planes that are drawn cut away.
+fn cut_of(planes: &[f64], transform: &DrawTransform) -> Result<Cut> {
+    let axes = DVec3::AXES.map(|axis| transform.direction(axis));
+    let plane = |&[x, y, z, offset]: &[f64; 4]| {
+        let drawn = DVec3::new(x, y, z);
+        let normal = DVec3::from_array(axes.map(|axis| axis.dot(drawn)));
+        Plane { normal, offset: offset / transform.scale + normal.dot(transform.center) }
+    };
+    let (planes, rest) = planes.as_chunks::<4>();
+    match (planes, rest) {
+        ([], []) => Ok(Cut::Whole),
+        ([one], []) => Ok(Cut::Plane(plane(one))),
+        ([one, other], []) => Ok(Cut::Wedge([plane(one), plane(other)])),
+        _ => Err(Failure::misuse("a cut is made by no, one or two planes of four numbers each")),
+    }
+}
+
+fn directions(vectors: &[DVec3], transform: &DrawTransform) -> Vec<f32> {
+    vectors.iter().flat_map(|&vector| transform.direction(vector).as_vec3().to_array()).collect()
+}
+
+fn numbers(object: &JsValue, key: &str) -> Vec<f64> {
+    let list = Reflect::get(object, &key.into()).map(|list| Array::from(&list)).unwrap_or_default();
+    list.iter().filter_map(|value| value.as_f64()).collect()
+}
+
+fn flag(object: &JsValue, key: &str) -> bool {
+    Reflect::get(object, &key.into()).is_ok_and(|value| value.is_truthy())
+}

@@ -1,0 +1,97 @@
+/** Meshes of tetrahedra, by a module that is loaded with the first of them. */
+import type { DrawTransform, Interior } from '../../protocol';
+import type * as interior from '../../wasm/interior/heatwalk_interior';
+import interiorAddress from '../../wasm/interior/heatwalk_interior_bg.wasm?url';
+import * as wasm from '../../wasm/solver/heatwalk_worker.js';
+import type { Up } from '../../wasm/contract';
+import { fileName } from '../../files/paths';
+import { type Files, withFiles } from './files';
+import { plain } from './plain';
+
+type Module = typeof import('../../wasm/interior/heatwalk_interior.js');
+
+let loading: Promise<Module> | undefined;
+
+function loaded(): Promise<Module> {
+  loading ??= load().catch((error: unknown) => {
+    // The next mesh tries again.
+    loading = undefined;
+    throw error;
+  });
+  return loading;
+}
+
+async function load(): Promise<Module> {
+  const module = await import('../../wasm/interior/heatwalk_interior.js');
+  await module.default({ module_or_path: interiorAddress });
+  return module;
+}
+
+/** Tetrahedra that are open, and how long it took to make them. */
+export interface Tetrahedra {
+  tetrahedra: interior.Tetrahedra;
+  madeMs: number;
+}
+
+/** Those of a file. */
+export async function readTetrahedra(mesh: string, bytes: Uint8Array, files: Files): Promise<Tetrahedra> {
+  const module = await loaded();
+  return timed(() => withFiles(mesh, files, (resource) => module.Tetrahedra.read(fileName(mesh), bytes, resource)));
+}
+
+/** Those of a shape that is made in code. */
+export async function shapeOfTetrahedra(name: string): Promise<Tetrahedra> {
+  const module = await loaded();
+  return timed(() => module.Tetrahedra.shape(name));
+}
+
+/** About so many that fill what the chosen parts of a file enclose. */
+export async function filled(
+  file: wasm.MeshFile,
+  parts: Uint32Array,
+  count: number,
+  progress: (fraction: number) => void,
+): Promise<Tetrahedra> {
+  const module = await loaded();
+  const triangles = file.triangles_of(parts);
+  return timed(() => module.Tetrahedra.fill(file.positions(), triangles, count, progress));
+}
+
+function timed(make: () => interior.Tetrahedra): Tetrahedra {
+  const began = performance.now();
+  const tetrahedra = make();
+  return { tetrahedra, madeMs: performance.now() - began };
+}
+
+/** The boundary as a mesh that can be drawn, and the vertices of the input that its vertices are. `up`: what points up, if that is known. */
+export function boundaryOf(
+  { tetrahedra }: Tetrahedra,
+  name: string,
+  up: Up | undefined,
+): { file: wasm.MeshFile; vertices: Uint32Array } {
+  const boundary = tetrahedra.boundary();
+  const file = wasm.MeshFile.surface_of(name, boundary.positions(), boundary.triangles(), up);
+  const vertices = boundary.vertices();
+  boundary.free();
+  return { file, vertices };
+}
+
+/** What the page is told of them. */
+export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, { center, scale, up }: DrawTransform): Interior {
+  return {
+    positions: tetrahedra.places(Float64Array.from(center), scale, up),
+    tetrahedra: tetrahedra.corners(),
+    report: plain(tetrahedra.report()),
+    madeMs,
+  };
+}
+
+/** A solver on them; `vertices`: those of the input that drawn ones are (#D), `triangles`: those that are drawn. */
+export function innerSolver(
+  { tetrahedra }: Tetrahedra,
+  vertices: Uint32Array,
+  triangles: Uint32Array,
+  { center, scale, up }: DrawTransform,
+): interior.InnerSolver {
+  return tetrahedra.solver(vertices, triangles, Float64Array.from(center), scale, up);
+}

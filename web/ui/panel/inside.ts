@@ -1,0 +1,168 @@
+import type { Opener } from '../../session/opener';
+import type { Shown } from '../../session/prepare';
+import type { Session } from '../../session/session';
+import { lookInto } from '../../state/edit';
+import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
+import { h, labelled, select, slider, toggle } from '../dom';
+import { count, counted, finePercent, milliseconds, percent, volume } from '../words';
+
+const CUT_WORDS: Record<Inside['cut'], string> = { none: 'nothing', plane: 'half', wedge: 'a wedge' };
+
+/** Steps of the slider of tetrahedra for a factor of ten. */
+const FILL_STEPS = 20;
+/** Digits of the numbers that it gives. */
+const FILL_DIGITS = 2;
+/** Milliseconds that a tetrahedron takes to be made in a tab, before any has been. */
+const MS_PER_TETRAHEDRON = 0.01;
+
+const EMPTY = 'A closed surface can be filled: distance then leads through its inside.';
+
+/** Fills a surface with tetrahedra, and looks into them. */
+export function insideSection(session: Session, opener: Opener): HTMLElement {
+  const { scene, view } = session;
+  let pace = MS_PER_TETRAHEDRON;
+  let wanted = DEFAULT_FILL;
+  const amount = slider({
+    label: 'Tetrahedra',
+    min: FILL_STEPS * Math.log10(FILLS[0]),
+    max: FILL_STEPS * Math.log10(FILLS[1]),
+    step: 1,
+    describe: (step) => `${count(fillAt(step))}, about ${milliseconds(pace * fillAt(step))}`,
+    change: (step) => {
+      wanted = fillAt(step);
+    },
+  });
+  const fill = h('button', { class: 'small', onclick: () => void opener.fill(wanted) }, 'Fill the inside');
+  const empty = h('button', { class: 'small', onclick: () => void opener.fill(null) }, 'Show the surface');
+  const report = h('p', { class: 'quiet', role: 'status' });
+
+  let gesture = {};
+  const change = (part: Partial<Inside>) => lookInto(scene, part, gesture);
+  const choose = (part: Partial<Inside>) => lookInto(scene, part, {});
+  const number = (
+    name: keyof typeof INSIDE_RANGES,
+    label: string,
+    step: number,
+    describe: (value: number) => string,
+  ) => {
+    const [min, max] = INSIDE_RANGES[name];
+    const control = slider({ label, min, max, step, describe, change: (value) => change({ [name]: value }) });
+    // A drag of the slider is one step of undo.
+    control.element.querySelector('input')?.addEventListener('change', () => {
+      gesture = {};
+    });
+    return control;
+  };
+  const cut = select<Inside['cut']>('Cut away', labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
+  cut.element.title = 'I';
+  const place = number('place', 'Position', 0.01, (value) => (value === 0 ? 'middle' : percent(value)));
+  place.element.title = 'Comma and full stop move it';
+  const turn = number('turn', 'Turn', 1, (value) => `${value}°`);
+  const tilt = number('tilt', 'Tilt', 1, (value) => `${value}°`);
+  const opening = number('opening', 'Opening', 1, (value) => `${value}°`);
+  const face = h(
+    'button',
+    {
+      class: 'small',
+      title: 'Turns what is cut away towards the camera',
+      onclick: () => {
+        const [yaw, pitch] = view.camera ?? [0, 0];
+        choose(anglesOf([Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)]));
+      },
+    },
+    'Face the camera',
+  );
+  const whole = toggle('Whole tetrahedra', (on) => choose({ whole: on }));
+  const gap = number('gap', 'Pull apart', 0.05, (value) => (value === 0 ? 'together' : percent(value)));
+  const spacing = slider({
+    label: 'Shells',
+    min: INSIDE_RANGES.spacing[0],
+    max: INSIDE_RANGES.spacing[1],
+    step: LEAST_SPACING,
+    describe: (value) => (value === 0 ? 'none' : `every ${percent(value)} of the largest distance`),
+    change: (value) => change({ spacing: value }),
+  });
+  spacing.element.querySelector('input')?.addEventListener('change', () => {
+    gesture = {};
+  });
+  const arrows = toggle('Arrows inside', (on) => choose({ arrows: on }));
+  const looking = h(
+    'div',
+    { class: 'stack' },
+    cut.element,
+    place.element,
+    turn.element,
+    tilt.element,
+    opening.element,
+    h('div', { class: 'linking' }, face),
+    whole.element,
+    gap.element,
+    spacing.element,
+    arrows.element,
+  );
+
+  const showInside = ({ inside }: { inside: Inside }) => {
+    const isCut = inside.cut !== 'none';
+    cut.show(inside.cut);
+    for (const { element } of [place, turn, tilt]) element.hidden = !isCut;
+    face.hidden = !isCut;
+    opening.element.hidden = inside.cut !== 'wedge';
+    place.show(inside.place);
+    turn.show(inside.turn);
+    tilt.show(inside.tilt);
+    opening.show(inside.opening);
+    whole.show(inside.whole);
+    gap.show(inside.gap);
+    spacing.show(inside.spacing);
+    arrows.show(inside.arrows);
+  };
+  scene.subscribe((state, previous) => {
+    if (state.inside !== previous.inside) showInside(state);
+  });
+  session.shown.watch((shown, previous) => {
+    if (!shown || shown.opened === previous?.opened) return;
+    const { interior } = shown.opened;
+    const isFilled = interior?.report.isFilled ?? false;
+    if (interior && isFilled) {
+      wanted = scene.state.fill ?? DEFAULT_FILL;
+      pace = interior.madeMs / interior.report.tetrahedra;
+    }
+    amount.show(Math.round(FILL_STEPS * Math.log10(wanted)));
+    for (const element of [amount.element, fill]) element.hidden = interior !== null && !isFilled;
+    fill.textContent = isFilled ? 'Fill anew' : 'Fill the inside';
+    empty.hidden = !isFilled;
+    looking.hidden = !interior;
+    report.textContent = reportOf(shown);
+    showInside(scene.state);
+  });
+  showInside(scene.state);
+  return h('div', { class: 'stack' }, amount.element, h('div', { class: 'linking' }, fill, empty), report, looking);
+}
+
+/** What tetrahedra there are. */
+function reportOf({ opened, places }: Shown): string {
+  if (!opened.interior) return EMPTY;
+  const { report, madeMs } = opened.interior;
+  const sentences = [
+    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${milliseconds(madeMs)}; volume ${volume(report.volume, opened)}.`,
+  ];
+  if (report.isFilled) {
+    sentences.push(
+      `Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`,
+    );
+  }
+  if (report.holes > 0)
+    sentences.push(`${counted(report.holes, 'hole')} of the surface ${report.holes === 1 ? 'was' : 'were'} closed.`);
+  if (report.leftOut > 0)
+    sentences.push(
+      `${count(report.leftOut)} without volume or twice there ${report.leftOut === 1 ? 'was' : 'were'} left out.`,
+    );
+  if (report.turned > 0)
+    sentences.push(`${count(report.turned)} inside out ${report.turned === 1 ? 'was' : 'were'} turned.`);
+  if (report.remark) sentences.push(`${report.remark}.`);
+  return sentences.join(' ');
+}
+
+function fillAt(step: number): number {
+  return Number((10 ** (step / FILL_STEPS)).toPrecision(FILL_DIGITS));
+}
