@@ -67,6 +67,7 @@ impl InnerView {
         wanted: &JsValue,
     ) -> Result<Self> {
         let cut = cut_of(&numbers(wanted, "planes"), &drawn.transform)?;
+        let spacing = number(wanted, "spacing").unwrap_or(0.0);
         let gap = number(wanted, "gap").unwrap_or(0.0);
         let is_whole = flag(wanted, "whole");
         let section = if gap > 0.0 {
@@ -83,11 +84,12 @@ impl InnerView {
             Section::of_cut(mesh, &cut)
         };
         let mut view = Self::of_section(mesh, drawn, distance, &section)?;
-        view.hides_surface = gap > 0.0 || is_whole;
-        let spacing = number(wanted, "spacing").unwrap_or(0.0);
+        // Without a cut, shells would be behind all the rest.
+        let has_only_shells = spacing > 0.0 && cut == Cut::Whole && gap == 0.0 && !is_whole;
+        view.hides_surface = gap > 0.0 || is_whole || has_only_shells;
         if let Some(distance) = distance.filter(|_| spacing > 0.0) {
             let levels = levels(distance.max(), spacing.max(LEAST_SPACING));
-            view.shells = ShellArrays::new(&Shells::of(mesh, distance, &levels, &cut)?, &drawn.transform);
+            view.shells = ShellArrays::new(&Shells::in_cut(mesh, distance, &levels, &cut)?, &drawn.transform);
         }
         if let Some(distance) = distance.filter(|_| flag(wanted, "arrows")) {
             view.add_arrows(mesh, drawn, distance, &section)?;

@@ -355,6 +355,10 @@ fn shells_are_clipped_at_the_planes_of_a_cut() {
         assert!(shells.positions.iter().all(|&place| planes[0].beyond(place) < 1e-12));
         let expected = clipped(&whole, &planes[0], false);
         assert!((vector_area(&shell_triangles(&shells)) - vector_area(&expected)).length() < ROUNDING);
+        let rest = Shells::in_cut(&mesh, &distance, &[0.8], &cut).unwrap();
+        assert!(rest.positions.iter().all(|&place| planes[0].beyond(place) > -1e-12));
+        let areas = [&shells, &rest].map(|part| area(&shell_triangles(part)));
+        assert!((areas[0] + areas[1] - area(&whole)).abs() < ROUNDING);
         check_closed(&shell_triangles(&shells), |place| planes[0].beyond(place) > -1e-12);
 
         let shells = Shells::of(&mesh, &distance, &[0.8], &Cut::Wedge(planes)).unwrap();
@@ -362,6 +366,8 @@ fn shells_are_clipped_at_the_planes_of_a_cut() {
         assert!(!shells.positions.iter().any(inside));
         let removed = area(&clipped(&clipped(&whole, &planes[0], true), &planes[1], true));
         assert!((area(&shell_triangles(&shells)) - (area(&whole) - removed)).abs() < ROUNDING);
+        let rest = Shells::in_cut(&mesh, &distance, &[0.8], &Cut::Wedge(planes)).unwrap();
+        assert!((area(&shell_triangles(&rest)) - removed).abs() < ROUNDING);
         let is_rim = |place: DVec3| planes.iter().any(|plane| plane.beyond(place).abs() < 1e-12);
         check_closed(&shell_triangles(&shells), is_rim);
         assert!(shells.normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-12));

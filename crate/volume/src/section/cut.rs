@@ -60,6 +60,13 @@ impl Cut {
     }
 }
 
+/// A part of a mesh that is cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Left,
+    TakenAway,
+}
+
 /// On which sides of the planes of a cut the vertices of a mesh are.
 pub(super) struct Sides {
     /// `#V`, one bit for each plane that a vertex is beyond.

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::Cut;
 use super::crossing::CROSSED;
-use super::cut::{Side, Sides};
+use super::cut::{Part, Side, Sides};
 use super::shells::Shells;
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
@@ -34,6 +34,18 @@ impl Shells {
     /// # Errors
     /// [`Error::ForeignMesh`]; [`Error::BadLevel`] for a level that is not finite.
     pub fn of(mesh: &TetMesh, distance: &VolumeDistance, levels: &[f64], cut: &Cut) -> Result<Self> {
+        Self::on(mesh, distance, levels, cut, Part::Left)
+    }
+
+    /// The same in what a cut takes away: there nothing of the mesh stands before them. Without a cut, all of them.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn in_cut(mesh: &TetMesh, distance: &VolumeDistance, levels: &[f64], cut: &Cut) -> Result<Self> {
+        Self::on(mesh, distance, levels, cut, Part::TakenAway)
+    }
+
+    fn on(mesh: &TetMesh, distance: &VolumeDistance, levels: &[f64], cut: &Cut, part: Part) -> Result<Self> {
         distance.require(mesh)?;
         if let Some(&level) = levels.iter().find(|level| !level.is_finite()) {
             return Err(Error::BadLevel { level });
@@ -52,7 +64,14 @@ impl Shells {
             }
             let first = levels.partition_point(|&level| level <= least);
             let crossed = levels[first..].iter().take_while(|&&level| level <= most);
-            if first == levels.len() || levels[first] > most || sides.of(corners) == Side::Beyond {
+            if first == levels.len() || levels[first] > most {
+                continue;
+            }
+            let is_elsewhere = match part {
+                Part::Left => sides.of(corners) == Side::Beyond,
+                Part::TakenAway => !cut.planes().is_empty() && sides.of(corners) == Side::Before,
+            };
+            if is_elsewhere {
                 continue;
             }
             for (level, &value) in crossed.enumerate() {
@@ -60,7 +79,7 @@ impl Shells {
             }
         }
         let mut shells = march.finish();
-        shells.clip(cut);
+        shells.clip(cut, part);
         Ok(shells)
     }
 }

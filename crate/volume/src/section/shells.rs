@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::cut::{Cut, Plane};
+use super::cut::{Cut, Part, Plane};
 
 /// Level sets of a distance as triangles: where its linear interpolation in each tetrahedron has a value.
 #[derive(Debug, Clone, Default)]
@@ -22,21 +22,27 @@ pub struct Shells {
 }
 
 impl Shells {
-    /// Takes away what a cut removes. Triangles that cross a plane are cut there; those at one edge share the vertex where it is cut.
-    pub(super) fn clip(&mut self, cut: &Cut) {
+    /// Keeps what is in this part of a cut. Triangles that cross a plane are cut there; those at one edge share the vertex where it is cut.
+    pub(super) fn clip(&mut self, cut: &Cut, part: Part) {
         let triangles = std::mem::take(&mut self.triangles);
         self.triangles = match cut {
             Cut::Whole => triangles,
             Cut::Plane(plane) => {
-                let [stays, _] = self.split(&triangles, plane);
-                stays
+                let [left, taken_away] = self.split(&triangles, plane);
+                match part {
+                    Part::Left => left,
+                    Part::TakenAway => taken_away,
+                }
             }
             Cut::Wedge([first, second]) => {
                 // What a wedge leaves is not convex: all before one plane, and of the rest what is before the other.
-                let [mut stays, beyond] = self.split(&triangles, first);
-                let [rest, _] = self.split(&beyond, second);
-                stays.extend(rest);
-                stays
+                let [mut left, beyond] = self.split(&triangles, first);
+                let [rest, taken_away] = self.split(&beyond, second);
+                left.extend(rest);
+                match part {
+                    Part::Left => left,
+                    Part::TakenAway => taken_away,
+                }
             }
         };
         self.compact();
