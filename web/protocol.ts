@@ -10,7 +10,8 @@ import type * as interior from './wasm/interior/heatwalk_interior';
 import type * as wasm from './wasm/solver/heatwalk_worker';
 
 /** A place on a surface, or inside of tetrahedra. */
-export type MeshPoint = wasm.SurfacePoint | interior.InnerPoint;
+export type MeshPoint = wasm.SurfacePoint | InnerPoint;
+export type InnerPoint = interior.InnerPoint;
 
 /** A place that distance is measured from. */
 export type Source = MeshPoint & Pick<wasm.Source, 'offset'>;

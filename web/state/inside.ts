@@ -98,7 +98,7 @@ export function reachOf(direction: Vector, box: Box): number {
 function planesOf(inside: Inside, box: Box): number[] {
   const middle = middleOf(inside, box);
   const planes = inside.cut === 'wedge' ? [-1, 1].map((side) => sideOf(inside, side)) : [directionOf(inside)];
-  return inside.cut === 'none' ? [] : planes.flatMap((normal) => [...normal, dot(normal, middle)]);
+  return inside.cut === 'none' ? [] : planes.flatMap((normal) => normal.concat(dot(normal, middle)));
 }
 
 /** The normal of one side of the wedge: its direction turned about the edge, which is upright where there is no tilt. */

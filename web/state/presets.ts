@@ -1,5 +1,5 @@
 /** The preset scenes. Each loads only when it is asked for. */
-import type { MeshInput, MeshPoint } from '../protocol';
+import type { InnerPoint, MeshInput, MeshPoint } from '../protocol';
 import { decodeGround, type Ground, LEVEL } from './ground';
 import { HIKE, VILLAGE } from './grounds';
 import { type Inside, WHOLE } from './inside';
@@ -177,19 +177,19 @@ export const PRESETS: readonly Preset[] = [
     title: 'Teapot inside',
     credit: 'Martin Newell, public domain; filled',
     load: loadTeapot,
-    sources: [at(0)],
-    walker: at(100),
+    sources: [within(45096, [0.0444, 0.0444, 0.2905, 0.6207])],
+    walker: within(50650, [0.0142, 0.0142, 0.2196, 0.752]),
     view: [0.4, 0.4],
-    style: 'citrus',
+    style: 'porcelain',
     method: 'auto',
-    fill: 60_000,
-    inside: { cut: 'plane', turn: 20, tilt: 20 },
+    fill: 100_000,
+    inside: { cut: 'plane' },
   }),
   preset('pipe', {
     title: 'Pipe',
     load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'pipe' }),
-    sources: [at(0)],
-    walker: at(100),
+    sources: [within(2260, [0.1153, 0.7516, 0.0888, 0.0443])],
+    walker: within(47086, [0.7025, 0.0801, 0.171, 0.0464]),
     view: [0.4, 0.4],
     style: 'zebra',
     method: 'auto',
@@ -198,8 +198,8 @@ export const PRESETS: readonly Preset[] = [
   preset('cave', {
     title: 'Cave',
     load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'cave' }),
-    sources: [at(0)],
-    walker: at(100),
+    sources: [within(28356, [0.0246, 0.3378, 0.3412, 0.2964])],
+    walker: within(25810, [0.4582, 0.0666, 0.3292, 0.146]),
     view: [0.4, 0.4],
     style: 'lava',
     method: 'auto',
@@ -229,6 +229,10 @@ export function titleOf(mesh: MeshReference): string {
 
 function at(vertex: number): MeshPoint {
   return { vertex };
+}
+
+function within(tetrahedron: number, weights: InnerPoint['weights']): MeshPoint {
+  return { tetrahedron, weights };
 }
 
 function plainMesh(name: string, { positions, cells }: PlainMesh): MeshInput {

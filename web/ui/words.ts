@@ -59,6 +59,11 @@ export function milliseconds(value: number): string {
       : `${(value / 1000).toFixed(1)} s`;
 }
 
+/** A time that is seldom a moment, of so many milliseconds. */
+export function seconds(value: number): string {
+  return `${(value / 1000).toFixed(value < 950 ? 2 : 1)} s`;
+}
+
 export function bytes(value: number): string {
   return `${(value / 2 ** 20).toFixed(value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
 }

@@ -4,7 +4,7 @@ import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { count, counted, finePercent, milliseconds, percent, volume } from '../words';
+import { count, counted, finePercent, percent, seconds, volume } from '../words';
 
 const CUT_WORDS: Record<Inside['cut'], string> = { none: 'nothing', plane: 'half', wedge: 'a wedge' };
 
@@ -27,7 +27,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     min: FILL_STEPS * Math.log10(FILLS[0]),
     max: FILL_STEPS * Math.log10(FILLS[1]),
     step: 1,
-    describe: (step) => `${count(fillAt(step))}, about ${milliseconds(pace * fillAt(step))}`,
+    describe: (step) => `${count(fillAt(step))}, about ${seconds(pace * fillAt(step))}`,
     change: (step) => {
       wanted = fillAt(step);
     },
@@ -116,18 +116,22 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     spacing.show(inside.spacing);
     arrows.show(inside.arrows);
   };
+  const showFill = ({ fill: filled }: { fill: number | null }) => {
+    if (filled !== null) wanted = filled;
+    amount.show(Math.round(FILL_STEPS * Math.log10(wanted)));
+  };
   scene.subscribe((state, previous) => {
     if (state.inside !== previous.inside) showInside(state);
+    if (state.fill !== previous.fill) showFill(state);
   });
   session.shown.watch((shown, previous) => {
     if (!shown || shown.opened === previous?.opened) return;
     const { interior } = shown.opened;
     const isFilled = interior?.report.isFilled ?? false;
     if (interior && isFilled) {
-      wanted = scene.state.fill ?? DEFAULT_FILL;
       pace = interior.madeMs / interior.report.tetrahedra;
     }
-    amount.show(Math.round(FILL_STEPS * Math.log10(wanted)));
+    showFill(scene.state);
     for (const element of [amount.element, fill]) element.hidden = interior !== null && !isFilled;
     fill.textContent = isFilled ? 'Fill anew' : 'Fill the inside';
     empty.hidden = !isFilled;
@@ -144,7 +148,7 @@ function reportOf({ opened, places }: Shown): string {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
   const sentences = [
-    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${milliseconds(madeMs)}; volume ${volume(report.volume, opened)}.`,
+    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, opened)}.`,
   ];
   if (report.isFilled) {
     sentences.push(

@@ -35,7 +35,7 @@ const METHOD_HINTS: Record<Method, string> = {
   exact: 'Propagation at once, then always refined to exact. Nothing is factored.',
 };
 /** Inside of tetrahedra there are two. */
-const INSIDE_METHODS: readonly Method[] = ['auto', 'heat'];
+const INSIDE_METHODS: ReadonlySet<Method> = new Set<Method>(['auto', 'heat']);
 const INSIDE_HINT =
   'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.';
 const PATHS: Record<PathKind, string> = {
@@ -138,7 +138,7 @@ export function solverSection(session: Session): HTMLElement {
     for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
     const isInside = (session.shown.value?.opened.interior ?? null) !== null;
     for (const element of moreOfWindows) element.hidden = isByHeat || isInside;
-    method.allow((name) => !isInside || INSIDE_METHODS.includes(name));
+    method.allow((name) => !isInside || INSIDE_METHODS.has(name));
     method.show(state.method);
     hint.textContent = isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method];
     windows.show(state.windows);
