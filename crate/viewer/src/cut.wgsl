@@ -2,10 +2,13 @@
 
 // Pixels from the middle of one to beyond the farthest of its samples.
 const SLACK = 0.75;
-// Of places that are cut off by a pixel seen aslant, in pixels: at contours the slope of a surface has no bound.
-const MOST_SLACK = 8.0;
+// World size of a pixel on a surface seen aslant, over that of one seen straight on, at most: at contours there is no bound.
+const MOST_SLANT = 2.5;
 // Of places in single precision, in bounding radii: a face that lies in a plane stays.
 const ROUNDING = 1e-6;
+
+// Keeps a division by nothing from happening where a pixel spans nothing.
+const SMALLEST = 1e-30;
 
 // How far beyond the nearer plane a place is (w), negative for what stays, and the normal of that plane.
 fn beyond(position: vec3f) -> vec4f {
@@ -15,17 +18,16 @@ fn beyond(position: vec3f) -> vec4f {
     return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
 }
 
-// How far beyond the nearer plane a place within the pixel may be that is at `away` in the middle.
-fn slack(position: vec3f, away: f32) -> f32 {
+// How much farther beyond the plane one end of a pixel is than the other, where its middle is at `away`.
+fn span(position: vec3f, away: f32) -> f32 {
     let pixel = css_pixel(position) / frame.pixel_ratio;
-    return min(SLACK * length(vec2f(dpdx(away), dpdy(away))), MOST_SLACK * pixel);
+    return min(length(vec2f(dpdx(away), dpdy(away))), MOST_SLANT * pixel);
 }
 
-// A pixel is drawn or not as a whole, while the section that closes a cut ends within it, sample by sample. So the section
-// draws the edge, and the surface ends a little before it: what is between them is the rim.
+// Whether a place is away, or in a pixel that the plane may run through: those are the rim.
 fn is_away(position: vec3f) -> bool {
     let away = beyond(position).w;
-    return away > -slack(position, away) * frame.is_capped;
+    return away > -SLACK * span(position, away);
 }
 
 @fragment
@@ -51,40 +53,53 @@ struct RimPixel {
     @builtin(frag_depth) depth: f32,
 }
 
-// Depth of a pixel of the rim, 0 for another one. The rim is drawn a little beyond the plane too, and gives way to the section
-// in depth, so that it fills just those samples that the section leaves. It is needed only where the section lies behind it:
-// elsewhere the section shows through.
-fn rim_depth(fragment: Fragment, is_outside: bool) -> f32 {
+// A pixel of the rim.
+struct Rim {
+    // Share of it that the surface covers.
+    share: f32,
+    depth: f32,
+}
+
+// A pixel is drawn or not as a whole, while the section that closes the cut ends within it, sample by sample. Where it lies
+// behind the surface, the rim is drawn a little beyond the plane and gives way to the section in depth, so that it fills just
+// those samples that the section leaves. Elsewhere it fades over the pixel, over the section where there is one; what is seen
+// from inside has no rim there.
+fn rim(fragment: Fragment, is_outside: bool) -> Rim {
     let beyond = beyond(fragment.position);
-    let slack = slack(fragment.position, beyond.w);
+    let span = span(fragment.position, beyond.w);
     let from_eye = fragment.position - frame.eye;
     let approach = dot(from_eye, beyond.xyz);
     // Of the plane, on the line of sight.
     let section = frame.clip_from_world * vec4f(fragment.position - from_eye * (beyond.w / approach), 1.0);
     let section_depth = section.z / section.w;
-    let given_way = section_depth + SLACK * fwidth(section_depth);
-    let is_rim = is_outside && approach < 0.0 && abs(beyond.w) <= slack;
-    return select(0.0, clamp(given_way, fragment.clip.z, 1.0), is_rim);
+    let given_way = clamp(section_depth + SLACK * fwidth(section_depth), fragment.clip.z, 1.0);
+    let over = max(fragment.clip.z - SLACK * fwidth(fragment.clip.z), 0.0);
+    let is_capped = frame.is_capped > 0.5;
+    let is_before_section = is_capped && is_outside && approach < 0.0;
+    let fading = clamp(0.5 - beyond.w / max(span, SMALLEST), 0.0, 1.0) * select(1.0, 0.0, is_capped && !is_outside);
+    let share = select(fading, 1.0, is_before_section);
+    let is_rim = abs(beyond.w) <= SLACK * span;
+    return Rim(select(0.0, share, is_rim), select(over, given_way, is_before_section));
 }
 
 @fragment
 fn fs_field_rim(fragment: Fragment) -> RimPixel {
     let painted = paint_field(fragment);
-    let depth = rim_depth(fragment, painted.geometric.w > 0.5);
-    if depth == 0.0 {
+    let rim = rim(fragment, painted.geometric.w > 0.5);
+    if rim.share == 0.0 {
         discard;
     }
-    return RimPixel(lit(painted, fragment.position), depth);
+    return RimPixel(rim.share * lit(painted, fragment.position), rim.depth);
 }
 
 @fragment
 fn fs_plain_rim(fragment: Fragment) -> RimPixel {
     let painted = paint_plain(fragment);
-    let depth = rim_depth(fragment, painted.geometric.w > 0.5);
-    if depth == 0.0 {
+    let rim = rim(fragment, painted.geometric.w > 0.5);
+    if rim.share == 0.0 {
         discard;
     }
-    return RimPixel(lit(painted, fragment.position), depth);
+    return RimPixel(rim.share * lit(painted, fragment.position), rim.depth);
 }
 
 struct CutCaster {
