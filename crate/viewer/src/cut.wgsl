@@ -2,8 +2,8 @@
 
 // Pixels from the middle of one to beyond the farthest of its samples.
 const SLACK = 0.75;
-// World size of a pixel on a surface seen aslant, over that of one seen straight on, at most: at contours there is no bound.
-const MOST_SLANT = 2.5;
+// Length of a pixel on a surface seen aslant, over its width, at most: at contours there is no bound.
+const MOST_SLANT = 8.0;
 // Of places in single precision, in bounding radii: a face that lies in a plane stays.
 const ROUNDING = 1e-6;
 
@@ -18,31 +18,86 @@ fn beyond(position: vec3f) -> vec4f {
     return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
 }
 
-// How much farther beyond the plane one end of a pixel is than the other, where its middle is at `away`.
-fn span(position: vec3f, away: f32) -> f32 {
+// How much farther beyond the plane one end of a pixel is than the other.
+fn span(position: vec3f) -> f32 {
+    let away = beyond(position).w;
     let pixel = css_pixel(position) / frame.pixel_ratio;
     return min(length(vec2f(dpdx(away), dpdy(away))), MOST_SLANT * pixel);
 }
 
-// Whether a place is away, or in a pixel that the plane may run through: those are the rim.
-fn is_away(position: vec3f) -> bool {
-    let away = beyond(position).w;
-    return away > -SLACK * span(position, away);
+struct CutFragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) reached: f32,
+    @location(4) tangent: vec3f,
+    @location(5) tint: vec4f,
+    // A place of the triangle: that in the middle of a pixel at a contour may be far beside it.
+    @location(6) @interpolate(perspective, centroid) place: vec3f,
+}
+
+fn cut(at: Fragment) -> CutFragment {
+    return CutFragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint, at.position);
+}
+
+fn uncut(at: CutFragment) -> Fragment {
+    return Fragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint);
+}
+
+@vertex
+fn vs_plain_cut(@location(0) position: vec3f, @location(1) normal: vec3f) -> CutFragment {
+    return cut(without_field(position, normal, vec4f(0.0)));
+}
+
+@vertex
+fn vs_plain_tinted_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(6) tint: vec4f,
+) -> CutFragment {
+    return cut(without_field(position, normal, tint));
+}
+
+@vertex
+fn vs_field_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+) -> CutFragment {
+    return cut(with_field(position, normal, distance, tangent, vec4f(0.0)));
+}
+
+@vertex
+fn vs_field_tinted_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+    @location(6) tint: vec4f,
+) -> CutFragment {
+    return cut(with_field(position, normal, distance, tangent, tint));
+}
+
+// Whether a fragment is away, or in a pixel that the plane may run through: those are the rim.
+fn is_away(fragment: CutFragment) -> bool {
+    return beyond(fragment.place).w > -SLACK * span(fragment.position);
 }
 
 @fragment
-fn fs_field_cut(fragment: Fragment) -> @location(0) vec4f {
-    let painted = paint_field(fragment);
-    if is_away(fragment.position) {
+fn fs_field_cut(fragment: CutFragment) -> @location(0) vec4f {
+    let painted = paint_field(uncut(fragment));
+    if is_away(fragment) {
         discard;
     }
     return lit(painted, fragment.position);
 }
 
 @fragment
-fn fs_plain_cut(fragment: Fragment) -> @location(0) vec4f {
-    let painted = paint_plain(fragment);
-    if is_away(fragment.position) {
+fn fs_plain_cut(fragment: CutFragment) -> @location(0) vec4f {
+    let painted = paint_plain(uncut(fragment));
+    if is_away(fragment) {
         discard;
     }
     return lit(painted, fragment.position);
@@ -64,13 +119,13 @@ struct Rim {
 // behind the surface, the rim is drawn a little beyond the plane and gives way to the section in depth, so that it fills just
 // those samples that the section leaves. Elsewhere it fades over the pixel, over the section where there is one; what is seen
 // from inside has no rim there.
-fn rim(fragment: Fragment, is_outside: bool) -> Rim {
-    let beyond = beyond(fragment.position);
-    let span = span(fragment.position, beyond.w);
-    let from_eye = fragment.position - frame.eye;
+fn rim(fragment: CutFragment, is_outside: bool) -> Rim {
+    let beyond = beyond(fragment.place);
+    let span = span(fragment.position);
+    let from_eye = fragment.place - frame.eye;
     let approach = dot(from_eye, beyond.xyz);
     // Of the plane, on the line of sight.
-    let section = frame.clip_from_world * vec4f(fragment.position - from_eye * (beyond.w / approach), 1.0);
+    let section = frame.clip_from_world * vec4f(fragment.place - from_eye * (beyond.w / approach), 1.0);
     let section_depth = section.z / section.w;
     let given_way = clamp(section_depth + SLACK * fwidth(section_depth), fragment.clip.z, 1.0);
     let over = max(fragment.clip.z - SLACK * fwidth(fragment.clip.z), 0.0);
@@ -83,8 +138,8 @@ fn rim(fragment: Fragment, is_outside: bool) -> Rim {
 }
 
 @fragment
-fn fs_field_rim(fragment: Fragment) -> RimPixel {
-    let painted = paint_field(fragment);
+fn fs_field_rim(fragment: CutFragment) -> RimPixel {
+    let painted = paint_field(uncut(fragment));
     let rim = rim(fragment, painted.geometric.w > 0.5);
     if rim.share == 0.0 {
         discard;
@@ -93,8 +148,8 @@ fn fs_field_rim(fragment: Fragment) -> RimPixel {
 }
 
 @fragment
-fn fs_plain_rim(fragment: Fragment) -> RimPixel {
-    let painted = paint_plain(fragment);
+fn fs_plain_rim(fragment: CutFragment) -> RimPixel {
+    let painted = paint_plain(uncut(fragment));
     let rim = rim(fragment, painted.geometric.w > 0.5);
     if rim.share == 0.0 {
         discard;
