@@ -5,7 +5,7 @@ struct Film {
     // Seen straight on.
     opacity: f32,
     // Of the ramps' texture, from 0 to 1.
-    row: f32,
+    @size(12) row: f32,
 }
 
 @group(3) @binding(0) var<uniform> film: Film;
