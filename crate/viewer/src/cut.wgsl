@@ -4,19 +4,8 @@
 const SLACK = 0.75;
 // Length of a pixel on a surface seen aslant, over its width, at most: at contours there is no bound.
 const MOST_SLANT = 8.0;
-// Of places in single precision, in bounding radii: a face that lies in a plane stays.
-const ROUNDING = 1e-6;
-
 // Keeps a division by nothing from happening where a pixel spans nothing.
 const SMALLEST = 1e-30;
-
-// How far beyond the nearer plane a place is (w), negative for what stays, and the normal of that plane.
-fn beyond(position: vec3f) -> vec4f {
-    let first = dot(frame.cut[0].xyz, position) - frame.cut[0].w;
-    let second = dot(frame.cut[1].xyz, position) - frame.cut[1].w;
-    let nearer = select(vec4f(frame.cut[1].xyz, second), vec4f(frame.cut[0].xyz, first), first < second);
-    return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
-}
 
 // How much farther beyond the plane one end of a pixel is than the other.
 fn span(position: vec3f) -> f32 {

@@ -152,7 +152,10 @@ impl Renderer {
         for (mesh, field) in meshes {
             self.draw_model(pass, mesh, field, Pass::Blended);
         }
-        self.arrows.draw(pass);
+        if !self.inside.hides_surface {
+            self.arrows.draw(pass);
+        }
+        self.arrows.draw_inner(pass);
         self.curve.draw(pass);
         self.wires.draw(pass);
         if let (Some(films), Some(shells)) = (&self.inside.films, &self.inside.shells) {

@@ -331,3 +331,21 @@ pub fn what_is_cut_away_casts_no_shadow(device: &Context) -> Result<(), Failed> 
     assert!(open.abs_diff(alone) <= 2, "{open} with the lid cut away, {alone} without the ball");
     Ok(())
 }
+
+/// Neither where it is cut away nor where it is hidden.
+pub fn arrows_of_the_surface_go_with_it(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| show_ball(renderer, LINES))?;
+    let vectors = vec![Vec3::Y; scenes::sphere().arrays().triangles.len()];
+    for (planes, is_hidden) in [(&[Vec3::Y.extend(-2.0)][..], false), (&[], true)] {
+        renderer.set_cut(planes)?;
+        renderer.set_section(None, is_hidden)?;
+        renderer.set_arrows(&[])?;
+        let nothing = picture(&mut renderer)?;
+        renderer.set_arrows(&vectors)?;
+        assert_eq!(picture(&mut renderer)?.difference(&nothing).pixels, 0);
+        renderer.set_cut(&[])?;
+        renderer.set_section(None, false)?;
+        assert!(picture(&mut renderer)?.difference(&nothing).pixels > 1000);
+    }
+    Ok(())
+}
