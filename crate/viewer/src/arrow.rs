@@ -28,7 +28,8 @@ const ARROW: wgpu::VertexBufferLayout<'static> = vertex_layout!(Arrow, per Insta
 /// Draws a vector field, an arrow a triangle, and one within the solid.
 pub(crate) struct Arrows {
     pipeline: wgpu::RenderPipeline,
-    inner_pipeline: wgpu::RenderPipeline,
+    /// Of those within the solid, once there were some.
+    inner_pipeline: Option<wgpu::RenderPipeline>,
     solid: SolidBuffers,
     instances: Instances<Arrow>,
     inner: Instances<Arrow>,
@@ -39,20 +40,9 @@ impl Arrows {
         let mut solid = Solid::new(Detail::COARSE);
         // A dart: blunt behind, pointed ahead.
         solid.turned(Vec3::NEG_Y * 0.5, Vec3::Y, &[(0.0, 0.001), (0.0, 0.17), (0.06, 0.17), (1.0, 0.004)], [0.0; 2]);
-        let recipe = PipelineRecipe {
-            label: "arrow",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
-            vertex: "vs_arrow",
-            fragment: "fs_arrow",
-            buffers: &[Some(SolidBuffers::LAYOUT), Some(ARROW)],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            place: Place::Solid,
-        };
         Ok(Self {
-            pipeline: recipe.build(context),
-            inner_pipeline: PipelineRecipe { label: "inner arrow", fragment: "fs_inner_arrow", ..recipe }
-                .build(context),
+            pipeline: pipeline(context, shared, ["vs_arrow", "fs_arrow"]),
+            inner_pipeline: None,
             solid: solid.upload(context)?,
             instances: Instances::new("arrows"),
             inner: Instances::new("inner arrows"),
@@ -85,23 +75,52 @@ impl Arrows {
 
     /// Replaces the arrows within the solid, one vector a place; those of no length have none. Where places are close, some go
     /// without, evenly over the solid. `radius` is the surface's bounding radius.
-    pub(crate) fn set_inner(&mut self, context: &Context, places: &[Vec3], vectors: &[Vec3], radius: f32) {
+    pub(crate) fn set_inner(
+        &mut self,
+        (context, shared): (&Context, &Shared),
+        places: &[Vec3],
+        vectors: &[Vec3],
+        radius: f32,
+    ) {
         let size = LONGEST * radius;
         let arrows = apart(places, size / LENGTH).into_iter().filter_map(|index| {
             let direction = vectors[index].try_normalize()?;
             Some(Arrow { middle: places[index], vector: size * direction })
         });
         self.inner.set(context, arrows);
-    }
-
-    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        for (pipeline, instances) in [(&self.pipeline, &self.instances), (&self.inner_pipeline, &self.inner)] {
-            if let Some(count) = instances.bind(pass, 1) {
-                pass.set_pipeline(pipeline);
-                self.solid.draw(pass, count);
-            }
+        if !self.inner.is_empty() {
+            let build = || pipeline(context, shared, ["vs_inner_arrow", "fs_inner_arrow"]);
+            self.inner_pipeline.get_or_insert_with(build);
         }
     }
+
+    /// Draws those of the surface.
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(count) = self.instances.bind(pass, 1) else { return };
+        pass.set_pipeline(&self.pipeline);
+        self.solid.draw(pass, count);
+    }
+
+    /// Draws those within the solid.
+    pub(crate) fn draw_inner(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let (Some(pipeline), Some(count)) = (&self.inner_pipeline, self.inner.bind(pass, 1)) else { return };
+        pass.set_pipeline(pipeline);
+        self.solid.draw(pass, count);
+    }
+}
+
+fn pipeline(context: &Context, shared: &Shared, [vertex, fragment]: [&str; 2]) -> wgpu::RenderPipeline {
+    PipelineRecipe {
+        label: "arrow",
+        layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
+        module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
+        vertex,
+        fragment,
+        buffers: &[Some(SolidBuffers::LAYOUT), Some(ARROW)],
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        place: Place::Solid,
+    }
+    .build(context)
 }
 
 /// Indices of at most [`MOST`] places: of each cell of a grid the one that is nearest to its middle. Cells are `side` wide, or

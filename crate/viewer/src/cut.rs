@@ -49,10 +49,19 @@ impl Cut {
     }
 }
 
+/// What is drawn of a cut surface.
+#[derive(Clone, Copy)]
+pub(crate) enum Part {
+    /// Pixels that no plane runs through.
+    Body,
+    /// Those that one does.
+    Rim,
+}
+
 /// Draws the surface where it is cut open. It has pipelines of its own, so that another surface does not pay for it.
 pub(crate) struct CutRenderer {
     module: wgpu::ShaderModule,
-    /// All but the rim, and the rim; without a field, and with one; bare, and tinted. Few surfaces need all.
+    /// Body and rim; without a field, and with one; bare, and tinted. Few surfaces need all.
     pipelines: [[[OnceCell<wgpu::RenderPipeline>; 2]; 2]; 2],
     shadow: wgpu::RenderPipeline,
 }
@@ -75,47 +84,46 @@ impl CutRenderer {
         Self { module, pipelines: Default::default(), shadow }
     }
 
-    /// Draws what is left of the surface. `is_capped`: a section closes the cut, up to which the rim reaches.
+    /// Draws what is left of the surface but for its rim, or the rim, which comes after all that may be behind it.
     pub(crate) fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         mesh: &MeshBuffers,
         field: &FieldBuffers,
-        is_capped: bool,
+        which: Part,
         device: (&Context, &Shared, &SurfaceRenderer),
     ) {
         pass.set_bind_group(2, &device.2.group, &[]);
         let (has_field, is_tinted) = (field.bind(pass), mesh.tints.is_some());
-        for is_rim in [false, true].into_iter().take(1 + usize::from(is_capped)) {
-            let build = || self.build(is_rim, has_field, is_tinted, device);
-            let pipelines = &self.pipelines[usize::from(is_rim)][usize::from(has_field)];
-            pass.set_pipeline(pipelines[usize::from(is_tinted)].get_or_init(build));
-            mesh.draw(pass);
-        }
+        let pipelines = &self.pipelines[which as usize][usize::from(has_field)];
+        let build = || self.build(which, (has_field, is_tinted), device);
+        pass.set_pipeline(pipelines[usize::from(is_tinted)].get_or_init(build));
+        mesh.draw(pass);
     }
 
     fn build(
         &self,
-        is_rim: bool,
-        has_field: bool,
-        is_tinted: bool,
+        which: Part,
+        (has_field, is_tinted): (bool, bool),
         (context, shared, surfaces): (&Context, &Shared, &SurfaceRenderer),
     ) -> wgpu::RenderPipeline {
         let (vertex, buffers) = vertices(has_field, is_tinted);
+        let vertex = format!("{vertex}_cut");
+        let (fragment, place) = match (which, has_field) {
+            (Part::Body, true) => ("fs_field_cut", Place::Solid),
+            (Part::Body, false) => ("fs_plain_cut", Place::Solid),
+            (Part::Rim, true) => ("fs_field_rim", Place::Fading),
+            (Part::Rim, false) => ("fs_plain_rim", Place::Fading),
+        };
         PipelineRecipe {
             label: "cut surface",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&surfaces.style_layout)],
             module: &self.module,
-            vertex,
-            fragment: match (is_rim, has_field) {
-                (false, true) => "fs_field_cut",
-                (false, false) => "fs_plain_cut",
-                (true, true) => "fs_field_rim",
-                (true, false) => "fs_plain_rim",
-            },
+            vertex: &vertex,
+            fragment,
             buffers: &buffers,
             topology: wgpu::PrimitiveTopology::TriangleList,
-            place: Place::Solid,
+            place,
         }
         .build(context)
     }

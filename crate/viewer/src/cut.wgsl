@@ -2,45 +2,91 @@
 
 // Pixels from the middle of one to beyond the farthest of its samples.
 const SLACK = 0.75;
-// Of places that are cut off by a pixel seen aslant, in pixels: at contours the slope of a surface has no bound.
-const MOST_SLACK = 8.0;
-// Of places in single precision, in bounding radii: a face that lies in a plane stays.
-const ROUNDING = 1e-6;
+// Length of a pixel on a surface seen aslant, over its width, at most: at contours there is no bound.
+const MOST_SLANT = 8.0;
+// Keeps a division by nothing from happening where a pixel spans nothing.
+const SMALLEST = 1e-30;
 
-// How far beyond the nearer plane a place is (w), negative for what stays, and the normal of that plane.
-fn beyond(position: vec3f) -> vec4f {
-    let first = dot(frame.cut[0].xyz, position) - frame.cut[0].w;
-    let second = dot(frame.cut[1].xyz, position) - frame.cut[1].w;
-    let nearer = select(vec4f(frame.cut[1].xyz, second), vec4f(frame.cut[0].xyz, first), first < second);
-    return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
-}
-
-// How far beyond the nearer plane a place within the pixel may be that is at `away` in the middle.
-fn slack(position: vec3f, away: f32) -> f32 {
-    let pixel = css_pixel(position) / frame.pixel_ratio;
-    return min(SLACK * length(vec2f(dpdx(away), dpdy(away))), MOST_SLACK * pixel);
-}
-
-// A pixel is drawn or not as a whole, while the section that closes a cut ends within it, sample by sample. So the section
-// draws the edge, and the surface ends a little before it: what is between them is the rim.
-fn is_away(position: vec3f) -> bool {
+// How much farther beyond the plane one end of a pixel is than the other.
+fn span(position: vec3f) -> f32 {
     let away = beyond(position).w;
-    return away > -slack(position, away) * frame.is_capped;
+    let pixel = css_pixel(position) / frame.pixel_ratio;
+    return min(length(vec2f(dpdx(away), dpdy(away))), MOST_SLANT * pixel);
+}
+
+struct CutFragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) reached: f32,
+    @location(4) tangent: vec3f,
+    @location(5) tint: vec4f,
+    // A place of the triangle: that in the middle of a pixel at a contour may be far beside it.
+    @location(6) @interpolate(perspective, centroid) place: vec3f,
+}
+
+fn cut(at: Fragment) -> CutFragment {
+    return CutFragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint, at.position);
+}
+
+fn uncut(at: CutFragment) -> Fragment {
+    return Fragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint);
+}
+
+@vertex
+fn vs_plain_cut(@location(0) position: vec3f, @location(1) normal: vec3f) -> CutFragment {
+    return cut(without_field(position, normal, vec4f(0.0)));
+}
+
+@vertex
+fn vs_plain_tinted_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(6) tint: vec4f,
+) -> CutFragment {
+    return cut(without_field(position, normal, tint));
+}
+
+@vertex
+fn vs_field_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+) -> CutFragment {
+    return cut(with_field(position, normal, distance, tangent, vec4f(0.0)));
+}
+
+@vertex
+fn vs_field_tinted_cut(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) distance: f32,
+    @location(3) tangent: vec4f,
+    @location(6) tint: vec4f,
+) -> CutFragment {
+    return cut(with_field(position, normal, distance, tangent, tint));
+}
+
+// Whether a fragment is away, or in a pixel that the plane may run through: those are the rim.
+fn is_away(fragment: CutFragment) -> bool {
+    return beyond(fragment.place).w > -SLACK * span(fragment.position);
 }
 
 @fragment
-fn fs_field_cut(fragment: Fragment) -> @location(0) vec4f {
-    let painted = paint_field(fragment);
-    if is_away(fragment.position) {
+fn fs_field_cut(fragment: CutFragment) -> @location(0) vec4f {
+    let painted = paint_field(uncut(fragment));
+    if is_away(fragment) {
         discard;
     }
     return lit(painted, fragment.position);
 }
 
 @fragment
-fn fs_plain_cut(fragment: Fragment) -> @location(0) vec4f {
-    let painted = paint_plain(fragment);
-    if is_away(fragment.position) {
+fn fs_plain_cut(fragment: CutFragment) -> @location(0) vec4f {
+    let painted = paint_plain(uncut(fragment));
+    if is_away(fragment) {
         discard;
     }
     return lit(painted, fragment.position);
@@ -51,40 +97,53 @@ struct RimPixel {
     @builtin(frag_depth) depth: f32,
 }
 
-// Depth of a pixel of the rim, 0 for another one. The rim is drawn a little beyond the plane too, and gives way to the section
-// in depth, so that it fills just those samples that the section leaves. It is needed only where the section lies behind it:
-// elsewhere the section shows through.
-fn rim_depth(fragment: Fragment, is_outside: bool) -> f32 {
-    let beyond = beyond(fragment.position);
-    let slack = slack(fragment.position, beyond.w);
-    let from_eye = fragment.position - frame.eye;
+// A pixel of the rim.
+struct Rim {
+    // Share of it that the surface covers.
+    share: f32,
+    depth: f32,
+}
+
+// A pixel is drawn or not as a whole, while the section that closes the cut ends within it, sample by sample. Where it lies
+// behind the surface, the rim is drawn a little beyond the plane and gives way to the section in depth, so that it fills just
+// those samples that the section leaves. Elsewhere it fades over the pixel, over the section where there is one; what is seen
+// from inside has no rim there.
+fn rim(fragment: CutFragment, is_outside: bool) -> Rim {
+    let beyond = beyond(fragment.place);
+    let span = span(fragment.position);
+    let from_eye = fragment.place - frame.eye;
     let approach = dot(from_eye, beyond.xyz);
     // Of the plane, on the line of sight.
-    let section = frame.clip_from_world * vec4f(fragment.position - from_eye * (beyond.w / approach), 1.0);
+    let section = frame.clip_from_world * vec4f(fragment.place - from_eye * (beyond.w / approach), 1.0);
     let section_depth = section.z / section.w;
-    let given_way = section_depth + SLACK * fwidth(section_depth);
-    let is_rim = is_outside && approach < 0.0 && abs(beyond.w) <= slack;
-    return select(0.0, clamp(given_way, fragment.clip.z, 1.0), is_rim);
+    let given_way = clamp(section_depth + SLACK * fwidth(section_depth), fragment.clip.z, 1.0);
+    let over = max(fragment.clip.z - SLACK * fwidth(fragment.clip.z), 0.0);
+    let is_capped = frame.is_capped > 0.5;
+    let is_before_section = is_capped && is_outside && approach < 0.0;
+    let fading = clamp(0.5 - beyond.w / max(span, SMALLEST), 0.0, 1.0) * select(1.0, 0.0, is_capped && !is_outside);
+    let share = select(fading, 1.0, is_before_section);
+    let is_rim = abs(beyond.w) <= SLACK * span;
+    return Rim(select(0.0, share, is_rim), select(over, given_way, is_before_section));
 }
 
 @fragment
-fn fs_field_rim(fragment: Fragment) -> RimPixel {
-    let painted = paint_field(fragment);
-    let depth = rim_depth(fragment, painted.geometric.w > 0.5);
-    if depth == 0.0 {
+fn fs_field_rim(fragment: CutFragment) -> RimPixel {
+    let painted = paint_field(uncut(fragment));
+    let rim = rim(fragment, painted.geometric.w > 0.5);
+    if rim.share == 0.0 {
         discard;
     }
-    return RimPixel(lit(painted, fragment.position), depth);
+    return RimPixel(rim.share * lit(painted, fragment.position), rim.depth);
 }
 
 @fragment
-fn fs_plain_rim(fragment: Fragment) -> RimPixel {
-    let painted = paint_plain(fragment);
-    let depth = rim_depth(fragment, painted.geometric.w > 0.5);
-    if depth == 0.0 {
+fn fs_plain_rim(fragment: CutFragment) -> RimPixel {
+    let painted = paint_plain(uncut(fragment));
+    let rim = rim(fragment, painted.geometric.w > 0.5);
+    if rim.share == 0.0 {
         discard;
     }
-    return RimPixel(lit(painted, fragment.position), depth);
+    return RimPixel(rim.share * lit(painted, fragment.position), rim.depth);
 }
 
 struct CutCaster {

@@ -33,11 +33,14 @@ pub(crate) enum Place {
     Over,
     /// Hides what is farther away.
     Solid,
+    /// Hides what is farther away, and is over what is behind where that is drawn before; premultiplied.
+    Fading,
 }
 
 impl PipelineRecipe<'_> {
     pub(crate) fn build(&self, context: &Context) -> wgpu::RenderPipeline {
-        let blend = (self.place == Place::Over).then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        let is_blended = matches!(self.place, Place::Over | Place::Fading);
+        let blend = is_blended.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let target = wgpu::ColorTargetState { format: context.format, blend, write_mask: wgpu::ColorWrites::ALL };
         let fragment = wgpu::FragmentState {
             module: self.module,
@@ -77,7 +80,7 @@ impl PipelineRecipe<'_> {
         });
         let compare = match self.place {
             Place::Behind => wgpu::CompareFunction::Always,
-            Place::Over | Place::Solid => wgpu::CompareFunction::Less,
+            Place::Over | Place::Solid | Place::Fading => wgpu::CompareFunction::Less,
         };
         context.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
@@ -91,7 +94,7 @@ impl PipelineRecipe<'_> {
             primitive: wgpu::PrimitiveState { topology: self.topology, ..Default::default() },
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
-                depth_write_enabled: Some(self.place == Place::Solid),
+                depth_write_enabled: Some(matches!(self.place, Place::Solid | Place::Fading)),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),

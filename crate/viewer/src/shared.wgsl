@@ -89,6 +89,18 @@ struct Material {
     openness: f32,
 }
 
+// Of places in single precision, in bounding radii: a face in a plane of the cut stays.
+const ROUNDING = 1e-6;
+
+// How far beyond the nearer plane of the cut a place is (w), and the normal of that plane. Not above 0 for what stays, as all
+// does where there is no cut.
+fn beyond(position: vec3f) -> vec4f {
+    let first = dot(frame.cut[0].xyz, position) - frame.cut[0].w;
+    let second = dot(frame.cut[1].xyz, position) - frame.cut[1].w;
+    let nearer = select(vec4f(frame.cut[1].xyz, second), vec4f(frame.cut[0].xyz, first), first < second);
+    return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
+}
+
 // World size of a CSS pixel at a world position.
 fn css_pixel(position: vec3f) -> f32 {
     return frame.pixel_slope * frame.pixel_ratio * dot(frame.eye - position, frame.back);

@@ -22,6 +22,7 @@ const MOST_OPAQUE: f32 = 0.98;
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct FilmUniform {
     opacity: f32,
+    // WebGL2 wants uniforms of whole 16 bytes.
     #[shader(size(12))]
     row: f32,
 }

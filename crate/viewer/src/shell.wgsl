@@ -4,7 +4,7 @@
 struct Film {
     // Seen straight on.
     opacity: f32,
-    // Of the ramps' texture, from 0 to 1. WebGL2 wants sixteen bytes in all.
+    // Of the ramps' texture, from 0 to 1.
     @size(12) row: f32,
 }
 

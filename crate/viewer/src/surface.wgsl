@@ -69,7 +69,7 @@ struct Fragment {
 
 @vertex
 fn vs_plain(@location(0) position: vec3f, @location(1) normal: vec3f) -> Fragment {
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0), vec4f(0.0));
+    return without_field(position, normal, vec4f(0.0));
 }
 
 @vertex
@@ -78,6 +78,10 @@ fn vs_plain_tinted(
     @location(1) normal: vec3f,
     @location(6) tint: vec4f,
 ) -> Fragment {
+    return without_field(position, normal, tint);
+}
+
+fn without_field(position: vec3f, normal: vec3f, tint: vec4f) -> Fragment {
     return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0), tint);
 }
 

@@ -9,6 +9,7 @@ use super::Renderer;
 use crate::camera::{Camera, Eye};
 use crate::canvas::NextFrame;
 use crate::capture::Capture;
+use crate::cut::Part;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::model::Pass;
@@ -127,14 +128,9 @@ impl Renderer {
         self.ground.draw(pass, eye.position.y as f32);
         if let Some((mesh, field)) = self.seen_surface()
             && !self.draw_model(pass, mesh, Some(field), Pass::Solid)
+            && !self.draw_cut(pass, mesh, field, Part::Body)
         {
-            match &self.inside.cuts {
-                Some(cuts) if !self.is_whole(mesh) => {
-                    let device = (&self.context, &self.shared, &self.surfaces);
-                    cuts.draw(pass, &mesh.buffers, field, self.inside.section.is_some(), device);
-                }
-                _ => self.surfaces.draw(pass, &mesh.buffers, field),
-            }
+            self.surfaces.draw(pass, &mesh.buffers, field);
         }
         if let (Some(sections), Some(section)) = (&self.inside.sections, &self.inside.section) {
             sections.draw(pass, section, &self.surfaces);
@@ -146,6 +142,9 @@ impl Renderer {
         }
         self.walkers.draw(pass);
         self.pins.draw(pass);
+        if let Some((mesh, field)) = self.seen_surface() {
+            self.draw_cut(pass, mesh, field, Part::Rim);
+        }
         let surface = self.seen_surface().into_iter().map(|(mesh, field)| (mesh, Some(field)));
         let mut meshes: Vec<_> = surface.chain(self.scenery.iter().map(|mesh| (mesh, None))).collect();
         let depth = |mesh: &Mesh| line_of_sight(eye).dot(mesh.bounds.center);
@@ -153,12 +152,22 @@ impl Renderer {
         for (mesh, field) in meshes {
             self.draw_model(pass, mesh, field, Pass::Blended);
         }
-        self.arrows.draw(pass);
+        if !self.inside.hides_surface {
+            self.arrows.draw(pass);
+        }
+        self.arrows.draw_inner(pass);
         self.curve.draw(pass);
         self.wires.draw(pass);
         if let (Some(films), Some(shells)) = (&self.inside.films, &self.inside.shells) {
             films.draw(pass, shells, &self.surfaces);
         }
+    }
+
+    /// Draws a part of the surface cut open; false where it is whole.
+    fn draw_cut(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &Mesh, field: &FieldBuffers, which: Part) -> bool {
+        let cuts = self.inside.cuts.as_ref().filter(|_| !self.is_whole(mesh));
+        let device = (&self.context, &self.shared, &self.surfaces);
+        cuts.inspect(|cuts| cuts.draw(pass, &mesh.buffers, field, which, device)).is_some()
     }
 
     /// Whether a mesh is drawn without a cut: there is none, or the mesh is drawn in the materials of its file.

@@ -131,7 +131,7 @@ impl Renderer {
         check::places("places of inner arrows", places)?;
         check::vectors("inner arrows", vectors)?;
         let radius = self.radius();
-        self.arrows.set_inner(&self.context, places, vectors, radius);
+        self.arrows.set_inner((&self.context, &self.shared), places, vectors, radius);
         self.dirty = true;
         Ok(())
     }

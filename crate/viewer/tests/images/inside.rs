@@ -2,12 +2,21 @@
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{DVec3, Vec2, Vec3, Vec4};
 use heatwalk_viewer::{
-    Error, Hierarchy, InnerTriangles, MeshAppearance, MeshArrays, Pattern, Renderer, SectionArrays, Style, View,
+    Context, Error, Finish, Hierarchy, InnerTriangles, MeshAppearance, MeshArrays, Pattern, Renderer, SectionArrays,
+    Style, SurfaceHit, View,
 };
+use libtest_mimic::Failed;
+
+use crate::image::{HEIGHT, WIDTH};
 
 use crate::scenes::{self, BANDS, SOURCE};
+use crate::{picture, shown};
+
+/// Of the shells, and how dense they are.
+const RADII: [f32; 5] = [0.4, 0.7, 1.0, 1.3, 1.6];
+const OPACITY: f32 = 0.3;
 
 /// Of the ball is away what is beyond this plane.
 const PLANE: Vec4 = Vec4::new(0.36, 0.48, 0.8, 0.1);
@@ -30,12 +39,14 @@ fn show_ball(renderer: &mut Renderer, style: Style) -> Result<(), Error> {
 fn show_solid(renderer: &mut Renderer, arrays: MeshArrays, style: Style) -> Result<(), Error> {
     let positions = arrays.positions.clone();
     scenes::show_mesh(renderer, arrays, style)?;
-    renderer.set_field(positions.len(), 2.0, |values, directions| {
-        for ((&place, value), direction) in positions.iter().zip(values).zip(directions.as_chunks_mut::<4>().0) {
-            let (distance, grows) = straight(place);
-            (*value, *direction) = (distance, snorm(grows));
-        }
-    })
+    renderer.set_field(positions.len(), 2.0, |values, directions| fill(&positions, values, directions))
+}
+
+fn fill(positions: &[Vec3], values: &mut [f32], directions: &mut [i8]) {
+    for ((&place, value), direction) in positions.iter().zip(values).zip(directions.as_chunks_mut::<4>().0) {
+        let (distance, grows) = straight(place);
+        (*value, *direction) = (distance, snorm(grows));
+    }
 }
 
 /// A flat sheet: a grid from an inner to an outer rim, whose places are given by shares around and from rim to rim.
@@ -145,7 +156,7 @@ pub fn shells(renderer: &mut Renderer) -> Result<(), Error> {
     show_ball(renderer, LINES)?;
     renderer.set_cut(&[PLANE])?;
     renderer.set_section(Some(section([disk(PLANE, 0.0, 1.0)])), false)?;
-    renderer.set_shells(Some(joined([0.4, 0.7, 1.0, 1.3, 1.6].map(shell))), 0.3)
+    renderer.set_shells(Some(joined(RADII.map(shell))), OPACITY)
 }
 
 /// Blocks, the outer ones drawn asunder, in the place of the surface.
@@ -185,4 +196,156 @@ pub fn arrows_inside(renderer: &mut Renderer) -> Result<(), Error> {
     let places: Vec<Vec3> = places.filter(|place| place.length() < 1.0).collect();
     let vectors: Vec<Vec3> = places.iter().map(|&place| straight(place).1).collect();
     renderer.set_inner_arrows(&places, &vectors)
+}
+
+fn all_inside(renderer: &mut Renderer) -> Result<(), Error> {
+    arrows_inside(renderer)?;
+    renderer.set_shells(Some(joined(RADII.map(shell))), OPACITY)
+}
+
+/// Looks straight at the middle of the picture along z, from in front.
+fn look_along_z(renderer: &mut Renderer) {
+    renderer.move_camera(|camera| {
+        camera.set_view(View { yaw: 0.0, pitch: 0.0, distance: 5.0, target: DVec3::ZERO });
+    });
+}
+
+fn pick(renderer: &Renderer) -> Option<SurfaceHit> {
+    renderer.pick(0.5 * Vec2::new(WIDTH as f32, HEIGHT as f32))
+}
+
+/// Where the line of sight meets z, and whether on the section.
+fn met(renderer: &Renderer) -> Option<(f32, bool)> {
+    pick(renderer).map(|hit| ((1000.0 * hit.point.z).round() / 1000.0, hit.is_on_section))
+}
+
+/// The ray goes on through what is cut away, to the far side where nothing closes the cut; scenery and what hides the surface
+/// count as before.
+pub fn picks_go_through_the_cut(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| show_ball(renderer, BANDS))?;
+    look_along_z(&mut renderer);
+    assert_eq!(met(&renderer), Some((1.0, false)));
+    renderer.set_cut(&[Vec3::Z.extend(0.2)])?;
+    assert_eq!(met(&renderer), Some((-1.0, false)), "the far side from within");
+    renderer.set_section(Some(section([disk(Vec3::Z.extend(0.2), 0.0, 1.0)])), false)?;
+    assert_eq!(met(&renderer), Some((0.2, true)));
+    let hit = pick(&renderer).expect("the section");
+    assert_eq!(hit.normal, Vec3::Z);
+    assert!((hit.weights.element_sum() - 1.0).abs() < 1e-6);
+    // A section behind the surface is not met before it.
+    renderer.set_cut(&[])?;
+    assert_eq!(met(&renderer), Some((1.0, false)));
+    // Beyond one of two planes alone nothing is away.
+    renderer.set_cut(&[Vec3::Z.extend(0.2), Vec3::X.extend(0.1)])?;
+    assert_eq!(met(&renderer), Some((1.0, false)));
+    renderer.set_section(Some(section([disk(Vec3::Z.extend(0.2), 0.0, 1.0)])), true)?;
+    assert_eq!(met(&renderer), Some((0.2, true)));
+    renderer.set_section(None, true)?;
+    assert_eq!(met(&renderer), None);
+    renderer.set_scenery(vec![scenes::sphere().arrays()])?;
+    renderer.set_section(Some(section([disk(Vec3::Z.extend(0.2), 0.0, 1.0)])), true)?;
+    assert_eq!(met(&renderer), None, "scenery before it");
+    Ok(())
+}
+
+/// Another surface, and what is taken away again, leave nothing behind.
+pub fn what_was_inside_goes(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| show_ball(renderer, LINES))?;
+    let whole = picture(&mut renderer)?;
+    for scene in [shells, arrows_inside, whole_cells] {
+        scene(&mut renderer)?;
+        assert!(picture(&mut renderer)?.difference(&whole).pixels > 1000);
+        show_ball(&mut renderer, LINES)?;
+        assert_eq!(picture(&mut renderer)?.difference(&whole).pixels, 0);
+    }
+    all_inside(&mut renderer)?;
+    renderer.set_cut(&[])?;
+    renderer.set_section(None, false)?;
+    renderer.set_shells(None, 0.3)?;
+    renderer.set_inner_arrows(&[], &[])?;
+    assert_eq!(picture(&mut renderer)?.difference(&whole).pixels, 0);
+    Ok(())
+}
+
+/// Whichever of field and section comes first, whatever the largest value before.
+pub fn a_section_follows_the_field(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, shells)?;
+    let usual = picture(&mut renderer)?;
+    let field = |renderer: &mut Renderer, max: f64| {
+        let positions = scenes::sphere().arrays().positions;
+        renderer.set_field(positions.len(), max, |values, directions| fill(&positions, values, directions))
+    };
+    field(&mut renderer, 7.0)?;
+    assert!(picture(&mut renderer)?.difference(&usual).pixels > 1000, "other colours");
+    renderer.set_section(Some(section([disk(PLANE, 0.0, 1.0)])), false)?;
+    field(&mut renderer, 2.0)?;
+    assert_eq!(picture(&mut renderer)?.difference(&usual).pixels, 0);
+    Ok(())
+}
+
+pub fn refused_insides_leave_the_picture_as_it_is(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, all_inside)?;
+    let before = picture(&mut renderer)?;
+    let spoils: [fn(&mut SectionArrays); 7] = [
+        |given| given.mesh.positions[3].y = f32::NAN,
+        |given| given.mesh.normals[3].y = f32::INFINITY,
+        |given| given.mesh.normals.truncate(5),
+        |given| given.mesh.values.truncate(5),
+        |given| given.tangents.truncate(5),
+        |given| given.mesh.triangles[2][1] = given.mesh.positions.len() as u32,
+        |given| given.mesh.values.clear(),
+    ];
+    for (index, spoil) in spoils.into_iter().enumerate() {
+        let mut given = section([disk(PLANE, 0.5, 0.8)]);
+        spoil(&mut given);
+        assert!(renderer.set_section(Some(given.clone()), true).is_err(), "section {index}");
+        // They have no tangents.
+        let is_refused = renderer.set_shells(Some(given.mesh), 1.0).is_err();
+        assert_eq!(is_refused, index != 4, "shells {index}");
+        if !is_refused {
+            renderer.set_shells(Some(joined(RADII.map(shell))), OPACITY)?;
+        }
+    }
+    assert!(renderer.set_cut(&[Vec4::X; 3]).is_err(), "three planes");
+    assert!(renderer.set_cut(&[Vec4::splat(f32::NAN)]).is_err(), "no plane");
+    assert!(renderer.set_inner_arrows(&[Vec3::ZERO; 2], &[Vec3::X]).is_err(), "a place without a vector");
+    assert!(renderer.set_inner_arrows(&[Vec3::NAN], &[Vec3::X]).is_err(), "no place");
+    assert_eq!(picture(&mut renderer)?.difference(&before).pixels, 0);
+    Ok(())
+}
+
+/// What is cut away casts no shadow on what is left, and the section takes its place.
+pub fn what_is_cut_away_casts_no_shadow(device: &Context) -> Result<(), Failed> {
+    let matt = Style { surface: Finish { metalness: 0.0, roughness: 1.0, glow: 0.0 }, ..scenes::PLAIN };
+    // A lid between the light and a section.
+    let lit = |planes: &[Vec4]| -> Result<u8, Failed> {
+        let mut renderer = shown(device, |_| Ok(()))?;
+        show_ball(&mut renderer, matt)?;
+        renderer.move_camera(|camera| camera.set_view(View { pitch: 1.4, ..camera.view() }));
+        renderer.set_cut(planes)?;
+        let floor = disk(Vec3::Y.extend(0.0), 0.0, 0.9);
+        renderer.set_section(Some(section([floor])), planes.is_empty())?;
+        Ok(picture(&mut renderer)?.pixel(WIDTH / 2, HEIGHT / 2)[0])
+    };
+    let (open, alone) = (lit(&[Vec3::Y.extend(0.0)])?, lit(&[])?);
+    assert!(open.abs_diff(alone) <= 2, "{open} with the lid cut away, {alone} without the ball");
+    Ok(())
+}
+
+/// Neither where it is cut away nor where it is hidden.
+pub fn arrows_of_the_surface_go_with_it(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| show_ball(renderer, LINES))?;
+    let vectors = vec![Vec3::Y; scenes::sphere().arrays().triangles.len()];
+    for (planes, is_hidden) in [(&[Vec3::Y.extend(-2.0)][..], false), (&[], true)] {
+        renderer.set_cut(planes)?;
+        renderer.set_section(None, is_hidden)?;
+        renderer.set_arrows(&[])?;
+        let nothing = picture(&mut renderer)?;
+        renderer.set_arrows(&vectors)?;
+        assert_eq!(picture(&mut renderer)?.difference(&nothing).pixels, 0);
+        renderer.set_cut(&[])?;
+        renderer.set_section(None, false)?;
+        assert!(picture(&mut renderer)?.difference(&nothing).pixels > 1000);
+    }
+    Ok(())
 }

@@ -37,13 +37,19 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 6] = [
+    let others: [(_, Test); 12] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
         ("a_leaning_normal_map_leans_the_surface", materials::a_leaning_normal_map_leans_the_surface),
         ("panes_are_blended_from_back_to_front", materials::panes_are_blended_from_back_to_front),
         ("lights_of_a_file_follow_their_laws", materials::lights_of_a_file_follow_their_laws),
         ("unlit_colors_are_those_of_the_file", materials::unlit_colors_are_those_of_the_file),
+        ("picks_go_through_the_cut", inside::picks_go_through_the_cut),
+        ("what_was_inside_goes", inside::what_was_inside_goes),
+        ("a_section_follows_the_field", inside::a_section_follows_the_field),
+        ("refused_insides_leave_the_picture_as_it_is", inside::refused_insides_leave_the_picture_as_it_is),
+        ("arrows_of_the_surface_go_with_it", inside::arrows_of_the_surface_go_with_it),
+        ("what_is_cut_away_casts_no_shadow", inside::what_is_cut_away_casts_no_shadow),
     ];
     let others = others.map(|(name, test)| {
         let device = device.clone();
