@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use crate::args::Distance;
 use crate::input::Input;
-use crate::output::Output;
+use crate::output::{Columns, Output};
 use crate::report::{Report, milliseconds};
 use crate::timing::{build, go_on, join, median_solve_ms, prepare, sample};
 use crate::volume;
@@ -65,9 +65,6 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     );
     Ok(report.render(arguments.mesh.json))
 }
-
-/// Columns of distances by their names, each a value an input vertex.
-type Columns = Vec<(String, Vec<f64>)>;
 
 /// From all sources at once. Milliseconds of that, or the median over single sources.
 fn together(

@@ -12,6 +12,9 @@ use heatwalk::{Soup, Up};
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::write as volume;
 
+/// Columns of distances by their names, each a value an input vertex.
+pub type Columns = Vec<(String, Vec<f64>)>;
+
 #[derive(Clone, Copy)]
 pub enum DistanceFormat {
     Csv,
@@ -76,9 +79,11 @@ impl Output<DistanceFormat> {
 }
 
 impl Output<VolumeFormat> {
-    pub fn volume(path: &Path) -> Result<Self> {
+    /// As [`Output::distance`].
+    pub fn volume(path: &Path, several: bool) -> Result<Self> {
         let format = match extension(path).as_str() {
             "csv" => VolumeFormat::Csv,
+            _ if several => bail!("{}: the distances of --each are written as .csv", path.display()),
             "vtu" => VolumeFormat::Vtu,
             "msh" => VolumeFormat::Msh,
             _ => bail!("{}: distances inside of tetrahedra are written as .csv, .vtu or .msh", path.display()),
@@ -86,12 +91,13 @@ impl Output<VolumeFormat> {
         Self::new(path, format)
     }
 
-    /// `distance`: one value an input vertex.
-    pub fn write_volume(&self, soup: &TetSoup, distance: Vec<f64>) -> Result<()> {
+    /// As [`Output::write`].
+    pub fn write_volume(&self, soup: &TetSoup, columns: &[(String, Vec<f64>)]) -> Result<()> {
+        let (_, first) = &columns[0];
         self.save(&match self.format {
-            VolumeFormat::Csv => distance_csv(&[("distance".to_owned(), distance)]),
-            VolumeFormat::Vtu => volume::vtu(soup, Some(&distance)),
-            VolumeFormat::Msh => volume::msh(soup, Some(&distance)),
+            VolumeFormat::Csv => distance_csv(columns),
+            VolumeFormat::Vtu => volume::vtu(soup, Some(first)),
+            VolumeFormat::Msh => volume::msh(soup, Some(first)),
         })
     }
 }

@@ -144,6 +144,11 @@ impl Line {
         let vertices = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
         vertices.into_iter().map(|vertex| Ok(surface.source(vertex, 0.0)?)).collect()
     }
+
+    /// The vertices that it is given by, counted as in the file.
+    pub fn vertices(&self) -> &[usize] {
+        &self.0
+    }
 }
 
 /// What became of a vertex of the file.

@@ -25,6 +25,7 @@
 
 mod boxes;
 pub mod crowd;
+mod dijkstra;
 mod distance;
 mod error;
 pub mod fill;
@@ -42,6 +43,7 @@ mod solver;
 mod soup;
 
 pub use crowd::VolumeCrowd;
+pub use dijkstra::edge_polyline;
 pub use distance::{VolumeDistance, VolumeMethod};
 pub use error::{Error, Result};
 pub use mesh::{MeshReport, TetId, TetMesh};

@@ -1,16 +1,16 @@
-//! `heatwalk info`, `distance` and `path` on tetrahedra.
+//! `heatwalk info` and `path` on tetrahedra.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
-use heatwalk::{MultiSource, Up};
+use heatwalk::MultiSource;
 use heatwalk_volume::{MeshReport, TetMesh, VolumeOptions, VolumeSolver};
 use serde_json::json;
 
-use super::input::{Input, point, refuse, refuse_bridging, source};
-use crate::args::{Distance, Info, Path};
+use super::input::{Input, point, refuse, refuse_bridging};
+use crate::args::{Info, Path};
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
 
@@ -32,57 +32,6 @@ pub fn info(arguments: &Info, input: &Input) -> Result<String> {
     said.push("duplicate_tetrahedra", report.duplicate_tetrahedra);
     said.push("inverted_tetrahedra", report.inverted_tetrahedra);
     said.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms }));
-    Ok(said.render(arguments.mesh.json))
-}
-
-pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
-    refuse_bridging(&arguments.bridging)?;
-    refuse(&[
-        ("--line", !arguments.lines.is_empty()),
-        ("--exact", arguments.exact),
-        ("--windows", arguments.methods.windows.is_some()),
-        ("--operator", arguments.options.operator.is_some()),
-        ("--each", arguments.each),
-        ("--compare", arguments.compare),
-        ("--repeat", arguments.repeat > 1),
-        ("--up", arguments.up != Up::default()),
-    ])?;
-    let heat = arguments.options.given().or(arguments.linear.given()).or(arguments.multi.map(|_| "--multi"));
-    let method = arguments.methods.chosen_inside(heat)?;
-    let options = VolumeOptions {
-        method,
-        max_distance: arguments.max_distance.unwrap_or(f64::INFINITY),
-        heat: arguments
-            .options
-            .parameters(arguments.linear.solver.unwrap_or_default(), arguments.multi.unwrap_or_default()),
-    };
-    let output = arguments.output.as_deref().map(Output::volume).transpose()?;
-    let (mesh, build_ms) = build(input)?;
-    let sources =
-        arguments.sources.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
-    let mut said = Report::default();
-    push_mesh(&mut said, mesh.report());
-    let costs = arguments.ground.inside(&input.soup, &mesh)?;
-    let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
-    let start = Instant::now();
-    let answer = solver.distance(&sources, &options)?;
-    let solve_ms = milliseconds(start);
-    let values = mesh.to_inputs(&answer.values, f64::INFINITY);
-    said.push("method", answer.method.name());
-    said.push("exact_below", answer.exact_below);
-    said.push("max_distance", answer.max());
-    said.push("unreachable", values.iter().filter(|value| value.is_infinite()).count());
-    if let Some(output) = output {
-        output.write_volume(&input.soup, values)?;
-    }
-    said.push("factor_nonzeros", solver.factor_nonzeros());
-    if let Some(factor) = solver.time_factor() {
-        said.push("time_factor", factor);
-    }
-    said.push(
-        "timings_ms",
-        json!({ "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms }),
-    );
     Ok(said.render(arguments.mesh.json))
 }
 
@@ -137,14 +86,14 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     Ok(said.render(arguments.mesh.json))
 }
 
-fn build(input: &Input) -> Result<(Arc<TetMesh>, f64)> {
+pub fn build(input: &Input) -> Result<(Arc<TetMesh>, f64)> {
     let start = Instant::now();
     let mesh = TetMesh::build(&input.soup)?;
     Ok((Arc::new(mesh), milliseconds(start)))
 }
 
 /// The solver with all that it needs, and what that took in milliseconds.
-fn prepare(mesh: &Arc<TetMesh>, costs: Option<&[f64]>, options: &VolumeOptions) -> Result<(VolumeSolver, f64)> {
+pub fn prepare(mesh: &Arc<TetMesh>, costs: Option<&[f64]>, options: &VolumeOptions) -> Result<(VolumeSolver, f64)> {
     let start = Instant::now();
     let mut solver = match costs {
         Some(costs) => VolumeSolver::with_costs(Arc::clone(mesh), costs)?,
@@ -155,7 +104,7 @@ fn prepare(mesh: &Arc<TetMesh>, costs: Option<&[f64]>, options: &VolumeOptions) 
 }
 
 /// The counts that every command gives.
-fn push_mesh(said: &mut Report, report: &MeshReport) {
+pub fn push_mesh(said: &mut Report, report: &MeshReport) {
     said.push("vertices", report.input_vertices);
     said.push("tetrahedra", report.tetrahedra);
     said.push("components", report.components);

@@ -4,14 +4,14 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
-use heatwalk::WeldRule;
 use heatwalk::surface::Error as SurfaceError;
+use heatwalk::{VertexId, WeldRule};
 use heatwalk_volume::io::{self, Format};
-use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, shapes};
+use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, edge_polyline, shapes};
 
 use crate::args::{Bridging, Mesh};
 use crate::input::{SHAPE, beside, read_file};
-use crate::place::{Place, SourcePlace};
+use crate::place::{Line, Place, SourcePlace};
 use crate::report::milliseconds;
 
 /// Tetrahedra of a file, or of a shape made in code.
@@ -71,14 +71,7 @@ pub fn refuse_bridging(bridging: &Bridging) -> Result<()> {
 /// The point of a mesh. Vertices and tetrahedra are counted as in the file.
 pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
     match place {
-        Place::Vertex(vertex) => {
-            let vertices = soup.positions.len();
-            ensure!(vertex < vertices, SurfaceError::NoSuchVertex { vertex, vertices });
-            let Some(vertex) = mesh.vertex_of_input(vertex) else {
-                bail!("vertex {vertex} is in no tetrahedron; choose another");
-            };
-            Ok(TetPoint::Vertex(vertex))
-        }
+        Place::Vertex(number) => Ok(vertex(number, soup, mesh)?.into()),
         Place::Triangle { .. } => bail!("three weights are for triangles; a place in a tetrahedron has four"),
         Place::Tetrahedron { tetrahedron, weights } => {
             let tetrahedra = soup.tetrahedra.len();
@@ -94,7 +87,7 @@ pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
             // Its corners may have been turned.
             let of_input = soup.tetrahedra[tetrahedron];
             let weight_of = |vertex: u32| {
-                let input = mesh.input_of_vertex(heatwalk::VertexId(vertex)) as u32;
+                let input = mesh.input_of_vertex(VertexId(vertex)) as u32;
                 of_input.iter().position(|&corner| corner == input).map_or(0.0, |corner| weights[corner])
             };
             let own_weights = mesh.tetrahedra()[own.index()].map(weight_of);
@@ -106,7 +99,20 @@ pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
     }
 }
 
+fn vertex(vertex: usize, soup: &TetSoup, mesh: &TetMesh) -> Result<VertexId> {
+    let vertices = soup.positions.len();
+    ensure!(vertex < vertices, SurfaceError::NoSuchVertex { vertex, vertices });
+    mesh.vertex_of_input(vertex).with_context(|| format!("vertex {vertex} is in no tetrahedron; choose another"))
+}
+
 /// The source in a mesh.
 pub fn source(source: &SourcePlace, soup: &TetSoup, mesh: &TetMesh) -> Result<TetSource> {
     Ok(TetSource { point: point(source.place, soup, mesh)?, initial_distance: source.initial_distance })
+}
+
+/// A source at each vertex along a line of edges.
+pub fn along(line: &Line, soup: &TetSoup, mesh: &TetMesh, closed: bool) -> Result<Vec<TetSource>> {
+    let through = line.vertices().iter().map(|&number| vertex(number, soup, mesh)).collect::<Result<Vec<_>>>()?;
+    let vertices = edge_polyline(mesh, &through, closed).with_context(|| format!("line {:?}", line.vertices()))?;
+    Ok(vertices.into_iter().map(TetSource::from).collect())
 }

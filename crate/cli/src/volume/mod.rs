@@ -1,7 +1,9 @@
 //! The commands on tetrahedra.
 
 mod commands;
+mod distance;
 mod input;
 
-pub use commands::{distance, info, path};
+pub use commands::{info, path};
+pub use distance::distance;
 pub use input::Input;

@@ -73,6 +73,50 @@ fn paths_and_distances_are_written() {
 }
 
 #[test]
+fn each_source_has_a_column_of_its_own() {
+    let folder = with_mesh("volume_each");
+    let both = ["distance", "pierced.msh", "--source", "0", "--source", "40@0.5", "--each"];
+    let answer = json(&folder, &[&both[..], &["--output", "each.csv"]].concat());
+    let maxima: Vec<f64> =
+        answer["each"].as_array().unwrap().iter().map(|answer| answer["max_distance"].as_f64().unwrap()).collect();
+    let alone = ["0", "40@0.5"].map(|source| distances(&folder, &["pierced.msh", "--source", source]));
+    let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+    assert_eq!(maxima, [largest(&alone[0]), largest(&alone[1])]);
+    let csv = fs::read_to_string(folder.join("each.csv")).unwrap();
+    assert!(csv.starts_with("vertex,distance_0,distance_1\n"));
+    for (vertex, line) in csv.lines().skip(1).enumerate() {
+        let values: Vec<f64> = line.split(',').skip(1).map(|value| value.parse().unwrap()).collect();
+        assert_eq!(values, [alone[0][vertex], alone[1][vertex]]);
+    }
+    assert!(refused(&folder, &[&both[..], &["--output", "each.vtu"]].concat()).contains(".csv"));
+}
+
+#[test]
+fn heat_is_compared_with_the_march() {
+    let folder = with_mesh("volume_compare");
+    let ask = ["distance", "pierced.msh", "--source", "0", "--compare"];
+    let answer = json(&folder, &[&ask[..], &["--method", "heat", "--near", "0"]].concat());
+    let [mean, most] = ["mean_error_percent", "max_error_percent"].map(|name| answer[name].as_f64().unwrap());
+    assert!(mean > 0.1 && mean < 10.0 && most > mean, "{mean} {most}");
+    assert!(refused(&folder, &ask).contains("--method heat"));
+}
+
+#[test]
+fn lines_along_edges_are_sources() {
+    let folder = with_mesh("volume_lines");
+    // Vertices of the hole's rim at z = -1 are 5 apart, as many as there are along the hole.
+    let values = distances(&folder, &["pierced.msh", "--line", "0,10"]);
+    for vertex in [0, 5, 10] {
+        assert_eq!(values[vertex], 0.0, "{vertex}");
+    }
+    let closed = distances(&folder, &["pierced.msh", "--line", "0,25,50", "--closed"]);
+    let on_line = closed.iter().filter(|value| **value == 0.0).count();
+    assert_eq!(on_line, 16);
+    let told = refused(&folder, &["distance", "pierced.msh", "--line", "0,9999"]);
+    assert!(told.contains("vertex 9999 does not exist"), "{told}");
+}
+
+#[test]
 fn what_is_for_surfaces_is_refused() {
     let folder = with_mesh("volume_refused");
     let ask = |options: &[&str]| {
@@ -82,8 +126,7 @@ fn what_is_for_surfaces_is_refused() {
         &["--operator", "plain"][..],
         &["--windows", "2"],
         &["--exact"],
-        &["--each"],
-        &["--compare"],
+        &["--repeat", "3"],
         &["--weld", "exact"],
         &["--part", "0"],
         &["--bridge", "off"],

@@ -139,11 +139,16 @@ impl<'a> Search<'a> {
         }
         let (wave_of, medium) = (&self.wave_of, self.medium);
         let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
+        let sight = self.medium.sight(self.mesh);
+        // Most lines that are not seen would leave the mesh at once, seen from where they come from.
+        if self.waves[wave as usize].start_at(from).is_some_and(|start| !sight.leaves(start, place, may_enter)) {
+            return false;
+        }
         // Where the three corners of a face see the source, so does all of the face, up to what is smaller than it.
         let crossing = |corners: [u32; 3]| {
             if corners.iter().all(|&corner| wave_of[corner as usize] == wave) { Crossing::Known } else { Crossing::On }
         };
-        self.medium.sight(self.mesh).walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
+        sight.walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
     }
 
     /// Gives a vertex its distance and sends waves on.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::NONE;
+use crate::mesh::{NONE, Start};
 
 /// Distances at the ends of an edge may differ by more than its length by this share of it, for rounding.
 const ALONG: f64 = 1e-9;
@@ -117,6 +117,19 @@ impl Wave {
     /// Whether it comes from a source.
     pub(super) fn is_first(&self) -> bool {
         self.ends.is_none()
+    }
+
+    /// Where in the mesh a line that comes from a place on the edge begins; none for sources.
+    pub(super) fn start_at(&self, place: DVec3) -> Option<Start> {
+        let [first, second] = self.ends?;
+        let along = (place - self.base).dot(self.direction);
+        Some(if along <= ALONG * self.length {
+            Start::Vertex(first)
+        } else if along >= (1.0 - ALONG) * self.length {
+            Start::Vertex(second)
+        } else {
+            Start::Edge([first, second])
+        })
     }
 
     /// The distance at which it began at a place.

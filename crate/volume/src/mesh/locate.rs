@@ -23,6 +23,21 @@ pub(crate) fn weights([a, b, c, d]: [DVec3; 4], point: DVec3) -> [f64; 4] {
     [1.0 - of_b - of_c - of_d, of_b, of_c, of_d]
 }
 
+/// Barycentric weights of both ends of a line in a tetrahedron, times six times its volume, and that.
+#[inline]
+fn scaled_weights([a, b, c, d]: [DVec3; 4], from: DVec3, to: DVec3) -> ([[f64; 4]; 2], f64) {
+    let (ab, ac, ad) = (b - a, c - a, d - a);
+    let across = ac.cross(ad);
+    let whole = ab.dot(across);
+    let weights = |place: DVec3| {
+        let ap = place - a;
+        let turned = ap.cross(ab);
+        let (of_b, of_c, of_d) = (ap.dot(across), -ad.dot(turned), ac.dot(turned));
+        [whole - of_b - of_c - of_d, of_b, of_c, of_d]
+    };
+    ([weights(from), weights(to)], whole)
+}
+
 /// The tetrahedra that lines may go through.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight<'a> {
@@ -60,26 +75,33 @@ impl Sight<'_> {
         may_enter: impl Fn(u32) -> bool,
         mut crossing: impl FnMut([u32; 3]) -> Crossing,
     ) -> Option<u32> {
-        let (mut current, mut at_end) = self.first(start, to, &may_enter)?;
+        let mut current = self.first(start, to, &may_enter)?;
         let mut came_from = NONE;
         // A line crosses a tetrahedron once, but rounding may lead it around an edge.
         for _ in 0..self.mesh.tetrahedron_count() + 4 {
-            let corners = self.mesh.tetrahedra()[current as usize];
-            let neighbors = self.neighbors[current as usize];
-            if at_end.iter().all(|&weight| weight >= -GRAZING) {
-                return Some(current);
-            }
-            let points = corners.map(|vertex| self.mesh.positions()[vertex as usize]);
-            let at_start = weights(points, from);
-            let mut exit: Option<(f64, usize)> = None;
+            let corners = &self.mesh.tetrahedra()[current as usize];
+            let neighbors = &self.neighbors[current as usize];
+            let ([at_start, at_end], whole) = scaled_weights(self.mesh.corners(TetId(current)), from, to);
+            let beyond = -GRAZING * whole;
+            let mut exit: Option<([f64; 2], usize)> = None;
+            let mut is_inside = true;
             for corner in 0..4 {
                 // Beyond this face is the end of the line, and the line has not come through it.
-                if at_end[corner] < -GRAZING && (neighbors[corner] != came_from || came_from == NONE) {
-                    let share = at_start[corner].max(0.0) / (at_start[corner].max(0.0) - at_end[corner]);
-                    if exit.is_none_or(|(least, _)| share < least) {
-                        exit = Some((share, corner));
+                if at_end[corner] < beyond {
+                    is_inside = false;
+                    if neighbors[corner] != came_from || came_from == NONE {
+                        let own = [at_start[corner].max(0.0), at_end[corner]];
+                        // The line leaves by the face at the least share of it, `start / (start - end)`.
+                        let is_first =
+                            exit.is_none_or(|([start, end], _)| own[0] * (start - end) < start * (own[0] - own[1]));
+                        if is_first {
+                            exit = Some((own, corner));
+                        }
                     }
                 }
+            }
+            if is_inside {
+                return Some(current);
             }
             let (_, corner) = exit?;
             if neighbors[corner] == NONE || !may_enter(neighbors[corner]) {
@@ -90,22 +112,23 @@ impl Sight<'_> {
             }
             came_from = current;
             current = neighbors[corner];
-            at_end = weights(self.mesh.corners(TetId(current)), to);
         }
         None
     }
 
-    /// The tetrahedron that a line begins in, with the barycentric weights of its end there.
-    fn first(self, start: Start, to: DVec3, may_enter: impl Fn(u32) -> bool) -> Option<(u32, [f64; 4])> {
+    /// Whether a line to a place begins inside: in one of the tetrahedra around its start.
+    pub(crate) fn leaves(self, start: Start, to: DVec3, may_enter: impl Fn(u32) -> bool) -> bool {
+        self.first(start, to, may_enter).is_some()
+    }
+
+    /// The tetrahedron that a line begins in.
+    fn first(self, start: Start, to: DVec3, may_enter: impl Fn(u32) -> bool) -> Option<u32> {
         let [vertex, other] = match start {
-            Start::Inside(tetrahedron) => {
-                let weights = weights(self.mesh.corners(TetId(tetrahedron)), to);
-                return may_enter(tetrahedron).then_some((tetrahedron, weights));
-            }
+            Start::Inside(tetrahedron) => return may_enter(tetrahedron).then_some(tetrahedron),
             Start::Vertex(vertex) => [vertex; 2],
             Start::Edge(ends) => ends,
         };
-        let mut best: Option<(f64, u32, [f64; 4])> = None;
+        let mut best: Option<(f64, u32)> = None;
         for &tetrahedron in self.mesh.around().row(vertex) {
             let corners = self.mesh.tetrahedra()[tetrahedron as usize];
             if !corners.contains(&other) || !may_enter(tetrahedron) {
@@ -115,13 +138,13 @@ impl Sight<'_> {
             // It leaves into the tetrahedron where it is inside of all faces that meet at the start.
             let faces = (0..4).filter(|&corner| corners[corner] != vertex && corners[corner] != other);
             let least = faces.map(|corner| weights[corner]).fold(f64::INFINITY, f64::min);
-            if least >= -GRAZING && best.is_none_or(|(most, ..)| least > most) {
-                best = Some((least, tetrahedron, weights));
+            if least >= -GRAZING && best.is_none_or(|(most, _)| least > most) {
+                best = Some((least, tetrahedron));
             }
             if least > GRAZING {
                 break;
             }
         }
-        best.map(|(_, tetrahedron, weights)| (tetrahedron, weights))
+        best.map(|(_, tetrahedron)| tetrahedron)
     }
 }

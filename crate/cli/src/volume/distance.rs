@@ -1,0 +1,129 @@
+//! `heatwalk distance` on tetrahedra.
+
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use heatwalk::{RelativeError, Up};
+use heatwalk_volume::{TetMesh, TetSource, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
+use serde_json::{Map, Value, json};
+
+use super::commands::{build, prepare, push_mesh};
+use super::input::{Input, along, refuse, refuse_bridging, source};
+use crate::args::Distance;
+use crate::output::{Columns, Output};
+use crate::report::{Report, milliseconds};
+
+pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
+    let options = options(arguments)?;
+    let output = arguments.output.as_deref().map(|path| Output::volume(path, arguments.each)).transpose()?;
+    let (mesh, build_ms) = build(input)?;
+    let mut sources =
+        arguments.sources.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
+    for line in &arguments.lines {
+        sources.extend(along(line, &input.soup, &mesh, arguments.closed)?);
+    }
+    let mut said = Report::default();
+    push_mesh(&mut said, mesh.report());
+    let costs = arguments.ground.inside(&input.soup, &mesh)?;
+    let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
+    let (columns, solve_ms) = if arguments.each {
+        each(&mut solver, &sources, &options, &mut said)?
+    } else {
+        together(&mut solver, &sources, (arguments, &options), &mut said)?
+    };
+    if let Some(output) = output {
+        output.write_volume(&input.soup, &columns)?;
+    }
+    said.push("factor_nonzeros", solver.factor_nonzeros());
+    if let Some(factor) = solver.time_factor() {
+        said.push("time_factor", factor);
+    }
+    said.push(
+        "timings_ms",
+        json!({ "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms }),
+    );
+    Ok(said.render(arguments.mesh.json))
+}
+
+fn options(arguments: &Distance) -> Result<VolumeOptions> {
+    refuse_bridging(&arguments.bridging)?;
+    refuse(&[
+        ("--exact", arguments.exact),
+        ("--windows", arguments.methods.windows.is_some()),
+        ("--operator", arguments.options.operator.is_some()),
+        ("--repeat", arguments.repeat > 1),
+        ("--up", arguments.up != Up::default()),
+    ])?;
+    let heat = arguments.options.given().or(arguments.linear.given()).or(arguments.multi.map(|_| "--multi"));
+    let method = arguments.methods.chosen_inside(heat)?;
+    ensure!(
+        !arguments.compare || method == VolumeMethod::Heat,
+        "--compare tells how far the heat method is from the march: give --method heat"
+    );
+    Ok(VolumeOptions {
+        method,
+        max_distance: arguments.max_distance.unwrap_or(f64::INFINITY),
+        heat: arguments
+            .options
+            .parameters(arguments.linear.solver.unwrap_or_default(), arguments.multi.unwrap_or_default()),
+    })
+}
+
+/// From all sources at once, and milliseconds of that.
+fn together(
+    solver: &mut VolumeSolver,
+    sources: &[TetSource],
+    (arguments, options): (&Distance, &VolumeOptions),
+    said: &mut Report,
+) -> Result<(Columns, f64)> {
+    let start = Instant::now();
+    let answer = solver.distance(sources, options)?;
+    let solve_ms = milliseconds(start);
+    let values = of_inputs(solver.mesh(), &answer);
+    for (name, value) in facts(&answer, &values) {
+        said.push(name, value);
+    }
+    if arguments.compare {
+        let marched = solver.distance(sources, &VolumeOptions::default())?;
+        let error = RelativeError::between(&answer.values, &marched.values);
+        said.push("mean_error_percent", 100.0 * error.mean);
+        said.push("max_error_percent", 100.0 * error.max);
+    }
+    Ok((vec![("distance".to_owned(), values)], solve_ms))
+}
+
+/// From each source by itself, and milliseconds of them all.
+fn each(
+    solver: &mut VolumeSolver,
+    sources: &[TetSource],
+    options: &VolumeOptions,
+    said: &mut Report,
+) -> Result<(Columns, f64)> {
+    let (mut columns, mut answers, mut solve_ms) = (Columns::new(), Vec::new(), 0.0);
+    for (number, &source) in sources.iter().enumerate() {
+        let start = Instant::now();
+        let answer = solver.distance(&[source], options).with_context(|| format!("source {number}"))?;
+        solve_ms += milliseconds(start);
+        let values = of_inputs(solver.mesh(), &answer);
+        let facts = facts(&answer, &values).into_iter();
+        answers.push(Value::Object(facts.map(|(name, value)| (name.to_owned(), value)).collect::<Map<_, _>>()));
+        columns.push((format!("distance_{number}"), values));
+    }
+    said.push("each", answers);
+    Ok((columns, solve_ms))
+}
+
+/// What is to be told of an answer, whose values are `of_inputs`.
+fn facts(answer: &VolumeDistance, of_inputs: &[f64]) -> [(&'static str, Value); 4] {
+    [
+        ("method", answer.method.name().into()),
+        ("exact_below", answer.exact_below.into()),
+        ("max_distance", answer.max().into()),
+        ("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count().into()),
+    ]
+}
+
+/// Vertices that no tetrahedron uses are as far as another component.
+fn of_inputs(mesh: &TetMesh, answer: &VolumeDistance) -> Vec<f64> {
+    mesh.to_inputs(&answer.values, f64::INFINITY)
+}
