@@ -36,11 +36,15 @@ export interface Heatwalk {
     diameter: number;
     /** The axis of the file that is drawn upward. */
     up: Up;
+    /** How many it has inside; 0 for a surface. */
+    tetrahedra: number;
+    /** Of these, in the unit of the file cubed. */
+    volume: number;
   } | null;
   /** The animations of the file, by name, and the moment that is shown: null where that is the pose in the file. */
   readonly animation: { clips: readonly Clip[]; moment: Moment | null };
   /** Of the field that is shown. */
-  readonly field: Omit<DistanceField, 'distance' | 'tangents'> | null;
+  readonly field: Omit<DistanceField, 'distance' | 'tangents' | 'inner'> | null;
   /** Stored entries of all Cholesky factors of the mesh on screen; 0 where nothing is factored. */
   readonly factorNonzeros: number;
   /** State of refinement: see `Phase`. */
@@ -103,6 +107,8 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
         active: [...opened.active],
         diameter: places.diameter,
         up: opened.drawTransform.up,
+        tetrahedra: opened.interior?.report.tetrahedra ?? 0,
+        volume: opened.interior?.report.volume ?? 0,
       };
     },
     get animation() {
@@ -111,7 +117,7 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
     get field() {
       const field = session.shown.value?.answer.field;
       if (!field) return null;
-      const { distance: _distance, tangents: _tangents, ...figures } = field;
+      const { distance: _distance, tangents: _tangents, inner: _inner, ...figures } = field;
       return figures;
     },
     get factorNonzeros() {

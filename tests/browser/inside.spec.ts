@@ -1,0 +1,223 @@
+import type { MeshPoint } from '../../web/protocol';
+import { grid, off, sphere } from '../fixtures';
+import { difference, expect, type HeatwalkPage, test } from '../page';
+import { cubeMsh, cubeVertex } from '../tetrahedra';
+
+const N = 6;
+const CUBE = cubeMsh(N);
+const [CORNER, FAR, MIDDLE] = [cubeVertex(N, 0, 0, 0), cubeVertex(N, N, N, N), cubeVertex(N, 3, 3, 3)];
+const VIEW = 'up=y&cam=0.3,0.3,3.2,0,0,0';
+
+async function openCube(heatwalk: HeatwalkPage, options = 'method=auto&cut=plane'): Promise<void> {
+  await heatwalk.openFile('cube.msh', CUBE, `${VIEW}&s=${CORNER.vertex}&w=${FAR.vertex}&${options}`);
+  await heatwalk.settled();
+  await heatwalk.page.locator('#section-inside > summary').click();
+}
+
+function isInside(point: MeshPoint | undefined): boolean {
+  return point !== undefined && 'tetrahedron' in point;
+}
+
+async function inside(heatwalk: HeatwalkPage) {
+  return (await heatwalk.scene()).inside;
+}
+
+test('a file of tetrahedra opens: distance leads through them, exact where lines are straight', async ({
+  heatwalk,
+  page,
+}) => {
+  await openCube(heatwalk);
+  expect((await heatwalk.mesh()).tetrahedra).toBe(6 * N ** 3);
+  expect((await heatwalk.mesh()).volume).toBeCloseTo(1, 12);
+  await expect(page.locator('.heading .size')).toHaveText('1,296 tetrahedra');
+  expect(await heatwalk.distanceAt(MIDDLE)).toBeCloseTo(Math.sqrt(0.75), 6);
+  expect(await heatwalk.distanceAt(FAR)).toBeCloseTo(Math.sqrt(3), 6);
+  expect((await heatwalk.field()).exactShare).toBe(1);
+  expect(await heatwalk.refining()).toBe('exact');
+  expect((await page.evaluate(() => window.heatwalk.walker))?.length).toBeCloseTo(Math.sqrt(3), 6);
+  await expect(page.locator('#section-ground')).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Fill the inside' })).toBeHidden();
+});
+
+test('heat flows inside too, and takes the options of the solver', async ({ heatwalk, page }) => {
+  await openCube(heatwalk, 'method=heat&near=2&t=0.5');
+  const by = async () => [await heatwalk.distanceAt(MIDDLE), await heatwalk.distanceAt(FAR)];
+  const [middle, far] = await by();
+  expect(Math.abs(middle / Math.sqrt(0.75) - 1)).toBeLessThan(0.1);
+  expect(Math.abs(far / Math.sqrt(3) - 1)).toBeLessThan(0.1);
+  expect(far).not.toBeCloseTo(Math.sqrt(3), 6);
+  expect(await page.evaluate(() => window.heatwalk.factorNonzeros)).toBeGreaterThan(1000);
+  expect((await heatwalk.field()).timeFactor).toBeCloseTo(0.5, 6);
+  expect(await heatwalk.refining()).toBe('inside');
+  await page.locator('#section-solver > summary').click();
+  await page.getByRole('combobox', { name: 'Boundary' }).selectOption('dirichlet');
+  await heatwalk.settled();
+  expect((await by())[1]).not.toBe(far);
+  await page.getByRole('combobox', { name: 'Method' }).selectOption('auto');
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(FAR)).toBeCloseTo(Math.sqrt(3), 6);
+});
+
+test('a click through the cut sets a source inside; it is dragged along the cut, undone, and in the link', async ({
+  heatwalk,
+  page,
+}) => {
+  await openCube(heatwalk);
+  const [x, y] = await heatwalk.pixelOf(MIDDLE);
+  await page.mouse.click(x + 30, y - 20);
+  await heatwalk.settled();
+  const [first] = (await heatwalk.scene()).sources;
+  expect(isInside(first)).toBe(true);
+  // Linear between the corners of its tetrahedron.
+  expect(await heatwalk.distanceAt(first)).toBeLessThan(1 / N);
+  const before = await heatwalk.distanceAt(MIDDLE);
+  expect(before).toBeGreaterThan(0.02);
+
+  await page.mouse.move(x + 30, y - 20);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y + 30, { steps: 6 });
+  await page.mouse.up();
+  await heatwalk.settled();
+  const [second] = (await heatwalk.scene()).sources;
+  expect(isInside(second)).toBe(true);
+  expect(second).not.toEqual(first);
+  expect(await heatwalk.distanceAt(second)).toBeLessThan(1 / N);
+  await expect(page).toHaveURL(/&s=\d+:[\d.]+\/[\d.]+\/[\d.]+\/[\d.]+/);
+  const there = await heatwalk.distanceAt(FAR);
+
+  await page.keyboard.press('Control+z');
+  await heatwalk.settled();
+  expect((await heatwalk.scene()).sources).toEqual([first]);
+  await page.keyboard.press('Control+Shift+z');
+  await heatwalk.settled();
+  const { tetrahedron } = second as { tetrahedron: number };
+  await expect(page).toHaveURL(new RegExp(`&s=${tetrahedron}:`));
+  const link = new URL(page.url()).hash;
+  await heatwalk.open(link);
+  await heatwalk.dropAndOpen([['cube.msh', CUBE]]);
+  await heatwalk.settled();
+  expect(isInside((await heatwalk.scene()).sources[0])).toBe(true);
+  expect(await heatwalk.distanceAt(FAR)).toBeCloseTo(there, 3);
+});
+
+test('what is cut away is not picked, and the cut moves by handle, keys and panel', async ({ heatwalk, page }) => {
+  await openCube(heatwalk, 'method=auto&cut=plane&turn=0&tilt=0');
+  const near = cubeVertex(N, 3, 3, N);
+  const [x, y] = await heatwalk.pixelOf(near);
+  const under = () => page.evaluate(([px, py]) => window.heatwalk.placeAt(px, py), [x, y] as const);
+  expect(isInside((await under()) ?? undefined)).toBe(true);
+
+  const handle = page.getByRole('slider', { name: 'Position of the cut' });
+  await handle.focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  expect((await inside(heatwalk)).place).toBeCloseTo(0.04, 6);
+  const box = await handle.boundingBox();
+  if (!box) throw new Error('no handle');
+  const [hx, hy] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(hx, hy);
+  await page.mouse.down();
+  // The cut faces the camera but for 0.3 rad: its way leads to the left and down.
+  await page.mouse.move(hx - 20, hy + 20, { steps: 4 });
+  await page.mouse.up();
+  await heatwalk.settled();
+  const moved = (await inside(heatwalk)).place;
+  expect(moved).toBeGreaterThan(0.1);
+  await page.keyboard.press('Control+z');
+  expect((await inside(heatwalk)).place).toBeCloseTo(0.04, 6);
+
+  await page.locator('.stage').focus();
+  await page.keyboard.press('.');
+  expect((await inside(heatwalk)).place).toBeCloseTo(0.06, 6);
+  await page.keyboard.press('i');
+  await heatwalk.settled();
+  expect((await inside(heatwalk)).cut).toBe('none');
+  await expect(handle).toBeHidden();
+  expect(isInside((await under()) ?? undefined)).toBe(false);
+});
+
+test('shells, whole tetrahedra and tetrahedra apart are drawn, each another picture', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openCube(heatwalk);
+  const section = page.locator('#section-inside');
+  const drawn = () => heatwalk.drawing(0.3, false);
+  const pictures = [await drawn()];
+  await section.getByRole('switch', { name: 'Whole tetrahedra' }).check();
+  pictures.push(await drawn());
+  await section.getByRole('slider', { name: 'Pull apart' }).fill('0.5');
+  pictures.push(await drawn());
+  await section.getByRole('slider', { name: 'Pull apart' }).fill('0');
+  await section.getByRole('switch', { name: 'Whole tetrahedra' }).uncheck();
+  await section.getByRole('slider', { name: 'Shells' }).fill('0.1');
+  pictures.push(await drawn());
+  await section.getByRole('switch', { name: 'Arrows inside' }).check();
+  pictures.push(await drawn());
+  await section.getByRole('combobox', { name: 'Cut away' }).selectOption('wedge');
+  pictures.push(await drawn());
+  for (const [index, picture] of pictures.entries()) {
+    for (const other of pictures.slice(index + 1)) expect(difference(picture, other)).toBeGreaterThan(0.0005);
+  }
+  await expect(page).toHaveURL(/&cut=wedge&spacing=0.1&arrows=1/);
+});
+
+test('a closed surface is filled, about where it is, and shown again', async ({ heatwalk, page }) => {
+  const ball = sphere(16);
+  await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300');
+  await heatwalk.settled();
+  const before = await heatwalk.pixelOf({ vertex: 40 });
+  await page.locator('#section-inside > summary').click();
+  await expect(page.locator('#section-inside')).toContainText('A closed surface can be filled');
+  await page.locator('#section-inside').getByRole('slider', { name: 'Tetrahedra' }).fill('70');
+  await page.getByRole('button', { name: 'Fill the inside' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).tetrahedra).toBeGreaterThan(0);
+  await heatwalk.settled();
+  const { tetrahedra, volume } = await heatwalk.mesh();
+  expect(Math.abs(tetrahedra / 3200 - 1)).toBeLessThan(0.15);
+  expect(volume).toBeGreaterThan(3.7);
+  expect(volume).toBeLessThan(4.2);
+  const { sources, fill, inside: looked } = await heatwalk.scene();
+  expect(fill).toBe(3200);
+  expect(looked.cut).toBe('plane');
+  const [[x, y], [x0, y0]] = [await heatwalk.pixelOf(sources[0]), before];
+  expect(Math.hypot(x - x0, y - y0)).toBeLessThan(30);
+  await expect(page).toHaveURL(/&fill=3200/);
+  await expect(page.locator('#section-inside')).toContainText('dihedral angles from');
+  await page.getByRole('button', { name: 'Show the surface' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).tetrahedra).toBe(0);
+  await heatwalk.settled();
+  expect((await heatwalk.scene()).fill).toBeNull();
+});
+
+test('what has no inside says so, and the scene stays', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', off(grid(8)), 'method=auto&s=3');
+  await heatwalk.settled();
+  await page.locator('.stage').focus();
+  await page.keyboard.press('i');
+  await expect(page.locator('.message').first()).toContainText('does not enclose a volume: it has a hole of 32 edges');
+  expect((await heatwalk.mesh()).name).toBe('grid.off');
+  expect((await heatwalk.scene()).fill).toBeNull();
+  expect(await heatwalk.distanceAt({ vertex: 3 })).toBe(0);
+
+  for (const [content, sentence] of [
+    [CUBE.slice(0, CUBE.length / 2), 'cube.msh was not opened'],
+    [CUBE.replace(/\$Elements[^]*/, '$Elements\n1\n1 2 0 1 2 9\n$EndElements\n'), 'holds no tetrahedra, but 1 faces'],
+    [CUBE.replace('\n1 4 0 1 2', '\n1 4 0 9999 2'), '9999'],
+    [CUBE.replace('\n1 0 0 0', '\n1 nan 0 0'), 'cube.msh was not opened'],
+  ] as const) {
+    await heatwalk.drop([['cube.msh', content]]);
+    await expect(page.locator('.message', { hasText: sentence }).first()).toBeVisible();
+    expect((await heatwalk.mesh()).name).toBe('grid.off');
+    await page.locator('.message').first().getByRole('button', { name: /close/i }).click();
+  }
+});
+
+test('a crowd walks inside, and all that is wanted comes with a link', async ({ heatwalk, page }) => {
+  await openCube(heatwalk, 'method=auto&cut=none&spacing=0.2&crowd=40');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await expect.poll(async () => (await heatwalk.scene()).crowd).toBe(40);
+  const many = await heatwalk.drawing(0.5, false);
+  await page.locator('#section-display > summary').click();
+  await page.getByRole('slider', { name: 'Crowd' }).fill('0');
+  await heatwalk.settled();
+  expect(difference(many, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.002);
+});
