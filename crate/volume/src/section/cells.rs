@@ -24,14 +24,16 @@ impl Section {
 
     /// The tetrahedra that stay, those whose centroid a cut does not remove, each as four faces and moved away from the middle of the
     /// mesh's bounding box by `gap` times how far its centroid is from there: 0 leaves all in place, 1 makes the mesh twice as wide.
-    /// Their size stays. Three vertices a triangle, with the normal of the triangle, outward: twelve a tetrahedron.
+    /// Their size stays. Three vertices a triangle, with the normal of the triangle, outward: twelve a tetrahedron, and about 1000 bytes.
     ///
     /// [`Section::tetrahedra`] and [`Section::weights`] are of the mesh, where nothing has moved.
     pub fn exploded(mesh: &TetMesh, cut: &Cut, gap: f64) -> Self {
         let mut section = Self::empty(mesh);
         let (low, high) = mesh.bounds();
         let middle = (low + high) / 2.0;
-        for tetrahedron in those_that(&stays(mesh, cut)) {
+        let stays = stays(mesh, cut);
+        section.reserve(4 * stays.iter().filter(|&&stays| stays).count());
+        for tetrahedron in those_that(&stays) {
             let shift = gap * (centroid(mesh, tetrahedron) - middle);
             for corner in 0..4 {
                 section.add_face(mesh, tetrahedron, corner, shift);

@@ -44,6 +44,15 @@ impl Section {
         }
     }
 
+    /// Makes room for so many triangles with vertices of their own.
+    fn reserve(&mut self, triangles: usize) {
+        self.positions.reserve_exact(3 * triangles);
+        self.normals.reserve_exact(3 * triangles);
+        self.triangles.reserve_exact(triangles);
+        self.tetrahedra.reserve_exact(3 * triangles);
+        self.weights.reserve_exact(3 * triangles);
+    }
+
     fn push(&mut self, position: DVec3, normal: DVec3, tetrahedron: TetId, weights: [f64; 4]) {
         self.positions.push(position);
         self.normals.push(normal);
