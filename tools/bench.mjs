@@ -75,7 +75,7 @@ const drags = [];
 for (const preset of DRAGGED) drags.push(await page.drag(preset));
 console.log('\n— Playing an animation');
 const live = await page.live(ANIMATED);
-const firstPicture = await page.firstPicture();
+const firstPicture = { webgpu: await page.firstPicture(), webgl2: await page.firstPicture(false) };
 report();
 await page.close();
 

@@ -74,7 +74,7 @@ export function prepare() {
   requirePackages();
 }
 
-/** Both wasm modules with their bindings, in web/wasm. */
+/** The wasm modules with their bindings, in web/wasm. */
 export function buildModules() {
   cargo(
     'Building the wasm modules (minutes the first time, seconds after)',

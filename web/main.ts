@@ -104,13 +104,15 @@ page.append(
   dialogue.element,
   folders.element,
 );
+/** The first picture is there, or cannot be. */
+const first = Promise.withResolvers<void>();
 let panel: HTMLElement | null = null;
 if (!address.kiosk) {
   const sections = [
     {
       id: 'scene',
       title: 'Scene',
-      element: sceneSection(session, opener, dialogue.choose, folders.choose),
+      element: sceneSection(session, opener, dialogue.choose, folders.choose, first.promise),
       open: true,
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
@@ -155,7 +157,7 @@ async function begin(): Promise<void> {
   hint.hidden = false;
   await new Promise(requestAnimationFrame);
 }
-expose(session, begin(), async () => {
+expose(session, begin().finally(first.resolve), async () => {
   await overlays.settled();
   await crowd.settled();
 });

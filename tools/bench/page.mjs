@@ -13,6 +13,14 @@ const dist = join(root, 'dist');
 const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];
 const UNDRAWN = ['--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const WEBGPU = [
+  ...WEBGL,
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--ignore-gpu-blocklist',
+];
 
 const SILENCE_MS = 300_000;
 
@@ -32,8 +40,7 @@ const MESH = '/bench/mesh.ply';
 export class Page {
   #server;
   #browser;
-  /** What was asked of the server, and what it gives at `MESH`. */
-  #requested = [];
+  /** What the server gives at `MESH`. */
   #mesh = '';
 
   static async open() {
@@ -129,18 +136,25 @@ export class Page {
     }
   }
 
-  /** The files that the page loads until its first picture, with their bytes after brotli. */
-  async firstPicture() {
-    this.#requested = [];
-    return this.#with('/?gpu=webgl', async (tab) => {
-      await tab.evaluate(() => window.heatwalk.ready);
-      const paths = new Set(this.#requested.map((address) => new URL(address, 'http://host').pathname));
-      const files = [...paths]
-        .map((path) => (path === '/' ? '/index.html' : path))
-        .filter((path) => isFile(join(dist, path)));
-      const sizes = files.map((path) => [path, brotli(readFileSync(join(dist, path)))]);
-      return { bytes: sizes.reduce((sum, [, bytes]) => sum + bytes, 0), files: Object.fromEntries(sizes) };
+  /** The files that the page loads until its first picture, with their bytes after brotli; by a browser with WebGPU, or without. */
+  async firstPicture(hasWebGpu = true) {
+    const args = [...ALWAYS, ...(hasWebGpu ? WEBGPU : WEBGL)];
+    const browser = await chromium.launch({
+      executablePath: requireChromium(),
+      args,
+      ignoreDefaultArgs: ['--disable-gpu'],
     });
+    try {
+      const tab = await browser.newPage();
+      await tab.goto(this.#server.resolvedUrls.local[0]);
+      const { backend, addresses } = await tab.evaluate(untilReady);
+      if (backend !== (hasWebGpu ? 'WebGPU' : 'WebGL2')) throw new Error(`The page draws with ${backend}.`);
+      const paths = addresses.map((address) => new URL(address).pathname).filter((path) => isFile(join(dist, path)));
+      const sizes = ['/index.html', ...paths].map((path) => [path, brotli(readFileSync(join(dist, path)))]);
+      return { bytes: sizes.reduce((sum, [, bytes]) => sum + bytes, 0), files: Object.fromEntries(sizes) };
+    } finally {
+      await browser.close();
+    }
   }
 
   async #with(address, work) {
@@ -161,7 +175,6 @@ export class Page {
       name: 'bench',
       configurePreviewServer: ({ middlewares }) => {
         middlewares.use((request, response, next) => {
-          this.#requested.push(request.url);
           if (request.url === BLANK) response.setHeader('content-type', 'text/html').end('<!doctype html>');
           else if (request.url === MESH) createReadStream(this.#mesh).pipe(response);
           else next();
@@ -191,6 +204,13 @@ function brotli(bytes) {
 }
 
 // What follows runs in the browser.
+
+/** By the page's own clock: what comes after the first picture is on its way a moment later. */
+async function untilReady() {
+  await window.heatwalk.ready;
+  const addresses = performance.getEntriesByType('resource').map(({ name }) => name);
+  return { backend: window.heatwalk.backend, addresses };
+}
 
 async function measureWorker({ worker, module, mesh, parameters, windows, sources }) {
   const { Comlink } = window;

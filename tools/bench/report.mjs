@@ -43,15 +43,23 @@ export function markdown({ machine, date, commit, versions, meshes, drags, first
     '',
     '### Bytes to the first picture, after brotli',
     '',
-    ...table(
-      ['file', 'bytes'],
-      Object.entries(firstPicture.files).map(([path, bytes]) => [path, String(bytes)]),
-    ),
+    ...bytesTable(firstPicture),
     ...failures(meshes),
     '',
   ]
     .filter((line) => line !== null)
     .join('\n');
+}
+
+/** The bytes of each file that the page loads until its first picture, with WebGPU and with WebGL2. */
+export function bytesTable({ webgpu, webgl2 }) {
+  const files = Object.keys({ ...webgpu.files, ...webgl2.files });
+  const rows = files.map((file) => [file, bytes(webgpu.files[file]), bytes(webgl2.files[file])]);
+  return table(['file', 'WebGPU', 'WebGL2'], [...rows, ['all', bytes(webgpu.bytes), bytes(webgl2.bytes)]]);
+}
+
+function bytes(count) {
+  return count === undefined ? MISSING : count.toLocaleString('en');
 }
 
 function timesTable(meshes) {

@@ -132,7 +132,8 @@ async function bytes({ tree, page }) {
   const figures = { 'first picture, brotli': first };
   for (const [kind, pattern] of [
     ['solver.wasm', /worker.*\.wasm$/],
-    ['viewer.wasm', /viewer.*\.wasm$/],
+    ['viewer.wasm, WebGPU', /viewer(_webgpu)?_bg.*\.wasm$/],
+    ['viewer.wasm, WebGL2', /viewer(_webgl2)?_bg.*\.wasm$/],
     ['all JavaScript', /\.js$/],
     ['all CSS', /\.css$/],
   ]) {

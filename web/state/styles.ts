@@ -7,7 +7,7 @@ import {
   interpolateViridis,
   interpolateYlGnBu,
 } from 'd3-scale-chromatic';
-import type { StripeBlend, Surroundings } from '../wasm/viewer/heatwalk_viewer';
+import type { StripeBlend, Surroundings } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu';
 
 /** 0 to 1 to a CSS colour, `#rrggbb` or `rgb(r, g, b)`. */
 type Interpolator = (t: number) => string;

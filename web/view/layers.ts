@@ -1,6 +1,6 @@
 /** What a picture is made of, and the order in which the renderer needs it. */
 import type { Appearance, DistanceField, InnerView } from '../protocol';
-import type { Viewer } from '../wasm/viewer/heatwalk_viewer.js';
+import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
 export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance' | 'byCorner'>;

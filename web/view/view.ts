@@ -20,9 +20,9 @@ import {
   type ShownField,
   THIN,
 } from './layers';
+import { type Build, hasWebGpu, WEBGL2, WEBGPU } from './builds';
 import { Traps } from './traps';
-import init, { Viewer, __wbg_reset_state as resetInstance } from '../wasm/viewer/heatwalk_viewer.js';
-import wasmAddress from '../wasm/viewer/heatwalk_viewer_bg.wasm?url';
+import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 export interface PointHit {
   point: MeshPoint;
@@ -51,7 +51,8 @@ const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
 export class View {
   readonly stage: HTMLElement;
-  readonly #forceWebgl: boolean;
+  /** Asked for, or because WebGPU failed repeatedly. */
+  #forceWebgl: boolean;
   readonly #traps = new Traps();
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
@@ -65,7 +66,6 @@ export class View {
   /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
   #size: [width: number, height: number] = [1, 1];
   #insets: Insets = NO_INSETS;
-  #ready: Promise<unknown> | null = null;
   /** When the renderer failed last. */
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
@@ -87,25 +87,12 @@ export class View {
     }
   }
 
-  /**
-   * Makes a renderer on a fresh canvas, since a canvas whose context was lost gives no other, and in a fresh instance of
-   * the module, since one that trapped cannot be called again.
-   */
+  /** Makes a renderer: on WebGPU where the browser has it and it works, else on WebGL2. */
   async start(): Promise<void> {
     this.#viewer = null;
     this.backend.value = null;
     try {
-      if (this.#ready) {
-        await this.#ready;
-        resetInstance();
-      } else {
-        this.#ready = init({ module_or_path: wasmAddress });
-        await this.#ready;
-      }
-      const fresh = this.#freshCanvas();
-      this.#canvas.replaceWith(fresh);
-      this.#canvas = fresh;
-      const viewer = await this.#traps.during(Viewer.create(fresh, this.#forceWebgl));
+      const viewer = await this.#open();
       this.#fit(viewer);
       if (!this.#replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
@@ -117,6 +104,29 @@ export class View {
     } catch (error) {
       this.trouble.value = error instanceof Error ? error.message : String(error);
     }
+  }
+
+  async #open(): Promise<Viewer> {
+    if (!this.#forceWebgl && (await hasWebGpu())) {
+      try {
+        return await this.#create(WEBGPU);
+      } catch {
+        // WebGL2 may work all the same. If not, its error is told.
+      }
+    }
+    return this.#create(WEBGL2);
+  }
+
+  /**
+   * A renderer on a fresh canvas, since a canvas whose context was lost gives no other, and in a fresh instance of the
+   * module, since one that trapped cannot be called again.
+   */
+  async #create(build: Build): Promise<Viewer> {
+    const Viewer = await build.fresh();
+    const fresh = this.#freshCanvas();
+    this.#canvas.replaceWith(fresh);
+    this.#canvas = fresh;
+    return this.#traps.during(Viewer.create(fresh));
   }
 
   /** Shows everything again. What the renderer refuses is left out from now on. False: the instance trapped on it. */
@@ -141,15 +151,30 @@ export class View {
     } catch (cause) {
       const error = asError(cause);
       if (!isUnusable(error)) throw error;
-      this.#viewer = null;
-      this.backend.value = null;
-      const now = performance.now();
-      const relapsed = now - this.#failed < RELAPSE_MS;
-      this.#failed = now;
-      if (relapsed) this.trouble.value = `The renderer failed repeatedly: ${error.message}`;
-      else void this.start();
+      if (this.#recovers()) void this.start();
+      else this.#giveUp(`The renderer failed repeatedly: ${error.message}`);
       throw new Error('The renderer failed and was restarted; the scene is unchanged.', { cause });
     }
+  }
+
+  /**
+   * Notes that the renderer failed. Whether another one may do better: not where it failed a short while before, unless
+   * that was on WebGPU, which is given up then.
+   */
+  #recovers(): boolean {
+    const now = performance.now();
+    const relapsed = now - this.#failed < RELAPSE_MS;
+    this.#failed = now;
+    if (!relapsed) return true;
+    if (this.#forceWebgl || this.backend.value !== 'WebGPU') return false;
+    this.#forceWebgl = true;
+    return true;
+  }
+
+  #giveUp(trouble: string): void {
+    this.#viewer = null;
+    this.backend.value = null;
+    this.trouble.value = trouble;
   }
 
   setBackground(top: string, bottom: string): void {
@@ -455,7 +480,11 @@ export class View {
       if (isWell) this.#camera = viewer.camera();
       return isWell;
     });
-    if (drawn === false) void this.start();
+    // A context is lost for reasons of the browser, so that another one is always asked for.
+    if (drawn === false) {
+      this.#recovers();
+      void this.start();
+    }
     return typeof drawn === 'boolean';
   }
 

@@ -18,32 +18,30 @@ pub(crate) enum NextFrame {
 }
 
 impl Canvas {
-    /// Opens a device for a canvas of so many physical pixels: WebGPU where it really gives a device, else WebGL2.
+    /// Opens a device of [`Backend::CANVAS`] for a canvas of so many physical pixels. A canvas that once gave a context
+    /// of one kind never gives one of another.
     ///
     /// # Errors
-    /// When neither backend works; the sentence says which step failed.
+    /// When there is no such device; the sentence says which step failed.
     pub async fn open(
         target: wgpu::SurfaceTarget<'static>,
         (width, height): (u32, u32),
-        force_webgl: bool,
     ) -> Result<(Context, Self), Error> {
-        let webgpu = if force_webgl { None } else { open_webgpu().await };
-        let (backend, surface, adapter, device, queue) = match webgpu {
-            Some((instance, adapter, device, queue)) => {
-                let surface =
-                    instance.create_surface(target).map_err(|error| Error::NoCanvas { reason: error.to_string() })?;
-                (Backend::WebGpu, surface, adapter, device, queue)
-            }
-            None => {
-                let instance = instance(wgpu::Backends::GL);
-                // Without a WebGL2 context for the canvas there is no adapter to ask for.
-                let surface =
-                    instance.create_surface(target).map_err(|error| Error::NoAdapter { reason: error.to_string() })?;
-                let adapter = request_adapter(&instance, &fastest(Some(&surface))).await?;
-                let (device, queue) = request_device(&adapter).await?;
-                (Backend::WebGl2, surface, adapter, device, queue)
-            }
+        let backend = Backend::CANVAS;
+        let instance = instance(match backend {
+            Backend::WebGpu => wgpu::Backends::BROWSER_WEBGPU,
+            Backend::WebGl2 | Backend::Vulkan => wgpu::Backends::GL,
+        });
+        // Without a context for the canvas there is no adapter to ask for.
+        let surface =
+            instance.create_surface(target).map_err(|error| Error::NoAdapter { reason: error.to_string() })?;
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            compatible_surface: Some(&surface),
+            ..Default::default()
         };
+        let adapter = request_adapter(&instance, &options).await?;
+        let (device, queue) = request_device(&adapter).await?;
         let limit = device.limits().max_texture_dimension_2d;
         let mut configuration = surface
             .get_default_config(&adapter, width.clamp(1, limit), height.clamp(1, limit))
@@ -102,24 +100,4 @@ impl Canvas {
         context.queue.submit([encoder.finish()]);
         context.queue.present(frame);
     }
-}
-
-fn fastest<'a>(compatible_surface: Option<&'a wgpu::Surface<'a>>) -> wgpu::RequestAdapterOptions<'a, 'a> {
-    wgpu::RequestAdapterOptions {
-        power_preference: wgpu::PowerPreference::HighPerformance,
-        compatible_surface,
-        ..Default::default()
-    }
-}
-
-/// A WebGPU device, or None where the browser has none that works. Asks before the canvas is touched: a canvas that
-/// once gave a WebGPU context never gives a WebGL2 one.
-async fn open_webgpu() -> Option<(wgpu::Instance, wgpu::Adapter, wgpu::Device, wgpu::Queue)> {
-    if !wgpu::util::is_browser_webgpu_supported().await {
-        return None;
-    }
-    let instance = instance(wgpu::Backends::BROWSER_WEBGPU);
-    let adapter = request_adapter(&instance, &fastest(None)).await.ok()?;
-    let (device, queue) = request_device(&adapter).await.ok()?;
-    Some((instance, adapter, device, queue))
 }

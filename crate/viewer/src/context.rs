@@ -20,6 +20,10 @@ pub enum Backend {
 }
 
 impl Backend {
+    /// What a canvas is drawn on: WebGPU with the feature `webgpu`, else WebGL2. A build has one of the two, because each
+    /// brings much code along.
+    pub const CANVAS: Self = if cfg!(feature = "webgpu") { Self::WebGpu } else { Self::WebGl2 };
+
     /// The name as people write it.
     #[must_use]
     pub fn name(self) -> &'static str {

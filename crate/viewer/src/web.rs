@@ -27,15 +27,15 @@ pub struct Viewer {
 
 #[wasm_bindgen]
 impl Viewer {
-    /// Opens WebGPU where it works, else WebGL2, and builds the pipelines.
+    /// Opens the graphics interface of this build for a canvas that has no context yet, and builds the pipelines.
     ///
     /// # Errors
-    /// Rejects with a plain sentence when neither works.
-    pub async fn create(canvas: HtmlCanvasElement, force_webgl: bool) -> Result<Viewer, JsError> {
+    /// Rejects with a plain sentence when it does not work.
+    pub async fn create(canvas: HtmlCanvasElement) -> Result<Viewer, JsError> {
         console_error_panic_hook::set_once();
         let (width, height) = (canvas.width(), canvas.height());
         let target = wgpu::SurfaceTarget::Canvas(canvas.clone());
-        let (context, drawable) = Canvas::open(target, (width, height), force_webgl).await?;
+        let (context, drawable) = Canvas::open(target, (width, height)).await?;
         let renderer = Renderer::new(context, Some(drawable))?;
         let webgl = match renderer.backend() {
             // Asking again for the kind of context a canvas already has returns that context.

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use crate::modules::{BASIS, INTERIOR, SOLVER, VIEWER};
+use crate::modules::{BASIS, INTERIOR, SOLVER, VIEWER_WEBGL2, VIEWER_WEBGPU};
 use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
@@ -25,16 +25,17 @@ fn main() -> Result<()> {
         ["wasm"] => {
             let toolchain = Toolchain::find()?;
             contract::write(workspace())?;
-            modules::build(&SOLVER, &toolchain)?;
-            modules::build(&VIEWER, &toolchain)?;
-            modules::build(&INTERIOR, &toolchain)?;
-            modules::build(&BASIS, &toolchain)
+            modules::build_all(&toolchain)
         }
         ["wasm", "solver"] => {
             contract::write(workspace())?;
             modules::build(&SOLVER, &Toolchain::find()?)
         }
-        ["wasm", "viewer"] => modules::build(&VIEWER, &Toolchain::find()?),
+        ["wasm", "viewer"] => {
+            let toolchain = Toolchain::find()?;
+            modules::build(&VIEWER_WEBGPU, &toolchain)?;
+            modules::build(&VIEWER_WEBGL2, &toolchain)
+        }
         ["wasm", "interior"] => modules::build(&INTERIOR, &Toolchain::find()?),
         ["wasm", "basis"] => modules::build(&BASIS, &Toolchain::find()?),
         ["contract"] => contract::write(workspace()),

@@ -14,10 +14,12 @@ use crate::workspace::workspace;
 pub struct Module {
     name: &'static str,
     package: &'static str,
+    features: &'static [&'static str],
+    /// What the files of the module and its bindings are called.
     file: &'static str,
     /// Compiler flags.
     flags: &'static [&'static str],
-    /// The target folder, one for modules of the same flags: others would be compiled again each time.
+    /// The target folder: one for packages that are compiled alike.
     folder: &'static str,
     /// The profile of Cargo.toml that it is compiled with.
     profile: &'static str,
@@ -29,6 +31,7 @@ pub struct Module {
 pub const SOLVER: Module = Module {
     name: "solver",
     package: "heatwalk-worker",
+    features: &[],
     file: "heatwalk_worker",
     flags: &["-Ctarget-feature=+simd128"],
     folder: "wasm-solver",
@@ -36,21 +39,32 @@ pub const SOLVER: Module = Module {
     is_restartable: false,
 };
 
-/// The viewer: its arithmetic is the GPU's.
-pub const VIEWER: Module = Module {
-    name: "viewer",
+/// The viewer on WebGPU: its arithmetic is the GPU's.
+pub const VIEWER_WEBGPU: Module = Module {
+    name: "viewer-webgpu",
     package: "heatwalk-viewer",
-    file: "heatwalk_viewer",
+    features: &["webgpu"],
+    file: "heatwalk_viewer_webgpu",
     flags: &[],
-    folder: "wasm-viewer",
+    folder: "wasm-viewer-webgpu",
     profile: "viewer",
     is_restartable: true,
+};
+
+/// The same on WebGL2, for browsers without WebGPU. It checks and translates shaders itself, which takes most of its bytes.
+pub const VIEWER_WEBGL2: Module = Module {
+    name: "viewer-webgl2",
+    features: &["webgl2"],
+    file: "heatwalk_viewer_webgl2",
+    folder: "wasm-viewer-webgl2",
+    ..VIEWER_WEBGPU
 };
 
 /// The decoder of Basis Universal images, which the worker loads where one occurs.
 pub const BASIS: Module = Module {
     name: "basis",
     package: "heatwalk-basis",
+    features: &[],
     file: "heatwalk_basis",
     flags: &[],
     folder: "wasm-basis",
@@ -62,6 +76,7 @@ pub const BASIS: Module = Module {
 pub const INTERIOR: Module = Module {
     name: "interior",
     package: "heatwalk-interior",
+    features: &[],
     file: "heatwalk_interior",
     flags: SOLVER.flags,
     folder: SOLVER.folder,
@@ -78,6 +93,12 @@ impl Module {
         workspace().join("target").join(self.folder)
     }
 
+    /// Cargo's arguments for the package and its features.
+    fn chosen(&self) -> Vec<&'static str> {
+        let features = self.features.iter().flat_map(|feature| ["--features", feature]);
+        ["--package", self.package].into_iter().chain(features).collect()
+    }
+
     /// `cargo COMMAND` with the module's flags and `more` of them.
     fn cargo(&self, toolchain: &Toolchain, command: &str, more: &[&str]) -> Command {
         let flags: Vec<String> = self.flags.iter().chain(more).map(ToString::to_string).chain(shortened()).collect();
@@ -88,11 +109,22 @@ impl Module {
     }
 }
 
+/// Builds all modules: two beside each other, since a module is linked as a whole, which takes long and one core.
+pub fn build_all(toolchain: &Toolchain) -> Result<()> {
+    let in_turn = |modules: &[&Module]| modules.iter().try_for_each(|module| build(module, toolchain));
+    std::thread::scope(|scope| {
+        let viewers = scope.spawn(|| in_turn(&[&VIEWER_WEBGL2, &VIEWER_WEBGPU]));
+        let others = in_turn(&[&SOLVER, &INTERIOR, &BASIS]);
+        viewers.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)).and(others)
+    })
+}
+
 /// Compiles a module and writes its bindings to `web/wasm/NAME`.
 pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
     eprintln!("Compiling the {} for wasm32.", module.name);
-    run(module.cargo(toolchain, "build", &[]).args(["--profile", module.profile, "--package", module.package]))?;
-    let compiled = module.target_folder().join(TARGET).join(module.profile).join(format!("{}.wasm", module.file));
+    run(module.cargo(toolchain, "build", &[]).args(["--profile", module.profile]).args(module.chosen()))?;
+    let compiled = format!("{}.wasm", module.package.replace('-', "_"));
+    let compiled = module.target_folder().join(TARGET).join(module.profile).join(compiled);
     let folder = workspace().join("web/wasm").join(module.name);
     let bound = folder.join(format!("{}_bg.wasm", module.file));
     if modified(&bound).is_some_and(|bound| modified(&compiled).is_some_and(|compiled| compiled < bound)) {
@@ -102,6 +134,7 @@ pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
         .input_path(&compiled)
         .web(true)?
         .typescript(true)
+        .out_name(module.file)
         .reset_state_function(module.is_restartable)
         .remove_name_section(true)
         .remove_producers_section(true)
@@ -125,14 +158,11 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
-    for module in [&SOLVER, &VIEWER, &INTERIOR, &BASIS] {
+    // Both builds of the viewer are of the same code.
+    for module in [&SOLVER, &VIEWER_WEBGPU, &INTERIOR, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
-        run(module.cargo(toolchain, "clippy", &["-Dwarnings"]).args([
-            "--profile",
-            module.profile,
-            "--package",
-            module.package,
-        ]))?;
+        let mut cargo = module.cargo(toolchain, "clippy", &["-Dwarnings"]);
+        run(cargo.args(["--profile", module.profile]).args(module.chosen()))?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Result, bail};
 
-/// The target of both wasm modules.
+/// The target of the wasm modules.
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Debian's compiler, its source of the standard library, and what they need to build it.

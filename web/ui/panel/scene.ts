@@ -13,26 +13,29 @@ const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
   import: 'default',
 });
 
-function thumbnail(id: string): HTMLElement | null {
+/** The thumbnail of a preset, if it has one; fetched after the first picture, of whose bytes all of them were a tenth. */
+function thumbnail(id: string, drawn: Promise<void>): HTMLElement | null {
   const address = THUMBNAILS[`../../thumbnails/${id}.webp`];
-  return address
-    ? h('img', { src: address, alt: '', width: 84, height: 63, loading: 'lazy', draggable: 'false' })
-    : null;
+  if (!address) return null;
+  const image = h('img', { alt: '', width: 84, height: 63, loading: 'lazy', draggable: 'false' });
+  void drawn.then(() => image.setAttribute('src', address));
+  return image;
 }
 
-/** Gallery of presets, the buttons for files and folders, and the parts of the file. */
+/** Gallery of presets, the buttons for files and folders, and the parts of the file. `drawn`: the first picture. */
 export function sceneSection(
   session: Session,
   opener: Opener,
   chooseFile: () => void,
   chooseFolder: (() => void) | null,
+  drawn: Promise<void>,
 ): HTMLElement {
   const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
   const buttons = PRESETS.map((preset) => {
     const button = h(
       'button',
       { class: 'card', title: `${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
-      thumbnail(preset.id),
+      thumbnail(preset.id, drawn),
       h('span', {}, preset.title),
     );
     gallery.append(button);

@@ -1,0 +1,88 @@
+/** Which build of the renderer a browser fetches, what it falls back to, and the bytes until the first picture. */
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { brotliCompressSync, constants } from 'node:zlib';
+import type { Page } from '@playwright/test';
+import { expect, type HeatwalkPage, test } from '../page';
+
+/** Bytes of all files until the first picture, each after brotli. */
+const BARS = { WebGPU: 0.95e6, WebGL2: 1.45e6 };
+
+const RENDERER = /heatwalk_viewer_(webgpu|webgl2)_bg-[^/]*\.wasm$/;
+
+/** The paths of what the page asks its host for from now on. */
+function requests(page: Page): Set<string> {
+  const paths = new Set<string>();
+  page.on('request', (request) => {
+    const { protocol, pathname } = new URL(request.url());
+    if (protocol === 'http:') paths.add(pathname);
+  });
+  return paths;
+}
+
+/** Of which graphics interfaces the renderer was fetched, in this order. */
+const fetched = (paths: Set<string>) => [...paths].flatMap((path) => RENDERER.exec(path)?.[1] ?? []);
+
+const backend = ({ page }: HeatwalkPage) => page.evaluate(() => window.heatwalk.backend);
+
+test('the first picture takes few bytes, of renderers only the one that the browser can use', async ({
+  heatwalk,
+  page,
+}) => {
+  const paths = requests(page);
+  // Nothing in the address chooses.
+  await page.goto('./');
+  // By the page's own clock: what comes after the first picture is on its way a moment later.
+  const addresses = await page.evaluate(async () => {
+    await window.heatwalk.ready;
+    return performance.getEntriesByType('resource').map(({ name }) => name);
+  });
+  expect(await backend(heatwalk)).toBe(heatwalk.backend);
+  expect(fetched(paths)).toEqual([heatwalk.backend.toLowerCase()]);
+  const assets = addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address));
+  const bytes = ['index.html', ...assets.map((name) => join('assets', name))].map((file) => {
+    const content = readFileSync(join('dist', file));
+    return brotliCompressSync(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
+  });
+  const sum = bytes.reduce((all, each) => all + each, 0);
+  // Everything was seen: page, style, solver, renderer, mesh.
+  expect(sum).toBeGreaterThan(BARS[heatwalk.backend] / 2);
+  expect(sum).toBeLessThan(BARS[heatwalk.backend]);
+});
+
+test('where WebGPU gives no device, the page draws with WebGL2', async ({ heatwalk, page }, info) => {
+  test.skip(info.project.name !== 'webgpu', 'the browser has no WebGPU that could fail');
+  await page.addInitScript(() => {
+    GPUAdapter.prototype.requestDevice = () => Promise.reject(new DOMException('refused', 'OperationError'));
+  });
+  const paths = requests(page);
+  await page.goto('./');
+  await page.evaluate(() => window.heatwalk.ready);
+  expect(await backend(heatwalk)).toBe('WebGL2');
+  expect(fetched(paths)).toEqual(['webgpu', 'webgl2']);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await heatwalk.pixelOnModel();
+});
+
+test('where WebGPU fails again and again, the page draws with WebGL2', async ({ heatwalk, page }, info) => {
+  test.skip(info.project.name !== 'webgpu', 'the browser has no WebGPU that could fail');
+  await heatwalk.open();
+  const camera = await page.evaluate(() => window.heatwalk.camera);
+  await page.evaluate(() => {
+    GPURenderPassEncoder.prototype.drawIndexed = () => {
+      throw new WebAssembly.RuntimeError('unreachable');
+    };
+  });
+  await page.mouse.move(...(await heatwalk.pixelOnModel()));
+  await page.mouse.wheel(0, 1);
+  await expect.poll(() => backend(heatwalk)).toBe('WebGL2');
+  await heatwalk.pixelOnModel();
+  expect((await page.evaluate(() => window.heatwalk.camera))?.[0]).toBeCloseTo(camera?.[0] ?? NaN);
+  // Restarting goes on with what works.
+  const lost = await page.locator('canvas').elementHandle();
+  await page.evaluate(() => {
+    document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+  });
+  await expect.poll(() => lost?.evaluate((canvas) => canvas.isConnected)).toBe(false);
+  await expect.poll(() => backend(heatwalk)).toBe('WebGL2');
+});
