@@ -1,6 +1,6 @@
 //! What lies under the pointer.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 use crate::hierarchy::Hierarchy;
 use crate::ray::{Hit, Ray};
@@ -72,8 +72,21 @@ impl Picker {
 /// to be worth a hierarchy. The indices must be in range.
 #[must_use]
 pub fn cast_at_all(ray: Ray, positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Hit> {
-    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
-    let hits = (0..).zip(triangles).filter_map(|(index, triangle)| meet(ray, index, corners(triangle)));
+    // The ray is a point where it is looked along: most triangles lie on one side of it, which is quickly told.
+    let (right, up) = ray.direction.as_dvec3().any_orthonormal_pair();
+    let seen = |place: &Vec3| {
+        let from_ray = place.as_dvec3() - ray.origin.as_dvec3();
+        DVec2::new(right.dot(from_ray), up.dot(from_ray))
+    };
+    let seen: Vec<DVec2> = positions.iter().map(seen).collect();
+    let surrounds = |corners: [DVec2; 3]| {
+        let [a, b, c] = corners;
+        a.min(b).min(c).max_element() <= 0.0 && a.max(b).max(c).min_element() >= 0.0
+    };
+    let hits = (0..).zip(triangles).filter_map(|(index, triangle)| {
+        let is_near = surrounds(triangle.map(|vertex| seen[vertex as usize]));
+        is_near.then(|| meet(ray, index, triangle.map(|vertex| positions[vertex as usize]))).flatten()
+    });
     hits.min_by(|one, other| one.depth.total_cmp(&other.depth))
 }
 

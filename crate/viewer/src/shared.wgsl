@@ -92,13 +92,17 @@ struct Material {
 // Of places in single precision, in bounding radii: a face in a plane of the cut stays.
 const ROUNDING = 1e-6;
 
-// How far beyond the nearer plane of the cut a place is (w), and the normal of that plane. Not above 0 for what stays, as all
-// does where there is no cut.
-fn beyond(position: vec3f) -> vec4f {
+// How far beyond each plane of the cut a place is. Not above 0 where there is no cut.
+fn beyond_each(position: vec3f) -> vec2f {
     let first = dot(frame.cut[0].xyz, position) - frame.cut[0].w;
     let second = dot(frame.cut[1].xyz, position) - frame.cut[1].w;
-    let nearer = select(vec4f(frame.cut[1].xyz, second), vec4f(frame.cut[0].xyz, first), first < second);
-    return nearer - vec4f(vec3f(0.0), ROUNDING * frame.radius);
+    return vec2f(first, second) - ROUNDING * frame.radius;
+}
+
+// How far beyond the nearer plane a place is (w), above 0 for what is away, and the normal of that plane.
+fn beyond(position: vec3f) -> vec4f {
+    let each = beyond_each(position);
+    return select(vec4f(frame.cut[1].xyz, each.y), vec4f(frame.cut[0].xyz, each.x), each.x < each.y);
 }
 
 // World size of a CSS pixel at a world position.

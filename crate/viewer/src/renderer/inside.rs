@@ -67,8 +67,8 @@ impl Inside {
 
 impl Renderer {
     /// Cuts the surface open by none, one or two planes: a unit normal and the offset along it each, world space. What is
-    /// beyond all of them is neither drawn nor picked, and casts no shadow. A surface in the materials of its file is drawn
-    /// whole.
+    /// beyond all of them is neither drawn nor picked, and casts no shadow; edges and arrows of the surface end there too. A
+    /// surface in the materials of its file is drawn whole.
     ///
     /// # Errors
     /// When there are more planes, or a number is not finite; the cut then stays as it is.

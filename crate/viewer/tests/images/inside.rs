@@ -332,6 +332,29 @@ pub fn what_is_cut_away_casts_no_shadow(device: &Context) -> Result<(), Failed> 
     Ok(())
 }
 
+/// Whole segments, and parts of those that cross a plane: the same as if they had been cut before.
+pub fn edges_are_cut_as_the_surface_is(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| show_ball(renderer, LINES))?;
+    let red = Vec3::new(0.9, 0.1, 0.1);
+    let mut drawn = |planes: &[Vec4], edges: &[[Vec3; 2]]| {
+        renderer.set_cut(planes)?;
+        renderer.set_section(None, true)?;
+        renderer.clear_edges();
+        renderer.add_edges(edges, red, 3.0)?;
+        picture(&mut renderer)
+    };
+    let across = |y: f32| [Vec3::new(-1.0, y, 0.0), Vec3::new(1.0, y, 0.0)];
+    let from = |start: f32, y: f32, end: f32| [Vec3::new(start, y, 0.0), Vec3::new(end, y, 0.0)];
+    let nothing = drawn(&[], &[])?;
+    let half = drawn(&[Vec3::X.extend(0.25)], &[across(0.5), across(-0.5), from(0.5, 0.0, 0.9)])?;
+    assert!(half.difference(&nothing).pixels > 100);
+    let cut_before = [from(-1.0, 0.5, 0.25), from(-1.0, -0.5, 0.25)];
+    assert_eq!(half.difference(&drawn(&[], &cut_before)?).pixels, 0);
+    let wedge = drawn(&[Vec3::X.extend(0.25), Vec3::Y.extend(0.0)], &[across(0.5), across(-0.5)])?;
+    assert_eq!(wedge.difference(&drawn(&[], &[from(-1.0, 0.5, 0.25), across(-0.5)])?).pixels, 0);
+    Ok(())
+}
+
 /// Neither where it is cut away nor where it is hidden.
 pub fn arrows_of_the_surface_go_with_it(device: &Context) -> Result<(), Failed> {
     let mut renderer = shown(device, |renderer| show_ball(renderer, LINES))?;

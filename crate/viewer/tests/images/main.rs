@@ -37,7 +37,7 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 12] = [
+    let others: [(_, Test); 13] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
         ("a_leaning_normal_map_leans_the_surface", materials::a_leaning_normal_map_leans_the_surface),
@@ -48,6 +48,7 @@ fn main() -> ExitCode {
         ("what_was_inside_goes", inside::what_was_inside_goes),
         ("a_section_follows_the_field", inside::a_section_follows_the_field),
         ("refused_insides_leave_the_picture_as_it_is", inside::refused_insides_leave_the_picture_as_it_is),
+        ("edges_are_cut_as_the_surface_is", inside::edges_are_cut_as_the_surface_is),
         ("arrows_of_the_surface_go_with_it", inside::arrows_of_the_surface_go_with_it),
         ("what_is_cut_away_casts_no_shadow", inside::what_is_cut_away_casts_no_shadow),
     ];
