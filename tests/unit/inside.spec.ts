@@ -58,7 +58,9 @@ test('a wedge opens by its angle, around where it is turned', () => {
     expect(angle).toBeCloseTo(180 - opening, 5);
     const middle = middleOf(inside, BOX);
     // What is cut away is beyond both.
-    const [within, aside] = [0.1, -0.1].map((step) => middle.map((along, axis) => along + step * directionOf(inside)[axis]));
+    const [within, aside] = [0.1, -0.1].map((step) =>
+      middle.map((along, axis) => along + step * directionOf(inside)[axis]),
+    );
     expect(dot(one, within)).toBeGreaterThan(planes[3]);
     expect(dot(other, within)).toBeGreaterThan(planes[7]);
     expect(dot(one, aside)).toBeLessThan(planes[3]);

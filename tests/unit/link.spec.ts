@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES, WHOLE } from '../../web/state/inside';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
 import {
@@ -59,14 +60,27 @@ test('every change survives the link', () => {
     ...START,
     parts: [0, 2],
     triangles: 250_000,
+    fill: 60_000,
     sources: [
       { vertex: 1203 },
       { face: 88, weights: [0.2, 0.3, 0.5], offset: 0.125 },
       { vertex: 4, offset: 1.5e-7 },
       { vertex: 5, offset: 2e22 },
+      { tetrahedron: 6, weights: [0.125, 0.25, 0.5, 0.125] },
     ],
     walker: { vertex: 5521 },
     up: '-x',
+    inside: {
+      cut: 'wedge',
+      turn: -120,
+      tilt: 12.5,
+      place: -0.25,
+      opening: 60,
+      whole: true,
+      gap: 0.5,
+      spacing: 0.1,
+      arrows: true,
+    },
     method: 'exact',
     windows: 8,
     parameters: {
@@ -106,7 +120,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -126,6 +140,9 @@ const SCENES: readonly Partial<SceneState>[] = [
   ),
   ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
   ...TRIANGLES.map((triangles) => ({ triangles })),
+  ...[...FILLS, null].map((fill) => ({ fill })),
+  ...CUTS.map((cut) => ({ inside: { ...WHOLE, cut } })),
+  ...INSIDE_NUMBERS.flatMap((name) => INSIDE_RANGES[name].map((value) => ({ inside: { ...WHOLE, [name]: value } }))),
   ...LIGHTS.map((lights) => ({ lights })),
   ...METHOD.names.map((method) => ({ method })),
   ...WINDOWS.map((windows) => ({ windows })),

@@ -99,6 +99,28 @@ export const FIGURES = [
     ],
   },
   {
+    name: 'ground',
+    title: 'Ground of different difficulty, and walls',
+    text: 'Distance and paths where mud costs four times as much as grass and a road half; around walls, through a gate.',
+    panels: [
+      ['Mud and a road on hills', 'm=hike'],
+      ['A village with walls', 'm=village'],
+    ],
+  },
+  {
+    name: 'inside',
+    title: 'Inside',
+    text: 'Closed surfaces filled with tetrahedra, cut open: distance through the inside, with shells of equal distance, and tetrahedra pulled apart.',
+    panels: [
+      ['The teapot, filled', 'm=inside'],
+      ['A bent pipe', 'm=pipe'],
+      ['A cave between two spheres', 'm=cave'],
+      ['Shells in the pipe, and a crowd', 'm=pipe&cut=none&spacing=0.08&crowd=80&look=citrus&w=none'],
+      ['Tetrahedra pulled apart', 'm=cave&cut=plane&gap=0.6&w=none'],
+      ['Shells before the cut', 'm=cave&cut=plane&turn=25&spacing=0.1&look=jade'],
+    ],
+  },
+  {
     name: 'looking-closer',
     title: 'Other displays',
     text: 'Error, edges of the operator, and emission.',
