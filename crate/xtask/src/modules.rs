@@ -158,11 +158,12 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
+    let (flags, last) = toolchain.deny_warnings();
     // Both builds of the viewer are of the same code.
     for module in [&SOLVER, &VIEWER_WEBGPU, &INTERIOR, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
-        let mut cargo = module.cargo(toolchain, "clippy", &["-Dwarnings"]);
-        run(cargo.args(["--profile", module.profile]).args(module.chosen()))?;
+        let mut cargo = module.cargo(toolchain, "clippy", flags);
+        run(cargo.args(["--profile", module.profile]).args(module.chosen()).args(last))?;
     }
     Ok(())
 }

@@ -65,6 +65,15 @@ impl Toolchain {
         cargo.args(["--target", TARGET]);
         cargo
     }
+
+    /// What makes an error of each warning of `clippy`: compiler flags, and its last arguments. Arguments where it takes
+    /// them: with other flags than a build it runs build scripts anew, and the next build compiles again what needs them.
+    pub fn deny_warnings(&self) -> (&'static [&'static str], &'static [&'static str]) {
+        match self {
+            Self::Installed => (&[], &["--", "-Dwarnings"]),
+            Self::BuildStd => (&["-Dwarnings"], &[]),
+        }
+    }
 }
 
 fn target_is_installed() -> bool {
