@@ -9,6 +9,7 @@ import {
   SPEEDS,
   STILL,
   TRIANGLES,
+  UNITS,
 } from '../../web/state/scene';
 import {
   AUTOMATIC,
@@ -67,6 +68,7 @@ test('every change survives the link', () => {
     ],
     walker: { vertex: 5521 },
     up: '-x',
+    unit: 'mm',
     method: 'exact',
     windows: 8,
     parameters: {
@@ -106,7 +108,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22&w=5521&up=-x&unit=mm&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -125,6 +127,7 @@ const SCENES: readonly Partial<SceneState>[] = [
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
   ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
+  ...UNITS.map((unit) => ({ unit })),
   ...TRIANGLES.map((triangles) => ({ triangles })),
   ...LIGHTS.map((lights) => ({ lights })),
   ...METHOD.names.map((method) => ({ method })),

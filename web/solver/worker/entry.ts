@@ -119,7 +119,7 @@ const api: SolverApi = {
     const scenery = sceneries.map(({ part, scenery: drawn }) => ({ part, mesh: plain(drawn.take_mesh()) }));
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
     const clips = file.clips().map(plain);
-    const [missing, unit] = [file.missing(), file.unit()];
+    const [missing, unit, unitAssumed] = [file.missing(), file.unit(), file.is_unit_assumed()];
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -137,6 +137,7 @@ const api: SolverApi = {
       clips,
       missing,
       unit,
+      unitAssumed,
       inputVertices: drawing.input_vertices(),
       drawTransform: drawTransformOf(surface, up),
       upright,
