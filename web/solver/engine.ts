@@ -15,7 +15,7 @@ import type {
   TracedPath,
   PathRequest,
 } from '../protocol';
-import { type Bridge, CROWD_HEIGHT, type Windows } from '../state/scene';
+import { type Bridge, CROWD_HEIGHT, mayBeJoined, type Windows } from '../state/scene';
 import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
 import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
@@ -262,7 +262,7 @@ export class Engine {
       this.#held = null;
     }
     const { bridge, links } = question;
-    if (this.opened.report.components > 1 && (bridge !== this.#bridge || links !== this.#links)) {
+    if (mayBeJoined(this.opened.report) && (bridge !== this.#bridge || links !== this.#links)) {
       this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
       this.#bridge = bridge;
       this.#links = links;

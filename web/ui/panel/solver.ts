@@ -1,5 +1,5 @@
 import type { Session } from '../../session/session';
-import type { Bridge } from '../../state/scene';
+import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -139,7 +139,8 @@ export function solverSection(session: Session): HTMLElement {
     refine.element.hidden = !(isByHeat || state.method === 'auto');
     refine.show(state.refine);
     path.show(state.pathKind);
-    bridge.element.hidden = (session.shown.value?.opened.report.components ?? 1) < 2;
+    const report = session.shown.value?.opened.report;
+    bridge.element.hidden = !report || !mayBeJoined(report);
     bridge.show(state.bridge);
     const factoring = session.shown.value?.answer.factoring;
     linked.textContent = factoring ? linksSentence(factoring) : null;

@@ -63,7 +63,7 @@ pub fn longest_side([p, q, r]: &Triangle) -> f64 {
 
 /// Weights of a point on the side from corner `k` to the next.
 #[inline]
-fn on_side(k: usize, share: f64) -> [f64; 3] {
+pub fn on_side(k: usize, share: f64) -> [f64; 3] {
     let mut weights = [0.0; 3];
     weights[k] = 1.0 - share;
     weights[(k + 1) % 3] = share;
@@ -78,7 +78,7 @@ fn side(triangle: &Triangle, k: usize) -> [DVec3; 2] {
 
 /// The share of the way along a segment of positive length where it is nearest to a point.
 #[inline]
-fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
+pub fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
     let along = end - start;
     ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0)
 }
