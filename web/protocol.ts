@@ -190,8 +190,10 @@ export interface OpenedMesh {
   lights: Float32Array;
   /** Null for a mesh as it is in the file. */
   simplified: Simplified | null;
-  /** The symbol of the unit of lengths, `mm`; empty where the format of the file does not say. */
+  /** The symbol of the unit of lengths, `mm`; empty where there is none. */
   unit: string;
+  /** Whether only the size of the file suggests that unit. */
+  unitAssumed: boolean;
   /** What the file refers to that was not given, as the file calls it. */
   missing: string[];
   /** Images that the browser cannot decode, as the file calls them. */

@@ -124,6 +124,27 @@ test('a 3MF file is a mesh, though it is an archive, and tells its unit', async 
   await expect(page.locator('.numbers')).toContainText(/Diameter[\d.]+ in/);
 });
 
+test('where no format says a unit, the size suggests one, which can be changed and undone', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  const large = { ...BALL, positions: BALL.positions.map((point) => point.map((along) => 50 * along)) };
+  await heatwalk.dropAndOpen([['ball.off', off(large as typeof BALL)]]);
+  await page.locator('#section-numbers > summary').click();
+  const numbers = page.locator('.numbers');
+  await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
+  const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
+  const unit = page.getByRole('combobox', { name: /^Unit/ });
+  await expect(unit.locator('option').first()).toHaveText('automatic (mm, assumed)');
+  await unit.selectOption('in');
+  // It only labels: the number stays.
+  await expect(numbers).toContainText(`${diameter} in`);
+  await expect(page).toHaveURL(/&unit=in/);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(numbers).toContainText(`${diameter} mm (assumed)`);
+});
+
 test('of several meshes of an archive the others are offered', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const archive = zipSync({

@@ -94,7 +94,7 @@ test('in the place of a mesh that does not fit, a simplified model is opened, wh
   await message.getByRole('button', { name: 'Simplify to 13,000 triangles' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe(name);
   const told = page.getByText(
-    /This is a simplified model of 20,448 triangles; it differs by about [\d.]+ units \(0\.\d+ % of the diagonal\)\./,
+    /This is a simplified model of 20,448 triangles; it differs by about [\d.]+ m \(assumed\), 0\.\d+ % of the diagonal\./,
   );
   await expect(page.getByRole('status')).toContainText('This is a simplified model');
   await expect(told.last()).toBeVisible();

@@ -10,6 +10,7 @@ import {
   SPEEDS,
   STILL,
   TRIANGLES,
+  UNITS,
 } from '../../web/state/scene';
 import {
   AUTOMATIC,
@@ -70,6 +71,7 @@ test('every change survives the link', () => {
     ],
     walker: { vertex: 5521 },
     up: '-x',
+    unit: 'mm',
     inside: {
       cut: 'wedge',
       turn: -120,
@@ -120,7 +122,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
       '&way=descent&refine=0',
   );
 });
@@ -139,6 +141,7 @@ const SCENES: readonly Partial<SceneState>[] = [
     values.map((value) => ({ parameters: changed(option, value) })),
   ),
   ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
+  ...UNITS.map((unit) => ({ unit })),
   ...TRIANGLES.map((triangles) => ({ triangles })),
   ...[...FILLS, null].map((fill) => ({ fill })),
   ...CUTS.map((cut) => ({ inside: { ...WHOLE, cut } })),

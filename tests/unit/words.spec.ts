@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import type { DistanceField } from '../../web/protocol';
 import type { Phase } from '../../web/solver/refiner';
-import { errorWords, exactnessWords, fieldSentence, refiningSentence } from '../../web/ui/words';
+import { errorWords, exactnessWords, fieldSentence, measure, refiningSentence } from '../../web/ui/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),
@@ -28,6 +28,12 @@ test('the share of exact vertices is rounded down', () => {
   expect(exactnessWords({ ...PROPAGATED, exactShare: 0.9999 })).toBe('propagation, 99 % exact');
   expect(exactnessWords({ ...FIELD, ...EXACT })).toBe('exact');
   expect(exactnessWords({ ...FIELD, exactShare: 0.009 })).toBe('heat method');
+});
+
+test('a length has its unit, and says where that is assumed', () => {
+  expect(measure(0.12345, { symbol: 'mm', assumed: false })).toBe('0.123 mm');
+  expect(measure(2, { symbol: 'm', assumed: true })).toBe('2 m (assumed)');
+  expect(measure(2, { symbol: '', assumed: false })).toBe('2 units');
 });
 
 test('errors have as many decimals as they need', () => {

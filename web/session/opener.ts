@@ -10,7 +10,7 @@ import { isPainted, LEVEL } from '../state/ground';
 import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
-import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
+import { emptyScene, type LengthUnit, type MeshReference, type SceneState, TRIANGLES, unitOf } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { LoadingListener } from './loading';
@@ -24,7 +24,7 @@ export interface Action {
 
 export interface Voice {
   /** A mesh is shown. */
-  opened(shown: Shown): void;
+  opened(shown: Shown, unit: LengthUnit): void;
   notice(text: string): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
@@ -228,7 +228,7 @@ export class Opener {
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
         this.#voice.notice('The ground of the link is of another mesh and was removed.');
       }
-      this.#voice.opened(shown);
+      this.#voice.opened(shown, unitOf(this.#session.scene.state, shown.opened));
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {

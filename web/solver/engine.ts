@@ -16,7 +16,7 @@ import type {
   TracedPath,
   PathRequest,
 } from '../protocol';
-import { type Bridge, CROWD_HEIGHT, type Windows } from '../state/scene';
+import { type Bridge, CROWD_HEIGHT, mayBeJoined, type Windows } from '../state/scene';
 import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
 import { innerCutOf, type Inside, WHOLE } from '../state/inside';
 import { type Box, boxAround } from '../state/places';
@@ -278,11 +278,7 @@ export class Engine {
       this.#held = null;
     }
     const { bridge, links } = question;
-    if (
-      !this.opened.interior &&
-      this.opened.report.components > 1 &&
-      (bridge !== this.#bridge || links !== this.#links)
-    ) {
+    if (mayBeJoined(this.opened) && (bridge !== this.#bridge || links !== this.#links)) {
       this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
       this.#bridge = bridge;
       this.#links = links;

@@ -41,6 +41,7 @@ import {
   type SceneState,
   SPEEDS,
   TRIANGLES,
+  UNITS,
   type Windows,
   withOffset,
 } from './scene';
@@ -71,6 +72,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('s', encodePoints(state.sources), encodePoints(start.sources));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   add('up', state.up, start.up);
+  add('unit', state.unit, start.unit);
   add('ground', encodeGround(state.ground), encodeGround(start.ground));
   add('slope', flag(state.ground.slope), flag(start.ground.slope));
   add('height', number(state.ground.highest), number(start.ground.highest));
@@ -150,6 +152,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
+  read('unit', automaticOr(oneOf(UNITS)), (unit) => (state.unit = unit));
   const lay = (part: Partial<Ground>) => (state.ground = { ...state.ground, ...part });
   read('ground', decodeGround, lay);
   read('slope', oneOf(['0', '1']), (slope) => lay({ slope: slope === '1' }));

@@ -1,5 +1,5 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
-import type { Parameters, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
+import type { OpenedMesh, Parameters, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
 import {
   AUTOMATIC,
   DEFAULT_PARAMETERS,
@@ -70,6 +70,18 @@ export const LIGHTS = ['style', 'file'] as const;
 /** Triangles that a mesh can be simplified to: from a shape that can be recognised to more than fit. */
 export const TRIANGLES = [100, 100_000_000] as const;
 
+/** Units that lengths can be told in, or none. */
+export const UNITS = ['mm', 'cm', 'm', 'km', 'in', 'ft', 'none'] as const;
+
+/** The unit of the file, or the one that its size suggests; or one of these. It only labels lengths: none is converted. */
+export type UnitChoice = (typeof UNITS)[number] | typeof AUTOMATIC;
+
+/** What lengths are told in: a symbol, or nothing; and whether only the size of the mesh suggests it. */
+export interface LengthUnit {
+  symbol: string;
+  assumed: boolean;
+}
+
 export const LARGEST_CROWD = 10_000;
 
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
@@ -84,6 +96,7 @@ export interface Places {
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
+  unit: UnitChoice;
   /** What it costs to walk where, and walls. */
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
@@ -137,6 +150,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     walker: null,
     links: 0,
     up: 'y',
+    unit: AUTOMATIC,
     ground: LEVEL,
     inside: WHOLE,
     method: 'heat',
@@ -165,6 +179,20 @@ export function isRefined({ method, refine }: Pick<SceneState, 'method' | 'refin
 /** The axis that is to be drawn upward of a mesh that by itself has `upright` there. */
 export function upOf({ up }: Pick<SceneState, 'up'>, upright: Up): Up {
   return up === AUTOMATIC ? upright : up;
+}
+
+/** Whether paths may lead from one component to another, or across a crack between boundaries of one. */
+export function mayBeJoined({ report, interior }: OpenedMesh): boolean {
+  return interior === null && (report.components > 1 || report.boundaryLoops > 0);
+}
+
+/** What the lengths of a mesh are told in. */
+export function unitOf(
+  { unit }: Pick<SceneState, 'unit'>,
+  opened: Pick<OpenedMesh, 'unit' | 'unitAssumed'>,
+): LengthUnit {
+  if (unit === AUTOMATIC) return { symbol: opened.unit, assumed: opened.unitAssumed };
+  return { symbol: unit === 'none' ? '' : unit, assumed: false };
 }
 
 /** The inactive parts that are shown. */
@@ -264,8 +292,8 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up, ground, inside }: SceneState): Places {
-  return { sources, walker, links, up, ground, inside };
+function placesOf({ sources, walker, links, up, unit, ground, inside }: SceneState): Places {
+  return { sources, walker, links, up, unit, ground, inside };
 }
 
 function withValidSelection(state: SceneState): SceneState {

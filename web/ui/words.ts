@@ -1,7 +1,7 @@
 /** Numbers and sentences as the page shows them. */
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
-import type { SceneState } from '../state/scene';
+import type { LengthUnit, SceneState } from '../state/scene';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
@@ -22,13 +22,18 @@ export function length(value: number): string {
 }
 
 /** A length in the unit of the mesh. */
-export function measure(value: number, { unit }: OpenedMesh): string {
-  return `${length(value)} ${unit || 'units'}`;
+export function measure(value: number, unit: LengthUnit): string {
+  return `${length(value)} ${unitWords(unit)}`;
+}
+
+/** A unit, and that it is assumed where it is. */
+export function unitWords({ symbol, assumed }: LengthUnit): string {
+  return `${symbol || 'units'}${assumed ? ' (assumed)' : ''}`;
 }
 
 /** A volume in the unit of the mesh, cubed. */
-export function volume(value: number, { unit }: OpenedMesh): string {
-  return unit ? `${length(value)} ${unit}³` : `${length(value)} cubic units`;
+export function volume(value: number, { symbol, assumed }: LengthUnit): string {
+  return symbol ? `${length(value)} ${symbol}³${assumed ? ' (assumed)' : ''}` : `${length(value)} cubic units`;
 }
 
 export function percent(share: number): string {
@@ -77,7 +82,7 @@ export function sizeWords({ report, interior }: OpenedMesh): string {
 }
 
 /** What was done to the triangles of a file, in one sentence. */
-export function openingSentence(opened: OpenedMesh, factoring: Factoring): string {
+export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): string {
   const { name, report, interior } = opened;
   if (interior) {
     const { tetrahedra, components, remark } = interior.report;
@@ -87,7 +92,7 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring): strin
   const done = repairs(report);
   const components = componentWords(report, factoring);
   const shape = `${components}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
-  const proxy = simplifiedSentence(opened);
+  const proxy = simplifiedSentence(opened, unit);
   const told =
     done.length > 0 && !proxy
       ? `${name}: ${done.join(', ')}; ${shape}.`
@@ -96,10 +101,10 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring): strin
 }
 
 /** That a simplified model is seen, of what, and how far it is off; null for a mesh as it is in its file. */
-export function simplifiedSentence(opened: OpenedMesh): string | null {
+export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): string | null {
   if (!opened.simplified) return null;
   const { triangles, error, diagonal } = opened.simplified;
-  const off = `${measure(error, opened)} (${finePercent(error / diagonal)} of the diagonal)`;
+  const off = `${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal`;
   return `This is a simplified model of ${counted(triangles, 'triangle')}; it differs by about ${off}.`;
 }
 

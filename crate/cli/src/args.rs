@@ -7,7 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, Parser, Subcommand};
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Up, WeldRule};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource, UnitRule, Up, WeldRule};
 
 use crate::ground::Ground;
 use crate::method::{Given, Methods};
@@ -54,6 +54,10 @@ pub struct Mesh {
     /// (auto), or no wider than D
     #[arg(long, value_name = "exact|auto|D", default_value_t, allow_negative_numbers = true)]
     pub weld: WeldRule,
+    /// Unit that lengths are in: as the file says, or else by the size of the model (auto), none, or this one. It is told with
+    /// the lengths and changes none of them
+    #[arg(long, value_name = "auto|none|um|mm|cm|in|ft|m|km", default_value_t)]
+    pub unit: UnitRule,
     /// Threads that build the surface, find contacts and answer --each; all that the machine has if not given
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,

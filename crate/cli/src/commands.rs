@@ -32,7 +32,7 @@ fn info(arguments: &Info) -> Result<String> {
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_unit(&input.soup);
+    report.push_unit(input.unit);
     let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());

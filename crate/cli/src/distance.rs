@@ -36,7 +36,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     let mut report = Report::default();
     let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     report.push_surface(surface.report());
-    report.push_unit(&input.soup);
+    report.push_unit(input.unit);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());

@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{Soup, io};
+use heatwalk::{LengthUnit, Soup, UnitRule, io};
 use heatwalk_shapes as shapes;
 
 use crate::args::Mesh;
@@ -21,25 +21,32 @@ pub struct Input {
     /// The chosen parts in the chosen pose; vertices and triangles on the command line count in it.
     pub soup: Soup,
     pub read_ms: f64,
+    /// Of all of the file.
+    pub unit: LengthUnit,
 }
 
 impl Input {
-    /// A file, or a shape made in code; all of it where no parts are given.
-    pub fn read(path: &Path, parts: &[usize]) -> Result<Self> {
+    /// A file, or a shape made in code; all of it where no parts are given. Of the lengths of a shape, nothing is assumed.
+    pub fn read(path: &Path, parts: &[usize], unit: UnitRule) -> Result<Self> {
         let start = Instant::now();
-        let file = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
+        let shape = path.to_str().and_then(|path| path.strip_prefix(SHAPE));
+        let file = match shape {
             Some(name) => shapes::by_name(name)?,
             None => read_mesh(path)?,
         };
         let read_ms = milliseconds(start);
+        let unit = match (shape, unit) {
+            (Some(_), UnitRule::Automatic) => LengthUnit::default(),
+            _ => LengthUnit::of_file(&file, unit),
+        };
         let all: Vec<usize> = (0..file.parts.len()).collect();
         let soup = file.select(if parts.is_empty() { &all } else { parts })?;
-        Ok(Self { file, soup, read_ms })
+        Ok(Self { file, soup, read_ms, unit })
     }
 
     /// What the arguments of a command name.
     pub fn of(arguments: &Mesh) -> Result<Self> {
-        let input = Self::read(&arguments.mesh, &arguments.parts)?;
+        let input = Self::read(&arguments.mesh, &arguments.parts, arguments.unit)?;
         let Some(name) = &arguments.animation else { return Ok(input) };
         let motion = &input.file.motion;
         let clip = motion.clip_named(name)?;

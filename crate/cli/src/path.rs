@@ -42,7 +42,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_unit(&input.soup);
+    report.push_unit(input.unit);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());

@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use heatwalk::surface::motion::Clip;
-use heatwalk::surface::soup::Unit;
-use heatwalk::{Bridges, BuildReport, Link, Soup, Stage};
+use heatwalk::{Bridges, BuildReport, LengthUnit, Link, Soup, Stage, Unit};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -32,9 +31,10 @@ impl Report {
         self.push("boundary_loops", report.boundary_loops);
     }
 
-    /// Of lengths, where the format says.
-    pub fn push_unit(&mut self, soup: &Soup) {
-        self.push("unit", soup.unit.map(Unit::symbol));
+    /// Of lengths, and whether only the size of the model suggests it.
+    pub fn push_unit(&mut self, LengthUnit { unit, is_assumed }: LengthUnit) {
+        self.push("unit", unit.map(Unit::symbol));
+        self.push("unit_assumed", is_assumed);
     }
 
     /// What joins components: with `links` of them, groups that stay apart otherwise.
@@ -121,7 +121,7 @@ impl Report {
                 }),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
-                Value::Null if name == "unit" => writeln!(text, "{name:<22} unknown"),
+                Value::Null if name == "unit" => writeln!(text, "{name:<22} none"),
                 Value::String(symbol) if name == "unit" => writeln!(text, "{name:<22} {symbol}"),
                 // JSON has no infinity.
                 Value::Null => writeln!(text, "{name:<22} inf"),

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, VertexId, WeldRule,
+    DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, UnitRule, VertexId,
+    WeldRule,
 };
 use serde_json::{Value, json};
 
@@ -63,7 +64,7 @@ fn path_and_parts(mesh: &str) -> (&str, Vec<usize>) {
 
 fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
-    let input = Input::read(Path::new(path), &parts).with_context(|| mesh.to_owned())?;
+    let input = Input::read(Path::new(path), &parts, UnitRule::default()).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input, WeldRule::default(), ONE).with_context(|| mesh.to_owned())?;
     // The first vertex of the file, wherever it is in memory.
     let source = surface.vertex_of_input(InputVertex(0)).unwrap_or(VertexId(0));

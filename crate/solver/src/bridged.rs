@@ -4,6 +4,8 @@
 //! of two vertices as if it were a pipe. Portals are no sources themselves: several of them in one face, each with its own
 //! distance, ask more of three unknowns than these can give, and what is left of the heat method's error between them grows
 //! without limit. The corners of their faces, with the distances that windows give them, are.
+//!
+//! Portals across cracks within a component carry nothing: the heat of sources on both sides of a crack would mix around its ends.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -25,7 +27,7 @@ pub struct CarriedSources {
 }
 
 impl CarriedSources {
-    /// Of sources on the geometry's surface. Without bridges nothing is computed.
+    /// Of sources on the geometry's surface. Without bridges from one component to another nothing is computed.
     ///
     /// # Errors
     /// Those of [`Propagation::new`].
@@ -34,14 +36,16 @@ impl CarriedSources {
         let mut carried =
             sources.iter().map(|source| Ok(source.to_source(surface)?)).collect::<Result<Vec<Source>>>()?;
         let given = carried.len();
-        if geometry.portals().places().is_empty() {
+        let parts = |from: Place, to: Place| from.component(surface) != to.component(surface);
+        if !geometry.portals().places().chunks_exact(2).any(|ends| parts(ends[0], ends[1])) {
             return Ok(Self { sources: carried, given, crossings: Vec::new() });
         }
         let windows = if geometry.costs().is_some() { REFRACTED } else { Windows::default() };
         let options = PropagationOptions { windows, ..PropagationOptions::default() };
         let mut propagation = Propagation::new(Arc::clone(geometry), &carried, options)?;
         propagation.advance(f64::INFINITY, usize::MAX);
-        let Distance { values, crossings, .. } = propagation.distance();
+        let Distance { values, mut crossings, .. } = propagation.distance();
+        crossings.retain(|crossing| parts(crossing.from, crossing.to));
         let faces = crossings.iter().flat_map(|crossing| crossing.from.faces(surface));
         let corners: BTreeSet<VertexId> = faces.flat_map(|face| surface.faces()[face]).collect();
         for corner in corners {

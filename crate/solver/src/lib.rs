@@ -86,8 +86,8 @@ pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
-    InputTriangle, InputVertex, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
-    SurfacePoint, ToPoint, ToSource, VertexData, VertexId, Walls, WeldRule, io,
+    InputTriangle, InputVertex, LengthUnit, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface,
+    SurfaceId, SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, WeldRule, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

@@ -24,6 +24,7 @@ pub mod surface;
 mod touching;
 pub mod triangle;
 pub mod union_find;
+pub mod unit;
 mod weld;
 
 pub use appearance::Appearance;
@@ -41,3 +42,4 @@ pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Attribute, Camera, Light, LightKind, Projection, Soup};
 pub use surface::{BuildReport, Surface, SurfaceId, Walls};
+pub use unit::{LengthUnit, Unit, UnitRule};

@@ -7,6 +7,7 @@ use glam::{DVec3, Vec3};
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
 use crate::motion::{Motion, Pose};
+use crate::unit::Unit;
 
 /// Triangles over shared vertices, in the order of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -96,39 +97,6 @@ pub enum LightKind {
         /// Angle from which on there is none; radians, up to π/2.
         outer: f64,
     },
-}
-
-/// A unit of length.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Unit {
-    /// 10⁻⁶ m.
-    Micrometer,
-    /// 10⁻³ m.
-    #[default]
-    Millimeter,
-    /// 10⁻² m.
-    Centimeter,
-    /// 0.0254 m.
-    Inch,
-    /// 0.3048 m.
-    Foot,
-    /// As in glTF.
-    Meter,
-}
-
-impl Unit {
-    /// What is written after numbers.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Micrometer => "µm",
-            Self::Millimeter => "mm",
-            Self::Centimeter => "cm",
-            Self::Inch => "in",
-            Self::Foot => "ft",
-            Self::Meter => "m",
-        }
-    }
 }
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, an object of a 3MF file, a whole OFF, PLY or STL file.

@@ -8,7 +8,7 @@ mod reading;
 use std::io::Write;
 
 use glam::DVec3;
-use heatwalk_surface::soup::Unit;
+use heatwalk_surface::Unit;
 use heatwalk_surface::{Error, InputTriangle, InputVertex};
 use miniz_oxide::deflate::compress_to_vec;
 use rawzip::{CompressionMethod, ZipArchiveWriter};

@@ -20,9 +20,8 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::surface::soup::Unit;
 use heatwalk::surface::{Camera, Light};
-use heatwalk::{Appearance, MemoryLimit, Soup, Surface, Up, io};
+use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Float64Array, Function, Object, Uint8Array, Uint32Array};
@@ -70,6 +69,8 @@ pub struct MeshFile {
     soup: Soup,
     /// By the rules of its format or by its shape.
     up: Up,
+    /// Of a file; a shape has none.
+    unit: LengthUnit,
 }
 
 #[wasm_bindgen]
@@ -90,22 +91,24 @@ impl MeshFile {
             Some(_) => Up::Y,
             None => upright(&soup),
         };
-        Ok(Self { soup, up })
+        let unit = LengthUnit::of_file(&soup, UnitRule::Automatic);
+        Ok(Self { soup, up, unit })
     }
 
     /// Makes a shape.
     pub fn shape(name: &str) -> Result<Self> {
-        Ok(Self { soup: shapes::by_name(name)?, up: Up::Y })
+        Ok(Self { soup: shapes::by_name(name)?, up: Up::Y, unit: LengthUnit::default() })
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
     pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
         let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
-        Self { soup: Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec()), up: Up::Y }
+        let soup = Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec());
+        Self { soup, up: Up::Y, unit: LengthUnit::default() }
     }
 
     /// Takes triangles in double precision: `positions` is `#V × 3`, `triangles` is `#F × 3`. `up`: what points up, by the shape where
-    /// that is not known.
+    /// that is not known. The unit is assumed.
     pub fn surface_of(
         name: &str,
         positions: &[f64],
@@ -115,7 +118,8 @@ impl MeshFile {
         let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
         let soup = Soup::single(name, positions, triangles.as_chunks().0.to_vec());
         let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&soup));
-        Ok(Self { up, soup })
+        let unit = soup.length_unit(UnitRule::Automatic);
+        Ok(Self { soup, up, unit })
     }
 
     /// `#V × 3`, all vertices of the file.
@@ -168,9 +172,14 @@ impl MeshFile {
         self.soup.motion.clips().iter().map(Clip::new).collect()
     }
 
-    /// The symbol of its unit of length; empty where its format does not say.
+    /// The symbol of its unit of length; empty where there is none.
     pub fn unit(&self) -> String {
-        self.soup.unit.map_or("", Unit::symbol).to_owned()
+        self.unit.unit.map_or("", Unit::symbol).to_owned()
+    }
+
+    /// Whether only its size suggests that unit.
+    pub fn is_unit_assumed(&self) -> bool {
+        self.unit.is_assumed
     }
 
     /// What it refers to that was not given.
@@ -199,7 +208,7 @@ impl MeshFile {
 
     /// The same file in other triangles, `#F × 3`, over the vertices of an outline of it: one part, in no materials.
     pub fn simplified(&self, outline: &Outline, name: &str, triangles: &[u32]) -> Result<Self> {
-        Ok(Self { soup: outline.with_triangles(name, triangles)?, up: self.up })
+        Ok(Self { soup: outline.with_triangles(name, triangles)?, up: self.up, unit: self.unit })
     }
 
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.

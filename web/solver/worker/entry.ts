@@ -98,7 +98,7 @@ const api: SolverApi = {
     const source = await sourceOf(input);
     const { name, hash } = source;
     const clock = stopwatch();
-    const { file, chosen, simplified, inner } = await openingOf(source, { parts, most, fill }, progress);
+    const { file, chosen, simplified, unit, inner } = await openingOf(source, { parts, most, fill }, progress);
     const look = lookOf(file);
     const readMs = clock();
     progress({ stage: 'Welding', fraction: inner ? FILLED_FROM : BUILD_FROM, vertices: 0 });
@@ -117,7 +117,7 @@ const api: SolverApi = {
     const scenery = sceneries.map(({ part, scenery: drawn }) => ({ part, mesh: plain(drawn.take_mesh()) }));
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
     const clips = file.clips().map(plain);
-    const [missing, unit] = [file.missing(), file.unit()];
+    const missing = file.missing();
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -138,7 +138,7 @@ const api: SolverApi = {
       ...(await look),
       clips,
       missing,
-      unit,
+      ...unit,
       inputVertices,
       drawTransform,
       upright,

@@ -31,12 +31,15 @@ async function load(): Promise<Module> {
 export interface Tetrahedra {
   tetrahedra: interior.Tetrahedra;
   madeMs: number;
+  /** Whether they are those of a file, and not made. */
+  isFile: boolean;
 }
 
 /** Those of a file. */
 export async function readTetrahedra(mesh: string, bytes: Uint8Array, files: Files): Promise<Tetrahedra> {
   const module = await loaded();
-  return timed(() => withFiles(mesh, files, (resource) => module.Tetrahedra.read(fileName(mesh), bytes, resource)));
+  const read = (resource: wasm.Resource) => module.Tetrahedra.read(fileName(mesh), bytes, resource);
+  return { ...timed(() => withFiles(mesh, files, read)), isFile: true };
 }
 
 /** Those of a shape that is made in code. */
@@ -57,10 +60,11 @@ export async function filled(
   return timed(() => module.Tetrahedra.fill(file.positions(), triangles, count, progress));
 }
 
+/** Those that are made. */
 function timed(make: () => interior.Tetrahedra): Tetrahedra {
   const began = performance.now();
   const tetrahedra = make();
-  return { tetrahedra, madeMs: performance.now() - began };
+  return { tetrahedra, madeMs: performance.now() - began, isFile: false };
 }
 
 /** The boundary as a mesh that can be drawn, and the vertices of the input that its vertices are. `up`: what points up, if that is known. */

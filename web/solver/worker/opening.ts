@@ -1,5 +1,5 @@
 /** What is opened: a surface of a file or made in code, simplified or not, or tetrahedra. */
-import type { Appearance, MeshInput, ProgressListener, Simplified } from '../../protocol';
+import type { Appearance, MeshInput, OpenedMesh, ProgressListener, Simplified } from '../../protocol';
 import * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import type { Up } from '../../wasm/contract';
 import { fileName, holdsTetrahedra } from '../../files/paths';
@@ -35,7 +35,10 @@ export async function openingOf(
   progress: ProgressListener,
 ): Promise<Opening> {
   const given = await read();
-  if (!(given instanceof wasm.MeshFile)) return tetrahedraIn(given, name, null);
+  if (!(given instanceof wasm.MeshFile)) {
+    const opening = tetrahedraIn(given, name, null);
+    return given.isFile ? opening : { ...opening, unit: NO_UNIT };
+  }
   const opening = await fewer(given, name, parts, most, progress);
   return fill === null ? opening : stuffed(opening, name, fill, progress);
 }
@@ -82,18 +85,20 @@ export interface Opening {
   file: wasm.MeshFile;
   chosen: Uint32Array;
   simplified: Simplified | null;
+  /** The symbol of the unit of lengths, and whether it is assumed. */
+  unit: Pick<OpenedMesh, 'unit' | 'unitAssumed'>;
   /** Tetrahedra whose boundary the file is, and the vertices of their input that its vertices are. */
   inner: { mesh: Tetrahedra; vertices: Uint32Array } | null;
 }
 
 function tetrahedraIn(mesh: Tetrahedra, name: string, simplified: Simplified | null, up?: Up): Opening {
   const { file, vertices } = boundaryOf(mesh, name, up);
-  return { file, chosen: Uint32Array.of(0), simplified, inner: { mesh, vertices } };
+  return { file, chosen: Uint32Array.of(0), simplified, unit: unitOf(file), inner: { mesh, vertices } };
 }
 
 /** About so many tetrahedra in what the chosen parts of a file enclose. */
 async function stuffed(
-  { file, chosen, simplified }: Opening,
+  { file, chosen, simplified, unit }: Opening,
   name: string,
   count: number,
   progress: ProgressListener,
@@ -104,7 +109,7 @@ async function stuffed(
   const tetrahedra = await filled(file, chosen, count, told);
   const up = file.up();
   file.free();
-  return tetrahedraIn(tetrahedra, name, simplified, up);
+  return { ...tetrahedraIn(tetrahedra, name, simplified, up), unit };
 }
 
 /** The chosen parts of a file; a simplified model of these as the only part where they have more triangles than are wanted. */
@@ -118,12 +123,19 @@ async function fewer(
   const sizes = file.part_triangles();
   const chosen = Uint32Array.from(parts.length > 0 ? parts : sizes.keys());
   if (most === null || chosen.reduce((sum, part) => sum + (sizes[part] ?? 0), 0) <= most) {
-    return { file, chosen, simplified: null, inner: null };
+    return { file, chosen, simplified: null, unit: unitOf(file), inner: null };
   }
   progress({ stage: 'Simplifying', fraction: SIMPLIFY_FROM, vertices: 0 });
   const less = await simplify(file, chosen, name, most);
   file.free();
-  return { ...less, chosen: Uint32Array.of(0), inner: null };
+  return { ...less, chosen: Uint32Array.of(0), unit: unitOf(less.file), inner: null };
+}
+
+/** Of shapes that are made in code. */
+const NO_UNIT: Opening['unit'] = { unit: '', unitAssumed: false };
+
+function unitOf(file: wasm.MeshFile): Opening['unit'] {
+  return { unit: file.unit(), unitAssumed: file.is_unit_assumed() };
 }
 
 /** What a file says of its looks; its images are decoded while the surface is built. */

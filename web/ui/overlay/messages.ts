@@ -4,6 +4,7 @@ import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
+import type { LengthUnit } from '../../state/scene';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
 
@@ -27,9 +28,9 @@ export class Messages implements Voice {
   }
 
   /** Tells what was done; replaces what was told of the mesh before, and the last error. */
-  opened({ opened, answer }: Shown): void {
+  opened({ opened, answer }: Shown, unit: LengthUnit): void {
     for (const former of [this.#told, this.#absent, this.#failed, this.#chosen]) former?.remove();
-    this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring), []);
+    this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring, unit), []);
     this.#fade(this.#told);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);

@@ -1,5 +1,6 @@
 import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
+import { unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { measure, percent } from '../words';
 
@@ -31,12 +32,12 @@ export class Readout {
   }
 }
 
-function readoutText({ shown }: Session, point: MeshPoint): string | null {
+function readoutText({ scene, shown }: Session, point: MeshPoint): string | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = `vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
   const distance = places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return `unreachable · ${vertex}`;
-  return `${measure(distance, opened)} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  return `${measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -3,6 +3,7 @@ import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
+import { unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
 
@@ -145,12 +146,14 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     const shown = session.shown.value;
     const path = shown?.answer.path;
     const walked =
-      path && shown ? `The path is ${measure(path.length, shown.opened)} long and costs ${length(path.cost)}. ` : '';
+      path && shown
+        ? `The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}. `
+        : '';
     const exactness = isWeighted(ground) ? 'Where costs differ, no distances are exact.' : '';
     legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
   };
   scene.subscribe((state, previous) => {
-    if (state.ground !== previous.ground) showGround();
+    if (state.ground !== previous.ground || state.unit !== previous.unit) showGround();
   });
   session.shown.watch((shown, previous) => {
     showGround();

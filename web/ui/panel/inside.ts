@@ -2,6 +2,7 @@ import type { Opener } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
+import { type LengthUnit, unitOf } from '../../state/scene';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { count, counted, finePercent, percent, seconds, volume } from '../words';
@@ -136,7 +137,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     fill.textContent = isFilled ? 'Fill anew' : 'Fill the inside';
     empty.hidden = !isFilled;
     looking.hidden = !interior;
-    report.textContent = reportOf(shown);
+    report.textContent = reportOf(shown, unitOf(scene.state, shown.opened));
     showInside(scene.state);
   });
   showInside(scene.state);
@@ -144,11 +145,11 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
 }
 
 /** What tetrahedra there are. */
-function reportOf({ opened, places }: Shown): string {
+function reportOf({ opened, places }: Shown, unit: LengthUnit): string {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
   const sentences = [
-    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, opened)}.`,
+    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
   ];
   if (report.isFilled) {
     sentences.push(

@@ -1,6 +1,7 @@
 import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
+import { type LengthUnit, unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { bytes, count, finePercent, length, measure, milliseconds, percentDown } from '../words';
 
@@ -19,14 +20,20 @@ export function numbersSection(session: Session): HTMLElement {
     }
     if (cell.textContent !== value) cell.textContent = value;
   };
-  session.shown.watch((shown) => {
-    if (shown) for (const [name, value] of figures(shown)) put(name, value);
+  const show = () => {
+    const { scene, shown } = session;
+    if (!shown.value) return;
+    for (const [name, value] of figures(shown.value, unitOf(scene.state, shown.value.opened))) put(name, value);
+  };
+  session.shown.watch(show);
+  session.scene.subscribe((state, previous) => {
+    if (state.unit !== previous.unit) show();
   });
   session.view.backend.watch((backend) => put('Renderer', backend ?? 'none'));
   return table;
 }
 
-function figures({ opened, answer, places }: Shown): [string, string][] {
+function figures({ opened, answer, places }: Shown, unit: LengthUnit): [string, string][] {
   const { report } = opened;
   const { field, path, factoring } = answer;
   const { timings } = factoring;
@@ -39,13 +46,13 @@ function figures({ opened, answer, places }: Shown): [string, string][] {
     ['Groups of components', factoring.groups > 0 ? count(factoring.groups) : '–'],
     ['Boundaries', count(report.boundaryLoops)],
     ['Euler characteristic', count(report.eulerCharacteristic)],
-    ['Mean edge', measure(opened.meanEdge, opened)],
-    ['Diameter', measure(places.diameter, opened)],
-    ['Maximum distance', field ? measure(field.maxDistance, opened) : '–'],
+    ['Mean edge', measure(opened.meanEdge, unit)],
+    ['Diameter', measure(places.diameter, unit)],
+    ['Maximum distance', field ? measure(field.maxDistance, unit) : '–'],
     ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
     ['Mean error before refinement', field?.error ? finePercent(field.error.mean) : '–'],
     ['Maximum error', field?.error ? finePercent(field.error.max) : '–'],
-    ['Path', path ? `${measure(path.length, opened)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
+    ['Path', path ? `${measure(path.length, unit)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
     ['Cost of the path', path ? length(path.cost) : '–'],
     ['Windows of a half-edge', field?.windows ? count(field.windows) : '–'],
     ['Time factor m', field?.timeFactor ? length(field.timeFactor) : '–'],

@@ -2,7 +2,9 @@ import { FORMATS } from '../../files/paths';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
-import { h } from '../dom';
+import { type UnitChoice, unitOf, UNITS } from '../../state/scene';
+import { AUTOMATIC } from '../../wasm/contract';
+import { h, select } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
 
@@ -22,7 +24,7 @@ function thumbnail(id: string, drawn: Promise<void>): HTMLElement | null {
   return image;
 }
 
-/** Gallery of presets, the buttons for files and folders, and the parts of the file. `drawn`: the first picture. */
+/** Gallery of presets, the buttons for files and folders, the unit of lengths and the parts of the file. `drawn`: the first picture. */
 export function sceneSection(
   session: Session,
   opener: Opener,
@@ -44,10 +46,24 @@ export function sceneSection(
   const credit = h('p', { class: 'quiet' });
 
   const simplified = h('p', { class: 'quiet', hidden: true });
-  session.shown.watch((shown) => {
-    simplified.textContent = shown ? simplifiedSentence(shown.opened) : null;
+  const units: [UnitChoice, string][] = [
+    [AUTOMATIC, 'automatic'],
+    ...UNITS.map((name): [UnitChoice, string] => [name, name]),
+  ];
+  const unit = select('Unit', units, (value) => session.scene.place({ unit: value }));
+  unit.element.title = 'What lengths are told in; none is converted';
+  const automatic = unit.element.querySelector('option');
+  const showUnit = () => {
+    const { scene, shown } = session;
+    unit.show(scene.state.unit);
+    const opened = shown.value?.opened;
+    simplified.textContent = opened ? simplifiedSentence(opened, unitOf(scene.state, opened)) : null;
     simplified.hidden = !simplified.textContent;
-  });
+    if (!opened || !automatic) return;
+    const { symbol, assumed } = unitOf({ unit: AUTOMATIC }, opened);
+    automatic.textContent = `automatic (${symbol || 'none'}${assumed ? ', assumed' : ''})`;
+  };
+  session.shown.watch(showUnit);
 
   const showScene = () => {
     const { mesh } = session.scene.state;
@@ -60,6 +76,7 @@ export function sceneSection(
   };
   session.scene.subscribe((state, previous) => {
     if (state.mesh !== previous.mesh) showScene();
+    if (state.unit !== previous.unit) showUnit();
   });
   showScene();
 
@@ -75,6 +92,7 @@ export function sceneSection(
       chooseFolder && h('button', { title: 'Open the folder of a mesh', onclick: chooseFolder }, 'Open a folder…'),
     ),
     simplified,
+    unit.element,
     partsControl(session, opener),
   );
 }

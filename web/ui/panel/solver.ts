@@ -1,5 +1,5 @@
 import type { Session } from '../../session/session';
-import type { Bridge } from '../../state/scene';
+import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
@@ -147,7 +147,8 @@ export function solverSection(session: Session): HTMLElement {
     operator.element.hidden = !isByHeat || isInside;
     refine.show(state.refine);
     path.show(state.pathKind);
-    bridge.element.hidden = isInside || (session.shown.value?.opened.report.components ?? 1) < 2;
+    const opened = session.shown.value?.opened;
+    bridge.element.hidden = !opened || !mayBeJoined(opened);
     bridge.show(state.bridge);
     const factoring = session.shown.value?.answer.factoring;
     linked.textContent = factoring ? linksSentence(factoring) : null;

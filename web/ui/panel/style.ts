@@ -16,6 +16,7 @@ import {
   type MapName,
   type RampName,
 } from '../../state/styles';
+import { unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { measure, percent } from '../words';
 
@@ -43,7 +44,7 @@ export function styleSection(session: Session): HTMLElement {
     for (const part of parts) part.show(scene.state.style);
   };
   scene.subscribe((state, previous) => {
-    if (state.style !== previous.style) show();
+    if (state.style !== previous.style || state.unit !== previous.unit) show();
   });
   session.shown.watch((shown, previous) => {
     if (shown?.opened !== previous?.opened) show();
@@ -84,7 +85,9 @@ function patternControls(session: Session, change: Change): Part {
     step: 0.005,
     describe: (value) => {
       const shown = session.shown.value;
-      return shown?.places.diameter ? measure(value * shown.places.diameter, shown.opened) : percent(value);
+      return shown?.places.diameter
+        ? measure(value * shown.places.diameter, unitOf(session.scene.state, shown.opened))
+        : percent(value);
     },
     change: (value) => change({ period: value }),
   });

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{VertexId, WeldRule};
+use heatwalk::{UnitRule, VertexId, WeldRule};
 use heatwalk_volume::io::{self, Format};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, edge_polyline, shapes};
 
@@ -34,6 +34,7 @@ impl Input {
             ("--part", !arguments.parts.is_empty()),
             ("--animation", arguments.animation.is_some()),
             ("--weld", arguments.weld != WeldRule::default()),
+            ("--unit", arguments.unit != UnitRule::default()),
         ];
         refuse(&given)?;
         Ok(Some(Self { soup, read_ms: milliseconds(start) }))

@@ -33,13 +33,27 @@ fn info_names_what_is_missing() {
 }
 
 #[test]
-fn a_unit_is_told_where_the_format_has_one() {
+fn the_unit_is_that_of_the_format_or_of_the_size_or_as_asked() {
     let folder = folder("unit");
     succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", "d.glb"]);
     assert_eq!(json(&folder, &["info", "d.glb"])["unit"], "m");
     assert_eq!(json(&folder, &["path", "d.glb", "--from", "0", "--to", "9"])["unit"], "m");
     assert!(succeed(&folder, &["info", "d.glb"]).contains("unit                   m\n"));
-    assert!(succeed(&folder, &["info", "torus.ply"]).contains("unit                   unknown\n"));
+    let unit = |arguments: &[&str]| {
+        let told = json(&folder, arguments);
+        (told["unit"].clone(), told["unit_assumed"].clone())
+    };
+    assert_eq!(unit(&["info", "d.glb"]), ("m".into(), false.into()));
+    assert_eq!(unit(&["info", "torus.ply"]), ("m".into(), true.into()));
+    assert_eq!(unit(&["info", "torus.ply", "--unit", "in"]), ("in".into(), false.into()));
+    assert_eq!(unit(&["info", "d.glb", "--unit", "none"]), (serde_json::Value::Null, false.into()));
+    assert_eq!(unit(&["info", "shape:torus"]), (serde_json::Value::Null, false.into()));
+    // No length changes with it.
+    let edge = |unit| json(&folder, &["info", "d.glb", "--unit", unit])["mean_edge"].clone();
+    assert_eq!(edge("m"), edge("mm"));
+    let text = succeed(&folder, &["info", "torus.ply"]);
+    assert!(text.contains("unit                   m\n") && text.contains("unit assumed           true\n"), "{text}");
+    assert!(refused(&folder, &["info", "torus.ply", "--unit", "yard"]).contains("the unit"));
 }
 
 const HEAT: [&str; 6] = ["distance", "torus.ply", "--source", "0", "--method", "heat"];

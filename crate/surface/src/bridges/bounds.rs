@@ -30,8 +30,10 @@ impl Bounds {
     /// The least box that holds these points.
     #[inline]
     pub fn of_points(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let mut points = points.into_iter();
+        let Some(first) = points.next() else { return Self::EMPTY };
         let with = |bounds: Self, point| Self { low: smaller(bounds.low, point), high: larger(bounds.high, point) };
-        points.into_iter().fold(Self::EMPTY, with)
+        points.fold(Self { low: first, high: first }, with)
     }
 
     /// The least box that holds both.

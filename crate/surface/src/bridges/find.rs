@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
 use super::bounds::Bounds;
+use super::cracks::across_cracks;
 use super::hierarchy::Hierarchy;
 use super::portals::portals;
 use super::scene::Scene;
@@ -40,6 +41,9 @@ impl Bridges {
     ///
     /// Portals of a contact are a mean edge of the finer component apart, but at most 0.75 % of the diagonal of the surface's
     /// bounding box. What rounding of the positions may have moved apart touches.
+    ///
+    /// Where boundary edges of one component run along each other, no farther apart than that and than 5 % of the longer one,
+    /// portals lead across, too: such are cracks with vertices of one side inside edges of the other.
     #[must_use]
     pub fn find(surface: &Surface, rule: BridgeRule) -> Self {
         Self::find_on_threads(surface, rule, parallel::ONE)
@@ -51,37 +55,50 @@ impl Bridges {
     /// Where there are no threads, as on wasm32, and more than one is asked for.
     #[must_use]
     pub fn find_on_threads(surface: &Surface, rule: BridgeRule, threads: NonZeroUsize) -> Self {
-        if rule == BridgeRule::Off || surface.report().components < 2 {
+        let report = surface.report();
+        if rule == BridgeRule::Off || (report.components < 2 && report.boundary_loops == 0) {
             return Self::new(surface, Vec::new());
         }
         let scene = Scene::new(surface, threads);
-        let hierarchy = Hierarchy::new(&scene);
-        let alone = (0..scene.bounds.len() as u32).collect();
-        let candidates = match rule {
-            BridgeRule::Within(distance) => {
-                let most = scene.in_scene_unit(distance.max(0.0)).min(WIDEST);
-                let mut within = tolerance(&scene, alone, f64::INFINITY, most, SLACK);
-                if most > SLACK {
-                    // Each component is a set of its own.
-                    let least = distances(&scene, &hierarchy, &within);
-                    within.pairs = least.into_iter().map(|(pair, least)| (pair, least + within.slack)).collect();
-                }
-                // Where no component is near another, there is nothing to look for.
-                if most > SLACK && within.pairs.is_empty() { Vec::new() } else { search(&scene, &hierarchy, &within) }
-            }
-            _ => {
-                let [near, farther] = OF_SCENE;
-                let first = tolerance(&scene, alone, OF_SMALLER, near, near);
-                let mut candidates = search(&scene, &hierarchy, &first);
-                let groups = groups(first.set, &candidates);
-                if groups.iter().any(|&group| group != 0) {
-                    let second = tolerance(&scene, groups, OF_SMALLER, farther, farther);
-                    candidates.extend(search(&scene, &hierarchy, &second));
-                }
-                candidates
-            }
+        let most = match rule {
+            BridgeRule::Within(distance) => scene.in_scene_unit(distance.max(0.0)).min(WIDEST),
+            _ => OF_SCENE[0],
         };
-        Self::new(surface, contacts(&scene, &candidates))
+        let mut found = across_cracks(&scene, most);
+        if report.components > 1 {
+            found.extend(contacts(&scene, &between_components(&scene, rule, most)));
+            found.sort_by_key(|&(components, _)| components);
+        }
+        Self::new(surface, found)
+    }
+}
+
+/// Where components meet. `most`: how far apart they may be where a distance is given, as a share of the diagonal of the scene.
+fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> Vec<Candidate> {
+    let hierarchy = Hierarchy::new(scene);
+    let alone = (0..scene.bounds.len() as u32).collect();
+    match rule {
+        BridgeRule::Within(_) => {
+            let mut within = tolerance(scene, alone, f64::INFINITY, most, SLACK);
+            if most > SLACK {
+                // Each component is a set of its own.
+                let least = distances(scene, &hierarchy, &within);
+                within.pairs = least.into_iter().map(|(pair, least)| (pair, least + within.slack)).collect();
+            }
+            // Where no component is near another, there is nothing to look for.
+            if most > SLACK && within.pairs.is_empty() { Vec::new() } else { search(scene, &hierarchy, &within) }
+        }
+        _ => {
+            let [near, farther] = OF_SCENE;
+            let first = tolerance(scene, alone, OF_SMALLER, near, near);
+            let mut candidates = search(scene, &hierarchy, &first);
+            let groups = groups(first.set, &candidates);
+            if groups.iter().any(|&group| group != 0) {
+                let second = tolerance(scene, groups, OF_SMALLER, farther, farther);
+                candidates.extend(search(scene, &hierarchy, &second));
+            }
+            candidates
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Bridges between connected components that touch, pierce or nearly touch each other.
 //!
 //! Models are assembled of parts that share no vertex: each is a component of its own, and no path on the surface leads from one
-//! to another. Portals let distance and paths across.
+//! to another. Portals let distance and paths across. They lead across cracks within a component, too.
 
 mod bounds;
+mod cracks;
 mod find;
 mod hierarchy;
 mod links;
@@ -24,19 +25,19 @@ use crate::surface::Surface;
 use crate::triangle;
 use crate::union_find::UnionFind;
 
-/// A place to cross from one component to another, either way.
+/// A place to cross from one component to another, or across a crack within one, either way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Portal {
-    /// Points of two components.
+    /// Points of two components, or on both sides of a crack.
     pub ends: [Place; 2],
     /// Distance between them in space, in the file's unit: what crossing costs.
     pub gap: f64,
 }
 
-/// Where two components meet.
+/// Where two components meet, or cracks within one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Contact {
-    /// The components, the lower number first.
+    /// The components, the lower number first; twice the same for cracks within it.
     pub components: [u32; 2],
     /// The first of the contact's portals.
     pub first: u32,
@@ -97,7 +98,7 @@ impl Bridges {
         &self.portals
     }
 
-    /// Pairs of components that meet.
+    /// Pairs of components that meet, and components with cracks within.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
     }

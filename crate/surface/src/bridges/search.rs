@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use super::bounds::Bounds;
-use super::hierarchy::{Below, Hierarchy, Item, LEAF};
+use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
 use super::scene::Scene;
 use super::triangles::{self, Pair, Weights};
 use crate::parallel;
@@ -150,6 +150,7 @@ fn visit<'a>(
             shortest = shortest.min(item.longest);
         }
         let most = tolerance.of(group[0].component);
+        let own = Some(group[0].component);
         waiting.push((0, 0.0));
         while let Some((node, squared)) = waiting.pop() {
             let component = hierarchy.node(node).component;
@@ -159,30 +160,35 @@ fn visit<'a>(
             }
             match hierarchy.below(node) {
                 Below::Items(others) => {
-                    for other in others {
+                    for other in others.iter().filter(|other| other.longest >= shortest) {
                         let Some(bound) = visitor.bound(group, other.component) else { continue };
                         let other_bounds = other.bounds();
                         if other_bounds.squared_distance(around) > bound * bound {
                             continue;
                         }
                         for (own, item) in group.iter().enumerate() {
-                            if (other.longest, other.face) > (item.longest, item.face) {
+                            let is_larger = other.longest > item.longest
+                                || (other.longest == item.longest && other.face > item.face);
+                            if is_larger {
                                 visitor.meet(group, own, other, bounds[own].squared_distance(other_bounds));
                             }
                         }
                     }
                 }
                 Below::Nodes(children) => {
-                    let far = |node: usize| (node, hierarchy.node(node).bounds.squared_distance(around));
-                    let mut children = children.map(far);
-                    // What is nearest is looked at first, so last in.
-                    if children[0].1 < children[1].1 {
-                        children.swap(0, 1);
-                    }
-                    let may_hold = |&(node, squared): &(usize, f64)| {
-                        squared <= most * most && hierarchy.node(node).longest >= shortest
+                    let [first, second] = [hierarchy.node(children[0]), hierarchy.node(children[1])];
+                    let squared = [first.bounds.squared_distance(around), second.bounds.squared_distance(around)];
+                    let may_hold = |node: &Node, squared: f64| {
+                        squared <= most * most && node.longest >= shortest && node.component != own
                     };
-                    waiting.extend(children.into_iter().filter(may_hold));
+                    let may_hold = [may_hold(first, squared[0]), may_hold(second, squared[1])];
+                    // What is nearest is looked at first, so last in.
+                    let last = usize::from(squared[0] >= squared[1]);
+                    for child in [1 - last, last] {
+                        if may_hold[child] {
+                            waiting.push((children[child], squared[child]));
+                        }
+                    }
                 }
             }
         }
@@ -244,6 +250,8 @@ struct Search<'a> {
     found: Vec<Candidate>,
     /// Where a place of large triangles of the group was found, and its number, in lists by [`Cell::list`].
     cells: [Vec<(Cell, usize)>; LISTS],
+    /// `#F`, what [`Scene::is_rim`] says of a face once it was asked.
+    rims: Vec<Option<[bool; 3]>>,
 }
 
 /// Lists of cells; a power of two.
@@ -252,10 +260,10 @@ const LISTS: usize = 64;
 /// Places that do the same for distance: of one other component, near each other, on the same sides of both surfaces.
 #[derive(Clone, Copy, PartialEq)]
 struct Cell {
+    place: [i64; 3],
     component: u32,
     /// Signs of the normals' coordinates.
     sides: [[bool; 3]; 2],
-    place: [i64; 3],
 }
 
 impl Cell {
@@ -297,11 +305,11 @@ impl Visitor for Search<'_> {
         }
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
-        let apart = triangles::plane_distance(&pair, items.map(|item| item.normal));
+        let apart = triangles::plane_distance(&pair, [items[0].normal, items[1].normal]);
         if apart > bound {
             return;
         }
-        let components = items.map(|item| item.component);
+        let components = [items[0].component, items[1].component];
         let spacing = self.scene.spacing(components);
         let is_small = items[0].longest <= SMALL * spacing;
         let crossing = if apart > 0.0 { None } else { triangles::crossing(&pair) };
@@ -333,19 +341,22 @@ impl Visitor for Search<'_> {
             self.nearest(group, other.component).bounds[own] = bound;
             // Where steep triangles cross, all that is near is near the crossing.
             if crossing.is_none() || !triangles::are_steep(&pair) {
-                let is_rim = items.map(|item| self.scene.is_rim(item.face));
+                let is_rim = [self.is_rim(items[0].face), self.is_rim(items[1].face)];
                 let sides = pair.map(|corners| area_vector(corners).to_array().map(|along| along > 0.0));
                 let mut take = |Pair { weights, distance }: Pair| {
                     let middle =
                         0.5 * (triangles::point(&pair[0], weights[0]) + triangles::point(&pair[1], weights[1]));
                     let place = (middle * (CELLS / spacing)).to_array().map(|along| along.floor() as i64);
-                    let cell = Cell { component: other.component, sides, place };
+                    let cell = Cell { place, component: other.component, sides };
                     self.keep(cell, Candidate::new(items, weights, distance));
                 };
                 triangles::spread(&pair, is_rim, bound, spacing / DENSITY, &mut take);
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
+            if triangles::are_apart(&pair, [items[0].normal, items[1].normal], bound) {
+                return;
+            }
             if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
                 let bound = (distance - enough).max(0.0);
                 self.nearest(group, other.component).bounds[own] = bound;
@@ -365,7 +376,14 @@ impl<'a> Search<'a> {
             places: Vec::new(),
             found: Vec::new(),
             cells: std::array::from_fn(|_| Vec::new()),
+            rims: vec![None; scene.surface.face_count()],
         }
+    }
+
+    /// Whether the surface ends or bends at the sides of a face.
+    #[inline]
+    fn is_rim(&mut self, face: u32) -> [bool; 3] {
+        *self.rims[face as usize].get_or_insert_with(|| self.scene.is_rim(face))
     }
 
     /// To a triangle of a group, no place of a component is nearer than this one, or than what was found otherwise.

@@ -22,6 +22,13 @@ const INNER_SPACING: f64 = 6.0;
 /// Cosine of the angle from which on planes are steep to each other: 30°.
 const STEEP: f64 = 0.866;
 
+/// Square of the sine of the angle up to which the common normal of two segments is taken for noise: rounding turns it by some
+/// 10⁻¹³ then.
+const PARALLEL: f64 = 1e-6;
+
+/// A bound on a square that is passed by more than rounding.
+const ROUNDED: f64 = 1.0 + 1e-9;
+
 /// Corners.
 pub type Triangle = [DVec3; 3];
 
@@ -56,7 +63,7 @@ pub fn longest_side([p, q, r]: &Triangle) -> f64 {
 
 /// Weights of a point on the side from corner `k` to the next.
 #[inline]
-fn on_side(k: usize, share: f64) -> [f64; 3] {
+pub fn on_side(k: usize, share: f64) -> [f64; 3] {
     let mut weights = [0.0; 3];
     weights[k] = 1.0 - share;
     weights[(k + 1) % 3] = share;
@@ -71,7 +78,7 @@ fn side(triangle: &Triangle, k: usize) -> [DVec3; 2] {
 
 /// The share of the way along a segment of positive length where it is nearest to a point.
 #[inline]
-fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
+pub fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
     let along = end - start;
     ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0)
 }
@@ -83,27 +90,50 @@ fn nearest_on_triangle(from: DVec3, triangle: &Triangle, normal: DVec3) -> [f64;
     if let Some(weights) = weights_inside(from, triangle, normal) {
         return weights;
     }
-    let on_sides = [0, 1, 2].map(|k| on_side(k, nearest_on_segment(from, side(triangle, k))));
-    let distance = |weights: [f64; 3]| from.distance_squared(point(triangle, weights));
-    on_sides.into_iter().fold(on_sides[0], |best, other| if distance(other) < distance(best) { other } else { best })
+    let mut best = (0, 0.0, f64::INFINITY);
+    for k in 0..3 {
+        let (start, end) = (triangle[k], triangle[(k + 1) % 3]);
+        let share = nearest_on_segment(from, [start, end]);
+        let squared = from.distance_squared(start * (1.0 - share) + end * share);
+        if squared < best.2 {
+            best = (k, share, squared);
+        }
+    }
+    on_side(best.0, best.1)
 }
 
 /// The shares of the way along two segments of positive length where they are nearest to each other: inside both, where
-/// the line between is at right angles to them, or else at an end of one.
+/// the line between is at right angles to them, or else at an end of one. `None` where their lines are farther apart than
+/// `within`, which is told first.
 #[inline]
-fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
+fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], within: f64) -> Option<[f64; 2]> {
     let (along, across, between) = (first[1] - first[0], second[1] - second[0], second[0] - first[0]);
     let normal = along.cross(across);
     let squared = normal.length_squared();
-    let inside = [between.cross(across), between.cross(along)].map(|side| side.dot(normal) / squared);
-    let inside = Some(inside).filter(|shares| shares.iter().all(|share| (0.0..=1.0).contains(share)));
-    let at = |[start, end]: [DVec3; 2], share: f64| start + (end - start) * share;
-    let ends = [0, 1].map(|end| [f64::from(end), nearest_on_segment(first[end as usize], second)]);
-    let others = [0, 1].map(|end| [nearest_on_segment(second[end as usize], first), f64::from(end)]);
-    let distance = |[one, other]: [f64; 2]| at(first, one).distance_squared(at(second, other));
+    let [one_squared, other_squared] = [along.length_squared(), across.length_squared()];
+    let height = between.dot(normal);
+    if height * height > within * within * squared * ROUNDED && squared > PARALLEL * (one_squared * other_squared) {
+        return None;
+    }
+    let mut best = ([0.0; 2], f64::INFINITY);
+    let mut take = |one: f64, other: f64| {
+        let apart = (first[0] + along * one).distance_squared(second[0] + across * other);
+        if apart < best.1 {
+            best = ([one, other], apart);
+        }
+    };
+    let share =
+        |point: DVec3, start: DVec3, along: DVec3, squared: f64| ((point - start).dot(along) / squared).clamp(0.0, 1.0);
+    take(0.0, share(first[0], second[0], across, other_squared));
+    take(1.0, share(first[1], second[0], across, other_squared));
+    take(share(second[0], first[0], along, one_squared), 0.0);
+    take(share(second[1], first[0], along, one_squared), 1.0);
+    let [one, other] = [between.cross(across).dot(normal) / squared, between.cross(along).dot(normal) / squared];
     // Where segments are parallel but for rounding, the line between tells nothing, and ends are as near.
-    let all = ends.into_iter().chain(others).chain(inside);
-    all.fold(ends[0], |best, other| if distance(other) < distance(best) { other } else { best })
+    if (0.0..=1.0).contains(&one) && (0.0..=1.0).contains(&other) {
+        take(one, other);
+    }
+    Some(best.0)
 }
 
 /// A lower bound of the distance of two triangles with these unit normals: that of one to the plane of the other.
@@ -111,12 +141,31 @@ fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2]) -> [f64; 2] {
 pub fn plane_distance(triangles: &[Triangle; 2], normals: [DVec3; 2]) -> f64 {
     let to_plane = |of: usize| {
         let (normal, origin) = (normals[of], triangles[of][0]);
-        let [a, b, c] = triangles[1 - of].map(|corner| normal.dot(corner - origin));
+        let height = |corner: DVec3| normal.dot(corner - origin);
+        let [a, b, c] = &triangles[1 - of];
+        let (a, b, c) = (height(*a), height(*b), height(*c));
         let (least, most) = if a < b { (a, b) } else { (b, a) };
         let (least, most) = (if c < least { c } else { least }, if c > most { c } else { most });
         if least > -most { least } else { -most }
     };
     to_plane(0).max(to_plane(1)).max(0.0)
+}
+
+/// Whether the triangles with these unit normals are farther apart than `within` for sure: across a side of one, along its plane
+/// (a separating axis; Gottschalk and others, "OBBTree", 1996).
+#[inline]
+pub fn are_apart(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -> bool {
+    let lies_beyond = |of: usize, k: usize| {
+        let [start, end] = side(&triangles[of], k);
+        let outward = (end - start).cross(normals[of]);
+        let [a, b, c] = &triangles[1 - of];
+        let beyond = |corner: DVec3| outward.dot(corner - start);
+        let (a, b, c) = (beyond(*a), beyond(*b), beyond(*c));
+        let least = if b < a { b } else { a };
+        let least = if c < least { c } else { least };
+        least > 0.0 && least * least > within * within * ROUNDED * outward.length_squared()
+    };
+    (0..3).any(|k| lies_beyond(0, k) || lies_beyond(1, k))
 }
 
 /// Whether the planes of two triangles are at an angle of more than 30°.
@@ -143,7 +192,7 @@ pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pa
 /// Shows each corner of one with the nearest point of the other, where these are no farther apart than `within`, which becomes
 /// what `found` says, and in the end is given back.
 fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) -> f64 {
-    let boxes = [0, 1].map(|of| Bounds::of_points(triangles[of]));
+    let boxes = [Bounds::of_points(triangles[0]), Bounds::of_points(triangles[1])];
     for of in 0..2 {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
         let normal = area_vector(*other);
@@ -151,7 +200,7 @@ fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMu
         for (k, &corner) in triangle.iter().enumerate() {
             let height = normal.dot(corner - other[0]);
             let is_far = height * height > within * within * squared
-                || boxes[1 - of].squared_distance(Bounds::of_points([corner])) > within * within;
+                || boxes[1 - of].squared_distance(Bounds { low: corner, high: corner }) > within * within;
             if within < 0.0 || is_far {
                 continue;
             }
@@ -170,7 +219,8 @@ fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMu
 /// The same with the nearest points of each side of one and each side of the other.
 fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) {
     let [triangle, other_triangle] = triangles;
-    let boxes = [0, 1, 2].map(|k| Bounds::of_points(side(other_triangle, k)));
+    let of_side = |k: usize| Bounds::of_points(side(other_triangle, k));
+    let boxes = [of_side(0), of_side(1), of_side(2)];
     for i in 0..3 {
         let own = side(triangle, i);
         let own_box = Bounds::of_points(own);
@@ -178,7 +228,7 @@ fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(
             if within < 0.0 || own_box.squared_distance(boxes[j]) > within * within {
                 continue;
             }
-            let [first, second] = nearest_on_segments(own, side(other_triangle, j));
+            let Some([first, second]) = nearest_on_segments(own, side(other_triangle, j), within) else { continue };
             let pair = Pair::new(triangles, [on_side(i, first), on_side(j, second)]);
             if pair.distance <= within {
                 within = found(pair);

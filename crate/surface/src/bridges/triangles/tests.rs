@@ -64,7 +64,7 @@ fn assert_inside(weights: [f64; 3]) {
 #[test]
 fn the_distance_is_that_of_samples() {
     let mut random = Random(1);
-    let (mut crossings, mut touching) = (0, 0);
+    let (mut crossings, mut touching, mut apart) = (0, 0, 0);
     for number in 0..120 {
         let is_whole = number % 2 == 1;
         let triangles = [random.triangle(is_whole), random.triangle(is_whole)];
@@ -76,11 +76,20 @@ fn the_distance_is_that_of_samples() {
         let does_cross = crossing(&triangles).is_some();
         let distance = if does_cross { 0.0 } else { pair.distance };
         assert!(sampled >= distance - 1e-12 && sampled <= distance + 0.01, "{sampled} {distance} {triangles:?}");
-        assert!(plane_distance(&triangles, triangles.map(|corners| unit(area_vector(corners)))) <= distance + 1e-12);
+        let normals = triangles.map(|corners| unit(area_vector(corners)));
+        assert!(plane_distance(&triangles, normals) <= distance + 1e-12);
+        assert!(!are_apart(&triangles, normals, distance + 1e-12));
+        apart += u32::from(distance > 0.1 && are_apart(&triangles, normals, 0.5 * distance));
+        // What is left out for being too far leaves the nearest points.
+        if !does_cross {
+            let again = nearest(&triangles, distance + 1e-12, 0.0).expect("the pair");
+            assert!((again.distance - distance).abs() <= 1e-12, "{} {distance}", again.distance);
+            assert!(nearest(&triangles, 0.999 * distance, 0.0).is_none_or(|pair| pair.distance < 1e-12));
+        }
         crossings += u32::from(does_cross);
         touching += u32::from(!does_cross && distance < 1e-12);
     }
-    assert!((20..100).contains(&crossings) && touching > 0, "{crossings} {touching}");
+    assert!((20..100).contains(&crossings) && touching > 0 && apart > 10, "{crossings} {touching} {apart}");
 }
 
 #[test]

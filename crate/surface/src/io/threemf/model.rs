@@ -8,7 +8,7 @@ use quick_xml::events::BytesStart;
 use super::format::THREEMF;
 use crate::error::Result;
 use crate::io::xml::{Document, Node, attributes};
-use crate::soup::Unit;
+use crate::unit::Unit;
 
 /// Red, green, blue and alpha, a byte each; what has no color is white.
 pub const WHITE: u32 = u32::MAX;

@@ -1,0 +1,175 @@
+//! Cracks within a component: boundary edges that run along each other, where vertices of one side lie inside edges of the other
+//! (T-junctions). Welding closes cracks whose vertices come together; here portals lead across the others.
+
+use std::collections::HashSet;
+
+use glam::DVec3;
+
+use super::Portal;
+use super::bounds::Bounds;
+use super::scene::Scene;
+use super::triangles::{nearest_on_segment, on_side};
+use crate::element::{FaceId, HalfedgeId};
+use crate::order::along_curve;
+use crate::parallel;
+use crate::point::Place;
+use crate::triangle::{area_vector, unit};
+
+/// Edges on both sides of a crack are apart by this share of the longer one at most: as far as an arc of 20° is from its chord.
+const OF_EDGE: f64 = 0.05;
+
+/// Cosine of the angle from which on edges do not run along each other: 30°.
+const ALONG: f64 = 0.866;
+
+/// Triangles on the same side of an edge, with more than this cosine between them (30°), are layers and not the two sides of a
+/// crack.
+const LAYERED: f64 = 0.866;
+
+/// Edges that run along each other over less than this share of the shorter one only meet at their ends.
+const MEETING: f64 = 1e-3;
+
+/// Portals along a crack are this share of the usual spacing apart, since all that crosses has to pass through one.
+const OF_SPACING: f64 = 0.5;
+
+/// Edges of a leaf.
+const LEAF: usize = 4;
+
+/// A boundary edge.
+struct Rim {
+    halfedge: HalfedgeId,
+    component: u32,
+    ends: [DVec3; 2],
+    /// Unit vector along it.
+    along: DVec3,
+    length: f64,
+    /// Unit vector at right angles to it, to where its triangle lies.
+    side: DVec3,
+}
+
+impl Rim {
+    fn new(scene: &Scene, halfedge: HalfedgeId) -> Self {
+        let (face, k) = (halfedge.triangle(), halfedge.corner());
+        let corners = scene.triangle(face.0);
+        let ends = [corners[k], corners[(k + 1) % 3]];
+        let along = unit(ends[1] - ends[0]);
+        Self {
+            halfedge,
+            component: scene.surface.component(scene.surface.faces()[face][0]),
+            ends,
+            along,
+            length: ends[0].distance(ends[1]),
+            side: unit(area_vector(corners)).cross(along),
+        }
+    }
+
+    fn at(&self, share: f64) -> DVec3 {
+        self.ends[0] + (self.ends[1] - self.ends[0]) * share
+    }
+
+    fn place(&self, scene: &Scene, share: f64) -> Place {
+        let face: FaceId = self.halfedge.triangle();
+        Place::Face { face, weights: on_side(self.halfedge.corner(), share) }.snapped(scene.surface)
+    }
+}
+
+/// The portals across the cracks within each component that has some. `most`: how wide cracks may be, as a share of the diagonal
+/// of the scene.
+pub fn across_cracks(scene: &Scene, most: f64) -> Vec<([u32; 2], Vec<Portal>)> {
+    let surface = scene.surface;
+    let halfedges = (0..3 * surface.face_count() as u32).map(HalfedgeId);
+    let boundary = halfedges.filter(|&halfedge| surface.edges().is_single(halfedge));
+    let rims: Vec<Rim> = boundary.map(|halfedge| Rim::new(scene, halfedge)).collect();
+    if rims.is_empty() {
+        return Vec::new();
+    }
+    let middle = |index: usize| rims[index].at(0.5);
+    let order = along_curve(rims.len(), middle, parallel::ONE);
+    let rims: Vec<&Rim> = order.into_iter().map(|index| &rims[index as usize]).collect();
+    let mut found: Vec<([u32; 2], HalfedgeId, Portal)> = Vec::new();
+    for_pairs(&rims, most, &mut |first, second| {
+        // The one that comes first in the surface, so that the order of the search makes no difference.
+        let [first, second] = if first.halfedge < second.halfedge { [first, second] } else { [second, first] };
+        let components = [first.component; 2];
+        portals_between(scene, [first, second], most, &mut |portal| found.push((components, first.halfedge, portal)));
+    });
+    found.sort_by_key(|&(components, halfedge, _)| (components, halfedge));
+    // Both edges at a vertex tell of it.
+    let mut known = HashSet::new();
+    found.retain(|(.., portal)| {
+        let [a, b] = portal.ends.map(number);
+        let is_at_vertex = portal.ends.iter().any(|end| matches!(end, Place::Vertex(_)));
+        !is_at_vertex || known.insert([a.min(b), a.max(b)])
+    });
+    let contacts = found.chunk_by(|a, b| a.0 == b.0);
+    contacts.map(|own| (own[0].0, own.iter().map(|&(.., portal)| portal).collect())).collect()
+}
+
+/// What tells the vertex, the edge or the face of a place from others.
+fn number(place: Place) -> (u8, u32) {
+    match place {
+        Place::Vertex(vertex) => (0, vertex.0),
+        Place::Edge { halfedge, .. } => (1, halfedge.0),
+        Place::Face { face, .. } => (2, face.0),
+    }
+}
+
+/// Shows all pairs of edges whose boxes are no farther apart than this.
+fn for_pairs<'a>(rims: &[&'a Rim], within: f64, found: &mut impl FnMut(&'a Rim, &'a Rim)) {
+    let inner = rims.len().div_ceil(LEAF) - 1;
+    let mut boxes = vec![Bounds::EMPTY; inner];
+    boxes.extend(rims.chunks(LEAF).map(|leaf| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends))));
+    for node in (0..inner).rev() {
+        boxes[node] = boxes[2 * node + 1].around(boxes[2 * node + 2]);
+    }
+    let mut waiting = Vec::new();
+    for (number, rim) in rims.iter().enumerate() {
+        let own = Bounds::of_points(rim.ends);
+        waiting.push(0);
+        while let Some(node) = waiting.pop() {
+            if boxes[node].squared_distance(own) > within * within {
+                continue;
+            }
+            if node < inner {
+                waiting.extend([2 * node + 1, 2 * node + 2]);
+                continue;
+            }
+            let first = LEAF * (node - inner);
+            let last = rims.len().min(first + LEAF);
+            for other in first.max(number + 1)..last {
+                if rims[other].component == rim.component {
+                    found(rim, rims[other]);
+                }
+            }
+        }
+    }
+}
+
+/// The portals between two edges, where these run along each other.
+fn portals_between(scene: &Scene, [first, second]: [&Rim; 2], most: f64, found: &mut impl FnMut(Portal)) {
+    let (shorter, longer) = (first.length.min(second.length), first.length.max(second.length));
+    let within = most.min(OF_EDGE * longer) + scene.rounding;
+    if first.along.dot(second.along).abs() < ALONG || first.side.dot(second.side) > LAYERED {
+        return;
+    }
+    let shares = second.ends.map(|end| nearest_on_segment(end, first.ends));
+    let (enters, leaves) = (shares[0].min(shares[1]), shares[0].max(shares[1]));
+    let length = (leaves - enters) * first.length;
+    if length <= MEETING * shorter {
+        return;
+    }
+    let spacing = OF_SPACING * scene.spacing([first.component; 2]);
+    let cuts = (length / spacing).ceil().max(1.0) as u32;
+    for cut in 0..=cuts {
+        let share = if cut == cuts { leaves } else { enters + (leaves - enters) * f64::from(cut) / f64::from(cuts) };
+        let point = first.at(share);
+        let other = nearest_on_segment(point, second.ends);
+        if point.distance(second.at(other)) > within {
+            continue;
+        }
+        let ends = [first.place(scene, share), second.place(scene, other)];
+        if ends[0] != ends[1] {
+            let [start, end] = ends.map(|place| scene.point(place));
+            found(Portal { ends, gap: scene.in_file_unit(start.distance(end)) });
+        }
+    }
+}
