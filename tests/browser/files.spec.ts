@@ -136,7 +136,7 @@ test('where no format says a unit, the size suggests one, which can be changed a
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
   const unit = page.getByRole('combobox', { name: /^Unit/ });
-  await expect(unit.locator('option').first()).toHaveText('automatic (mm, assumed)');
+  await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
   await unit.selectOption('in');
   // It only labels: the number stays.
   await expect(numbers).toContainText(`${diameter} in`);

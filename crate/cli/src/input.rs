@@ -37,7 +37,7 @@ impl Input {
         let read_ms = milliseconds(start);
         let unit = match (shape, unit) {
             (Some(_), UnitRule::Automatic) => LengthUnit::default(),
-            _ => LengthUnit::of_file(&file, unit),
+            _ => file.length_unit(unit),
         };
         let all: Vec<usize> = (0..file.parts.len()).collect();
         let soup = file.select(if parts.is_empty() { &all } else { parts })?;

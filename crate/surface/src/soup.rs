@@ -7,7 +7,8 @@ use glam::{DVec3, Vec3};
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
 use crate::motion::{Motion, Pose};
-use crate::unit::Unit;
+use crate::triangle;
+use crate::unit::{LengthUnit, Unit, UnitRule};
 
 /// Triangles over shared vertices, in the order of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -136,6 +137,26 @@ impl Soup {
         })
     }
 
+    /// What its lengths are in, by a rule: where that is automatic and the format says no unit, the one that the size of all
+    /// of it suggests.
+    #[must_use]
+    pub fn length_unit(&self, rule: UnitRule) -> LengthUnit {
+        match (rule, self.unit) {
+            (UnitRule::Is(unit), _) => LengthUnit { unit, is_assumed: false },
+            (UnitRule::Automatic, Some(unit)) => LengthUnit { unit: Some(unit), is_assumed: false },
+            (UnitRule::Automatic, None) => {
+                let corners = self.triangles.as_flattened().iter();
+                let positions = corners.filter_map(|&vertex| self.positions.get(vertex as usize).copied());
+                let mut points = positions.filter(|position| position.is_finite());
+                let Some(first) = points.next() else { return LengthUnit::default() };
+                let (low, high) = points.fold((first, first), |(low, high), point| (low.min(point), high.max(point)));
+                // Halves, so that what is as large as numbers can be does not overflow.
+                let half_diagonal = triangle::length(0.5 * high - 0.5 * low);
+                LengthUnit { unit: Some(Unit::assumed(2.0 * half_diagonal)), is_assumed: true }
+            }
+        }
+    }
+
     /// Other triangles over its vertices, as one part: with the vertices that they use, in file order, without materials and
     /// without motion.
     ///
@@ -238,5 +259,41 @@ impl Soup {
             selection.motion = Arc::new(self.motion.select(vertices));
         }
         Ok(self.place(selection, &used))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use super::*;
+
+    /// A triangle whose bounding box has this diagonal, and a vertex far away that it does not use.
+    fn of_size(diagonal: f64) -> Soup {
+        let positions = vec![DVec3::ZERO, DVec3::X * 0.6 * diagonal, DVec3::Y * 0.8 * diagonal, DVec3::splat(1e9)];
+        Soup::single("triangle", positions, vec![[0, 1, 2]])
+    }
+
+    #[test]
+    fn the_size_suggests_a_unit_where_nothing_says_one() {
+        let assumed = |unit| LengthUnit { unit: Some(unit), is_assumed: true };
+        let sizes = [(0.2, Unit::Meter), (9.9, Unit::Meter), (10.1, Unit::Millimeter), (250.0, Unit::Millimeter)];
+        for (diagonal, unit) in sizes.into_iter().chain([(9_999.0, Unit::Millimeter), (10_001.0, Unit::Meter)]) {
+            assert_eq!(of_size(diagonal).length_unit(UnitRule::Automatic), assumed(unit), "{diagonal}");
+        }
+        assert_eq!(of_size(f64::MAX).length_unit(UnitRule::Automatic), assumed(Unit::Meter));
+        assert_eq!(Soup::default().length_unit(UnitRule::Automatic), LengthUnit::default());
+    }
+
+    #[test]
+    fn what_is_known_is_not_assumed() {
+        let known = |unit| LengthUnit { unit, is_assumed: false };
+        let stated = Soup { unit: Some(Unit::Inch), ..of_size(100.0) };
+        assert_eq!(stated.length_unit(UnitRule::Automatic), known(Some(Unit::Inch)));
+        for unit in [Some(Unit::Kilometer), None] {
+            assert_eq!(stated.length_unit(UnitRule::Is(unit)), known(unit));
+            assert_eq!(of_size(100.0).length_unit(UnitRule::Is(unit)), known(unit));
+        }
     }
 }

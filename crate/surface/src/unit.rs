@@ -4,8 +4,6 @@ use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 
 use crate::error::Error;
-use crate::soup::Soup;
-use crate::triangle;
 
 /// Files that are so many units across, from one to the other, hold millimeters if nothing else is known.
 const MILLIMETERS: [f64; 2] = [10.0, 10_000.0];
@@ -108,40 +106,12 @@ pub struct LengthUnit {
     pub is_assumed: bool,
 }
 
-impl LengthUnit {
-    /// Of all that a file holds, by a rule.
-    #[must_use]
-    pub fn of_file(soup: &Soup, rule: UnitRule) -> Self {
-        match (rule, soup.unit) {
-            (UnitRule::Is(unit), _) => Self { unit, is_assumed: false },
-            (UnitRule::Automatic, Some(unit)) => Self { unit: Some(unit), is_assumed: false },
-            (UnitRule::Automatic, None) => {
-                let corners =
-                    soup.triangles.as_flattened().iter().filter_map(|&vertex| soup.positions.get(vertex as usize));
-                let mut points = corners.copied().filter(|position| position.is_finite());
-                let Some(first) = points.next() else { return Self::default() };
-                let (low, high) = points.fold((first, first), |(low, high), point| (low.min(point), high.max(point)));
-                // Halves, so that what is as large as numbers can be does not overflow.
-                let half_diagonal = triangle::length(0.5 * high - 0.5 * low);
-                Self { unit: Some(Unit::assumed(2.0 * half_diagonal)), is_assumed: true }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
     use super::*;
-
-    /// A triangle whose bounding box has this diagonal, and a vertex far away that it does not use.
-    fn of_size(diagonal: f64) -> Soup {
-        let positions = vec![DVec3::ZERO, DVec3::X * 0.6 * diagonal, DVec3::Y * 0.8 * diagonal, DVec3::splat(1e9)];
-        Soup::single("triangle", positions, vec![[0, 1, 2]])
-    }
 
     #[test]
     fn rules_are_read_as_they_are_written() {
@@ -152,28 +122,6 @@ mod tests {
         assert_eq!("um".parse(), Ok(UnitRule::Is(Some(Unit::Micrometer))));
         for text in ["", "MM", "meter", "1"] {
             assert!(text.parse::<UnitRule>().is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn the_size_suggests_a_unit_where_nothing_says_one() {
-        let assumed = |unit| LengthUnit { unit: Some(unit), is_assumed: true };
-        let sizes = [(0.2, Unit::Meter), (9.9, Unit::Meter), (10.1, Unit::Millimeter), (250.0, Unit::Millimeter)];
-        for (diagonal, unit) in sizes.into_iter().chain([(9_999.0, Unit::Millimeter), (10_001.0, Unit::Meter)]) {
-            assert_eq!(LengthUnit::of_file(&of_size(diagonal), UnitRule::Automatic), assumed(unit), "{diagonal}");
-        }
-        assert_eq!(LengthUnit::of_file(&of_size(f64::MAX), UnitRule::Automatic), assumed(Unit::Meter));
-        assert_eq!(LengthUnit::of_file(&Soup::default(), UnitRule::Automatic), LengthUnit::default());
-    }
-
-    #[test]
-    fn what_is_known_is_not_assumed() {
-        let known = |unit| LengthUnit { unit, is_assumed: false };
-        let stated = Soup { unit: Some(Unit::Inch), ..of_size(100.0) };
-        assert_eq!(LengthUnit::of_file(&stated, UnitRule::Automatic), known(Some(Unit::Inch)));
-        for unit in [Some(Unit::Kilometer), None] {
-            assert_eq!(LengthUnit::of_file(&stated, UnitRule::Is(unit)), known(unit));
-            assert_eq!(LengthUnit::of_file(&of_size(100.0), UnitRule::Is(unit)), known(unit));
         }
     }
 }

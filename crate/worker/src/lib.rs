@@ -91,7 +91,7 @@ impl MeshFile {
             Some(_) => Up::Y,
             None => upright(&soup),
         };
-        let unit = LengthUnit::of_file(&soup, UnitRule::Automatic);
+        let unit = soup.length_unit(UnitRule::Automatic);
         Ok(Self { soup, up, unit })
     }
 

@@ -61,7 +61,7 @@ export function sceneSection(
     simplified.hidden = !simplified.textContent;
     if (!opened || !automatic) return;
     const { symbol, assumed } = unitOf({ unit: AUTOMATIC }, opened);
-    automatic.textContent = `automatic (${symbol || 'none'}${assumed ? ', assumed' : ''})`;
+    automatic.textContent = symbol ? `${symbol} (${assumed ? 'assumed' : 'of the file'})` : 'automatic (none)';
   };
   session.shown.watch(showUnit);
 
