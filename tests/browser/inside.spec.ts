@@ -1,4 +1,4 @@
-import type { MeshPoint } from '../../web/protocol';
+import type { InnerPoint, MeshPoint } from '../../web/protocol';
 import { grid, off, sphere } from '../fixtures';
 import { difference, expect, type HeatwalkPage, test } from '../page';
 import { cubeMsh, cubeVertex } from '../tetrahedra';
@@ -90,8 +90,9 @@ test('a click through the cut sets a source inside; it is dragged along the cut,
   expect((await heatwalk.scene()).sources).toEqual([first]);
   await page.keyboard.press('Control+Shift+z');
   await heatwalk.settled();
-  const { tetrahedron } = second as { tetrahedron: number };
-  await expect(page).toHaveURL(new RegExp(`&s=${tetrahedron}:`));
+  const { tetrahedron, weights } = second as InnerPoint;
+  const written = weights.map((weight) => Number(weight.toFixed(4))).join('/');
+  await expect(page).toHaveURL(new RegExp(`&s=${tetrahedron}:${written}&`));
   const link = new URL(page.url()).hash;
   await heatwalk.open(link);
   await heatwalk.dropAndOpen([['cube.msh', CUBE]]);
