@@ -5,7 +5,6 @@ mod tint;
 
 use glam::{Vec2, Vec3};
 
-use self::inside::Inside;
 use crate::arrow::Arrows;
 use crate::background::Background;
 use crate::camera::{Camera, Insets, View};
@@ -15,6 +14,7 @@ use crate::curve::Curve;
 use crate::environment::Environment;
 use crate::error::Error;
 use crate::ground::Ground;
+use crate::inside::Inside;
 use crate::mesh::Mesh;
 use crate::model::ModelRenderer;
 use crate::pin::Pins;

@@ -1,69 +1,15 @@
-//! What is shown of the inside of a solid.
+//! Sets what is shown of the inside of a solid.
 
 use glam::{Vec3, Vec4};
 
 use super::Renderer;
 use crate::check;
-use crate::context::Context;
-use crate::cut::{Cut, CutRenderer};
+use crate::cut::CutRenderer;
 use crate::error::Error;
 use crate::inner::InnerTriangles;
+use crate::planes::Cut;
 use crate::section::{Section, SectionArrays, SectionRenderer};
 use crate::shell::{ShellRenderer, Shells};
-
-/// The cut and what is seen through it. Most meshes are not solids: nothing is built before it is shown.
-#[derive(Default)]
-pub(super) struct Inside {
-    pub(super) cut: Cut,
-    pub(super) cuts: Option<CutRenderer>,
-    pub(super) section: Option<Section>,
-    pub(super) sections: Option<SectionRenderer>,
-    /// Something else stands in the place of the surface.
-    pub(super) hides_surface: bool,
-    pub(super) shells: Option<Shells>,
-    pub(super) films: Option<ShellRenderer>,
-    /// Greatest distance of the section from the middle of the scene; 0 where there is none.
-    pub(super) reach: f32,
-    /// Of the shells.
-    opacity: f32,
-    ramp_row: usize,
-}
-
-impl Inside {
-    /// Takes all away.
-    pub(super) fn clear(&mut self) {
-        self.cut = Cut::default();
-        (self.section, self.shells) = (None, None);
-        self.hides_surface = false;
-    }
-
-    /// `max`: the largest value of the field from now on.
-    pub(super) fn scale(&self, context: &Context, max: f64) {
-        if let Some(section) = &self.section {
-            section.scale(context, max);
-        }
-        if let Some(shells) = &self.shells {
-            shells.scale(context, max);
-        }
-    }
-
-    /// `center`: the middle of the scene from now on.
-    pub(super) fn measure(&mut self, center: Vec3) {
-        self.reach = self.section.as_ref().map_or(0.0, |section| section.reach(center));
-    }
-
-    /// Which of the ramps shells are coloured by.
-    pub(super) fn set_ramp_row(&mut self, context: &Context, row: usize) {
-        self.ramp_row = row;
-        self.write_film(context);
-    }
-
-    fn write_film(&self, context: &Context) {
-        if let Some(films) = &self.films {
-            films.set_film(context, self.opacity, self.ramp_row);
-        }
-    }
-}
 
 impl Renderer {
     /// Cuts the surface open by none, one or two planes: a unit normal and the offset along it each, world space. What is
