@@ -11,8 +11,13 @@ prepare();
 cargo('Checking the format of Rust', ['fmt', '--all', '--check'], 'Run: cargo fmt --all');
 cargo('Linting Rust', ['clippy', '--workspace', '--all-targets', '--', '-Dwarnings'], named);
 cargo('Linting Rust for wasm32', ['xtask', 'clippy-wasm'], named);
-// The worker is empty but on wasm32.
-const documented = ['doc', '--workspace', '--no-deps', '--exclude', 'heatwalk-worker'];
+// These are empty but on wasm32.
+const documented = [
+  'doc',
+  '--workspace',
+  '--no-deps',
+  ...['heatwalk-worker', 'heatwalk-interior'].flatMap((name) => ['--exclude', name]),
+];
 cargo('Building the documentation of Rust', documented, named, { RUSTDOCFLAGS: '-Dwarnings' });
 cargo('Looking for cycles of Rust modules', ['xtask', 'cycles'], cut);
 // The types of the bindings come with the modules.

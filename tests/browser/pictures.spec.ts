@@ -46,7 +46,6 @@ const PICTURES: readonly (readonly [name: string, link: string])[] = [
   ['walls', `m=village&w=none&slope=1&cam=0.35,0.75,2.7,0,0,0`],
   ['inside-wedge', `m=cave&w=none&cam=0.4,0.4,2.9,0,0,0`],
   ['inside-shells', `m=pipe&w=none&look=citrus&cut=none&spacing=0.1&cam=0.4,0.4,2.9,0,0,0`],
-  ['inside-cells', `m=pipe&w=none&gap=0.4&arrows=1&cam=0.6,0.2,1.6,0,0,0`],
   ['scenery', `m=maze&look=water&cam=0.45,0.9,3,0,0,0`],
 ];
 

@@ -1,7 +1,7 @@
 //! The face of tetrahedra in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
 //! [`Tetrahedra`] are read, made or filled into a closed surface. The page draws their [boundary](Boundary) as it draws any surface;
-//! with that, an [`InnerSolver`](solver::InnerSolver) answers and shows what is inside.
+//! with that, an [`InnerSolver`] answers and shows what is inside.
 
 #![cfg(target_arch = "wasm32")]
 
@@ -18,14 +18,14 @@ use glam::DVec3;
 use heatwalk::{Soup, Surface};
 use heatwalk_bindings::{Failure, Result};
 use heatwalk_scene::DrawTransform;
-use heatwalk_volume::fill::{FillReport, Resolution, Solid};
-use heatwalk_volume::io::{self, CellCounts};
+use heatwalk_volume::fill::{Resolution, Solid};
+use heatwalk_volume::io;
 use heatwalk_volume::{TetMesh, TetSoup, shapes};
 use js_sys::{Float64Array, Function, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::results::InnerReport;
+use crate::results::{InnerReport, Origin};
 use crate::solver::InnerSolver;
 
 /// The types of arguments that have no type in Rust.
@@ -44,13 +44,6 @@ export type Resource = (uri: string) => Uint8Array | undefined;
 #[wasm_bindgen(start)]
 pub fn start() {
     std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
-
-/// How tetrahedra came about.
-enum Origin {
-    File(CellCounts),
-    Code,
-    Fill(FillReport),
 }
 
 /// Tetrahedra, checked, with their neighbors.

@@ -3,12 +3,20 @@
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_scene::DrawTransform;
+use heatwalk_volume::fill::FillReport;
+use heatwalk_volume::io::CellCounts;
 use heatwalk_volume::{TetMesh, VolumeDistance, VolumeMethod, VolumePath};
 use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
-use crate::Origin;
 use crate::drawn::Drawn;
+
+/// How tetrahedra came about.
+pub(crate) enum Origin {
+    File(CellCounts),
+    Code,
+    Fill(FillReport),
+}
 
 /// What tetrahedra are and how they came about, in counts and in the file's unit.
 #[wasm_bindgen(inspectable)]
