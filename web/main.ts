@@ -57,11 +57,11 @@ const openGiven = (given: Given) => void opener.files(given);
 const dialogue = fileDialogue(openGiven);
 const folders = folderDialogue(openGiven);
 const messages = new Messages(dialogue.choose);
-const opener = new Opener(session, messages);
+const ground = new GroundEditor(session);
+const opener = new Opener(session, messages, ground);
 const address = new Address(scene, opener);
 const readout = new Readout(session);
 const tool = new Signal<Tool>('source');
-const ground = new GroundEditor(session);
 
 const touch = matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click';
 const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);

@@ -211,6 +211,8 @@ export interface OpenedMesh {
   meanEdge: number;
   /** Null for a surface. */
   interior: Interior | null;
+  /** What the file says that vertices of the input cost, under the name that it has for that; null where it says nothing. */
+  weights: { name: string; values: Float32Array } | null;
 }
 
 export interface DistanceField extends Omit<Plain<wasm.Field>, 'meanError' | 'maxError'> {

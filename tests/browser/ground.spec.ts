@@ -181,3 +181,35 @@ test('with a modifier the brush lets the camera move', async ({ heatwalk, page }
   await expect.poll(yaw).not.toBeCloseTo(before, 2);
   expect(await painted(heatwalk)).toBe(0);
 });
+
+test('a table of costs that is dropped is painted, and one that is none is named', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  const rows = Array.from({ length: 2 * N * N }, (_, triangle) => `${triangle},2`);
+  await heatwalk.drop([['costs.csv', `triangle,cost\n${rows.join('\n')}\n`]]);
+  await expect.poll(() => heatwalk.distanceAt(BEHIND)).toBeCloseTo(36 / N, 5);
+  expect((await heatwalk.mesh()).name).toBe('grid.off');
+  await heatwalk.drop([['costs.csv', `0,2\n${2 * N * N},2`]]);
+  await expect(page.locator('.message').first()).toContainText(`costs.csv, line 2: there is no triangle ${2 * N * N}`);
+  expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(36 / N, 5);
+  await page.keyboard.press('Control+z');
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(18 / N, 5);
+});
+
+test('what a file says that its vertices cost is painted by a button', async ({ heatwalk, page }) => {
+  const { positions, triangles } = grid(N);
+  const ply = [
+    'ply\nformat ascii 1.0',
+    `element vertex ${positions.length}\nproperty float x\nproperty float y\nproperty float z\nproperty float weight`,
+    `element face ${triangles.length}\nproperty list uchar int vertex_indices\nend_header`,
+    ...positions.map((place) => `${place.join(' ')} 4`),
+    ...triangles.map((corners) => `3 ${corners.join(' ')}`),
+  ].join('\n');
+  await heatwalk.openFile('grid.ply', ply, `${VIEW}&s=${SOURCE.vertex}&method=auto`);
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(18 / N, 5);
+  await page.locator('#section-ground > summary').click();
+  await page.getByRole('button', { name: 'Costs of the file (weight)' }).click();
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo((4 * 18) / N, 4);
+});

@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { codesOfRows, codesOfVertices } from '../../web/state/costs';
 import { areaOf, BRUSH, Stroke, type Terrain, toggled, touched } from '../../web/state/brush';
 import {
   CLOSED_GATE,
@@ -129,4 +130,30 @@ test('a gate opens and closes with all of its area', () => {
   expect(opened?.faces).toEqual(Uint8Array.from([0, OPEN_GATE, OPEN_GATE, 0, 0, CLOSED_GATE, 0, 0, 0, 0]));
   expect(opened && toggled(opened, neighbors, 1)?.faces[2]).toBe(CLOSED_GATE);
   expect(toggled(ground, neighbors, 0)).toBeNull();
+});
+
+test('rows of a file are costs and walls, and what is none is named by its line', () => {
+  const codes = codesOfRows('costs.csv', 'face,cost\n0,2\r\n\n3,0.5\n1\n4,inf\n', 6);
+  expect(Array.from(codes, costOf)).toEqual([2, Infinity, 1, 0.5, Infinity, 1]);
+  for (const [text, sentence] of [
+    ['0,2\n6,1', 'costs.csv, line 2: there is no triangle 6'],
+    ['0,2\n1.5,1', 'costs.csv, line 2: there is no triangle 1.5'],
+    ['0,0', 'costs.csv, line 1: a cost is 0'],
+    ['0,-3', 'costs.csv, line 1: a cost is -3'],
+    ['0,1e4', 'costs.csv, line 1: a cost is 10000'],
+    ['0,1\nmud,2', 'costs.csv, line 2: give a triangle'],
+    ['0,1\n1,2,3', 'costs.csv, line 2: give a triangle'],
+    ['0,1\n1,', 'costs.csv, line 2: give a triangle'],
+  ] as const) {
+    expect(() => codesOfRows('costs.csv', text, 6)).toThrow(sentence);
+  }
+});
+
+test('numbers of vertices cost triangles their mean', () => {
+  const codes = codesOfVertices('weight', Float32Array.of(1, 2, 3, 8), Uint32Array.of(0, 1, 2, 1, 2, 3));
+  expect(costOf(codes[0])).toBe(2);
+  expect(costOf(codes[1]) / (13 / 3)).toBeCloseTo(1, 1);
+  expect(() => codesOfVertices('weight', Float32Array.of(1, Number.NaN, 1), Uint32Array.of(0, 1, 2))).toThrow(
+    'The cost by weight at triangle 0',
+  );
 });

@@ -25,6 +25,11 @@ export function isArchive(path: string): boolean {
   return ARCHIVE.test(path);
 }
 
+/** Whether it holds rows of numbers. */
+export function isTable(path: string): boolean {
+  return /\.csv$/i.test(path);
+}
+
 export function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
 }

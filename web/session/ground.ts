@@ -11,7 +11,8 @@ import {
   type Terrain,
   toggled,
 } from '../state/brush';
-import { type Ground, LEVEL, type WallLine } from '../state/ground';
+import { codesOfRows, codesOfVertices } from '../state/costs';
+import { type Ground, LEVEL, type WallLine, withFaces } from '../state/ground';
 import type { Vector } from '../state/places';
 import { Signal } from '../state/signal';
 import type { PointHit } from '../view/view';
@@ -127,6 +128,31 @@ export class GroundEditor {
     const { scene } = this.#session;
     const all = Array.from({ length: triangles }, (_, face) => face);
     scene.place({ ground: filled(scene.state.ground, triangles, all, codeOfMaterial(this.brush.value)) });
+  }
+
+  /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
+  paintRows(name: string, text: string): void {
+    if (this.#session.shown.value?.opened.interior)
+      throw new Error(`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
+    this.#repaint(codesOfRows(name, text, this.#triangles));
+  }
+
+  /** Paints what the file of the mesh says that vertices cost. */
+  paintWeights(): void {
+    const opened = this.#session.shown.value?.opened;
+    if (!opened?.weights) return;
+    const { surface, inputVertices, weights } = opened;
+    const corners = surface.triangles.map((drawn) => inputVertices[drawn]);
+    try {
+      this.#repaint(codesOfVertices(weights.name, weights.values, corners));
+    } catch (error) {
+      this.#session.fail(error);
+    }
+  }
+
+  #repaint(codes: Uint8Array): void {
+    const { scene } = this.#session;
+    scene.place({ ground: withFaces(scene.state.ground, codes) });
   }
 
   /** Takes away all that is painted, and all walls. */

@@ -2,7 +2,7 @@
 import { collect, type Collection, NoMesh } from '../files/collection';
 import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
-import { fileName } from '../files/paths';
+import { fileName, isTable } from '../files/paths';
 import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -13,6 +13,7 @@ import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/preset
 import { emptyScene, type LengthUnit, type MeshReference, type SceneState, TRIANGLES, unitOf } from '../state/scene';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
+import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
 import { type OpenRequest, relativePlaces, type Shown } from './prepare';
 import type { Session } from './session';
@@ -74,12 +75,14 @@ const ADDRESS_SPACE = 4096;
 export class Opener {
   readonly #session: Session;
   readonly #voice: Voice;
+  readonly #ground: GroundEditor;
   /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
 
-  constructor(session: Session, voice: Voice) {
+  constructor(session: Session, voice: Voice, ground: GroundEditor) {
     this.#session = session;
     this.#voice = voice;
+    this.#ground = ground;
   }
 
   /** True while a link waits for its mesh: the address must not change before. */
@@ -96,7 +99,13 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
+  /** Opens a mesh of what was given; a table of costs alone is for the mesh on screen. */
   async files({ title, files }: Given): Promise<void> {
+    const [only, ...more] = await files.catch(() => []);
+    if (only && more.length === 0 && isTable(only.path)) {
+      await this.#paint(only);
+      return;
+    }
     const collected = async () => collect(await files);
     await this.#gather(title, collected, (collection) => {
       const awaited = this.#awaited;
@@ -105,6 +114,17 @@ export class Opener {
       const origin = { ...collection, reference: fileReference };
       return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
     });
+  }
+
+  /** Paints the ground of the mesh on screen. */
+  async #paint({ path, content }: GivenFile): Promise<void> {
+    const name = fileName(path);
+    try {
+      this.#ground.paintRows(name, await content.text());
+    } catch (error) {
+      const { message, stack } = toError(error);
+      this.#voice.fail(message, stack ?? message);
+    }
   }
 
   /** Fetches what is at an address, in the state that a link wants for it. */

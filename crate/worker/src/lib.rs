@@ -20,6 +20,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk::surface::soup::Attribute;
 use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, io};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
@@ -230,7 +231,8 @@ impl MeshFile {
         let transform = DrawTransform::around(&surface, &self.soup, up);
         let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
         let (cameras, lights) = (soup.cameras.clone(), soup.lights.clone());
-        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras, lights })
+        let weights = soup.attributes.iter().find(|attribute| is_weight(&attribute.name)).cloned();
+        Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras, lights, weights })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
@@ -245,6 +247,12 @@ impl MeshFile {
     }
 }
 
+/// Whether numbers of vertices that are called so are costs.
+fn is_weight(name: &str) -> bool {
+    let name = name.trim_start_matches('_').to_ascii_lowercase();
+    matches!(name.as_str(), "weight" | "weights" | "cost" | "costs")
+}
+
 /// A welded surface.
 #[wasm_bindgen]
 pub struct ActiveSurface {
@@ -254,6 +262,8 @@ pub struct ActiveSurface {
     moving: Option<Soup>,
     cameras: Vec<Camera>,
     lights: Vec<Light>,
+    /// What its vertices cost.
+    weights: Option<Attribute>,
     transform: DrawTransform,
 }
 
@@ -268,6 +278,17 @@ impl ActiveSurface {
     /// Mean edge length.
     pub fn mean_edge(&self) -> f64 {
         self.surface.mean_edge()
+    }
+
+    /// The name of the numbers of the file that say what its vertices cost; undefined where there are none.
+    pub fn weights_name(&self) -> Option<String> {
+        self.weights.as_ref().map(|weights| weights.name.clone())
+    }
+
+    /// One number a vertex of the input, NaN where the file has none; empty where there are none.
+    pub fn weights(&self) -> Vec<f32> {
+        let values = self.weights.iter().flat_map(|weights| &weights.values);
+        values.map(|&value| value as f32).collect()
     }
 
     /// What was done to make it.

@@ -146,6 +146,7 @@ const api: SolverApi = {
       report: interior ? { ...report, inputVertices: interior.report.inputVertices } : report,
       meanEdge: interior?.report.meanEdge ?? surface.mean_edge(),
       interior,
+      weights: weightsOf(surface),
     };
     surface.free();
     const inside = inner && innerSolver(inner.mesh, inputVertices, mesh.surface.triangles, drawTransform);
@@ -155,6 +156,7 @@ const api: SolverApi = {
       ...mesh.scenery.flatMap((part) => buffersOf(part.mesh)),
       mesh.inputVertices.buffer,
       mesh.lights.buffer,
+      ...(mesh.weights ? [mesh.weights.values.buffer] : []),
       ...(interior ? [interior.positions.buffer, interior.tetrahedra.buffer] : []),
       ...(mesh.appearance?.images.filter((image) => image !== null) ?? []),
     ]);
@@ -418,6 +420,11 @@ function nextWork(work: number, passed: number, wanted: number): number {
 
 function pathBuffersOf({ path }: Pick<TracedPath, 'path'>): Transferable[] {
   return path ? [path.points.buffer, path.normals.buffer, path.segmentCosts.buffer] : [];
+}
+
+function weightsOf(surface: wasm.ActiveSurface): OpenedMesh['weights'] {
+  const name = surface.weights_name();
+  return name === undefined ? null : { name, values: surface.weights() };
 }
 
 function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {

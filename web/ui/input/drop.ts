@@ -51,7 +51,7 @@ export interface Dialogue {
 
 export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
   const accept =
-    '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.mesh,.meshb,.msh,.node,.ele,.png,.jpg,.jpeg,.webp,.zip';
+    '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.mesh,.meshb,.msh,.node,.ele,.csv,.png,.jpg,.jpeg,.webp,.zip';
   return dialogue({ multiple: true, accept, 'aria-label': 'Open mesh files' }, open);
 }
 

@@ -91,6 +91,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     { class: 'small', title: 'Takes away all that is painted, and all walls', onclick: () => editor.clear() },
     'Clear',
   );
+  const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() });
   const slope = toggle('Slope', (on) => editor.setRelief({ slope: on }));
   slope.element.title = 'Tobler’s hiking function';
   const slopeHint = h(
@@ -159,6 +160,9 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     showGround();
     // Inside of tetrahedra there is no ground.
     if (shown?.opened !== previous?.opened) {
+      const weights = shown?.opened.weights;
+      ofFile.hidden = !weights;
+      ofFile.textContent = weights ? `Costs of the file (${weights.name})` : '';
       element.closest('details')?.toggleAttribute('hidden', (shown?.opened.interior ?? null) !== null);
     }
   });
@@ -170,7 +174,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     cost.element,
     size.element,
     soft.element,
-    h('div', { class: 'linking' }, fill, clear),
+    h('div', { class: 'linking' }, fill, clear, ofFile),
     slope.element,
     slopeHint,
     height.element,
