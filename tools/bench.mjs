@@ -1,6 +1,7 @@
 // npm run bench [-- --quick] [--only WORD] [--mesh FILE ... [--subdivide N]]: the native program, the page's worker and the
 // peers on the same meshes and from the same sources, in alternation, against the bars; with --methods the methods that
-// factor nothing against potpourri3d alone; with --against COMMIT [--budget SECONDS] this checkout against another commit.
+// factor nothing against potpourri3d alone; with --inside tetrahedra against libigl; with --against COMMIT [--budget SECONDS]
+// this checkout against another commit.
 // docs/benchmarks.md tells what each number means.
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
@@ -11,6 +12,7 @@ import { against } from './bench/against.mjs';
 import { bars, growthOf } from './bench/bars.mjs';
 import { description } from './bench/checkout.mjs';
 import { meshes as chosenMeshes } from './bench/meshes.mjs';
+import { inside } from './bench/inside.mjs';
 import { methods } from './bench/methods.mjs';
 import { Peers } from './bench/peers.mjs';
 import { Programs } from './bench/programs.mjs';
@@ -32,6 +34,7 @@ const { values } = parseArgs({
     only: { type: 'string', default: '' },
     quick: { type: 'boolean', default: false },
     methods: { type: 'boolean', default: false },
+    inside: { type: 'boolean', default: false },
     against: { type: 'string' },
     budget: { type: 'string', default: '60' },
   },
@@ -50,6 +53,11 @@ if (values.against !== undefined) {
 if (values.methods) {
   const { only, mesh: files, quick } = values;
   await methods({ files, subdivisions: Number(values.subdivide), quick, only });
+  process.exit();
+}
+
+if (values.inside) {
+  inside({ quick: values.quick });
   process.exit();
 }
 

@@ -26,7 +26,7 @@ import type {
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
-import { innerSolver, interiorOf } from './interior';
+import { innerSolver, interiorBytes, interiorOf } from './interior';
 import { innerMesh, type Mesh, messageOf, type SolvedField, surfaceMesh } from './mesh';
 import { FILLED_FROM, lookOf, openingOf, sourceOf } from './opening';
 import { plain } from './plain';
@@ -346,7 +346,7 @@ function factoringOf({ solver, surface, timings }: Current, memory: WebAssembly.
     links: surface?.links() ?? 0,
     linkedGap: surface?.linked_gap() ?? 0,
     factorNonzeros: solver.factor_nonzeros(),
-    memoryBytes: memory.buffer.byteLength,
+    memoryBytes: memory.buffer.byteLength + interiorBytes(),
   };
 }
 

@@ -11,6 +11,13 @@ import { plain } from './plain';
 type Module = typeof import('../../wasm/interior/heatwalk_interior.js');
 
 let loading: Promise<Module> | undefined;
+/** Of the module, where it is loaded. */
+let memory: WebAssembly.Memory | undefined;
+
+/** Bytes of wasm memory that tetrahedra use. */
+export function interiorBytes(): number {
+  return memory?.buffer.byteLength ?? 0;
+}
 
 function loaded(): Promise<Module> {
   loading ??= load().catch((error: unknown) => {
@@ -23,7 +30,7 @@ function loaded(): Promise<Module> {
 
 async function load(): Promise<Module> {
   const module = await import('../../wasm/interior/heatwalk_interior.js');
-  await module.default({ module_or_path: interiorAddress });
+  ({ memory } = await module.default({ module_or_path: interiorAddress }));
   return module;
 }
 

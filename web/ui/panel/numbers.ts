@@ -39,7 +39,8 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [string, 
   const { timings } = factoring;
   return [
     ['Triangles', count(report.faces)],
-    ['Vertices', count(report.vertices)],
+    ['Tetrahedra', opened.interior ? count(opened.interior.report.tetrahedra) : '–'],
+    ['Vertices', count((opened.interior?.report ?? report).vertices)],
     ['Components', count(report.components)],
     ['Contacts', factoring.groups > 0 ? count(factoring.contacts) : '–'],
     ['Links between groups', factoring.groups > 0 ? count(factoring.links) : '–'],

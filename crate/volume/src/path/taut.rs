@@ -1,5 +1,7 @@
-//! Paths pulled taut: corners are left out where straight lines see past them, and cut where they do not. Lines stay in tetrahedra of
-//! one cost, so corners where a path refracts stay where they are.
+//! Paths pulled taut: corners are left out where straight lines see past them, slide along the edges that they bend around, and are cut
+//! where they do not bend around any. Lines stay in tetrahedra of one cost, so corners where a path refracts stay where they are.
+
+use glam::DVec3;
 
 use super::corner::Corner;
 use crate::march::Medium;
@@ -16,13 +18,19 @@ const HALVINGS: u32 = 8;
 
 /// Shortens a path while its ends stay where they are.
 pub(super) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
-    let mut length = length_of(corners);
     skip(mesh, medium, corners);
+    shorten(mesh, medium, corners, |mesh, medium, corners| slide(mesh, medium, corners));
+    shorten(mesh, medium, corners, cut);
+}
+
+/// Goes on by steps of one kind while they shorten the path.
+fn shorten(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>, step: fn(&TetMesh, &Medium, &mut Vec<Corner>)) {
+    let mut length = length_of(corners);
     for _ in 0..ROUNDS {
         if corners.len() <= 2 {
             return;
         }
-        cut(mesh, medium, corners);
+        step(mesh, medium, corners);
         skip(mesh, medium, corners);
         let shorter = length_of(corners);
         if shorter >= length * (1.0 - GAIN) {
@@ -37,7 +45,7 @@ fn length_of(corners: &[Corner]) -> f64 {
 }
 
 /// The tetrahedron that the straight line from a corner to a place ends in, if it stays inside.
-fn sees(mesh: &TetMesh, medium: &Medium, from: &Corner, to: glam::DVec3) -> Option<u32> {
+fn sees(mesh: &TetMesh, medium: &Medium, from: &Corner, to: DVec3) -> Option<u32> {
     let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == from.cost;
     medium.sight(mesh).walk(from.start, [from.place, to], may_enter, |_| Crossing::On)
 }
@@ -64,6 +72,55 @@ fn skip(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         current = next;
     }
     *corners = kept;
+}
+
+/// Slides every corner along the edge that it is on, or one that it is the end of, to where the path is shortest, if that is seen from its
+/// neighbors.
+fn slide(mesh: &TetMesh, medium: &Medium, corners: &mut [Corner]) {
+    for index in 1..corners.len() - 1 {
+        let [before, corner, after] = [corners[index - 1], corners[index], corners[index + 1]];
+        if before.cost != corner.cost {
+            continue;
+        }
+        let edges: Vec<[u32; 2]> = match corner.start {
+            Start::Edge(ends) => vec![ends],
+            Start::Vertex(vertex) => mesh.adjacent().row(vertex).iter().map(|&other| [vertex, other]).collect(),
+            Start::Inside(_) => continue,
+        };
+        let length = |place: DVec3| before.place.distance(place) + place.distance(after.place);
+        let mut shortest = length(corner.place) * (1.0 - GAIN);
+        for ends in edges {
+            let (place, start) = best_on(mesh, ends, [before.place, after.place]);
+            let moved = Corner { place, start, ..corner };
+            let is_better = length(place) < shortest
+                && sees(mesh, medium, &before, place).is_some()
+                && sees(mesh, medium, &moved, after.place).is_some();
+            if is_better {
+                shortest = length(place);
+                corners[index] = moved;
+            }
+        }
+    }
+}
+
+/// Where a shortest path between two places crosses an edge: straight once both sides are unfolded around it.
+fn best_on(mesh: &TetMesh, ends: [u32; 2], places: [DVec3; 2]) -> (DVec3, Start) {
+    let [base, end] = ends.map(|vertex| mesh.positions()[vertex as usize]);
+    let length = base.distance(end);
+    let direction = (end - base) / length;
+    let [(one, one_away), (other, other_away)] = places.map(|place| {
+        let along = (place - base).dot(direction);
+        (along, (place - base - along * direction).length())
+    });
+    let along = (one * other_away + other * one_away) / (one_away + other_away);
+    // Written so that not a number, where both places are on the line of the edge, stays at an end.
+    if along > 0.0 && along < length {
+        (base + along * direction, Start::Edge(ends))
+    } else if along >= length {
+        (end, Start::Vertex(ends[1]))
+    } else {
+        (base, Start::Vertex(ends[0]))
+    }
 }
 
 /// Cuts every corner as deep as the line across stays inside.
