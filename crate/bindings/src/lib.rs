@@ -6,11 +6,19 @@
 mod failure;
 mod parameters;
 
-use js_sys::Reflect;
-use wasm_bindgen::JsValue;
+use js_sys::{Function, Reflect, Uint8Array};
+use wasm_bindgen::{JsCast, JsValue};
 
 pub use failure::{Failure, Result, end};
 pub use parameters::parameters;
+
+/// The files that a mesh refers to, by a function of JavaScript that gives their bytes, or undefined where one was not given.
+pub fn resources(function: &Function) -> impl Fn(&str) -> Option<Vec<u8>> {
+    move |uri| {
+        let found = function.call1(&JsValue::NULL, &uri.into()).ok()?;
+        Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
+    }
+}
 
 /// A property of an object that is a number.
 pub fn number(object: &JsValue, key: &str) -> Option<f64> {

@@ -16,12 +16,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{Soup, Surface};
-use heatwalk_bindings::{Failure, Result};
+use heatwalk_bindings::{Failure, Result, resources};
 use heatwalk_scene::DrawTransform;
 use heatwalk_volume::fill::{Resolution, Solid};
 use heatwalk_volume::io;
 use heatwalk_volume::{TetMesh, TetSoup, shapes};
-use js_sys::{Float64Array, Function, Uint8Array, Uint32Array};
+use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
@@ -69,11 +69,7 @@ impl Tetrahedra {
         bytes: &[u8],
         #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     ) -> Result<Self> {
-        let resource = |uri: &str| {
-            let found = resource.call1(&JsValue::NULL, &uri.into()).ok()?;
-            Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
-        };
-        let file = io::read(name, bytes, &resource)?;
+        let file = io::read(name, bytes, &resources(resource))?;
         Self::build(file.soup, Origin::File(file.cells))
     }
 

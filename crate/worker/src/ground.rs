@@ -5,9 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::surface::Error;
 use heatwalk::{Costs, FaceData, FaceId, HalfedgeId, InputVertex, Place, Surface, VertexId, Walls, tobler};
+use heatwalk_bindings::{Failure, Result};
 
 use crate::drawn::Drawn;
-use heatwalk_bindings::{Failure, Result};
 
 /// What stands for a wall among costs.
 const WALL: f64 = f64::INFINITY;

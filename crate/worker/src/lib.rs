@@ -23,9 +23,10 @@ use glam::DVec3;
 use heatwalk::surface::soup::Attribute;
 use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, io};
+use heatwalk_bindings::{Result, resources};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
-use js_sys::{Float64Array, Function, Object, Uint8Array, Uint32Array};
+use js_sys::{Float64Array, Function, Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
@@ -35,7 +36,6 @@ use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::Solver;
-use heatwalk_bindings::Result;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
 #[wasm_bindgen(typescript_custom_section)]
@@ -82,11 +82,7 @@ impl MeshFile {
         bytes: &[u8],
         #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     ) -> Result<Self> {
-        let resource = |uri: &str| {
-            let found = resource.call1(&JsValue::NULL, &uri.into()).ok()?;
-            Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
-        };
-        let soup = io::read(name, bytes, &resource)?;
+        let soup = io::read(name, bytes, &resources(resource))?;
         let up = match io::upward(name, bytes) {
             Some(DVec3::Z) => Up::Z,
             Some(_) => Up::Y,

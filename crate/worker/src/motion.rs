@@ -1,12 +1,12 @@
 //! What moves: the animations of a file, and scenery.
 
 use heatwalk::{Path, Soup, Surface, surface::motion};
+use heatwalk_bindings::Result;
 use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 use crate::results::{DrawMesh, DrawPose};
-use heatwalk_bindings::Result;
 
 /// An animation of the file.
 #[wasm_bindgen(inspectable)]

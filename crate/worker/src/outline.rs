@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 use heatwalk::Soup;
-use wasm_bindgen::prelude::*;
-
 use heatwalk_bindings::Result;
+use wasm_bindgen::prelude::*;
 
 /// The triangles of some parts, whose vertices are within ±1: simplifiers calculate in single precision.
 #[wasm_bindgen]

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{Distance, HeatSolver, PropagationRefinement, Refinement, RelativeError, Source, VertexData};
+use heatwalk_bindings::{Failure, Result};
 
 use crate::drawn::Drawn;
 use crate::field::{Field, Origin};
-use heatwalk_bindings::{Failure, Result};
 
 /// A distance, what it was found from, and what makes it exact.
 pub struct Solved {

@@ -13,6 +13,7 @@ use heatwalk::{
     CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
     PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract, straighten,
 };
+use heatwalk_bindings::{Failure, Result, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
@@ -24,8 +25,6 @@ use crate::joined::Joined;
 use crate::motion::Moving;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
-use heatwalk_bindings::parameters;
-use heatwalk_bindings::{Failure, Result};
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.

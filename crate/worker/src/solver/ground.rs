@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{HeatSolver, Surface};
+use heatwalk_bindings::Result;
 use heatwalk_scene::Crowd;
 use wasm_bindgen::prelude::*;
 
 use super::{CROWD_SEED, Solver};
 use crate::drawn::Drawn;
 use crate::ground::{Ground, Relief};
-use heatwalk_bindings::Result;
 
 impl Solver {
     /// The surface in the pose of the file, as walls part it.

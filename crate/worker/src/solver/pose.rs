@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{Distance, HeatSolver, Parameters, Path, Surface};
+use heatwalk_bindings::Result;
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
 use crate::motion::moment;
 use crate::results::{DrawPose, SurfacePath};
-use heatwalk_bindings::Result;
 
 impl Solver {
     /// The last field on the surface as it is shown.
