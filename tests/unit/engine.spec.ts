@@ -54,7 +54,12 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
     },
   };
   const worker = { api, call: <T>(answer: Promise<T>) => answer } as unknown as SolverWorker;
-  const made = new Engine(worker, { report: { components } } as OpenedMesh, {} as Factoring, DEFAULT_PARAMETERS);
+  const made = new Engine(
+    worker,
+    { interior: null, report: { components } } as OpenedMesh,
+    {} as Factoring,
+    DEFAULT_PARAMETERS,
+  );
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 

@@ -44,7 +44,7 @@ export function inside({ quick }) {
     'libigl (ms)',
     'heat / libigl',
   ];
-  const text = `${description(root)}\n\n${table(heads, rows)}\n`;
+  const text = `${description(root)}\n\n${table(heads, rows).join('\n')}\n`;
   writeFileSync(join(root, 'target', 'bench', 'inside.md'), text);
   console.log(`\n${text}\nWritten to target/bench/inside.md.`);
 }

@@ -177,7 +177,7 @@ function methodWords({ windows, inner, timeFactor }: DistanceField): string {
 export function exactnessWords(field: DistanceField): string {
   const { exactBelow, exactShare, windows, inner, timeFactor } = field;
   if (exactBelow === Infinity) return 'exact';
-  if (inner && timeFactor === undefined) return `waves, ${percentDown(exactShare)} in a straight line`;
+  if (inner && timeFactor === undefined) return `waves, ${percentDown(exactShare)} straight`;
   const method = windows === undefined ? 'heat method' : 'propagation';
   return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} exact` : method;
 }
