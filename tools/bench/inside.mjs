@@ -9,7 +9,7 @@ import { description } from './checkout.mjs';
 import { median } from './ratios.mjs';
 import { table } from './report.mjs';
 
-const ROUNDS = 5;
+const ROUNDS = 3;
 const FOLDER = join(root, 'target', 'bench', 'inside');
 
 export function inside({ quick }) {
