@@ -334,7 +334,7 @@ function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
 
 function openSurface(): wasm.Solver {
   const { surface } = openMesh();
-  if (!surface) throw new Error('Tetrahedra have no surface of their own to be walked on.');
+  if (!surface) throw new Error('Only a surface can be asked this, and the mesh is one of tetrahedra.');
   return surface;
 }
 
