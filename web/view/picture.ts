@@ -7,13 +7,18 @@ export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTM
 const FRAMES_A_SECOND = 60;
 const BITS_A_SECOND = 12_000_000;
 
-/** A PNG of the view, `scale` times as large as on the screen. */
+/** A PNG of the view with its overprint, `scale` times as large as on the screen. */
 export async function png(view: View, scale: number, clear: boolean): Promise<Blob> {
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
   if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
   context.putImageData(picture, 0, 0);
+  if (view.overprint) {
+    const times = picture.width / view.stage.clientWidth;
+    context.scale(times, times);
+    view.overprint(context);
+  }
   return canvas.convertToBlob({ type: 'image/png' });
 }
 

@@ -5,9 +5,8 @@
 //! So vertices and edges that the curve goes through or along need no special case: a segment counts for the one face that its path
 //! names. Area times winding number is an integral over borders and segments, by Green's theorem.
 
-use std::collections::HashMap;
-
 use crate::error::{Error, Result};
+use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{FaceData, FaceId, Path, SNAP};
 
@@ -40,6 +39,12 @@ struct Step {
     change: i32,
 }
 
+/// Puts a step where it belongs among others in order. There are few of them in a face.
+fn insert(steps: &mut Vec<Step>, step: Step) {
+    steps.insert(steps.partition_point(|other| other.at <= step.at), step);
+}
+
+/// What of the curve lies in a face.
 #[derive(Debug, Default)]
 struct Crossed {
     chords: Vec<Chord>,
@@ -63,20 +68,22 @@ impl Crossed {
     /// A place of an edge that is away from all steps of this face and, as `others`, of its neighbor: the middle of the widest gap.
     fn gap(&self, k: usize, others: impl Iterator<Item = f64>) -> f64 {
         let own = self.steps.iter().map(|step| step.at - k as f64);
-        let mut places: Vec<f64> = own.chain(others).filter(|place| (0.0..=1.0).contains(place)).collect();
-        places.extend([0.0, 1.0]);
-        places.sort_unstable_by(f64::total_cmp);
-        let widest = places.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-        widest.map_or(0.5, |gap| f64::midpoint(gap[0], gap[1]))
+        let mut places = vec![Step { at: 0.0, change: 0 }, Step { at: 1.0, change: 0 }];
+        for at in own.chain(others).filter(|place| (0.0..=1.0).contains(place)) {
+            insert(&mut places, Step { at, change: 0 });
+        }
+        let widest = places.windows(2).max_by(|a, b| (a[1].at - a[0].at).total_cmp(&(b[1].at - b[0].at)));
+        widest.map_or(0.5, |gap| f64::midpoint(gap[0].at, gap[1].at))
     }
 
     /// The integral of the winding number over the face, with so much at its first corner, in areas of the face.
     fn integral(&self, base: i32) -> f64 {
         let mut sum: f64 = self.chords.iter().map(|&[a, b]| cross(a, b)).sum();
         let (mut winding, mut from) = (base, 0.0);
-        let corners = [1.0, 2.0, 3.0].map(|at| Step { at, change: 0 });
-        let mut steps: Vec<Step> = self.steps.iter().copied().chain(corners).collect();
-        steps.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let mut steps = self.steps.clone();
+        for at in [1.0, 2.0, 3.0] {
+            insert(&mut steps, Step { at, change: 0 });
+        }
         for step in steps {
             sum += f64::from(winding) * cross(on_border(from), on_border(step.at));
             (winding, from) = (winding + step.change, step.at);
@@ -128,110 +135,125 @@ pub fn enclosed(surface: &Surface, paths: &[Path]) -> Result<Enclosed> {
     for path in paths {
         surface.require_own(path.surface(), "path")?;
     }
-    let Some(crossed) = crossed_faces(surface, paths) else { return Ok(Enclosed::Sideless) };
-    let Some(&first) = crossed.keys().min() else { return Ok(Enclosed::Sides([0.0; 2])) };
-    if crossed.values().any(|face| face.steps.iter().map(|step| step.change).sum::<i32>() != 0) {
+    let Some(curve) = Curve::new(surface, paths) else { return Ok(Enclosed::Sideless) };
+    if curve.crossed.iter().any(|(_, face)| face.steps.iter().map(|step| step.change).sum::<i32>() != 0) {
         let range = "closed: each path begins where the one before ends";
         return Err(Error::BadParameter { name: "curve", value: "open".to_owned(), range });
     }
-    if crossed.values().any(Crossed::crosses_itself) {
+    if curve.crossed.iter().any(|(_, face)| face.crosses_itself()) {
         return Ok(Enclosed::Crossed);
     }
-    Ok(match windings(surface, &crossed, first) {
-        Ok(windings) => areas(surface, &crossed, &windings),
+    Ok(match curve.windings(surface) {
+        Ok(windings) => curve.areas(surface, &windings),
         Err(why) => why,
     })
 }
 
-/// What lies in each face that the curve goes through; none where it leaps from one face to another.
-fn crossed_faces(surface: &Surface, paths: &[Path]) -> Option<HashMap<FaceId, Crossed>> {
-    let mut crossed: HashMap<FaceId, Crossed> = HashMap::new();
-    for ends in paths.iter().flat_map(|path| path.points.windows(2)) {
-        let chord = [&ends[0], &ends[1]].map(|end| end.location.reduced(surface).weights_in(surface, ends[0].face));
-        if chord.iter().any(|weights| (weights.iter().sum::<f64>() - 1.0).abs() > WEIGHT_ROUNDING) {
-            return None;
-        }
-        let face = crossed.entry(ends[0].face).or_default();
-        for (weights, change) in chord.into_iter().zip([-1, 1]) {
-            face.steps.extend(border_place(weights).map(|at| Step { at, change }));
-        }
-        face.chords.push(chord);
-    }
-    for face in crossed.values_mut() {
-        face.steps.sort_by(|a, b| a.at.total_cmp(&b.at));
-    }
-    Some(crossed)
+/// The faces that a curve goes through.
+struct Curve {
+    crossed: Vec<(FaceId, Crossed)>,
+    /// `#F`, which of `crossed` each face is; [`NONE`] for the others.
+    number: FaceData<u32>,
 }
 
-/// The winding number at the first corner of each face that can be reached from one, relative to that one.
-fn windings(
-    surface: &Surface,
-    crossed: &HashMap<FaceId, Crossed>,
-    first: FaceId,
-) -> std::result::Result<FaceData<Option<i32>>, Enclosed> {
-    let plain = Crossed::default();
-    let of = |face: FaceId| crossed.get(&face).unwrap_or(&plain);
-    let edges = surface.edges();
-    let mut windings: FaceData<Option<i32>> = vec![None; surface.face_count()].into();
-    windings[first] = Some(0);
-    let mut open = vec![(first, 0)];
-    while let Some((face, base)) = open.pop() {
-        for k in 0..3 {
-            let halfedge = face.halfedge(k);
-            if edges.is_single(halfedge) {
-                continue;
+impl Curve {
+    /// None where it leaps from one face to another.
+    fn new(surface: &Surface, paths: &[Path]) -> Option<Self> {
+        let mut curve = Self { crossed: Vec::new(), number: vec![NONE; surface.face_count()].into() };
+        for ends in paths.iter().flat_map(|path| path.points.windows(2)) {
+            let face = ends[0].face;
+            let chord = [&ends[0], &ends[1]].map(|end| end.location.snapped(surface).weights_in(surface, face));
+            if chord.iter().any(|weights| (weights.iter().sum::<f64>() - 1.0).abs() > WEIGHT_ROUNDING) {
+                return None;
             }
-            let mate = edges.mate(halfedge).ok_or(Enclosed::Sideless)?;
-            let (other, j) = (mate.triangle(), mate.corner());
-            if surface.ends(halfedge)[0] == surface.ends(mate)[0] {
-                return Err(Enclosed::Sideless);
+            if curve.number[face] == NONE {
+                curve.number[face] = curve.crossed.len() as u32;
+                curve.crossed.push((face, Crossed::default()));
             }
-            let (here, there) = (of(face), of(other));
-            let at = here.gap(k, there.steps.iter().map(|step| 1.0 - (step.at - j as f64)));
-            let beyond = base + here.winding(k as f64 + at) - there.winding(j as f64 + 1.0 - at);
-            match windings[other] {
+            let (_, crossed) = &mut curve.crossed[curve.number[face] as usize];
+            for (weights, change) in chord.into_iter().zip([-1, 1]) {
+                if let Some(at) = border_place(weights) {
+                    insert(&mut crossed.steps, Step { at, change });
+                }
+            }
+            crossed.chords.push(chord);
+        }
+        Some(curve)
+    }
+
+    fn in_face(&self, face: FaceId) -> Option<&Crossed> {
+        self.crossed.get(self.number[face] as usize).map(|(_, crossed)| crossed)
+    }
+
+    /// `#F`, the winding number at the first corner of each face that can be reached from the curve.
+    fn windings(&self, surface: &Surface) -> std::result::Result<FaceData<Option<i32>>, Enclosed> {
+        let plain = Crossed::default();
+        let edges = surface.edges();
+        let mut windings: FaceData<Option<i32>> = vec![None; surface.face_count()].into();
+        let mut open: Vec<(FaceId, i32)> = self.crossed.first().map(|&(face, _)| (face, 0)).into_iter().collect();
+        for &(face, base) in &open {
+            windings[face] = Some(base);
+        }
+        while let Some((face, base)) = open.pop() {
+            let here = self.in_face(face).unwrap_or(&plain);
+            for k in 0..3 {
+                let halfedge = face.halfedge(k);
+                if edges.is_single(halfedge) {
+                    continue;
+                }
+                let mate = edges.mate(halfedge).ok_or(Enclosed::Sideless)?;
+                let (other, j) = (mate.triangle(), mate.corner());
+                // Both run the same way along the edge: they face opposite sides.
+                if surface.ends(halfedge)[0] == surface.ends(mate)[0] {
+                    return Err(Enclosed::Sideless);
+                }
+                let there = self.in_face(other).unwrap_or(&plain);
+                let at = here.gap(k, there.steps.iter().map(|step| 1.0 - (step.at - j as f64)));
+                let beyond = base + here.winding(k as f64 + at) - there.winding(j as f64 + 1.0 - at);
+                match windings[other] {
+                    None => {
+                        windings[other] = Some(beyond);
+                        open.push((other, beyond));
+                    }
+                    Some(known) if known != beyond => return Err(Enclosed::Whole),
+                    Some(_) => {}
+                }
+            }
+        }
+        Ok(windings)
+    }
+
+    fn areas(&self, surface: &Surface, windings: &FaceData<Option<i32>>) -> Enclosed {
+        let (mut total, mut integral) = (0.0, 0.0);
+        let (mut least, mut most) = (i32::MAX, i32::MIN);
+        let reached = (0..).map(FaceId).zip(windings.iter()).filter_map(|(face, winding)| Some((face, (*winding)?)));
+        for (face, base) in reached {
+            let area = surface.face_area(face);
+            total += area;
+            match self.in_face(face) {
                 None => {
-                    windings[other] = Some(beyond);
-                    open.push((other, beyond));
+                    integral += area * f64::from(base);
+                    (least, most) = (least.min(base), most.max(base));
                 }
-                Some(known) if known != beyond => return Err(Enclosed::Whole),
-                Some(_) => {}
-            }
-        }
-    }
-    Ok(windings)
-}
-
-fn areas(surface: &Surface, crossed: &HashMap<FaceId, Crossed>, windings: &FaceData<Option<i32>>) -> Enclosed {
-    let (mut total, mut integral) = (0.0, 0.0);
-    let (mut least, mut most) = (i32::MAX, i32::MIN);
-    let reached = (0..).map(FaceId).zip(windings.iter()).filter_map(|(face, winding)| Some((face, (*winding)?)));
-    for (face, base) in reached {
-        let area = surface.face_area(face);
-        total += area;
-        match crossed.get(&face) {
-            None => {
-                integral += area * f64::from(base);
-                (least, most) = (least.min(base), most.max(base));
-            }
-            Some(inside) => {
-                integral += area * inside.integral(base);
-                for winding in inside.border_windings() {
-                    (least, most) = (least.min(base + winding), most.max(base + winding));
+                Some(inside) => {
+                    integral += area * inside.integral(base);
+                    for winding in inside.border_windings() {
+                        (least, most) = (least.min(base + winding), most.max(base + winding));
+                    }
                 }
             }
         }
+        if most - least > 1 {
+            return Enclosed::Crossed;
+        }
+        let above = integral - f64::from(least) * total;
+        // Where no border is crossed, the curve is in one face, and what is left of it is inside or all else.
+        let left = if most == least && above < 0.0 { total + above } else { above };
+        let slack = AREA_ROUNDING * total;
+        if !(-slack..=total + slack).contains(&left) {
+            return Enclosed::Crossed;
+        }
+        let left = left.clamp(0.0, total);
+        Enclosed::Sides([left, total - left])
     }
-    if most - least > 1 {
-        return Enclosed::Crossed;
-    }
-    let above = integral - f64::from(least) * total;
-    // Where no border is crossed, the curve is in one face, and what is left of it is inside or all else.
-    let left = if most == least && above < 0.0 { total + above } else { above };
-    let slack = AREA_ROUNDING * total;
-    if !(-slack..=total + slack).contains(&left) {
-        return Enclosed::Crossed;
-    }
-    let left = left.clamp(0.0, total);
-    Enclosed::Sides([left, total - left])
 }

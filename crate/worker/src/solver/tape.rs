@@ -12,7 +12,6 @@ use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
-use crate::drawn::Drawn;
 
 /// Windows of each half-edge by which a length is estimated, and where costs refract them.
 const WINDOWS: u16 = 1;
