@@ -53,7 +53,9 @@ const stage = h('main', {
 page.append(stage);
 
 const scene = new Scene(FIRST_PRESET.start);
-const view = new View(stage, new URLSearchParams(location.search).get('gpu') === 'webgl');
+const wishes = new URLSearchParams(location.search);
+const view = new View(stage, wishes.get('gpu') === 'webgl');
+view.drawsAllPixels = wishes.get('resolution') === 'full';
 const session = new Session(scene, view);
 const openGiven = (given: Given) => void opener.files(given);
 const dialogue = fileDialogue(openGiven);

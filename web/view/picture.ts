@@ -22,8 +22,19 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** A WebM video of the canvas until `end`. */
-export async function video(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
+/** A WebM video of the view until `end`, with all pixels. */
+export async function video(view: View, end: Promise<unknown>): Promise<Blob> {
+  const { drawsAllPixels } = view;
+  view.drawsAllPixels = true;
+  view.adapt(1);
+  try {
+    return await record(view.canvas, end);
+  } finally {
+    view.drawsAllPixels = drawsAllPixels;
+  }
+}
+
+async function record(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
   const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
     mimeType: 'video/webm',
     videoBitsPerSecond: BITS_A_SECOND,

@@ -3,7 +3,7 @@ import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import { h } from '../dom';
-import { bytes, count, finePercent, length, measure, milliseconds, percentDown } from '../words';
+import { bytes, count, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
 
 const PATH_WORDS: Record<PathKind, string> = { descent: 'steepest descent', straight: 'straightened', exact: 'exact' };
 
@@ -30,6 +30,7 @@ export function numbersSection(session: Session): HTMLElement {
     if (!isSameUnit(state, previous)) show();
   });
   session.view.backend.watch((backend) => put('Renderer', backend ?? 'none'));
+  session.view.resolution.watch((share) => put('Pixels drawn', percent(share ** 2)));
   return table;
 }
 
