@@ -4,7 +4,7 @@ import { lengthOf, type MeasuredTape, stateOf } from '../../web/session/tapes';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { emptyScene, Scene, type SceneState, unitOf } from '../../web/state/scene';
 import { canClose, closed, extended, legsOf, moved, type Tape, withoutPlace } from '../../web/state/tapes';
-import { csvOf, enclosureWords, lengthWords } from '../../web/ui/measure/words';
+import { areaLabel, csvOf, enclosureWords, lengthWords } from '../../web/ui/measure/words';
 import { measure, volume } from '../../web/ui/words';
 
 const START = emptyScene({ kind: 'preset', id: 'bunny' });
@@ -96,6 +96,8 @@ test('a known length scales lengths, areas and volumes', () => {
   expect(volume(3, unit)).toBe('24 m³');
   const ring = measured({ tape: { ...tape(1, 2, 3), closed: true }, enclosure: { kind: 'sides', area: 3 } });
   expect(enclosureWords(ring, unit)).toBe('Area enclosed: 12 m².');
+  expect(areaLabel(ring, unit)).toBe('area 12 m²');
+  expect(areaLabel(ring, { ...unit, symbol: '' })).toBe('area 12');
 });
 
 test('a sum is as certain as its least certain leg', () => {

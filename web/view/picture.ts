@@ -15,8 +15,11 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
   context.putImageData(picture, 0, 0);
   if (view.overprint) {
-    const times = picture.width / view.stage.clientWidth;
-    context.scale(times, times);
+    const { left, top, width, height } = view.stage.getBoundingClientRect();
+    const [x, y] = view.centre;
+    context.scale(picture.width / width, picture.height / height);
+    // Pictures have no panel beside the model.
+    context.translate(left + width / 2 - x, top + height / 2 - y);
     view.overprint(context);
   }
   return canvas.convertToBlob({ type: 'image/png' });

@@ -7,8 +7,7 @@ import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
 import type { MeasureInput } from '../input/measure';
-import { area } from '../words';
-import { lengthWords } from './words';
+import { areaLabel, lengthWords } from './words';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
 const RIM = { colour: '#101418', width: 5 };
@@ -233,7 +232,7 @@ function segmentsOf(curve: readonly Vector[]): number[] {
 
 /** The length of each leg in its middle; the sum, and the area, at the last place. */
 function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: LengthUnit, places: Places): Anchored[] {
-  const { tape, legs, enclosure } = measured;
+  const { tape, legs } = measured;
   const labels = legs.flatMap(({ leg, state, straight }, index) => {
     const position = middle(curves[index].length > 1 ? curves[index] : positions(legsOf(tape)[index], places));
     const value = state === 'straight' ? straight : (leg?.length ?? NaN);
@@ -242,8 +241,8 @@ function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: Len
   const last = places.at(tape.points[tape.closed ? 0 : tape.points.length - 1]);
   if (legs.length < 2 || !last) return labels;
   const sum = lengthWords(lengthOf(measured), stateOf(measured), unit);
-  const within = enclosure?.kind === 'sides' ? ` · ${area(enclosure.area, { ...unit, assumed: false })}` : '';
-  return [...labels, label(`Σ ${sum}${within}`, last.position, 'sum')];
+  const within = areaLabel(measured, unit);
+  return [...labels, label(within ? `Σ ${sum} · ${within}` : `Σ ${sum}`, last.position, 'sum')];
 }
 
 function label(text: string, position: Vector, kind: 'leg' | 'sum'): Anchored {

@@ -5,7 +5,7 @@ import { type LengthUnit, type UnitChoice, unitOf, UNITS } from '../../state/sce
 import { SCALES } from '../../state/tapes';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
-import { csvOf, enclosureWords, lengthWords, ratioWords, STATE_WORDS } from './words';
+import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
 
 export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const { scene, shown } = session;
@@ -26,9 +26,9 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const buttons = h(
     'div',
     { class: 'openers' },
-    h('button', { title: 'Copy all lengths as CSV', onclick: () => void copy() }, 'Copy CSV'),
-    h('button', { title: 'Save all lengths as a CSV file', onclick: saveFile }, 'Save CSV'),
-    h('button', { title: 'Delete all tapes', onclick: () => scene.place({ tapes: [] }) }, 'Delete all'),
+    h('button', { class: 'small', title: 'Copy all lengths as CSV', onclick: () => void copy() }, 'Copy CSV'),
+    h('button', { class: 'small', title: 'Save all lengths as a CSV file', onclick: saveFile }, 'Save CSV'),
+    h('button', { class: 'small', title: 'Delete all tapes', onclick: () => scene.place({ tapes: [] }) }, 'Delete all'),
   );
   let cards: Card[] = [];
   const show = () => {
@@ -71,16 +71,8 @@ function card(session: Session, index: number): Card {
       '×',
     ),
   );
-  const table = h(
-    'table',
-    { class: 'tape-legs', 'aria-label': title },
-    h(
-      'thead',
-      {},
-      h('tr', {}, ...['Leg', 'Surface', 'Straight', 'Ratio'].map((name) => h('th', { scope: 'col' }, name))),
-    ),
-    body,
-  );
+  const titles = h('tr');
+  const table = h('table', { class: 'tape-legs', 'aria-label': title }, h('thead', {}, titles), body);
   const known = knownLength(session, index);
   return {
     element: h('section', { class: 'tape', 'aria-label': title }, head, table, note, known.element),
@@ -89,6 +81,9 @@ function card(session: Session, index: number): Card {
       const sum = lengthOf(measured);
       total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : 'one place so far';
       table.hidden = legs.length === 0;
+      const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
+      const names = ['Leg', inUnit('Surface'), inUnit('Straight'), 'Ratio'];
+      titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
       const rows = legs.map(({ leg, state, straight }, k) =>
         row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
       );
@@ -109,8 +104,8 @@ function row(
   unit: LengthUnit,
 ): HTMLElement {
   const cells = [
-    state === 'straight' ? '–' : lengthWords(surface, state, unit),
-    lengthWords(straight, 'straight', unit),
+    state === 'straight' ? '–' : lengthNumber(surface, state, unit),
+    lengthNumber(straight, 'straight', unit),
     ratioWords(straight, surface),
   ];
   const told = state === 'straight' ? null : h('span', { class: 'quiet' }, STATE_WORDS[state]);

@@ -18,11 +18,23 @@ export const STATE_WORDS: Record<LegState, string> = {
 /** Digits that a table has of a number: more than single precision gives. */
 const DIGITS = 9;
 
-/** A length with the sign of what is not exact; a dash where there is none. */
+/** A length, with a sign where it is not exact. Without the unit, which a table has in its head. */
+export function lengthNumber(value: number, state: LegState, { scale }: LengthUnit): string {
+  if (!Number.isFinite(value)) return state === 'none' ? '–' : '…';
+  const isApproximate = state === 'estimated' || state === 'approximate' || state === 'cost';
+  return `${isApproximate ? '≈ ' : ''}${length(value * scale)}`;
+}
+
+/** The same with the unit, where there is one. */
 export function lengthWords(value: number, state: LegState, unit: LengthUnit): string {
   if (!Number.isFinite(value)) return state === 'none' ? 'not connected' : '…';
-  const isApproximate = state === 'estimated' || state === 'approximate' || state === 'cost';
-  return `${isApproximate ? '≈ ' : ''}${length(value * unit.scale)} ${unit.symbol || 'units'}`;
+  return `${lengthNumber(value, state, unit)} ${unit.symbol}`.trim();
+}
+
+/** The area within a closed tape on its label; empty where there is none. */
+export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): string {
+  if (enclosure?.kind !== 'sides') return '';
+  return `area ${length(enclosure.area * scale ** 2)} ${symbol && `${symbol}²`}`.trim();
 }
 
 /** Straight length as a share of that on the surface. */
