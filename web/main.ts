@@ -37,6 +37,7 @@ import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
 import { groundSection } from './ui/panel/ground';
 import { insideSection } from './ui/panel/inside';
+import { chartsSection } from './ui/panel/charts';
 import { MeasureSection } from './ui/panel/measure';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
@@ -134,6 +135,7 @@ if (!address.kiosk) {
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
+    { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];

@@ -1,5 +1,4 @@
 /** Tapes on the stage: their curves, places that can be dragged, and lengths that follow the camera and stay in pictures. */
-import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/tapes';
 import type { Places, Vector } from '../../state/places';
@@ -7,6 +6,7 @@ import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
 import type { MeasureInput } from '../input/measure';
+import { away, middleOf, pointsOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
@@ -212,18 +212,9 @@ export class TapeLabels {
 function curvesOf({ tape, legs }: MeasuredTape, places: Places): Vector[][] {
   return legsOf(tape).map((ends, index) => {
     const { leg, state } = legs[index];
-    if (state === 'straight') return positions(ends, places);
-    if (!leg) return [];
-    const { weights } = leg;
-    const points = Array.from(leg.triangles, (face, i): MeshPoint => {
-      return { face, weights: [weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]] };
-    });
-    return positions(points, places);
+    if (state === 'straight') return positionsOf(ends, places);
+    return leg ? positionsOf(pointsOf(leg), places) : [];
   });
-}
-
-function positions(points: readonly MeshPoint[], places: Places): Vector[] {
-  return points.map((point) => places.at(point)?.position).filter((position) => position !== undefined);
 }
 
 function segmentsOf(curve: readonly Vector[]): number[] {
@@ -234,7 +225,7 @@ function segmentsOf(curve: readonly Vector[]): number[] {
 function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: LengthUnit, places: Places): Anchored[] {
   const { tape, legs } = measured;
   const labels = legs.flatMap(({ leg, state, straight }, index) => {
-    const position = middle(curves[index].length > 1 ? curves[index] : positions(legsOf(tape)[index], places));
+    const position = middleOf(curves[index].length > 1 ? curves[index] : positionsOf(legsOf(tape)[index], places));
     const value = state === 'straight' ? straight : (leg?.length ?? NaN);
     return position ? [label(lengthWords(value, state, unit), position, 'leg')] : [];
   });
@@ -247,24 +238,4 @@ function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: Len
 
 function label(text: string, position: Vector, kind: 'leg' | 'sum'): Anchored {
   return { element: h('div', { class: `tape-label ${kind}` }, h('span', {}, text)), position };
-}
-
-/** The point half way along a curve; null for none. */
-function middle(curve: readonly Vector[]): Vector | null {
-  const whole = curve.slice(1).reduce((sum, point, index) => sum + away(curve[index], point), 0);
-  let passed = 0;
-  for (const [index, point] of curve.slice(1).entries()) {
-    const before = curve[index];
-    const step = away(before, point);
-    if (passed + step >= whole / 2 && step > 0) {
-      const share = (whole / 2 - passed) / step;
-      return before.map((from, axis) => from + share * (point[axis] - from)) as Vector;
-    }
-    passed += step;
-  }
-  return curve[0] ?? null;
-}
-
-function away(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }

@@ -1,7 +1,7 @@
 /** The section of tapes, and the labels on the stage. What measures and shows them is loaded with the first tape. */
 import type { Session } from '../../session/session';
-import type { ToldTape } from '../../session/tapes';
-import type { Signal } from '../../state/signal';
+import type { MeasuredTape, ToldTape } from '../../session/tapes';
+import { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { MeasureInput } from '../input/measure';
 import type { Measuring } from '../measure/loaded';
@@ -15,6 +15,7 @@ export class MeasureSection {
   readonly #input: MeasureInput;
   #loading: Promise<Measuring> | null = null;
   #loaded: Measuring | null = null;
+  readonly measured = new Signal<readonly MeasuredTape[]>([]);
 
   constructor(session: Session, input: MeasureInput, tool: Signal<Tool>) {
     this.#session = session;
@@ -58,6 +59,7 @@ export class MeasureSection {
     this.#loading = import('../measure/loaded').then(({ measuring }) => measuring(this.#session, this.#input));
     try {
       this.#loaded = await this.#loading;
+      this.#loaded.tapes.measured.watch((measured) => (this.measured.value = measured));
       this.labels.append(this.#loaded.labels.element);
       this.element.append(this.#loaded.table);
       this.#loaded.labels.follow();
