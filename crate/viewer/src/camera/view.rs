@@ -42,9 +42,9 @@ impl View {
         }
     }
 
-    /// From so many times as far.
+    /// From so many times as far. It is not clamped, so that the way there and back ends where it began.
     pub(super) fn scaled(self, factor: f64) -> Self {
-        Self { distance: self.distance * factor, ..self }.clamped()
+        Self { distance: self.distance * factor, ..self }
     }
 
     /// The camera's axes (right, up, back) as columns.
