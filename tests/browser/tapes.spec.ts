@@ -26,7 +26,10 @@ async function exact(heatwalk: HeatwalkPage, legs: number) {
   return newest;
 }
 
-test('a tape is laid, dragged, closed, told in a known scale, saved, undone and shared', async ({ heatwalk, page }) => {
+test('a tape is laid, dragged, closed, told in a known scale, saved, undone, shared and charted', async ({
+  heatwalk,
+  page,
+}) => {
   await heatwalk.openFile('square.off', off(grid(N)), VIEW);
   await heatwalk.settled();
   const solves = await heatwalk.solves();
@@ -110,4 +113,15 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone and 
   await heatwalk.openFile('square.off', off(grid(N)), new URL(address).hash.replace(/^#v=1&m=file&name=[^&]*&/, ''));
   await exact(heatwalk, 3);
   await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');
+
+  // Charts of the distance and of the tape, in the same scale.
+  const charts = page.locator('#section-charts');
+  await charts.locator('summary').click();
+  await expect(charts.getByRole('img')).toHaveCount(3);
+  await expect(charts).toContainText('Along the tape (cm)');
+  const chart = page.waitForEvent('download');
+  await charts.getByRole('button', { name: 'Save Area within a distance as SVG' }).click();
+  const file = await readFile(await (await chart).path(), 'utf8');
+  expect(file).toMatch(/^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+  expect(file).not.toContain('var(');
 });
