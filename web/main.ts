@@ -17,6 +17,7 @@ import { Signal } from './state/signal';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
+import { MeasureInput } from './ui/input/measure';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followPaste } from './ui/input/paste';
@@ -37,6 +38,8 @@ import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
 import { groundSection } from './ui/panel/ground';
 import { insideSection } from './ui/panel/inside';
+import { chartsSection } from './ui/panel/charts';
+import { MeasureSection } from './ui/panel/measure';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
@@ -70,19 +73,25 @@ const hint = hints(session);
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session);
-const frames = new Frames(session, crowd, () => handle.follow());
+const measure = new MeasureInput(session, tool);
+const measuring = new MeasureSection(session, measure, tool);
+const frames = new Frames(session, crowd, () => {
+  handle.follow();
+  measuring.follow();
+});
 const cameraMoved = () => frames.cameraMoved();
 const help = () => {
   import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel), session.fail.bind(session));
 };
 
 const brush = new BrushInput(session, ground);
-new PointerInput({ session, readout, tool, brush, cameraMoved }).listen();
+new PointerInput({ session, readout, tool, brush, measure, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
   ground,
+  measure,
   cameraMoved,
   chooseFile: dialogue.choose,
   help,
@@ -99,6 +108,7 @@ page.append(
   messages.element,
   loadingBar(session),
   handle.element,
+  measuring.labels,
   readout.element,
   keys.reticle,
   dropTarget(openGiven, (dragged) => void opener.address(dragged)),
@@ -118,11 +128,13 @@ if (!address.kiosk) {
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'measure', title: 'Measure', element: measuring.element, open: false },
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
+    { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];
@@ -158,7 +170,13 @@ async function begin(): Promise<void> {
   hint.begin();
   await new Promise(requestAnimationFrame);
 }
-expose(session, begin().finally(first.resolve), async () => {
-  await overlays.settled();
-  await crowd.settled();
-});
+expose(
+  session,
+  begin().finally(first.resolve),
+  async () => {
+    await overlays.settled();
+    await crowd.settled();
+    await measuring.settled();
+  },
+  () => measuring.told,
+);

@@ -8,10 +8,13 @@ import { Signal } from '../state/signal';
 import {
   CLEARED_BY_SURFACE,
   COMMON,
+  EDGE_GROUPS,
+  type EdgeGroup,
   type Edges,
   emptyPicture,
   type Layer,
   NO_APPEARANCE,
+  NO_EDGES,
   NO_FIELD,
   NO_INSIDE,
   NO_MESH,
@@ -71,6 +74,8 @@ export class View {
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
+  /** What saved pictures have over the model, in CSS pixels of the stage. */
+  overprint: ((context: OffscreenCanvasRenderingContext2D) => void) | null = null;
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<string | null>(null);
   /** What went wrong while drawing goes on. */
@@ -196,7 +201,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.overlays, picture.walls, picture.inside] = [[], [], null];
+      [picture.edges, picture.inside] = [NO_EDGES, null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -361,22 +366,13 @@ export class View {
     this.#show('arrows', (viewer) => viewer.set_arrows(vectors));
   }
 
-  setEdges(kinds: readonly Edges[]): void {
-    this.#picture.overlays = kinds;
-    this.#showEdges();
-  }
-
-  /** Walls along edges, drawn over the other ones. */
-  setWalls(kinds: readonly Edges[]): void {
-    this.#picture.walls = kinds;
-    this.#showEdges();
-  }
-
-  #showEdges(): void {
-    const { overlays, walls } = this.#picture;
+  /** Lines on the surface, in the place of those that were shown for the same. */
+  setEdges(group: EdgeGroup, kinds: readonly Edges[]): void {
+    const edges = { ...this.#picture.edges, [group]: kinds };
+    this.#picture.edges = edges;
     this.#show('edges', (viewer) => {
       viewer.clear_edges();
-      for (const { ends, colour, width } of [...overlays, ...walls]) {
+      for (const { ends, colour, width } of EDGE_GROUPS.flatMap((each) => edges[each])) {
         viewer.add_edges(ends, unitColour(colour), width ?? THIN);
       }
     });

@@ -10,6 +10,7 @@ import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
+import type { MeasureInput } from './measure';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -26,13 +27,14 @@ const ARROWS: Record<string, readonly [number, number]> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
-const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker' };
+const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker', '4': 'measure' };
 
 export interface KeysOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
   ground: GroundEditor;
+  measure: MeasureInput;
   chooseFile: () => void;
   help: () => void;
   /** Fills the surface. */
@@ -158,7 +160,7 @@ export class Keys {
   #escape(closeMessage: () => boolean): void {
     const { session } = this.#o;
     if (session.loading.value) session.cancelOpening();
-    else if (this.#o.ground.endLine()) return;
+    else if (this.#o.ground.endLine() || this.#o.measure.end()) return;
     else if (this.#o.ground.brush.value.on) this.#o.ground.set({ on: false });
     else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
     else if (!closeMessage()) this.#hideReticle();
@@ -175,6 +177,7 @@ export class Keys {
     const { point } = hit;
     if (this.#o.ground.brush.value.on && !walker && !event.shiftKey) this.#paint(hit, x, y);
     else if (walker) sendWalker(session.scene, point);
+    else if (!event.shiftKey && this.#o.measure.add(point)) return true;
     else if (event.shiftKey) addSource(session.scene, point);
     else setSource(session.scene, point);
     return true;

@@ -7,6 +7,7 @@ import { reducedMotion } from '../../view/motion';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
 import type { BrushInput } from './brush';
+import type { MeasureInput } from './measure';
 import { type Finger, listenToWheel, pinch } from './orbit';
 import { type Target, targetAt } from './pick';
 
@@ -34,6 +35,7 @@ export interface PointerOptions {
   readout: Readout;
   tool: Signal<Tool>;
   brush: BrushInput;
+  measure: MeasureInput;
   /** The user moved the camera. */
   cameraMoved: () => void;
 }
@@ -196,6 +198,7 @@ export class PointerInput {
     const { session } = this.#o;
     const { x, y, target } = press;
     if (this.#o.brush.click(event, target)) return;
+    if (this.#o.measure.click(event)) return;
     const last = this.#lastClick;
     const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
     if (double) {

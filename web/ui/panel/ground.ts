@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
-import { unitOf } from '../../state/scene';
+import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
 
@@ -157,7 +157,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
   };
   scene.subscribe((state, previous) => {
-    if (state.ground !== previous.ground || state.unit !== previous.unit) showGround();
+    if (state.ground !== previous.ground || !isSameUnit(state, previous)) showGround();
   });
   session.shown.watch((shown, previous) => {
     showGround();
