@@ -17,6 +17,7 @@ import { Signal } from './state/signal';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
+import { DrawInput } from './ui/input/draw';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followPaste } from './ui/input/paste';
@@ -26,7 +27,7 @@ import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
-import { toolbar, type Tool } from './ui/overlay/toolbar';
+import { draws, toolbar, type Tool } from './ui/overlay/toolbar';
 import { styleSection } from './ui/panel/style';
 import { numbersSection } from './ui/panel/numbers';
 import { buildPanel } from './ui/panel/panel';
@@ -78,12 +79,21 @@ const cameraMoved = () => {
 };
 
 const brush = new BrushInput(session, ground);
-new PointerInput({ session, readout, tool, brush, acted, cameraMoved }).listen();
+const draw = new DrawInput(session, tool);
+// One of them has the pointer.
+tool.watch((chosen) => {
+  if (draws(chosen)) ground.set({ on: false });
+});
+ground.brush.watch(({ on }) => {
+  if (on && draws(tool.value)) tool.value = 'source';
+});
+new PointerInput({ session, readout, tool, brush, draw, acted, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
   ground,
+  draw,
   acted,
   cameraMoved,
   chooseFile: dialogue.choose,
@@ -118,7 +128,7 @@ if (!address.kiosk) {
       open: true,
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
-    { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'sources', title: 'Sources', element: sourcesSection(session, tool, first.promise), open: true },
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },

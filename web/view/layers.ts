@@ -58,7 +58,7 @@ export interface Picture {
   /** Drawn length of a unit of the path. */
   stride: number;
   overlays: readonly Edges[];
-  walls: readonly Edges[];
+  lines: readonly Edges[];
   /** What is seen of the inside of tetrahedra. */
   inside: InnerView | null;
 }
@@ -92,5 +92,5 @@ export const NO_INSIDE: InnerView = {
   arrowVectors: new Float32Array(),
 };
 export function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, overlays: [], walls: [], inside: null };
+  return { layers: new Map(), stride: 1, overlays: [], lines: [], inside: null };
 }

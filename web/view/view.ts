@@ -196,7 +196,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.overlays, picture.walls, picture.inside] = [[], [], null];
+      [picture.overlays, picture.lines, picture.inside] = [[], [], null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -366,17 +366,17 @@ export class View {
     this.#showEdges();
   }
 
-  /** Walls along edges, drawn over the other ones. */
-  setWalls(kinds: readonly Edges[]): void {
-    this.#picture.walls = kinds;
+  /** Walls along edges and sets of sources, drawn over the other ones. */
+  setLines(kinds: readonly Edges[]): void {
+    this.#picture.lines = kinds;
     this.#showEdges();
   }
 
   #showEdges(): void {
-    const { overlays, walls } = this.#picture;
+    const { overlays, lines } = this.#picture;
     this.#show('edges', (viewer) => {
       viewer.clear_edges();
-      for (const { ends, colour, width } of [...overlays, ...walls]) {
+      for (const { ends, colour, width } of [...overlays, ...lines]) {
         viewer.add_edges(ends, unitColour(colour), width ?? THIN);
       }
     });

@@ -9,7 +9,8 @@ import type { Signal } from '../../state/signal';
 import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
-import type { Tool } from '../overlay/toolbar';
+import { draws, type Tool } from '../overlay/toolbar';
+import type { DrawInput } from './draw';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -26,13 +27,22 @@ const ARROWS: Record<string, readonly [number, number]> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
-const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker' };
+const TOOL_KEYS: Record<string, Tool> = {
+  '1': 'source',
+  '2': 'add',
+  '3': 'walker',
+  '4': 'line',
+  '5': 'stroke',
+  '6': 'boundary',
+  '7': 'part',
+};
 
 export interface KeysOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
   ground: GroundEditor;
+  draw: DrawInput;
   chooseFile: () => void;
   /** Fills the surface. */
   fill: () => void;
@@ -86,7 +96,7 @@ export class Keys {
       const [x, y] = arrow;
       this.#showReticle();
       if (event.ctrlKey || event.metaKey) view.pan(-x * ORBIT_PX, -y * ORBIT_PX);
-      else if (scene.state.selected >= 0) this.#nudge(x, y);
+      else if (scene.state.selected in scene.state.sources) this.#nudge(x, y);
       else view.orbit(-x * ORBIT_PX, -y * ORBIT_PX);
     } else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
     else if (event.key === '-') view.zoom(1 / ZOOM_STEP);
@@ -158,6 +168,7 @@ export class Keys {
     else if (this.#o.ground.endLine()) return;
     else if (this.#o.ground.brush.value.on) this.#o.ground.set({ on: false });
     else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
+    else if (draws(this.#o.tool.value)) this.#o.tool.value = 'source';
     else if (!closeMessage()) this.#hideReticle();
   }
 
@@ -174,7 +185,7 @@ export class Keys {
     if (this.#o.ground.brush.value.on && !walker && !event.shiftKey) this.#paint(hit, x, y);
     else if (walker) sendWalker(session.scene, point);
     else if (event.shiftKey) addSource(session.scene, point);
-    else setSource(session.scene, point);
+    else if (!this.#o.draw.click(point)) setSource(session.scene, point);
     return true;
   }
 
