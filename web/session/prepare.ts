@@ -82,7 +82,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   // Where there are none, what finds their places is not fetched.
   const sets =
     request.state.sets.length > 0
-      ? await (await import('./sets')).found({ engine, opened, places }, request.state.sets)
+      ? await (await import('./found')).found({ engine, opened, places }, request.state.sets)
       : [];
   const isEmpty = () => sources.length === 0 && sets.length === 0;
   const { near } = request;

@@ -1,74 +1,17 @@
-/** Sets of sources on a mesh: finds their places, and adds them as gestures, text and files ask for it. Fetched when asked for. */
-import type { MeshPoint, OpenedMesh, Source } from '../protocol';
-import type { Engine } from '../solver/engine';
-import { Cancelled, WorkerLost } from '../solver/remote';
+/** Adds sets of sources as gestures, text and files ask for it. Fetched with the first of these. */
+import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
-import type { Places, Vector } from '../state/places';
+import type { Vector } from '../state/places';
 import { unitOf } from '../state/scene';
-import { allSources, indexOf, MOST_POINTS, type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { allSources, indexOf, type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
-import { boundaryNear, boundaryThrough, componentOf, type Outlined, partOf, verticesOfPart } from './outlines';
+import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
-
-/** A mesh that can be asked. */
-interface Mesh {
-  engine: Engine;
-  opened: OpenedMesh;
-  places: Places;
-}
 
 /** Letters of the name of a list. */
 const LONGEST_NAME = 60;
-
-/** Sets with their places on a mesh. What the mesh does not have is left out. */
-export async function found(mesh: Mesh, sets: readonly SourceSet[]): Promise<SourceSet[]> {
-  const all: SourceSet[] = [];
-  for (const set of sets) {
-    try {
-      all.push({ ...set, points: await pointsOf(mesh, set.shape, set.points) });
-    } catch (error) {
-      if (error instanceof Cancelled || error instanceof WorkerLost) throw error;
-    }
-  }
-  return all.filter(({ points }) => points.length > 0);
-}
-
-/** @throws where a set has more places than distance can be measured from, and where the mesh has no such vertex. */
-async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Source[]): Promise<readonly Source[]> {
-  switch (shape.kind) {
-    case 'stroke':
-    case 'list':
-      return given.filter((point) => mesh.places.has(point));
-    case 'line':
-      return atVertices(await lineThrough(mesh.engine, shape.corners, shape.closed));
-    case 'boundary':
-      return atVertices(boundaryThrough(await outlined(mesh), shape.vertex));
-    case 'component':
-      return atVertices(componentOf(await outlined(mesh), shape.vertex));
-    case 'part':
-      return atVertices(verticesOfPart(await outlined(mesh), shape.part));
-  }
-}
-
-function atVertices(vertices: readonly number[]): Source[] {
-  if (vertices.length > MOST_POINTS) {
-    throw new Error(`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
-  }
-  return vertices.map((vertex) => ({ vertex }));
-}
-
-async function outlined({ engine, opened }: Mesh): Promise<Outlined> {
-  return { ...opened, neighbors: await engine.neighbors() };
-}
-
-async function lineThrough(engine: Engine, corners: readonly number[], closed: boolean): Promise<number[]> {
-  const line = corners.slice(0, 1);
-  const ends = closed ? [...corners, corners[0]] : corners;
-  for (let i = 1; i < ends.length; i++) line.push(...(await engine.line(ends[i - 1], ends[i])).subarray(1));
-  // The first vertex is not repeated.
-  return closed && line.length > 1 ? line.slice(0, -1) : line;
-}
 
 /**
  * Goes on with the line that is selected to the vertex nearest to a place, closes it at its first vertex, and ends it at its last. Where

@@ -6,7 +6,7 @@ import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
 import type { Vector } from '../../state/places';
 import type { PointHit } from '../../view/view';
-import type { Tool } from '../overlay/toolbar';
+import type { Tool } from '../../state/tool';
 import type { Target } from './pick';
 
 /** Places of a stroke are an edge apart, and so many of them fit into the diameter at least and at most. */

@@ -9,7 +9,7 @@ import type { Signal } from '../../state/signal';
 import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
-import { draws, type Tool } from '../overlay/toolbar';
+import { draws, type Tool } from '../../state/tool';
 import type { DrawInput } from './draw';
 import { isTyping } from './typing';
 

@@ -5,7 +5,7 @@ import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
 import type { Signal } from '../../state/signal';
 import { reducedMotion } from '../../view/motion';
 import type { Readout } from '../overlay/readout';
-import { draws, type Tool } from '../overlay/toolbar';
+import { draws, type Tool } from '../../state/tool';
 import type { BrushInput } from './brush';
 import type { DrawInput } from './draw';
 import { type Finger, listenToWheel, pinch } from './orbit';

@@ -1,16 +1,7 @@
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
+import type { Tool } from '../../state/tool';
 import { h, icon } from '../dom';
-
-/** Tools that draw many sources at once; they are chosen in the list of sources. */
-export const DRAWING = ['line', 'stroke', 'boundary', 'part'] as const;
-
-/** What a plain click or tap does; modifiers reach the others. */
-export type Tool = 'source' | 'add' | 'walker' | (typeof DRAWING)[number];
-
-export function draws(tool: Tool): boolean {
-  return DRAWING.some((drawing) => drawing === tool);
-}
 
 const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
   {

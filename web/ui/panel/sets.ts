@@ -7,7 +7,7 @@ import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
-import { DRAWING, type Tool } from '../overlay/toolbar';
+import { DRAWING, type Tool } from '../../state/tool';
 
 const NO_DRAWING = 'none';
 type Choice = typeof NO_DRAWING | (typeof DRAWING)[number];

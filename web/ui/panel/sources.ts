@@ -5,7 +5,7 @@ import { removeEntry, setInitialDistance } from '../../state/edit';
 import type { SceneState } from '../../state/scene';
 import type { Signal } from '../../state/signal';
 import { h } from '../dom';
-import type { Tool } from '../overlay/toolbar';
+import type { Tool } from '../../state/tool';
 import { setName, unreachedSentence } from '../words';
 
 /**
