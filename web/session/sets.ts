@@ -128,7 +128,7 @@ export function addList(session: Session, name: string, text: string): string {
   const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
   addSet(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
   const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
-  return `${points.length} sources added${isByPlace ? `, at most ${far} away from where they were given` : ''}.`;
+  return `${points.length.toLocaleString('en')} sources added${isByPlace ? `, at most ${far} away from where they were given` : ''}.`;
 }
 
 interface Placed {

@@ -21,7 +21,9 @@ const WORDS: readonly (readonly [Choice, string])[] = [
 ];
 
 const HINTS: Record<Choice, string> = {
-  none: 'Shift + click draws a line along edges from the last source.',
+  none: matchMedia('(pointer: coarse)').matches
+    ? 'Choose what a tap draws.'
+    : 'Shift + click draws a line along edges from the last source.',
   line: 'Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.',
   stroke: 'Drag on the surface to draw. A stroke that ends where it began is closed.',
   boundary: 'Click near a boundary: all of its vertices are sources.',
