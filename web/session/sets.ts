@@ -56,7 +56,7 @@ async function growLine(
   to: number,
 ): Promise<void> {
   const more = await engine.line(corners[corners.length - 1], to);
-  if (engine !== session.engine) return;
+  if (engine !== session.engine || !session.scene.state.sets.includes(line)) return;
   const points = [...line.points, ...atVertices([...more.subarray(1)])];
   replaceSet(session.scene, line, {
     ...line,
@@ -72,7 +72,7 @@ export async function closeLine(session: Session, set: SourceSet): Promise<void>
   if (!mesh || !('closed' in shape)) return;
   const closed = { ...shape, closed: true };
   const points = await pointsOf(mesh, closed, set.points);
-  if (mesh.engine !== session.engine) return;
+  if (mesh.engine !== session.engine || !session.scene.state.sets.includes(set)) return;
   replaceSet(session.scene, set, { ...set, shape: closed, points });
   session.scene.set({ selected: -1 });
 }
