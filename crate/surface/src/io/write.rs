@@ -7,7 +7,11 @@ use glam::DVec3;
 use crate::soup::Soup;
 
 #[cfg(feature = "gltf")]
+mod container;
+#[cfg(feature = "gltf")]
 mod glb;
+#[cfg(feature = "gltf")]
+pub use container::GlbFile;
 #[cfg(feature = "gltf")]
 pub use glb::distance_glb;
 
