@@ -26,10 +26,14 @@ pub fn enclosed(field: &Field, levels: &Levels) -> Vec<f64> {
         }
     }
     let mut sum = 0.0;
-    whole.iter().zip(&parts).map(|(more, part)| {
-        sum += more;
-        sum + part
-    }).collect()
+    whole
+        .iter()
+        .zip(&parts)
+        .map(|(more, part)| {
+            sum += more;
+            sum + part
+        })
+        .collect()
 }
 
 /// The share of a triangle that is below a value between its least and its largest, both excluded; corners are ascending.

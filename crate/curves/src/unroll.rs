@@ -159,7 +159,8 @@ impl Piece<'_> {
         self.place_apex(0, &mut corners);
         is_placed[0] = true;
         // Lengths are not negative, so that their bits are ordered as they are.
-        let reached = |triangle: usize| (3 * triangle..3 * triangle + 3).map(move |side| (length(side).to_bits(), side));
+        let reached =
+            |triangle: usize| (3 * triangle..3 * triangle + 3).map(move |side| (length(side).to_bits(), side));
         heap.extend(reached(0));
         while let Some((_, side)) = heap.pop() {
             let Some(twin) = self.edges.twin(side).filter(|twin| !is_placed[twin / 3]) else { continue };

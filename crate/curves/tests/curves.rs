@@ -37,7 +37,8 @@ fn tube(around: u32, rings: u32, height: f64) -> Soup {
     let positions = (0..=rings).flat_map(|ring| (0..around).map(move |index| place(ring, index))).collect();
     let square = |ring: u32, index: u32| {
         let next = (index + 1) % around;
-        let [a, b, c, d] = [ring * around + index, ring * around + next, (ring + 1) * around + next, (ring + 1) * around + index];
+        let [a, b, c, d] =
+            [ring * around + index, ring * around + next, (ring + 1) * around + next, (ring + 1) * around + index];
         [[a, b, c], [a, c, d]]
     };
     let triangles = (0..rings).flat_map(|ring| (0..around).flat_map(move |index| square(ring, index))).collect();
@@ -201,7 +202,8 @@ fn levels_are_multiples_of_a_spacing_or_equal_shares() {
 #[test]
 fn rejects_fields_that_do_not_fit() {
     let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
-    let new = |triangle, distances: &[f64]| Field::new(positions.clone(), vec![triangle], distances.to_vec()).unwrap_err();
+    let new =
+        |triangle, distances: &[f64]| Field::new(positions.clone(), vec![triangle], distances.to_vec()).unwrap_err();
     assert!(matches!(new([0, 1, 2], &[0.0]), Error::CountMismatch { vertices: 3, distances: 1 }));
     assert!(matches!(new([0, 1, 3], &[0.0; 3]), Error::IndexOutOfRange { triangle: 0, vertex: 3, vertices: 3 }));
     assert!(matches!(new([0, 1, 2], &[0.0, f64::NAN, 0.0]), Error::NotANumber { vertex: 1, what: "distance" }));

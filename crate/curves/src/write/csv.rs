@@ -13,7 +13,8 @@ pub fn csv(isolines: &Isolines) -> Vec<u8> {
         let is_closed = u8::from(curve.is_closed);
         for point in &curve.points {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "{index},{value:.16e},{is_closed},{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);
+            let _ =
+                writeln!(text, "{index},{value:.16e},{is_closed},{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);
         }
     }
     text.into_bytes()

@@ -9,6 +9,9 @@ use crate::isolines::Isolines;
 use crate::sheet::Sheet;
 use crate::strips::Strips;
 
+/// Along the longer side of a picture.
+const PIXELS: f64 = 1000.0;
+
 /// Share of a picture's smaller side that lines are wide.
 const LINE_WIDTH: f64 = 0.0015;
 
@@ -33,7 +36,8 @@ impl View {
         let up = if back.x == 0.0 && back.z == 0.0 { -DVec3::Z * back.y } else { DVec3::Y };
         let right = up.cross(back).normalize();
         let up = back.cross(right);
-        let seen = || field.positions().iter().map(|point| DVec3::new(point.dot(right), point.dot(up), point.dot(back)));
+        let seen =
+            || field.positions().iter().map(|point| DVec3::new(point.dot(right), point.dot(up), point.dot(back)));
         let (low, high) = (seen().reduce(DVec3::min)?, seen().reduce(DVec3::max)?);
         let largest = (high - low).truncate().max_element();
         let extent = if largest > 0.0 { (high - low).truncate() + 2.0 * MARGIN * largest } else { DVec2::ONE };
@@ -47,7 +51,7 @@ impl View {
         ];
         let [x, y, z, w] = rows;
         let clip_from_field = DMat4::from_cols(x, y, z, w).transpose();
-        Some(Self { clip_from_field, size: extent * (1000.0 / extent.max_element()) })
+        Some(Self { clip_from_field, size: extent * (PIXELS / extent.max_element()) })
     }
 
     /// Where a point is in the picture, Y down; none for one behind the eye.
@@ -85,7 +89,7 @@ pub fn svg(isolines: &Isolines, field: &Field, view: &View) -> Vec<u8> {
     document(&text, view.size, "")
 }
 
-/// Plane shapes, a group a strip, in the field's unit: a pixel is one.
+/// Plane shapes, a group a strip, in the field's unit.
 pub fn sheet_svg(sheet: &Sheet, strips: &Strips) -> Vec<u8> {
     let mut text = String::new();
     for plane in &sheet.planes {
@@ -131,14 +135,15 @@ impl Path {
     }
 }
 
-/// Writing to a String cannot fail.
+/// `size`: in the units of the content, whatever these are; the picture has 1000 pixels along its longer side.
 fn document(content: &str, size: DVec2, attributes: &str) -> Vec<u8> {
     let width = LINE_WIDTH * size.min_element();
+    let pixels = size * (PIXELS / size.max_element());
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"0 0 {0} {1}\">\n\
          <g fill=\"none\" stroke=\"black\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{attributes}>\n\
          {content}</g>\n</svg>\n",
-        size.x, size.y
+        size.x, size.y, pixels.x, pixels.y
     )
     .into_bytes()
 }
