@@ -123,6 +123,12 @@ if (!address.kiosk) {
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
+    {
+      id: 'export',
+      title: 'Curves and data',
+      element: () => import('./ui/panel/export').then(({ exportSection }) => exportSection(session)),
+      open: false,
+    },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];
   panel = buildPanel(sections);

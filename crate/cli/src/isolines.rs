@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use anyhow::{Result, bail};
+use glam::DVec3;
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use serde_json::json;
 
@@ -89,7 +90,7 @@ fn bytes(
         CurveFormat::Dxf => write::dxf(isolines),
         CurveFormat::Csv => write::csv(isolines),
         CurveFormat::Glb => write::glb(isolines),
-        CurveFormat::Svg => match write::View::from_direction(field, arguments.view) {
+        CurveFormat::Svg => match write::View::from_direction(field, arguments.view, DVec3::Y) {
             Some(view) => write::svg(isolines, field, &view),
             None => bail!("there is nothing to see from {}", arguments.view),
         },

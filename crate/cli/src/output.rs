@@ -203,16 +203,5 @@ fn extension(path: &Path) -> String {
 }
 
 fn distance_csv(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
-    let mut text = String::from("vertex");
-    columns.iter().for_each(|(name, _)| text.extend([",", name]));
-    for vertex in 0..columns[0].1.len() {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "\n{vertex}");
-        for (_, distance) in columns {
-            // 17 significant digits give every f64 back; Rust writes infinity as "inf".
-            let _ = write!(text, ",{:.16e}", distance[vertex]);
-        }
-    }
-    text.push('\n');
-    text.into_bytes()
+    write::distance_csv(&columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect::<Vec<_>>())
 }

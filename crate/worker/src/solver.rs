@@ -2,6 +2,7 @@
 
 mod ground;
 mod pose;
+mod values;
 
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;

@@ -21,6 +21,7 @@ import type {
   Timings,
   TracedPath,
   PathRequest,
+  MeshInput,
   MeshPoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
@@ -69,6 +70,9 @@ let opened:
   | { drawing: wasm.Drawing; timings: Timings; vertices: number; inside: ReturnType<typeof innerSolver> | null }
   | undefined;
 let current: Current | undefined;
+let transform: DrawTransform | undefined;
+/** The file and its parts that the mesh is; null where it was simplified or filled. */
+let unchanged: { input: MeshInput; parts: Uint32Array } | null = null;
 /** The inactive parts that move. */
 let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
 
@@ -122,6 +126,8 @@ const api: SolverApi = {
     file.free();
     const drawing = surface.draw();
     const drawTransform = drawTransformOf(surface, up);
+    transform = drawTransform;
+    unchanged = simplified || inner ? null : { input, parts: chosen };
     const drawn = drawing.input_vertices();
     const interior = inner && interiorOf(inner.mesh, drawTransform);
     const inputVertices = inner ? drawn.map((vertex) => inner.vertices[vertex]) : drawn;
@@ -312,6 +318,22 @@ const api: SolverApi = {
     return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
   },
 
+  async isolines(wish) {
+    const { isolinesOf } = await import('./curves');
+    const isolines = await isolinesOf(openSurface(), wish, shownBy());
+    return transfer(isolines, [isolines.ends.buffer]);
+  },
+
+  async curveFile(wish, file) {
+    const { curveFileOf } = await import('./curves');
+    return sent(await curveFileOf(openSurface(), wish, file, shownBy()));
+  },
+
+  async distanceFile(kind) {
+    const { distanceFileOf } = await import('./curves');
+    return sent(await distanceFileOf(openSurface(), kind, unchanged));
+  },
+
   async shapes(): Promise<string[]> {
     await ready;
     return wasm.shape_names();
@@ -330,6 +352,17 @@ function openMesh(): Current {
 /** A place that the mesh does not have is refused by its solver. */
 function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
   return places as unknown as wasm.Source[];
+}
+
+function shownBy(): DrawTransform {
+  if (!transform) throw new Error('No mesh is open.');
+  return transform;
+}
+
+/** Bytes that a module has given. */
+function sent(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const own = bytes as Uint8Array<ArrayBuffer>;
+  return transfer(own, [own.buffer]);
 }
 
 function openSurface(): wasm.Solver {

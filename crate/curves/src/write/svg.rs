@@ -28,13 +28,12 @@ pub struct View {
 }
 
 impl View {
-    /// From far away in this direction, the Y axis up, everything in the picture; 1000 pixels along its longer side.
-    /// None for a direction without length.
-    pub fn from_direction(field: &Field, toward_eye: DVec3) -> Option<Self> {
+    /// From far away in this direction, with the axis `up` upward, everything in the picture; 1000 pixels along its longer
+    /// side. None for a direction without length.
+    pub fn from_direction(field: &Field, toward_eye: DVec3, up: DVec3) -> Option<Self> {
         let back = toward_eye.try_normalize()?;
-        // From above or below, what is behind is up.
-        let up = if back.x == 0.0 && back.z == 0.0 { -DVec3::Z * back.y } else { DVec3::Y };
-        let right = up.cross(back).normalize();
+        // From above or below, any direction across is right.
+        let right = up.cross(back).try_normalize().unwrap_or_else(|| up.any_orthonormal_vector());
         let up = back.cross(right);
         let seen =
             || field.positions().iter().map(|point| DVec3::new(point.dot(right), point.dot(up), point.dot(back)));

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texels, Texture, Wrap};
 use crate::io::write::container::{ARRAY_BUFFER, GlbFile};
+use crate::io::write::{largest_finite, share};
 use crate::soup::Soup;
 
 const SHORT: u32 = 5123;
@@ -41,12 +42,8 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
         let normals: Vec<[f32; 3]> = look.normals.iter().map(|normal| normal.to_array()).collect();
         add("NORMAL", file.accessor(&normals, FLOAT, "VEC3", count, ARRAY_BUFFER));
     }
-    let largest = distance.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-    let share = |vertex: usize| match distance[vertex] {
-        value if value < largest => (value / largest) as f32,
-        value => f32::from(u8::from(value > 0.0)),
-    };
-    let shares: Vec<[f32; 2]> = rows().map(|vertex| [share(vertex), 0.0]).collect();
+    let largest = largest_finite(distance);
+    let shares: Vec<[f32; 2]> = rows().map(|vertex| [share(distance[vertex], largest), 0.0]).collect();
     let unused = if look.texcoords.is_empty() { "TEXCOORD_0" } else { "TEXCOORD_2" };
     add(unused, file.accessor(&shares, FLOAT, "VEC2", count, ARRAY_BUFFER));
     if !look.texcoords.is_empty() {
