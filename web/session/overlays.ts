@@ -15,7 +15,7 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
   { overlay: 'contacts', kind: 'contact', colour: '#e87500' },
 ];
 
-const ISOLINES = { colour: '#14181d', width: 1.6 };
+const ISOLINES = { colour: '#e5202e', width: 1.6 };
 
 export class Overlays {
   readonly #session: Session;

@@ -1,7 +1,7 @@
 /** The lines that reproduce the numbers of a scene with the program `heatwalk`. */
 import type { DistanceField, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { LEVEL } from './ground';
+import { isPainted } from './ground';
 import type { SceneState } from './scene';
 
 /** What is measured: of the scene, the mesh that it has, and the field that is shown. */
@@ -21,7 +21,9 @@ export interface Measured {
 export function commandLine({ state, mesh, opened, field }: Measured): string {
   if (opened.interior) throw new Error('Distances inside of tetrahedra made on this page have no command line.');
   if (opened.simplified) throw new Error('The mesh was simplified on this page; save it, and open the saved mesh.');
-  if (state.ground !== LEVEL) throw new Error('The command line has no paint and no walls of this page.');
+  const { slope, highest } = state.ground;
+  if (isPainted(state.ground) || slope || highest !== 1)
+    throw new Error('Paint, walls and slopes of this page have no command line.');
   const words = ['heatwalk', 'distance', quoted(mesh)];
   if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
   const { clip, seconds, live } = state.animation;

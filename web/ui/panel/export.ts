@@ -81,7 +81,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const isolines = await measured(session).isolines(wish());
     const { scene, shown } = session;
     const unit = shown.value ? unitOf(scene.state, shown.value.opened) : null;
-    table.replaceChildren(tableOf(isolines, unit ? unitWords(unit) : ''));
+    table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : ''));
   };
   let kind: CurveFile['kind'] = 'obj';
   const file = select('File', CURVES, (value) => (kind = value));
