@@ -1,4 +1,5 @@
 /** Isolines and files of distances, by a module that is loaded with the first of them. */
+import { transfer } from 'comlink';
 import type { CurveFile, DistanceFile, DrawTransform, Isolines, IsolineWish, MeshInput } from '../../protocol';
 import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
@@ -7,6 +8,12 @@ import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { filesOf, unpackedOf, withFiles } from './files';
 
 type Module = typeof import('../../wasm/curves/heatwalk_curves.js');
+
+/** How the mesh is drawn, and the file and its parts that it is; null where it was simplified or filled. */
+export interface ShownAs {
+  transform: DrawTransform;
+  from: { input: MeshInput; parts: Uint32Array } | null;
+}
 
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
@@ -39,36 +46,31 @@ async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish): Pro
   return traced;
 }
 
-export async function isolinesOf(
-  solver: wasm.Solver,
-  wish: IsolineWish,
-  { center, scale, up }: DrawTransform,
-): Promise<Isolines> {
+export async function isolines(solver: wasm.Solver, wish: IsolineWish, shownAs?: ShownAs): Promise<Isolines> {
+  const { center, scale, up } = open(shownAs).transform;
   const found = await trace(solver, wish);
   const numbers = found.table();
   const rows = Array.from({ length: numbers.length / 5 }, (_, row) => {
     const [value, length, area, count, closed] = numbers.subarray(5 * row, 5 * row + 5);
     return { value, length, area, curves: count, closed };
   });
-  return { rows, ends: found.ends(Float64Array.from(center), scale, up) };
+  const ends = found.ends(Float64Array.from(center), scale, up);
+  return transfer({ rows, ends }, [ends.buffer]);
 }
 
-export async function curveFileOf(
+export async function curveFile(
   solver: wasm.Solver,
   wish: IsolineWish,
   { kind, towardEye }: CurveFile,
-  { up }: DrawTransform,
-): Promise<Uint8Array> {
+  shownAs?: ShownAs,
+): Promise<Bytes> {
+  const { up } = open(shownAs).transform;
   const found = await trace(solver, wish);
-  return kind === 'svg' ? found.svg(Float64Array.from(towardEye), up) : found.file(kind);
+  return sent(kind === 'svg' ? found.svg(Float64Array.from(towardEye), up) : found.file(kind));
 }
 
-/** `from`: the file and its parts that the mesh is, unchanged; null where it is none. */
-export async function distanceFileOf(
-  solver: wasm.Solver,
-  kind: DistanceFile,
-  from: { input: MeshInput; parts: Uint32Array } | null,
-): Promise<Uint8Array> {
+export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, shownAs?: ShownAs): Promise<Bytes> {
+  const { from } = open(shownAs);
   const module = await loaded();
   const vertices = solver.vertices_of_inputs();
   const values = solver.distances();
@@ -79,10 +81,10 @@ export async function distanceFileOf(
     const files = input.kind === 'files' ? filesOf(input.files) : await unpackedOf(input.archive);
     const bytes = files.read(mesh);
     return withFiles(mesh, files, (resource) =>
-      module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances),
+      sent(module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances)),
     );
   }
-  return module.distance_file(kind, ...ofInputs(solver, vertices), distances);
+  return sent(module.distance_file(kind, ...ofInputs(solver, vertices), distances));
 }
 
 /** Positions of the vertices of the input, 0 of those that no triangle uses, and triangles. */
@@ -96,4 +98,17 @@ function ofInputs(solver: wasm.Solver, vertices: Uint32Array): [Float64Array, Ui
     inputOf[vertex] = input;
   });
   return [positions, solver.faces().map((vertex) => inputOf[vertex])];
+}
+
+type Bytes = Uint8Array<ArrayBuffer>;
+
+/** Bytes of the module, which has copied them for the page. */
+function sent(bytes: Uint8Array): Bytes {
+  const own = bytes as Bytes;
+  return transfer(own, [own.buffer]);
+}
+
+function open(shownAs: ShownAs | undefined): ShownAs {
+  if (!shownAs) throw new Error('No mesh is open.');
+  return shownAs;
 }

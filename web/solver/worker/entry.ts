@@ -5,28 +5,30 @@ import type {
   DrawMesh,
   DrawTransform,
   EdgeKind,
+  Enclosure,
   FaceField,
   GroundChange,
   Factoring,
   InnerCut,
   InnerView,
+  Leg,
   Moment,
   OpenedMesh,
   Parameters,
+  Plain,
   Posed,
   Solved,
   SolverApi,
   Source,
-  SurfacePath,
   Timings,
   TracedPath,
   PathRequest,
-  MeshInput,
   MeshPoint,
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
+import type { ShownAs } from './curves';
 import { innerSolver, interiorBytes, interiorOf } from './interior';
 import { innerMesh, type Mesh, messageOf, type SolvedField, surfaceMesh } from './mesh';
 import { FILLED_FROM, lookOf, openingOf, sourceOf } from './opening';
@@ -70,9 +72,7 @@ let opened:
   | { drawing: wasm.Drawing; timings: Timings; vertices: number; inside: ReturnType<typeof innerSolver> | null }
   | undefined;
 let current: Current | undefined;
-let transform: DrawTransform | undefined;
-/** The file and its parts that the mesh is; null where it was simplified or filled. */
-let unchanged: { input: MeshInput; parts: Uint32Array } | null = null;
+let shownAs: ShownAs | undefined;
 /** The inactive parts that move. */
 let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
 
@@ -126,8 +126,7 @@ const api: SolverApi = {
     file.free();
     const drawing = surface.draw();
     const drawTransform = drawTransformOf(surface, up);
-    transform = drawTransform;
-    unchanged = simplified || inner ? null : { input, parts: chosen };
+    shownAs = { transform: drawTransform, from: simplified || inner ? null : { input, parts: chosen } };
     const drawn = drawing.input_vertices();
     const interior = inner && interiorOf(inner.mesh, drawTransform);
     const inputVertices = inner ? drawn.map((vertex) => inner.vertices[vertex]) : drawn;
@@ -288,6 +287,27 @@ const api: SolverApi = {
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
+  measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const [begin, end] = known([from, to]);
+    const leg = pathOf(() => openSurface().measure(begin, end, mesh.work));
+    mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
+    return Promise.resolve(leg === undefined ? null : { leg });
+  },
+
+  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
+    const [begin, end] = known([from, to]);
+    return Promise.resolve(pathOf(() => openSurface().estimate(begin, end)) ?? null);
+  },
+
+  enclosed(legs: readonly Leg[]): Promise<Enclosure> {
+    const triangles = Uint32Array.from(legs.flatMap((leg) => [...leg.triangles]));
+    const weights = Float64Array.from(legs.flatMap((leg) => [...leg.weights]));
+    const counts = Uint32Array.from(legs, (leg) => leg.triangles.length);
+    return Promise.resolve(plain(openSurface().enclosed(triangles, weights, counts)));
+  },
+
   gradients(kind: FaceField): Promise<Float32Array> {
     const vectors = openMesh().solver.gradients(kind);
     return Promise.resolve(transfer(vectors, [vectors.buffer]));
@@ -319,19 +339,15 @@ const api: SolverApi = {
   },
 
   async isolines(wish) {
-    const { isolinesOf } = await import('./curves');
-    const isolines = await isolinesOf(openSurface(), wish, shownBy());
-    return transfer(isolines, [isolines.ends.buffer]);
+    return (await curves()).isolines(openSurface(), wish, shownAs);
   },
 
   async curveFile(wish, file) {
-    const { curveFileOf } = await import('./curves');
-    return sent(await curveFileOf(openSurface(), wish, file, shownBy()));
+    return (await curves()).curveFile(openSurface(), wish, file, shownAs);
   },
 
   async distanceFile(kind) {
-    const { distanceFileOf } = await import('./curves');
-    return sent(await distanceFileOf(openSurface(), kind, unchanged));
+    return (await curves()).distanceFile(openSurface(), kind, shownAs);
   },
 
   async shapes(): Promise<string[]> {
@@ -354,16 +370,7 @@ function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
   return places as unknown as wasm.Source[];
 }
 
-function shownBy(): DrawTransform {
-  if (!transform) throw new Error('No mesh is open.');
-  return transform;
-}
-
-/** Bytes that a module has given. */
-function sent(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
-  const own = bytes as Uint8Array<ArrayBuffer>;
-  return transfer(own, [own.buffer]);
-}
+const curves = () => import('./curves');
 
 function openSurface(): wasm.Solver {
   const { surface } = openMesh();
@@ -435,7 +442,7 @@ function trace({ solver }: Current, request: PathRequest | null): TracedPath {
 }
 
 /** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
-function pathOf(find: () => ReturnType<Mesh['solver']['path']> | undefined): SurfacePath | null | undefined {
+function pathOf<T extends { toJSON(): object; free(): void }>(find: () => T | undefined): Plain<T> | null | undefined {
   try {
     const found = find();
     return found && plain(found);
