@@ -15,8 +15,7 @@ use crate::modules::{BASIS, CURVES, INTERIOR, SOLVER, VIEWER_WEBGL2, VIEWER_WEBG
 use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
-const USAGE: &str =
-    "usage: cargo xtask wasm [solver|viewer|interior|curves|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
+const USAGE: &str = "usage: cargo xtask wasm [solver|viewer|interior|curves|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
