@@ -147,6 +147,12 @@ if (!address.kiosk) {
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
     { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
+    {
+      id: 'export',
+      title: 'Curves and data',
+      element: () => import('./ui/panel/export').then(({ exportSection }) => exportSection(session)),
+      open: false,
+    },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];
   panel = buildPanel(sections);
