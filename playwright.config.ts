@@ -44,6 +44,8 @@ export default defineConfig({
     baseURL: `http://localhost:${PORT}/`,
     viewport: { width: 1100, height: 720 },
     screenshot: 'only-on-failure',
+    // What a service worker keeps costs time; where it is tested it is allowed.
+    serviceWorkers: 'block',
   },
   projects: [
     { name: 'unit', testDir: 'tests/unit' },

@@ -10,6 +10,7 @@ import { GroundEditor } from './session/ground';
 import { type Given, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
+import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
 import { DEFAULT_FILL } from './state/inside';
 import { Scene } from './state/scene';
@@ -19,6 +20,7 @@ import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
+import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
@@ -90,6 +92,7 @@ const keys = new Keys({
 });
 
 followPaste(opener);
+followLaunches(openGiven);
 
 const bar = toolbar(session, tool);
 page.append(
@@ -161,3 +164,9 @@ expose(session, begin().finally(first.resolve), async () => {
   await overlays.settled();
   await crowd.settled();
 });
+void keepForOffline(() => window.heatwalk.settled());
+// Only in a frame is there anybody to answer.
+if (window.parent !== window) {
+  const host = { session, api: window.heatwalk, messages, ground, link: () => address.link() };
+  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host));
+}
