@@ -43,6 +43,8 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${PORT}/`,
     viewport: { width: 1100, height: 720 },
+    // Where details of pictures matter, a test asks for all pixels.
+    deviceScaleFactor: 0.5,
     screenshot: 'only-on-failure',
     // What a service worker keeps costs time; where it is tested it is allowed.
     serviceWorkers: 'block',

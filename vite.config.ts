@@ -1,4 +1,5 @@
 import { defineConfig } from 'vite';
+import { docs } from './tools/docs.mjs';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
@@ -12,7 +13,7 @@ export default defineConfig({
   base: './',
   worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [offline()],
+  plugins: [docs(import.meta.dirname), offline()],
   build: {
     target: 'es2022',
     outDir: 'dist',

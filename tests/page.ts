@@ -15,7 +15,8 @@ export class HeatwalkPage {
 
   /** Opens the page and waits for the first scene; fails unless the project's backend draws it. */
   async open(fragment = ''): Promise<void> {
-    const search = this.backend === 'WebGL2' ? '?gpu=webgl' : '';
+    // So that pictures do not depend on how fast this machine draws.
+    const search = this.backend === 'WebGL2' ? '?resolution=full&gpu=webgl' : '?resolution=full';
     await this.page.goto('about:blank');
     await this.page.goto(`./${search}${fragment}`);
     await this.page.evaluate(() => window.heatwalk.ready);
@@ -114,11 +115,11 @@ export class HeatwalkPage {
     return pixel;
   }
 
-  /** The scene drawn beside the canvas, `scale` times as large as the window; on a transparent ground if `clear`. */
+  /** The scene drawn beside the canvas, with `scale` pixels for a CSS pixel of the window; on a transparent ground if `clear`. */
   async drawing(scale: number, clear: boolean): Promise<PNG> {
     const base64 = await this.page.evaluate(
       async ([times, isClear]) => {
-        const picture = await window.heatwalk.picture(times, isClear);
+        const picture = await window.heatwalk.picture(times / devicePixelRatio, isClear);
         const bytes = new Uint8Array(await picture.arrayBuffer());
         return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
       },
@@ -136,7 +137,7 @@ export class HeatwalkPage {
   /** The same at once, whatever is under way. */
   async screen(): Promise<PNG> {
     const style = '.stage ~ * { visibility: hidden !important }';
-    return PNG.sync.read(await this.page.screenshot({ style }));
+    return PNG.sync.read(await this.page.screenshot({ style, scale: 'css' }));
   }
 }
 

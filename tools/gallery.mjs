@@ -43,7 +43,7 @@ for (const { name, title, text, panels } of FIGURES) {
 }
 writeFileSync(join(root, 'docs', 'gallery.md'), galleryText(figures));
 mkdirSync(THUMBNAILS, { recursive: true });
-await open('/?gpu=webgl');
+await open('/?resolution=full&gpu=webgl');
 for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
   const { bytes } = await draw(`m=${id}&w=none`, undefined, { ...THUMBNAIL, type: 'image/webp', clear: true });
   writeFileSync(join(THUMBNAILS, `${id}.webp`), bytes);
@@ -54,7 +54,7 @@ await server.close();
 
 /** The image of a scene in a size and type, and the fragment of the scene's link. */
 async function draw(link, line, wanted) {
-  const address = `/?gpu=webgl#v=1&${link}`;
+  const address = `/?resolution=full&gpu=webgl#v=1&${link}`;
   await open(`${address}&kiosk=1`);
   const sources = line ? await tab.evaluate(sourcesUnder, { line, ...WINDOW }) : '';
   if (sources) await open(`${address}&kiosk=1${sources}`);

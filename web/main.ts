@@ -18,6 +18,7 @@ import { Signal } from './state/signal';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
+import { MeasureInput } from './ui/input/measure';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
@@ -25,6 +26,7 @@ import { followPaste } from './ui/input/paste';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
+import { hints } from './ui/overlay/hints';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
@@ -38,6 +40,8 @@ import { animationSection } from './ui/panel/animation';
 import { displaySection } from './ui/panel/display';
 import { groundSection } from './ui/panel/ground';
 import { insideSection } from './ui/panel/inside';
+import { chartsSection } from './ui/panel/charts';
+import { MeasureSection } from './ui/panel/measure';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
@@ -53,7 +57,9 @@ const stage = h('main', {
 page.append(stage);
 
 const scene = new Scene(FIRST_PRESET.start);
-const view = new View(stage, new URLSearchParams(location.search).get('gpu') === 'webgl');
+const wishes = new URLSearchParams(location.search);
+const view = new View(stage, wishes.get('gpu') === 'webgl');
+view.drawsAllPixels = wishes.get('resolution') === 'full';
 const session = new Session(scene, view);
 const openGiven = (given: Given) => void opener.files(given);
 const dialogue = fileDialogue(openGiven);
@@ -65,28 +71,32 @@ const address = new Address(scene, opener);
 const readout = new Readout(session);
 const tool = new Signal<Tool>('source');
 
-const touch = matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click';
-const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);
-const acted = () => hint.remove();
+const hint = hints(session);
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session);
-const frames = new Frames(session, crowd, () => handle.follow());
-const cameraMoved = () => {
-  acted();
-  frames.cameraMoved();
+const measure = new MeasureInput(session, tool);
+const measuring = new MeasureSection(session, measure, tool);
+const frames = new Frames(session, crowd, () => {
+  handle.follow();
+  measuring.follow();
+});
+const cameraMoved = () => frames.cameraMoved();
+const help = () => {
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel), session.fail.bind(session));
 };
 
 const brush = new BrushInput(session, ground);
-new PointerInput({ session, readout, tool, brush, acted, cameraMoved }).listen();
+new PointerInput({ session, readout, tool, brush, measure, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
   ground,
-  acted,
+  measure,
   cameraMoved,
   chooseFile: dialogue.choose,
+  help,
   fill: () => void opener.fill(DEFAULT_FILL),
   closeMessage: () => messages.closeNewest(),
 });
@@ -96,11 +106,12 @@ followLaunches(openGiven);
 
 const bar = toolbar(session, tool);
 page.append(
-  heading(session),
-  h('div', { class: 'foot' }, hint, bar),
+  heading(session, help),
+  h('div', { class: 'foot' }, hint.element, bar),
   messages.element,
   loadingBar(session),
   handle.element,
+  measuring.labels,
   readout.element,
   keys.reticle,
   dropTarget(openGiven, (dragged) => void opener.address(dragged)),
@@ -120,11 +131,13 @@ if (!address.kiosk) {
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
     { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'measure', title: 'Measure', element: measuring.element, open: false },
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
+    { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
     { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
     { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
   ];
@@ -157,13 +170,19 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 frames.start();
 async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(location.hash)]);
-  hint.hidden = false;
+  hint.begin();
   await new Promise(requestAnimationFrame);
 }
-expose(session, begin().finally(first.resolve), async () => {
-  await overlays.settled();
-  await crowd.settled();
-});
+expose(
+  session,
+  begin().finally(first.resolve),
+  async () => {
+    await overlays.settled();
+    await crowd.settled();
+    await measuring.settled();
+  },
+  () => measuring.told,
+);
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {

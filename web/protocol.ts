@@ -82,6 +82,9 @@ export type Shade = Plain<wasm.Shade>;
 export type Material = Plain<wasm.Material>;
 export type BuildReport = Plain<wasm.BuildReport>;
 export type SurfacePath = Plain<wasm.SurfacePath>;
+/** A path between two places, which can be drawn in any pose. */
+export type Leg = Plain<wasm.Leg>;
+export type Enclosure = Plain<wasm.Enclosure>;
 
 /** A moment of an animation: its number, and seconds from its beginning. */
 export interface Moment {
@@ -332,6 +335,15 @@ export interface SolverApi {
   path(request: PathRequest): Promise<TracedPath>;
   /** One step of searching the exact path, of 100 to 200 ms; null: it is not found yet, and the next call goes on. */
   searchPath(from: MeshPoint): Promise<TracedPath | null>;
+  /**
+   * One step of searching the exact path between two places, of 100 to 200 ms, beside the last field; null: it is not found yet,
+   * and the next call goes on. Its `leg` is null where no path leads there.
+   */
+  measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null>;
+  /** A locally shortest path between two places, or one of locally least cost; null where none leads there. */
+  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null>;
+  /** What the closed curve of these legs encloses. */
+  enclosed(legs: readonly Leg[]): Promise<Enclosure>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

@@ -5,6 +5,8 @@ import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
 
+test.use({ deviceScaleFactor: 1 });
+
 async function expand(heatwalk: HeatwalkPage, title: string): Promise<void> {
   const section = heatwalk.page.locator('details', { has: heatwalk.page.locator('summary', { hasText: title }) });
   if (!(await section.evaluate((details: HTMLDetailsElement) => details.open)))

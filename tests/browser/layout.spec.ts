@@ -68,6 +68,63 @@ test.describe('on a phone', () => {
   });
 });
 
+test('a window of another shape shows as much of the model', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny');
+  await page.mouse.wheel(0, 200);
+  await heatwalk.rest();
+  const before = await heatwalk.page.evaluate(() => window.heatwalk.camera);
+  /** Pixels of the model, and how many there would be of one that fills the free area. */
+  const seen = async () => {
+    const { data } = await heatwalk.drawing(0.5, true);
+    let opaque = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i] === 255) opaque += 1;
+    return opaque;
+  };
+  await page.setViewportSize({ width: 844, height: 390 });
+  await heatwalk.rest();
+  const landscape = await seen();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await heatwalk.rest();
+  const portrait = await seen();
+  expect(portrait / landscape).toBeGreaterThan(0.5);
+  expect(portrait / landscape).toBeLessThan(2);
+  await page.setViewportSize({ width: 1100, height: 720 });
+  await heatwalk.rest();
+  const after = await heatwalk.page.evaluate(() => window.heatwalk.camera);
+  expect(after?.[2]).toBeCloseTo(before?.[2] ?? Number.NaN);
+});
+
+test('where frames are slow, fewer pixels are drawn while something moves, and all of them at rest', async ({
+  page,
+}) => {
+  // A device that takes 1 ms for 3,000 pixels, and so draws half of them along an edge.
+  await page.addInitScript(() => {
+    const next = requestAnimationFrame.bind(globalThis);
+    globalThis.requestAnimationFrame = (callback) =>
+      next((now) => {
+        callback(now);
+        const { width = 0, height = 0 } = document.querySelector('canvas') ?? {};
+        const end = performance.now() + (width * height) / 3000;
+        while (performance.now() < end);
+      });
+  });
+  await page.goto('./?gpu=webgl#v=1&m=icosphere');
+  await page.evaluate(() => window.heatwalk.ready);
+  const drawn = () =>
+    page.evaluate(() => {
+      const canvas = document.querySelector('canvas');
+      return canvas ? canvas.width / (devicePixelRatio * canvas.clientWidth) : Number.NaN;
+    });
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await expect.poll(drawn).toBeCloseTo(1, 2);
+  await page.getByRole('button', { name: 'Resume' }).click();
+  await expect.poll(drawn).toBeLessThan(0.8);
+  await page.getByText('Numbers', { exact: true }).click();
+  await expect(page.locator('#section-numbers')).toContainText(/Pixels drawn\d?\d %/);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await expect.poll(drawn).toBeCloseTo(1, 2);
+});
+
 test('kiosk=1 hides the panel', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&kiosk=1');
   await expect(page.getByRole('toolbar')).toBeVisible();

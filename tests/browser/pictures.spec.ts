@@ -9,6 +9,8 @@ import { glassGlb } from '../lit';
 import { expect, type HeatwalkPage, test } from '../page';
 import { texturedGlb } from '../textured';
 
+test.use({ deviceScaleFactor: 1 });
+
 const REFERENCES = path.join(import.meta.dirname, '../pictures');
 /** Writes the reference images instead of comparing with them. */
 const WRITES = process.env['WRITE_REFERENCES'] === '1';

@@ -48,6 +48,10 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
       calls.push('search');
       return calls.filter((call) => call === 'search').length < 3 ? null : { path: null, pathMs: 0 };
     },
+    measure: async () => {
+      calls.push('measure');
+      return null;
+    },
     path: async (request: PathRequest) => {
       calls.push(`path ${request.kind}`);
       return { path: null, pathMs: 0 };
@@ -178,4 +182,26 @@ test('a refinement step waits for one that is still running', async () => {
   await soon();
   letGo();
   expect((await second)?.field?.refineMs).toBe(1);
+});
+
+test('measuring waits for questions and for the step of refinement under way, and neither is lost', async () => {
+  const { engine: it, calls, letGo } = engine();
+  const asked = it.ask(QUESTION);
+  const measured = it.measure({ vertex: 1 }, { vertex: 2 });
+  const answer = await asked;
+  await measured;
+  expect(calls).toEqual(['solve descent', 'measure']);
+  if (!answer) throw new Error('no answer');
+  const refined = it.refine(answer);
+  const again = it.measure({ vertex: 1 }, { vertex: 2 });
+  const next = it.refine(answer);
+  await soon();
+  expect(calls.slice(2)).toEqual(['refine descent']);
+  letGo();
+  await again;
+  await soon();
+  letGo();
+  expect(await refined).not.toBeNull();
+  expect(await next).not.toBeNull();
+  expect(calls.slice(2)).toEqual(['refine descent', 'measure', 'refine descent']);
 });

@@ -31,9 +31,9 @@ test('the share of exact vertices is rounded down', () => {
 });
 
 test('a length has its unit, and says where that is assumed', () => {
-  expect(measure(0.12345, { symbol: 'mm', assumed: false })).toBe('0.123 mm');
-  expect(measure(2, { symbol: 'm', assumed: true })).toBe('2 m (assumed)');
-  expect(measure(2, { symbol: '', assumed: false })).toBe('2 units');
+  expect(measure(0.12345, { symbol: 'mm', assumed: false, scale: 1 })).toBe('0.123 mm');
+  expect(measure(2, { symbol: 'm', assumed: true, scale: 1 })).toBe('2 m (assumed)');
+  expect(measure(2, { symbol: '', assumed: false, scale: 1 })).toBe('2 units');
 });
 
 test('errors have as many decimals as they need', () => {

@@ -92,7 +92,7 @@ export class Page {
    * how long each answer kept the page busy.
    */
   async drag(preset, file) {
-    const address = `/?gpu=webgl#v=1&m=${preset}`;
+    const address = `/?resolution=full&gpu=webgl#v=1&m=${preset}`;
     return this.#with(address, async (tab) => {
       await tab.evaluate(() => window.heatwalk.ready);
       if (file) {

@@ -1,4 +1,5 @@
 /** The loop of frames, and the moment at which a moved camera has come to rest. */
+import { Resolution } from '../view/resolution';
 import type { CrowdWalk } from './crowd';
 import type { Session } from './session';
 
@@ -14,6 +15,7 @@ export class Frames {
   readonly #session: Session;
   readonly #crowd: CrowdWalk;
   readonly #drawn: () => void;
+  readonly #resolution = new Resolution();
   #last = performance.now();
   /** Whether the last frame was drawn. */
   #drew = false;
@@ -66,6 +68,8 @@ export class Frames {
     // So do frames of fields that a drag asks for faster than they can be drawn.
     const waits = now < this.#rests && this.#session.dragging;
     this.#last = now;
+    this.#resolution.follow(now, this.#drew, passed);
+    this.#session.view.adapt(this.#resolution.share);
     this.#drew = !waits && this.#session.view.render(step(passed));
     if (this.#drew) this.#drawn();
     if (this.#settling !== null && !this.#session.preview.value) this.#settle();

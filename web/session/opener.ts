@@ -207,7 +207,15 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, links: 0, ground: LEVEL });
+    await this.#again({
+      ...this.#session.scene.state,
+      parts,
+      sources: [],
+      walker: null,
+      tapes: [],
+      links: 0,
+      ground: LEVEL,
+    });
   }
 
   /**
@@ -219,7 +227,17 @@ export class Opener {
     const { state } = scene;
     const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && count !== null ? 'auto' : state.method;
-    const fresh = { ...state, fill: count, inside, method, sources: [], walker: null, links: 0, ground: LEVEL };
+    const fresh = {
+      ...state,
+      fill: count,
+      inside,
+      method,
+      sources: [],
+      walker: null,
+      tapes: [],
+      links: 0,
+      ground: LEVEL,
+    };
     await this.#again(fresh, shown.value ? relativePlaces(shown.value, state) : undefined);
   }
 
@@ -289,7 +307,7 @@ function simplifiedOf(state: SceneState): { name: string; state: SceneState } | 
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const places = { sources: [], walker: null, links: 0 };
+  const places = { sources: [], walker: null, tapes: [], links: 0 };
   const name = `Simplify to ${triangles.toLocaleString('en')} triangles`;
   return { name, state: { ...state, ...places, triangles, windows: DEFAULT_WINDOWS } };
 }

@@ -73,7 +73,7 @@ export class Overlays {
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
       if (wish !== this.#wish) return;
       if (edges) {
-        view.setEdges(edges);
+        view.setEdges('overlays', edges);
         this.#needsEdges = false;
       }
       view.setArrows(arrows);

@@ -77,6 +77,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const places = new Places(opened);
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
+  const tapes = request.state.tapes.filter(({ points }) => points.every((point) => places.has(point)));
   const { near } = request;
   if (near && sources.length === 0) sources = near.sources.map((place) => places.nearest(place));
   if (near?.walker && !walker) walker = places.nearest(near.walker);
@@ -97,6 +98,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
       sources,
       walker,
+      tapes,
       ground,
       selected: -1,
     },

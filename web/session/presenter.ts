@@ -231,7 +231,7 @@ export class Presenter {
   }
 
   #showWalls({ places }: Shown): void {
-    this.#view.setWalls(wallsOf(this.#state.ground, places));
+    this.#view.setEdges('walls', wallsOf(this.#state.ground, places));
   }
 
   #showStyle(): void {

@@ -2,12 +2,14 @@
 import type {
   DistanceField,
   EdgeKind,
+  Enclosure,
   FaceField,
   Factoring,
   InnerView,
   Moment,
   OpenedMesh,
   Parameters,
+  Leg,
   PathKind,
   Posed,
   Solved,
@@ -126,6 +128,8 @@ export class Engine {
   /** Ends with the refinement step or exact path that was asked for last. */
   #bettering: Promise<void> = Promise.resolve();
   #waiting: Waiting | null = null;
+  /** Ends when no question is left. */
+  #working: Promise<void> = Promise.resolve();
 
   /** `parameters`: what is factored; null where nothing is. */
   constructor(
@@ -156,7 +160,7 @@ export class Engine {
     this.#waiting?.resolve(null);
     return new Promise((resolve, reject) => {
       this.#waiting = { question, resolve, reject };
-      if (!this.#busy) void this.#work();
+      if (!this.#busy) this.#working = this.#work();
     });
   }
 
@@ -228,10 +232,41 @@ export class Engine {
     return this.#worker.call(this.#worker.api.errors());
   }
 
+  /** One step of measuring between two places: see `SolverApi.measure`. */
+  measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
+    return this.#between(() => this.#worker.api.measure(from, to));
+  }
+
+  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
+    return this.#between(() => this.#worker.api.estimate(from, to));
+  }
+
+  enclosed(legs: readonly Leg[]): Promise<Enclosure> {
+    return this.#between(() => this.#worker.api.enclosed(legs));
+  }
+
   dispose(): void {
     this.#waiting?.resolve(null);
     this.#waiting = null;
     this.#worker.end(new Cancelled());
+  }
+
+  /** Asks what does not concern the field when no question and no step of refinement is under way; these take turns with it. */
+  #between<T>(ask: () => Promise<T>): Promise<T> {
+    const answered = this.#bettering.then(async () => {
+      while (this.#busy) await this.#working;
+      this.#busy = true;
+      try {
+        return await this.#worker.call(ask());
+      } finally {
+        this.#working = this.#work();
+      }
+    });
+    this.#bettering = answered.then(
+      () => undefined,
+      () => undefined,
+    );
+    return answered;
   }
 
   async #work(): Promise<void> {
@@ -265,7 +300,7 @@ export class Engine {
       const better = await work();
       return this.#waiting ? null : better;
     } finally {
-      void this.#work();
+      this.#working = this.#work();
     }
   }
 

@@ -45,6 +45,7 @@ import {
   type Windows,
   withOffset,
 } from './scene';
+import { decodeTapes, encodeTapes, SCALES } from './tapes';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -78,6 +79,8 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   add('up', state.up, start.up);
   add('unit', state.unit, start.unit);
+  add('scale', amount(state.scale), amount(start.scale));
+  add('tape', encodeTapes(state.tapes, encodePoints), encodeTapes(start.tapes, encodePoints));
   add('ground', encodeGround(state.ground), encodeGround(start.ground));
   add('slope', flag(state.ground.slope), flag(start.ground.slope));
   add('height', number(state.ground.highest), number(start.ground.highest));
@@ -160,6 +163,9 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
   read('unit', automaticOr(oneOf(UNITS)), (unit) => (state.unit = unit));
+  read('scale', within(...SCALES), (scale) => (state.scale = scale));
+  const tapesOf = (text: string) => decodeTapes(text, listOf(parsePoint));
+  read('tape', tapesOf, (tapes) => (state.tapes = tapes));
   const lay = (part: Partial<Ground>) => (state.ground = { ...state.ground, ...part });
   read('ground', decodeGround, lay);
   read('slope', oneOf(['0', '1']), (slope) => lay({ slope: slope === '1' }));

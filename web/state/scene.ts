@@ -14,6 +14,7 @@ import {
 import { type Ground, LEVEL } from './ground';
 import { type Inside, WHOLE } from './inside';
 import { tellEach } from './signal';
+import type { Tape } from './tapes';
 import { DEFAULT_STYLE, type Style } from './styles';
 
 /** `hash`: SHA-256 of the file of the mesh. `path`: of the mesh in an archive at the address, else empty. */
@@ -73,13 +74,15 @@ export const TRIANGLES = [100, 100_000_000] as const;
 /** Units that lengths can be told in, or none. */
 export const UNITS = ['mm', 'cm', 'm', 'km', 'in', 'ft', 'none'] as const;
 
-/** The unit of the file, or the one that its size suggests; or one of these. It only labels lengths: none is converted. */
+/** The unit of the file, or the one that its size suggests; or one of these. By itself it only labels lengths: `scale` converts them. */
 export type UnitChoice = (typeof UNITS)[number] | typeof AUTOMATIC;
 
 /** What lengths are told in: a symbol, or nothing; and whether only the size of the mesh suggests it. */
 export interface LengthUnit {
   symbol: string;
   assumed: boolean;
+  /** Length of the file's unit in it. */
+  scale: number;
 }
 
 export const LARGEST_CROWD = 10_000;
@@ -97,6 +100,10 @@ export interface Places {
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
   unit: UnitChoice;
+  /** Length of the file's unit in the unit that lengths are told in; 1 unless a known length says otherwise. */
+  scale: number;
+  /** What is measured. */
+  tapes: readonly Tape[];
   /** What it costs to walk where, and walls. */
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
@@ -151,6 +158,8 @@ export function emptyScene(mesh: MeshReference): SceneState {
     links: 0,
     up: 'y',
     unit: AUTOMATIC,
+    scale: 1,
+    tapes: [],
     ground: LEVEL,
     inside: WHOLE,
     method: 'heat',
@@ -188,11 +197,19 @@ export function mayBeJoined({ report, interior }: OpenedMesh): boolean {
 
 /** What the lengths of a mesh are told in. */
 export function unitOf(
-  { unit }: Pick<SceneState, 'unit'>,
+  { unit, scale }: Pick<SceneState, 'unit' | 'scale'>,
   opened: Pick<OpenedMesh, 'unit' | 'unitAssumed'>,
 ): LengthUnit {
-  if (unit === AUTOMATIC) return { symbol: opened.unit, assumed: opened.unitAssumed };
-  return { symbol: unit === 'none' ? '' : unit, assumed: false };
+  if (unit === AUTOMATIC) return { symbol: opened.unit, assumed: opened.unitAssumed, scale };
+  return { symbol: unit === 'none' ? '' : unit, assumed: false, scale };
+}
+
+/** Whether lengths are told alike. */
+export function isSameUnit(
+  one: Pick<SceneState, 'unit' | 'scale'>,
+  other: Pick<SceneState, 'unit' | 'scale'>,
+): boolean {
+  return one.unit === other.unit && one.scale === other.scale;
 }
 
 /** The inactive parts that are shown. */
@@ -292,8 +309,9 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up, unit, ground, inside }: SceneState): Places {
-  return { sources, walker, links, up, unit, ground, inside };
+/** What undo goes back over, of a state. */
+export function placesOf({ sources, walker, links, up, unit, scale, tapes, ground, inside }: SceneState): Places {
+  return { sources, walker, links, up, unit, scale, tapes, ground, inside };
 }
 
 function withValidSelection(state: SceneState): SceneState {

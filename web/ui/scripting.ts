@@ -1,6 +1,7 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
 import type { Session } from '../session/session';
+import type { ToldTape } from '../session/tapes';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
 import { PRESETS } from '../state/presets';
@@ -53,6 +54,8 @@ export interface Heatwalk {
   readonly solves: number;
   /** Arc lengths, what the path costs, and its kind; null without a walker. */
   readonly walker: { arc: number; length: number; cost: number; arrived: boolean; kind: PathKind } | null;
+  /** What tapes measure, in the unit of the file; lengths and areas that are not known, or are none, are null. */
+  readonly tapes: readonly ToldTape[];
   /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: MeshPoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
@@ -73,8 +76,13 @@ declare global {
   }
 }
 
-/** `decorated` resolves when what is shown beside the field is there. */
-export function expose(session: Session, ready: Promise<void>, decorated: () => Promise<void>): void {
+/** `decorated` resolves when what is shown beside the field is there. `measured`: what tapes tell. */
+export function expose(
+  session: Session,
+  ready: Promise<void>,
+  decorated: () => Promise<void>,
+  measured: () => readonly ToldTape[],
+): void {
   const api: Heatwalk = {
     ready,
     async settled() {
@@ -133,6 +141,9 @@ export function expose(session: Session, ready: Promise<void>, decorated: () => 
       const { arc, length, arrived } = session.walk;
       const { pathKind: kind, path } = session.shown.value?.answer ?? {};
       return kind && length > 0 ? { arc, length, cost: path?.cost ?? length, arrived, kind } : null;
+    },
+    get tapes() {
+      return measured();
     },
     distanceAt(point) {
       const shown = session.shown.value;

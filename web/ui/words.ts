@@ -23,7 +23,7 @@ export function length(value: number): string {
 
 /** A length in the unit of the mesh. */
 export function measure(value: number, unit: LengthUnit): string {
-  return `${length(value)} ${unitWords(unit)}`;
+  return `${length(value * unit.scale)} ${unitWords(unit)}`;
 }
 
 /** A unit, and that it is assumed where it is. */
@@ -32,8 +32,15 @@ export function unitWords({ symbol, assumed }: LengthUnit): string {
 }
 
 /** A volume in the unit of the mesh, cubed. */
-export function volume(value: number, { symbol, assumed }: LengthUnit): string {
-  return symbol ? `${length(value)} ${symbol}³${assumed ? ' (assumed)' : ''}` : `${length(value)} cubic units`;
+export function volume(value: number, { symbol, assumed, scale }: LengthUnit): string {
+  const told = length(value * scale ** 3);
+  return symbol ? `${told} ${symbol}³${assumed ? ' (assumed)' : ''}` : `${told} cubic units`;
+}
+
+/** An area in the unit of the mesh, squared. */
+export function area(value: number, { symbol, assumed, scale }: LengthUnit): string {
+  const told = length(value * scale ** 2);
+  return symbol ? `${told} ${symbol}²${assumed ? ' (assumed)' : ''}` : `${told} square units`;
 }
 
 export function percent(share: number): string {

@@ -14,6 +14,11 @@ export interface Edges {
 
 export const THIN = 1.2;
 
+/** What lines are shown for, in the order in which they are drawn: overlays, walls along edges, tapes. */
+export const EDGE_GROUPS = ['overlays', 'walls', 'tapes'] as const;
+export type EdgeGroup = (typeof EDGE_GROUPS)[number];
+export const NO_EDGES: Picture['edges'] = { overlays: [], walls: [], tapes: [] };
+
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [
   'background',
@@ -57,8 +62,7 @@ export interface Picture {
   layers: Map<Layer, (viewer: Viewer) => void>;
   /** Drawn length of a unit of the path. */
   stride: number;
-  overlays: readonly Edges[];
-  walls: readonly Edges[];
+  edges: Readonly<Record<EdgeGroup, readonly Edges[]>>;
   /** What is seen of the inside of tetrahedra. */
   inside: InnerView | null;
 }
@@ -92,5 +96,5 @@ export const NO_INSIDE: InnerView = {
   arrowVectors: new Float32Array(),
 };
 export function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, overlays: [], walls: [], inside: null };
+  return { layers: new Map(), stride: 1, edges: NO_EDGES, inside: null };
 }

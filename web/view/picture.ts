@@ -7,18 +7,37 @@ export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTM
 const FRAMES_A_SECOND = 60;
 const BITS_A_SECOND = 12_000_000;
 
-/** A PNG of the view, `scale` times as large as on the screen. */
+/** A PNG of the view with its overprint, `scale` times as large as on the screen. */
 export async function png(view: View, scale: number, clear: boolean): Promise<Blob> {
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
   if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
   context.putImageData(picture, 0, 0);
+  if (view.overprint) {
+    const { left, top, width, height } = view.stage.getBoundingClientRect();
+    const [x, y] = view.centre;
+    context.scale(picture.width / width, picture.height / height);
+    // Pictures have no panel beside the model.
+    context.translate(left + width / 2 - x, top + height / 2 - y);
+    view.overprint(context);
+  }
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** A WebM video of the canvas until `end`. */
-export async function video(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
+/** A WebM video of the view until `end`, with all pixels. */
+export async function video(view: View, end: Promise<unknown>): Promise<Blob> {
+  const { drawsAllPixels } = view;
+  view.drawsAllPixels = true;
+  view.adapt(1);
+  try {
+    return await record(view.canvas, end);
+  } finally {
+    view.drawsAllPixels = drawsAllPixels;
+  }
+}
+
+async function record(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {
   const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
     mimeType: 'video/webm',
     videoBitsPerSecond: BITS_A_SECOND,

@@ -8,10 +8,13 @@ import { Signal } from '../state/signal';
 import {
   CLEARED_BY_SURFACE,
   COMMON,
+  EDGE_GROUPS,
+  type EdgeGroup,
   type Edges,
   emptyPicture,
   type Layer,
   NO_APPEARANCE,
+  NO_EDGES,
   NO_FIELD,
   NO_INSIDE,
   NO_MESH,
@@ -62,18 +65,25 @@ export class View {
   #drawn = this.#picture;
   #camera: Float64Array | null = null;
   #frameFirst = false;
+  /** Of the stage, in device pixels and in CSS pixels. */
+  #stage = { width: 1, height: 1, cssWidth: 1 };
+  /** Pixels that are drawn for one CSS pixel. */
   #ratio = 1;
-  /** Of the stage, in device pixels. The canvas is no record of it: a renderer that starts sets its size itself. */
-  #size: [width: number, height: number] = [1, 1];
   #insets: Insets = NO_INSETS;
   /** When the renderer failed last. */
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
+  /** What saved pictures have over the model, in CSS pixels of the stage. */
+  overprint: ((context: OffscreenCanvasRenderingContext2D) => void) | null = null;
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<string | null>(null);
   /** What went wrong while drawing goes on. */
   readonly failure = new Signal<Error | null>(null);
+  /** All pixels are drawn, however long a frame takes. */
+  drawsAllPixels = false;
+  /** Share of the device's pixels along an edge that are drawn. */
+  readonly resolution = new Signal(1);
 
   constructor(stage: HTMLElement, forceWebgl: boolean) {
     this.stage = stage;
@@ -85,6 +95,7 @@ export class View {
     } catch {
       observer.observe(stage);
     }
+    this.resolution.watch(() => this.#use((viewer) => this.#fit(viewer)));
   }
 
   /** Makes a renderer: on WebGPU where the browser has it and it works, else on WebGL2. */
@@ -190,7 +201,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.overlays, picture.walls, picture.inside] = [[], [], null];
+      [picture.edges, picture.inside] = [NO_EDGES, null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -355,22 +366,13 @@ export class View {
     this.#show('arrows', (viewer) => viewer.set_arrows(vectors));
   }
 
-  setEdges(kinds: readonly Edges[]): void {
-    this.#picture.overlays = kinds;
-    this.#showEdges();
-  }
-
-  /** Walls along edges, drawn over the other ones. */
-  setWalls(kinds: readonly Edges[]): void {
-    this.#picture.walls = kinds;
-    this.#showEdges();
-  }
-
-  #showEdges(): void {
-    const { overlays, walls } = this.#picture;
+  /** Lines on the surface, in the place of those that were shown for the same. */
+  setEdges(group: EdgeGroup, kinds: readonly Edges[]): void {
+    const edges = { ...this.#picture.edges, [group]: kinds };
+    this.#picture.edges = edges;
     this.#show('edges', (viewer) => {
       viewer.clear_edges();
-      for (const { ends, colour, width } of [...overlays, ...walls]) {
+      for (const { ends, colour, width } of EDGE_GROUPS.flatMap((each) => edges[each])) {
         viewer.add_edges(ends, unitColour(colour), width ?? THIN);
       }
     });
@@ -379,7 +381,7 @@ export class View {
   /** Models are centred on what the insets leave free. */
   set insets(insets: Insets) {
     this.#insets = insets;
-    this.#use((viewer) => this.#fit(viewer));
+    this.#refit();
   }
 
   /** Where models are centred: the middle of what the insets leave free, in CSS pixels of the window. */
@@ -387,11 +389,6 @@ export class View {
     const stage = this.stage.getBoundingClientRect();
     const { left, top, right, bottom } = this.#insets;
     return [(stage.left + left + stage.right - right) / 2, (stage.top + top + stage.bottom - bottom) / 2];
-  }
-
-  /** Device pixels for one CSS pixel. */
-  get ratio(): number {
-    return this.#ratio;
   }
 
   orbit(dx: number, dy: number): void {
@@ -472,6 +469,11 @@ export class View {
     return [left + pixel[0] / this.#ratio, top + pixel[1] / this.#ratio];
   }
 
+  /** Draws so large a share of the pixels along an edge from now on, where that is free. */
+  adapt(share: number): void {
+    this.resolution.value = this.drawsAllPixels ? 1 : share;
+  }
+
   /** True if a frame was drawn. Throws what the graphics device refused; the next frame may be drawn all the same. */
   render(seconds: number): boolean {
     const drawn = this.#use((viewer) => {
@@ -490,6 +492,7 @@ export class View {
 
   /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
   async capture(scale: number, clear: boolean): Promise<ImageData> {
+    this.resolution.value = 1;
     const picture = this.#use((viewer) => viewer.capture(scale, clear));
     if (!picture) throw new Error('There is no scene to save as an image yet.');
     const { width, height } = picture;
@@ -510,7 +513,7 @@ export class View {
 
   #freshCanvas(): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
-    [canvas.width, canvas.height] = this.#size;
+    [canvas.width, canvas.height] = this.#pixels;
     if (!this.#canvas) this.stage.prepend(canvas);
     return canvas;
   }
@@ -518,17 +521,37 @@ export class View {
   #resize(entry: ResizeObserverEntry): void {
     const { width, height } = entry.contentRect;
     const exact = entry.devicePixelContentBoxSize?.[0];
-    const w = pixels(width, exact?.inlineSize);
-    const h = pixels(height, exact?.blockSize);
-    this.#ratio = w / Math.max(1, width);
-    this.#size = [w, h];
-    this.#use((viewer) => this.#fit(viewer));
+    this.#stage = {
+      width: pixels(width, exact?.inlineSize),
+      height: pixels(height, exact?.blockSize),
+      cssWidth: Math.max(1, width),
+    };
+    this.#refit();
+  }
+
+  /** Of the canvas, which is no record of it: a renderer that starts sets its size itself. */
+  get #pixels(): [width: number, height: number] {
+    const { width, height } = this.#stage;
+    const share = this.resolution.value;
+    return [Math.max(1, Math.round(share * width)), Math.max(1, Math.round(share * height))];
+  }
+
+  /** What is free for the model has another size: once it was seen, it fills as large a share of that as before. */
+  #refit(): void {
+    this.#use((viewer) => {
+      const before = viewer.fitting_distance();
+      this.#fit(viewer);
+      if (this.#camera) viewer.refit(before);
+    });
   }
 
   #fit(viewer: Viewer): void {
+    const [width, height] = this.#pixels;
+    const ratio = width / this.#stage.cssWidth;
+    this.#ratio = ratio;
     const { left, top, right, bottom } = this.#insets;
-    viewer.resize(...this.#size);
-    viewer.set_insets(left * this.#ratio, top * this.#ratio, right * this.#ratio, bottom * this.#ratio);
+    viewer.resize(width, height);
+    viewer.set_insets(left * ratio, top * ratio, right * ratio, bottom * ratio);
   }
 }
 

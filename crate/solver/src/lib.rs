@@ -93,7 +93,7 @@ pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
     Method, MultiSource, Operator, Parameters, PathKind, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
-pub use path::{PathSearch, Straightest, descend, refract, straighten, straightest};
+pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
 pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;

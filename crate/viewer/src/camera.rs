@@ -173,12 +173,25 @@ impl Camera {
         self.set_view(View { distance: self.view.distance / factor, ..self.view });
     }
 
-    /// Starts a smooth move that fits the scene into what the insets leave free; the direction stays.
-    pub fn frame(&mut self) {
+    /// Where the fitting distance was another one: what filled a share of the free window fills as large a share now.
+    pub fn refit(&mut self, before: f64) {
+        let factor = self.fitting_distance() / before;
+        self.view = self.view.scaled(factor);
+        self.flight = self.flight.map(|flight| flight.scaled(factor));
+    }
+
+    /// Distance from which the scene fits into what the insets leave free; bounding radii of the surface.
+    #[must_use]
+    pub fn fitting_distance(&self) -> f64 {
         let free = self.free_size() / self.size.y * (0.5 * FIELD_OF_VIEW).tan();
         let (half_horizontal, half_vertical) = (free.x.atan(), free.y.atan());
         let radius = f64::from(self.scene.radius / self.surface.radius);
-        let distance = FRAME_MARGIN * radius / half_vertical.min(half_horizontal).sin();
+        FRAME_MARGIN * radius / half_vertical.min(half_horizontal).sin()
+    }
+
+    /// Starts a smooth move that fits the scene into what the insets leave free; the direction stays.
+    pub fn frame(&mut self) {
+        let distance = self.fitting_distance();
         let target = (self.scene.center - self.surface.center).as_dvec3() / f64::from(self.surface.radius);
         self.fly_to(View { distance, target, ..self.view });
     }

@@ -179,6 +179,12 @@ impl Renderer {
         self.camera.view()
     }
 
+    /// Distance from which the scene fits into what the insets leave free; bounding radii.
+    #[must_use]
+    pub fn fitting_distance(&self) -> f64 {
+        self.camera.fitting_distance()
+    }
+
     /// Changes the camera.
     pub fn move_camera(&mut self, change: impl FnOnce(&mut Camera)) {
         change(&mut self.camera);

@@ -2,6 +2,7 @@
 
 mod ground;
 mod pose;
+mod tape;
 
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;
@@ -25,6 +26,7 @@ use crate::joined::Joined;
 use crate::motion::Moving;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
+use tape::Measuring;
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.
@@ -63,6 +65,8 @@ pub struct Solver {
     solved: Option<Solved>,
     /// The exact path that is searched on it, and whence.
     search: Option<(SurfacePoint, PathSearch)>,
+    /// The leg of a tape that is measured on it.
+    measuring: Option<Measuring>,
     crowd: Option<Crowd>,
 }
 
@@ -100,6 +104,7 @@ impl Solver {
             propagation: None,
             solved: None,
             search: None,
+            measuring: None,
             crowd: None,
         }
     }

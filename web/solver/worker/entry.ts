@@ -5,19 +5,21 @@ import type {
   DrawMesh,
   DrawTransform,
   EdgeKind,
+  Enclosure,
   FaceField,
   GroundChange,
   Factoring,
   InnerCut,
   InnerView,
+  Leg,
   Moment,
   OpenedMesh,
   Parameters,
+  Plain,
   Posed,
   Solved,
   SolverApi,
   Source,
-  SurfacePath,
   Timings,
   TracedPath,
   PathRequest,
@@ -282,6 +284,27 @@ const api: SolverApi = {
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));
   },
 
+  measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
+    const mesh = openMesh();
+    const clock = stopwatch();
+    const [begin, end] = known([from, to]);
+    const leg = pathOf(() => openSurface().measure(begin, end, mesh.work));
+    mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
+    return Promise.resolve(leg === undefined ? null : { leg });
+  },
+
+  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
+    const [begin, end] = known([from, to]);
+    return Promise.resolve(pathOf(() => openSurface().estimate(begin, end)) ?? null);
+  },
+
+  enclosed(legs: readonly Leg[]): Promise<Enclosure> {
+    const triangles = Uint32Array.from(legs.flatMap((leg) => [...leg.triangles]));
+    const weights = Float64Array.from(legs.flatMap((leg) => [...leg.weights]));
+    const counts = Uint32Array.from(legs, (leg) => leg.triangles.length);
+    return Promise.resolve(plain(openSurface().enclosed(triangles, weights, counts)));
+  },
+
   gradients(kind: FaceField): Promise<Float32Array> {
     const vectors = openMesh().solver.gradients(kind);
     return Promise.resolve(transfer(vectors, [vectors.buffer]));
@@ -402,7 +425,7 @@ function trace({ solver }: Current, request: PathRequest | null): TracedPath {
 }
 
 /** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
-function pathOf(find: () => ReturnType<Mesh['solver']['path']> | undefined): SurfacePath | null | undefined {
+function pathOf<T extends { toJSON(): object; free(): void }>(find: () => T | undefined): Plain<T> | null | undefined {
   try {
     const found = find();
     return found && plain(found);

@@ -5,7 +5,7 @@ import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener'
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { decodeLink } from '../../state/link';
-import type { SceneState } from '../../state/scene';
+import { placesOf, type SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
@@ -187,6 +187,8 @@ class Embedding {
     if (ofMesh.length > 0) throw new Error(`${ofMesh.join(', ')} belong to the mesh: give them to open.`);
     wanted.sources.forEach((source, index) => this.#require(source, `s[${index}]`));
     if (wanted.walker) this.#require(wanted.walker, 'w');
+    const places = new Set(Object.keys(placesOf(state)));
+    const isPlace = (key: keyof SceneState) => places.has(key);
     const part = (isWanted: (key: keyof SceneState) => boolean) =>
       Object.fromEntries(changed.filter(isWanted).map((key) => [key, wanted[key]]));
     if (changed.some(isPlace)) session.scene.place(part(isPlace));
@@ -210,13 +212,6 @@ function quiet(voice: Voice, refused: (reason: string) => void): Voice {
 
 /** What a mesh is opened with. */
 const OF_OPENING: ReadonlySet<keyof SceneState> = new Set(['mesh', 'parts', 'triangles', 'fill']);
-/** What undo goes back over: `Places`. */
-const PLACES: ReadonlySet<keyof SceneState> = new Set(['sources', 'walker', 'links', 'up', 'unit', 'ground', 'inside']);
-
-function isPlace(key: keyof SceneState): boolean {
-  return PLACES.has(key);
-}
-
 async function openWith(opener: Opener, what: Openable): Promise<void> {
   if ('link' in what) return openLink(opener, what.link);
   const options = what.options ? `&${written(what.options)}` : '';

@@ -10,6 +10,7 @@ import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import type { Tool } from '../overlay/toolbar';
+import type { MeasureInput } from './measure';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -26,19 +27,20 @@ const ARROWS: Record<string, readonly [number, number]> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
-const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker' };
+const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker', '4': 'measure' };
 
 export interface KeysOptions {
   session: Session;
   readout: Readout;
   tool: Signal<Tool>;
   ground: GroundEditor;
+  measure: MeasureInput;
   chooseFile: () => void;
+  help: () => void;
   /** Fills the surface. */
   fill: () => void;
   /** Closes the newest message; false if there was none. */
   closeMessage: () => boolean;
-  acted: () => void;
   cameraMoved: () => void;
 }
 
@@ -62,6 +64,8 @@ export class Keys {
   #key(event: KeyboardEvent): void {
     if (isTyping(event)) return;
     const element = event.target instanceof HTMLElement ? event.target : document.body;
+    // What is open in front of the page has keys of its own.
+    if (element.closest('dialog')) return;
     const onStage = element === this.#o.session.view.stage || element === document.body;
     const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
     if (used) event.preventDefault();
@@ -98,12 +102,13 @@ export class Keys {
 
   #view(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
-    const { session, tool, chooseFile, closeMessage } = this.#o;
+    const { session, tool, chooseFile, help, closeMessage } = this.#o;
     if (event.key in TOOL_KEYS) tool.value = TOOL_KEYS[event.key];
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
     else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
     else if (event.key.toLowerCase() === 'o') chooseFile();
+    else if (event.key === '?') help();
     else if (event.key.toLowerCase() === 'b') this.#toggleBrush();
     else if (event.key === '[') this.#resizeBrush(1 / BRUSH_STEP);
     else if (event.key === ']') this.#resizeBrush(BRUSH_STEP);
@@ -155,7 +160,7 @@ export class Keys {
   #escape(closeMessage: () => boolean): void {
     const { session } = this.#o;
     if (session.loading.value) session.cancelOpening();
-    else if (this.#o.ground.endLine()) return;
+    else if (this.#o.ground.endLine() || this.#o.measure.end()) return;
     else if (this.#o.ground.brush.value.on) this.#o.ground.set({ on: false });
     else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
     else if (!closeMessage()) this.#hideReticle();
@@ -164,15 +169,15 @@ export class Keys {
   #place(event: KeyboardEvent): boolean {
     const walker = event.key.toLowerCase() === 'w';
     if (event.key !== 'Enter' && !walker) return false;
-    const { session, acted } = this.#o;
+    const { session } = this.#o;
     this.#showReticle();
     const [x, y] = session.view.centre;
     const hit = session.view.pick(x, y);
-    acted();
     if (!hit) return true;
     const { point } = hit;
     if (this.#o.ground.brush.value.on && !walker && !event.shiftKey) this.#paint(hit, x, y);
     else if (walker) sendWalker(session.scene, point);
+    else if (!event.shiftKey && this.#o.measure.add(point)) return true;
     else if (event.shiftKey) addSource(session.scene, point);
     else setSource(session.scene, point);
     return true;
@@ -206,7 +211,6 @@ export class Keys {
     this.reticle.style.left = `${x}px`;
     this.reticle.style.top = `${y}px`;
     this.reticle.hidden = false;
-    this.#o.acted();
     // The camera moves with the next frame.
     requestAnimationFrame(() => this.#showReading());
   }

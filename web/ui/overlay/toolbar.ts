@@ -3,7 +3,7 @@ import type { Signal } from '../../state/signal';
 import { h, icon } from '../dom';
 
 /** What a plain click or tap does; modifiers reach the others. */
-export type Tool = 'source' | 'add' | 'walker';
+export type Tool = 'source' | 'add' | 'walker' | 'measure';
 
 const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
   {
@@ -23,6 +23,12 @@ const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] 
     name: 'Walker',
     tip: 'Click places the walker (3); alt + click with any tool',
     path: 'M11 3.500v.1M10.500 7l-1 5 3 2 1 4M9.500 12l-3 6M6 10l2-3h3l2 3 2 .5',
+  },
+  {
+    tool: 'measure',
+    name: 'Measure',
+    tip: 'Clicks measure between places (4); Esc ends a tape',
+    path: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
   },
 ];
 

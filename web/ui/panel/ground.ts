@@ -3,9 +3,12 @@ import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
-import { unitOf } from '../../state/scene';
+import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
+
+/** Of the button that paints them. */
+const COSTS_OF_FILE = 'Costs of the file';
 
 const TOOL_WORDS: Record<GroundTool, string> = {
   brush: 'brush',
@@ -91,7 +94,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     { class: 'small', title: 'Takes away all that is painted, and all walls', onclick: () => editor.clear() },
     'Clear',
   );
-  const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() });
+  const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
   const slope = toggle('Slope', (on) => editor.setRelief({ slope: on }));
   slope.element.title = 'Tobler’s hiking function';
   const slopeHint = h(
@@ -154,7 +157,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
   };
   scene.subscribe((state, previous) => {
-    if (state.ground !== previous.ground || state.unit !== previous.unit) showGround();
+    if (state.ground !== previous.ground || !isSameUnit(state, previous)) showGround();
   });
   session.shown.watch((shown, previous) => {
     showGround();
@@ -162,7 +165,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     if (shown?.opened !== previous?.opened) {
       const weights = shown?.opened.weights;
       ofFile.hidden = !weights;
-      ofFile.textContent = weights ? `Costs of the file (${weights.name})` : '';
+      ofFile.textContent = weights ? `${COSTS_OF_FILE} (${weights.name})` : COSTS_OF_FILE;
       element.closest('details')?.toggleAttribute('hidden', (shown?.opened.interior ?? null) !== null);
     }
   });

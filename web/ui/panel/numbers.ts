@@ -1,9 +1,9 @@
 import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import { h } from '../dom';
-import { bytes, count, finePercent, length, measure, milliseconds, percentDown } from '../words';
+import { bytes, count, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
 
 const PATH_WORDS: Record<PathKind, string> = { descent: 'steepest descent', straight: 'straightened', exact: 'exact' };
 
@@ -27,9 +27,10 @@ export function numbersSection(session: Session): HTMLElement {
   };
   session.shown.watch(show);
   session.scene.subscribe((state, previous) => {
-    if (state.unit !== previous.unit) show();
+    if (!isSameUnit(state, previous)) show();
   });
   session.view.backend.watch((backend) => put('Renderer', backend ?? 'none'));
+  session.view.resolution.watch((share) => put('Pixels drawn', percent(share ** 2)));
   return table;
 }
 

@@ -2,7 +2,7 @@ import { FORMATS } from '../../files/paths';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
-import { type UnitChoice, unitOf, UNITS } from '../../state/scene';
+import { isSameUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
 import { AUTOMATIC } from '../../wasm/contract';
 import { h, select } from '../dom';
 import { simplifiedSentence } from '../words';
@@ -50,8 +50,9 @@ export function sceneSection(
     [AUTOMATIC, 'automatic'],
     ...UNITS.map((name): [UnitChoice, string] => [name, name]),
   ];
-  const unit = select('Unit', units, (value) => session.scene.place({ unit: value }));
-  unit.element.title = 'What lengths are told in; none is converted';
+  const unit = select('Unit', units, (value) => session.scene.place({ unit: value, scale: 1 }));
+  unit.element.title =
+    'What the lengths of the file are told in; none is converted. A tape of known length sets another scale';
   const automatic = unit.element.querySelector('option');
   const showUnit = () => {
     const { scene, shown } = session;
@@ -60,7 +61,7 @@ export function sceneSection(
     simplified.textContent = opened ? simplifiedSentence(opened, unitOf(scene.state, opened)) : null;
     simplified.hidden = !simplified.textContent;
     if (!opened || !automatic) return;
-    const { symbol, assumed } = unitOf({ unit: AUTOMATIC }, opened);
+    const { symbol, assumed } = unitOf({ unit: AUTOMATIC, scale: 1 }, opened);
     automatic.textContent = symbol ? `${symbol} (${assumed ? 'assumed' : 'of the file'})` : 'automatic (none)';
   };
   session.shown.watch(showUnit);
@@ -76,7 +77,7 @@ export function sceneSection(
   };
   session.scene.subscribe((state, previous) => {
     if (state.mesh !== previous.mesh) showScene();
-    if (state.unit !== previous.unit) showUnit();
+    if (!isSameUnit(state, previous)) showUnit();
   });
   showScene();
 

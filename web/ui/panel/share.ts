@@ -100,14 +100,14 @@ function videoControls(session: Session): HTMLElement[] {
   const turn = async () => {
     view.spin = (2 * Math.PI) / TURN_SECONDS;
     try {
-      return await video(view.canvas, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
+      return await video(view, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
     } finally {
       session.showTurntable();
     }
   };
   const walkVideo = () => {
     if (walk.length === 0) throw new Error('There is no walker. Alt + click the surface to place one.');
-    return video(view.canvas, walk.perform());
+    return video(view, walk.perform());
   };
   const record = async () => save(await (shows === 'turn' ? turn() : walkVideo()), `${nameOf(session)}.webm`);
   button.addEventListener('click', () => run(session, record));

@@ -16,7 +16,7 @@ import {
   type MapName,
   type RampName,
 } from '../../state/styles';
-import { unitOf } from '../../state/scene';
+import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { measure, percent } from '../words';
 
@@ -44,7 +44,7 @@ export function styleSection(session: Session): HTMLElement {
     for (const part of parts) part.show(scene.state.style);
   };
   scene.subscribe((state, previous) => {
-    if (state.style !== previous.style || state.unit !== previous.unit) show();
+    if (state.style !== previous.style || !isSameUnit(state, previous)) show();
   });
   session.shown.watch((shown, previous) => {
     if (shown?.opened !== previous?.opened) show();

@@ -1,6 +1,7 @@
-//! Curves made on the surface: down a distance, straightened, refracted, straightest.
+//! Curves made on the surface: down a distance, straightened, refracted, straightest; and what closed ones enclose.
 
 pub mod descent;
+pub mod enclosed;
 mod funnel;
 mod link;
 pub mod refract;
@@ -10,6 +11,7 @@ pub mod straightest;
 mod strip;
 
 pub use descent::descend;
+pub use enclosed::{Enclosed, enclosed};
 pub use refract::refract;
 pub use search::PathSearch;
 pub use straighten::straighten;

@@ -26,6 +26,11 @@ impl Flight {
         Self { from, to, seconds: 0.0 }
     }
 
+    /// The same with all distances times a factor.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        Self { from: self.from.scaled(factor), to: self.to.scaled(factor), ..self }
+    }
+
     /// The view some seconds later, and whether it is the last.
     pub(super) fn advance(&mut self, seconds: f64) -> (View, bool) {
         self.seconds += seconds;

@@ -112,6 +112,26 @@ fn framing_fits_the_sphere_in_landscape_and_in_portrait() {
 }
 
 #[test]
+fn another_shape_of_the_window_shows_the_same_share_of_the_model() {
+    let mut camera = camera();
+    camera.frame();
+    settle(&mut camera);
+    camera.zoom(1.5);
+    let share = camera.view().distance / camera.fitting_distance();
+    let yaw = camera.view().yaw;
+    camera.focus(Vec3::new(6.0, -2.0, 1.0));
+    let before = camera.fitting_distance();
+    camera.set_size(450, 900, 2.0);
+    assert!(camera.fitting_distance() > 1.3 * before, "a portrait is narrower");
+    camera.refit(before);
+    assert!((camera.view().distance / camera.fitting_distance() - share).abs() < 1e-12);
+    assert!(camera.is_moving(), "a move under way goes on");
+    settle(&mut camera);
+    assert!((camera.view().distance / camera.fitting_distance() - share).abs() < 1e-12, "and ends as near");
+    assert_eq!(camera.view().yaw, yaw);
+}
+
+#[test]
 fn focus_moves_the_target_and_keeps_the_distance() {
     let mut camera = camera();
     let (distance, point) = (camera.view().distance, Vec3::new(7.0, -2.0, 1.0));

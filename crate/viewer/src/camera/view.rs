@@ -42,6 +42,11 @@ impl View {
         }
     }
 
+    /// From so many times as far. It is not clamped, so that the way there and back ends where it began.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        Self { distance: self.distance * factor, ..self }
+    }
+
     /// The camera's axes (right, up, back) as columns.
     pub(super) fn world_from_view(self) -> DMat3 {
         let (yaw_sin, yaw_cos) = self.yaw.sin_cos();

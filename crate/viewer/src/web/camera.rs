@@ -15,6 +15,18 @@ impl Viewer {
         self.renderer.set_insets(Insets { left, top, right, bottom });
     }
 
+    /// Distance from which surface and scenery fit into what the insets leave free; bounding radii.
+    #[must_use]
+    pub fn fitting_distance(&self) -> f64 {
+        self.renderer.fitting_distance()
+    }
+
+    /// After the window or the insets have changed: what was drawn as large a share of what fits is again. `before`: what
+    /// `fitting_distance` was.
+    pub fn refit(&mut self, before: f64) {
+        self.renderer.move_camera(|camera| camera.refit(before));
+    }
+
     /// Orbits the target; CSS pixels.
     pub fn orbit(&mut self, dx: f64, dy: f64) {
         self.renderer.move_camera(|camera| camera.orbit(dx, dy));

@@ -1,0 +1,199 @@
+//! Lengths between two places, and areas within closed curves, beside the field and without touching it.
+
+use std::sync::Arc;
+
+use heatwalk::exact::ExactGeometry;
+use heatwalk::{
+    Enclosed, FaceId, Path, PathPoint, PathSearch, Place, Source, Surface, SurfacePoint, descend, enclosed, refract,
+    straighten,
+};
+use heatwalk_bindings::Result;
+use js_sys::{Float64Array, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use super::Solver;
+
+/// Windows of each half-edge by which a length is estimated, and where costs refract them.
+const WINDOWS: u16 = 1;
+const REFRACTED_WINDOWS: u16 = 4;
+
+/// The search for a shortest path, which is done step by step.
+pub(super) struct Measuring {
+    geometry: Arc<ExactGeometry>,
+    ends: [SurfacePoint; 2],
+    search: PathSearch,
+}
+
+/// A path between two places, as places of the drawing, so that it can be drawn in any pose.
+#[wasm_bindgen(inspectable)]
+pub struct Leg {
+    triangles: Vec<u32>,
+    weights: Vec<f64>,
+    length: f64,
+    straight: f64,
+    cost: f64,
+}
+
+#[wasm_bindgen]
+impl Leg {
+    /// `#P`, drawn triangles that the points lie on: those that the path goes through after each.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Uint32Array {
+        self.triangles.as_slice().into()
+    }
+
+    /// `#P × 3`, barycentric weights in them.
+    #[wasm_bindgen(getter)]
+    pub fn weights(&self) -> Float64Array {
+        self.weights.as_slice().into()
+    }
+
+    /// In the unit of the file.
+    #[wasm_bindgen(getter)]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Of the straight line between both ends, in the unit of the file.
+    #[wasm_bindgen(getter)]
+    pub fn straight(&self) -> f64 {
+        self.straight
+    }
+
+    /// What it costs to walk; the length where all costs are 1.
+    #[wasm_bindgen(getter)]
+    pub fn cost(&self) -> f64 {
+        self.cost
+    }
+}
+
+/// What a closed curve encloses.
+#[wasm_bindgen(inspectable)]
+pub struct Enclosure(Enclosed);
+
+#[wasm_bindgen]
+impl Enclosure {
+    /// Whether there are two sides; else why not.
+    #[wasm_bindgen(getter, unchecked_return_type = "'sides' | 'whole' | 'crossed' | 'sideless'")]
+    pub fn kind(&self) -> String {
+        match self.0 {
+            Enclosed::Sides(_) => "sides",
+            Enclosed::Whole => "whole",
+            Enclosed::Crossed => "crossed",
+            Enclosed::Sideless => "sideless",
+        }
+        .to_owned()
+    }
+
+    /// The area of the smaller side, in the unit of the file squared; 0 where there is none.
+    #[wasm_bindgen(getter)]
+    pub fn area(&self) -> f64 {
+        match self.0 {
+            Enclosed::Sides([left, right]) => left.min(right),
+            _ => 0.0,
+        }
+    }
+}
+
+impl Solver {
+    fn ends(&self, from: &JsValue, to: &JsValue) -> Result<[SurfacePoint; 2]> {
+        let surface = self.geometry.surface();
+        Ok([self.drawn.point(surface, from)?, self.drawn.point(surface, to)?])
+    }
+
+    fn leg(&self, path: &Path) -> Leg {
+        let surface = &**self.geometry.surface();
+        let numbers = self.drawn.triangles();
+        let face_of = |point: &PathPoint| {
+            let faces = point.location.faces(surface);
+            if faces.contains(&point.face) { point.face } else { faces[0] }
+        };
+        let faces: Vec<_> = path.points.iter().map(face_of).collect();
+        let weights =
+            path.points.iter().zip(&faces).flat_map(|(point, &face)| point.location.weights_in(surface, face));
+        let length = path.length();
+        let straight = match (path.points.first(), path.points.last()) {
+            (Some(first), Some(last)) => first.position.distance(last.position),
+            _ => 0.0,
+        };
+        Leg {
+            triangles: faces.iter().map(|&face| numbers[face]).collect(),
+            weights: weights.collect(),
+            length,
+            straight,
+            cost: self.ground.costs.as_ref().map_or(length, |costs| costs.of_path(surface, path)),
+        }
+    }
+
+    /// The path of a leg with these places.
+    fn path_of(&self, surface: &Surface, triangles: &[u32], weights: &[f64]) -> Result<Path> {
+        let point = |(&triangle, &weights): (&u32, &[f64; 3])| {
+            // A triangle that there is none of is for the surface to name.
+            let face = self.drawn.face(triangle).unwrap_or(FaceId(triangle));
+            let location = surface.point(Place::Face { face, weights })?.place().reduced(surface);
+            Ok(PathPoint { position: location.position(surface), location, face })
+        };
+        let points: Result<Vec<_>> = triangles.iter().zip(weights.as_chunks().0).map(point).collect();
+        Ok(Path::new(surface, points?))
+    }
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Searches the exact path between two places by about `work` windows further; none until it is found. The next call
+    /// goes on where it is for the same places on the same ground.
+    pub fn measure(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] to: &JsValue,
+        work: u32,
+    ) -> Result<Option<Leg>> {
+        let ends = self.ends(from, to)?;
+        let is_same = |begun: &Measuring| begun.ends == ends && Arc::ptr_eq(&begun.geometry, &self.geometry);
+        let mut measuring = match self.measuring.take().filter(is_same) {
+            Some(begun) => begun,
+            None => {
+                let search = PathSearch::new(&self.geometry, ends[0], &[Source::from(ends[1])])?;
+                Measuring { geometry: Arc::clone(&self.geometry), ends, search }
+            }
+        };
+        let path = measuring.search.step(work as usize)?;
+        if path.is_none() {
+            self.measuring = Some(measuring);
+        }
+        Ok(path.map(|path| self.leg(&path)))
+    }
+
+    /// A path between two places that is locally shortest, or of locally least cost where costs differ.
+    pub fn estimate(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] to: &JsValue,
+    ) -> Result<Leg> {
+        let [from, to] = self.ends(from, to)?;
+        let windows = if self.geometry.costs().is_some() { REFRACTED_WINDOWS } else { WINDOWS };
+        let distance = self.propagated_distance(&[Source::from(to)], windows)?;
+        let surface = self.geometry.surface();
+        let steepest = descend(surface, &distance, from)?;
+        let path = match self.geometry.costs() {
+            Some(costs) => refract(surface, costs, &steepest)?,
+            None => straighten(surface, &steepest)?,
+        };
+        Ok(self.leg(&path))
+    }
+
+    /// What a closed curve of legs encloses: `triangles` and `weights` of all of them, and how many points each has.
+    pub fn enclosed(&self, triangles: &[u32], weights: &[f64], counts: &[u32]) -> Result<Enclosure> {
+        let surface = self.geometry.surface();
+        let (mut triangles, mut weights) = (triangles, weights);
+        let mut paths = Vec::with_capacity(counts.len());
+        for &count in counts {
+            let count = (count as usize).min(triangles.len()).min(weights.len() / 3);
+            let (these, rest) = triangles.split_at(count);
+            let (shares, others) = weights.split_at(3 * count);
+            (triangles, weights) = (rest, others);
+            paths.push(self.path_of(surface, these, shares)?);
+        }
+        Ok(Enclosure(enclosed(surface, &paths)?))
+    }
+}

@@ -1,0 +1,127 @@
+import { readFile } from 'node:fs/promises';
+import { grid, off } from '../fixtures';
+import { expect, type HeatwalkPage, test } from '../page';
+
+const N = 24;
+const at = (i: number, j: number) => ({ vertex: i + (N + 1) * j });
+/** The unit square seen from above. */
+const VIEW = `up=z&cam=0,1.5,2.6,0,0,0&s=${at(0, 0).vertex}&method=auto`;
+/** Pixels are small beside the square. */
+const PIXEL = 0.006;
+
+async function click(heatwalk: HeatwalkPage, place: { vertex: number }): Promise<void> {
+  const [x, y] = await heatwalk.pixelOf(place);
+  await heatwalk.page.mouse.click(x + 1, y + 1);
+}
+
+const tapes = (heatwalk: HeatwalkPage) => heatwalk.page.evaluate(() => window.heatwalk.tapes);
+
+/** Until the newest tape has so many legs, all exact. */
+async function exact(heatwalk: HeatwalkPage, legs: number) {
+  await expect
+    .poll(async () => (await tapes(heatwalk)).at(-1)?.legs.map(({ state }) => state))
+    .toEqual(Array.from({ length: legs }, () => 'exact'));
+  const newest = (await tapes(heatwalk)).at(-1);
+  if (!newest) throw new Error('no tape');
+  return newest;
+}
+
+test('a tape is laid, dragged, closed, told in a known scale, saved, undone, shared and charted', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.openFile('square.off', off(grid(N)), VIEW);
+  await heatwalk.settled();
+  const solves = await heatwalk.solves();
+  await page.keyboard.press('4');
+  await expect(page.getByRole('button', { name: 'Measure' }).first()).toHaveAttribute('aria-pressed', 'true');
+  await click(heatwalk, at(6, 6));
+  await click(heatwalk, at(18, 6));
+  const first = await exact(heatwalk, 1);
+  expect(Math.abs((first.length ?? 0) - 0.5)).toBeLessThan(PIXEL);
+  expect(first.legs[0].straight).toBeCloseTo(first.length ?? 0, 6);
+  await expect(page.locator('.tape-label').first()).toHaveText(/^0\.\d+ m$/);
+
+  // The last place is dragged; that is one step of undo.
+  const [x, y] = await heatwalk.pixelOf(at(18, 18));
+  const place = page.getByRole('button', { name: 'Tape 1, place 2' });
+  await place.hover();
+  await page.mouse.down();
+  await page.mouse.move(x - 40, y + 30, { steps: 3 });
+  await page.mouse.move(x, y, { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(async () => (await exact(heatwalk, 1)).length).toBeCloseTo(Math.hypot(0.5, 0.5), 2);
+
+  // A click on the first place closes the tape: a triangle of a quarter of half the square.
+  await click(heatwalk, at(18, 6));
+  await page.getByRole('button', { name: 'Tape 1, place 1' }).click();
+  const ring = await exact(heatwalk, 3);
+  expect(ring.closed).toBe(true);
+  await expect.poll(async () => (await tapes(heatwalk))[0].area).toBeCloseTo(0.125, 2);
+  expect(await heatwalk.solves()).toBe(solves);
+
+  const section = page.locator('#section-measure');
+  await section.locator('summary').click();
+  await expect(section).toContainText('Area enclosed: 0.12');
+  await expect(section.getByRole('row')).toHaveCount(5);
+  await section.getByRole('spinbutton', { name: 'Known length of tape 1' }).fill('3.4');
+  await section.getByRole('combobox', { name: 'Unit of the known length' }).selectOption('cm');
+  await section.getByRole('button', { name: 'Set scale' }).click();
+  await expect(section.locator('.tape-head')).toContainText('3.4 cm');
+  await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');
+  await expect(section).toContainText('cm².');
+
+  const download = page.waitForEvent('download');
+  await section.getByRole('button', { name: 'Save CSV' }).click();
+  const lines = (await readFile(await (await download).path(), 'utf8')).trim().split('\r\n');
+  expect(lines).toHaveLength(5);
+  expect(lines[4]).toMatch(/^1,total,,,3\.4,/);
+
+  // The picture holds a label where the page has it, twice as large.
+  const label = await page.locator('.tape-label.sum > span').boundingBox();
+  if (!label) throw new Error('no label');
+  const picture = await heatwalk.drawing(2, false);
+  // The picture is centered on the model, as the window is without the panel.
+  const [x0, y0] = await page.evaluate(() => window.heatwalk.centre);
+  const [dx, dy] = [picture.width / 4 - x0, picture.height / 4 - y0];
+  const paper = (px: number, py: number) => {
+    const first = 4 * (Math.round(2 * py) * picture.width + Math.round(2 * px));
+    return [...picture.data.subarray(first, first + 3)];
+  };
+  expect(paper(dx + label.x + 3, dy + label.y + label.height / 2)).toEqual([255, 255, 255]);
+  expect(paper(dx + label.x - 6, dy + label.y - 6)).not.toEqual([255, 255, 255]);
+
+  const address = page.url();
+  expect(address).toMatch(/&tape=[^&]*!/);
+  await page.keyboard.press('Control+z');
+  await expect(page.locator('.tape-label.sum')).toContainText('1.71 m');
+  await page.keyboard.press('Control+z');
+  await expect.poll(async () => (await tapes(heatwalk))[0].closed).toBe(false);
+  await page.keyboard.press('Control+Shift+z');
+  await page.keyboard.press('Control+Shift+z');
+  await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');
+
+  // By the keyboard: a place under the reticle, and one taken away.
+  await page.locator('.stage').focus();
+  await page.keyboard.press('Enter');
+  await expect.poll(async () => (await tapes(heatwalk)).length).toBe(2);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Tape 2, place 1' }).focus();
+  await page.keyboard.press('Delete');
+  await expect.poll(async () => (await tapes(heatwalk)).length).toBe(1);
+
+  await heatwalk.openFile('square.off', off(grid(N)), new URL(address).hash.replace(/^#v=1&m=file&name=[^&]*&/, ''));
+  await exact(heatwalk, 3);
+  await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');
+
+  // Charts of the distance and of the tape, in the same scale.
+  const charts = page.locator('#section-charts');
+  await charts.locator('summary').click();
+  await expect(charts.getByRole('img')).toHaveCount(3);
+  await expect(charts).toContainText('Along the tape (cm)');
+  const chart = page.waitForEvent('download');
+  await charts.getByRole('button', { name: 'Save Area within a distance as SVG' }).click();
+  const file = await readFile(await (await chart).path(), 'utf8');
+  expect(file).toMatch(/^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+  expect(file).not.toContain('var(');
+});

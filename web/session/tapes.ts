@@ -1,0 +1,215 @@
+/** Measures the tapes of the scene, beside the field: a locally shortest path first where the exact one takes long. */
+import type { Enclosure, Leg, MeshPoint } from '../protocol';
+import type { Engine } from '../solver/engine';
+import { MOST_SECONDS } from '../solver/refiner';
+import { Cancelled, WorkerLost } from '../solver/remote';
+import { isOutOfMemory } from '../solver/trap';
+import { isWeighted } from '../state/ground';
+import { Signal, until } from '../state/signal';
+import { legsOf, type Tape } from '../state/tapes';
+import type { Shown } from './prepare';
+import type { Session } from './session';
+
+/**
+ * What is known of a leg. `measuring`: nothing yet; `estimated`: a locally shortest path, while the exact one is searched;
+ * `exact`; `approximate`: locally shortest, since memory or time did not suffice for the exact one; `cost`: of locally least cost;
+ * `straight`: the straight line alone, inside of tetrahedra; `none`: no path leads there.
+ */
+export type LegState = 'measuring' | 'estimated' | 'exact' | 'approximate' | 'cost' | 'straight' | 'none';
+
+export interface MeasuredLeg {
+  state: LegState;
+  /** The path; null where there is none, or none yet. */
+  leg: Leg | null;
+  /** Length of the straight line, in the unit of the file. */
+  straight: number;
+}
+
+export interface MeasuredTape {
+  tape: Tape;
+  legs: readonly MeasuredLeg[];
+  /** What a closed tape encloses; null while its legs are not known, and for others. */
+  enclosure: Enclosure | null;
+}
+
+/** What a tape tells, in the unit of the file; what is not known, or is none, is null. */
+export interface ToldTape {
+  closed: boolean;
+  legs: readonly { state: LegState; length: number | null; straight: number }[];
+  length: number | null;
+  area: number | null;
+}
+
+/** What lengths depend on, beside the places. */
+type Basis = Pick<Shown['answer']['question'], 'bridge' | 'links' | 'ground' | 'moment'> & { engine: Engine };
+
+const isKnown = ({ state }: MeasuredLeg) => state !== 'measuring' && state !== 'estimated';
+
+/** Sum of the lengths of the paths, in the unit of the file; NaN while one is not known, or is none. */
+export function lengthOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
+  return legs.reduce(
+    (sum, { leg, state, straight }) => sum + (state === 'straight' ? straight : (leg?.length ?? NaN)),
+    0,
+  );
+}
+
+/** Sum of the straight lines. */
+export function straightOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
+  return legs.reduce((sum, { straight }) => sum + straight, 0);
+}
+
+/** What is known of all legs together: the least of it. */
+export function stateOf({ legs }: Pick<MeasuredTape, 'legs'>): LegState {
+  const order: LegState[] = ['none', 'measuring', 'estimated', 'approximate', 'cost', 'straight', 'exact'];
+  return order.find((state) => legs.some((leg) => leg.state === state)) ?? 'exact';
+}
+
+export function told(measured: MeasuredTape): ToldTape {
+  const length = lengthOf(measured);
+  return {
+    closed: measured.tape.closed,
+    legs: measured.legs.map(({ state, leg, straight }) => ({ state, length: leg?.length ?? null, straight })),
+    length: Number.isFinite(length) ? length : null,
+    area: measured.enclosure?.kind === 'sides' ? measured.enclosure.area : null,
+  };
+}
+
+export class Tapes {
+  readonly measured = new Signal<readonly MeasuredTape[]>([]);
+  readonly #session: Session;
+  #basis: Basis | null = null;
+  readonly #legs = new Map<string, MeasuredLeg>();
+  readonly #enclosures = new Map<string, Enclosure>();
+  #isBusy = false;
+
+  constructor(session: Session) {
+    this.#session = session;
+    session.shown.watch(() => this.#follow());
+    session.scene.subscribe((state, previous) => {
+      if (state.tapes !== previous.tapes) this.#follow();
+    });
+  }
+
+  /** Resolves when everything is measured that can be. */
+  async settled(): Promise<void> {
+    await until(() => !this.#isBusy, this.measured);
+  }
+
+  #follow(): void {
+    const basis = this.#basisNow();
+    const before = this.#basis;
+    if (!basis || !before || Object.entries(basis).some(([key, value]) => value !== before[key as keyof Basis])) {
+      this.#basis = basis;
+      this.#legs.clear();
+      this.#enclosures.clear();
+    }
+    this.#show();
+    if (!this.#isBusy) void this.#work();
+  }
+
+  #basisNow(): Basis | null {
+    const { shown, engine } = this.#session;
+    if (!shown.value || !engine) return null;
+    const { bridge, links, ground, moment } = shown.value.answer.question;
+    return { bridge, links, ground, moment, engine };
+  }
+
+  #show(): void {
+    this.measured.value = this.#session.scene.state.tapes.map((tape) => {
+      const legs = legsOf(tape).map((ends) => this.#legs.get(keyOf(ends)) ?? this.#unmeasured(ends));
+      return { tape, legs, enclosure: this.#enclosures.get(keyOf(tape)) ?? null };
+    });
+  }
+
+  #unmeasured([from, to]: readonly [MeshPoint, MeshPoint]): MeasuredLeg {
+    const { shown } = this.#session;
+    const [a, b] = [from, to].map((end) => shown.value?.places.at(end)?.position);
+    if (!shown.value || !a || !b) return { state: 'none', leg: null, straight: NaN };
+    const { interior, drawTransform } = shown.value.opened;
+    const straight = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / drawTransform.scale;
+    return { state: interior ? 'straight' : 'measuring', leg: null, straight };
+  }
+
+  /** Measures what is not measured, one leg after the other, the newest tape first. */
+  async #work(): Promise<void> {
+    this.#isBusy = true;
+    try {
+      while (await this.#step());
+    } catch (error) {
+      // The next answer, of another worker, asks again.
+      if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
+    } finally {
+      this.#isBusy = false;
+      this.#show();
+    }
+  }
+
+  /** False: nothing is left. */
+  async #step(): Promise<boolean> {
+    const basis = this.#basis;
+    if (!basis) return false;
+    for (const { tape, legs, enclosure } of this.measured.value.toReversed()) {
+      const open = legs.findIndex((leg) => !isKnown(leg));
+      if (open >= 0) {
+        await this.#measure(basis, legsOf(tape)[open]);
+        return true;
+      }
+      const paths = legs.flatMap(({ leg }) => leg ?? []);
+      if (tape.closed && !enclosure && paths.length === legs.length) {
+        const found = await basis.engine.enclosed(paths);
+        this.#keep(basis, () => this.#enclosures.set(keyOf(tape), found));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Until the leg is known, or nobody wants it any more. */
+  async #measure(basis: Basis, ends: readonly [MeshPoint, MeshPoint]): Promise<void> {
+    const { engine, ground } = basis;
+    const began = performance.now();
+    const put = (state: LegState, leg: Leg | null) => {
+      const straight = leg?.straight ?? this.#unmeasured(ends).straight;
+      this.#keep(basis, () => this.#legs.set(keyOf(ends), { state: leg ? state : 'none', leg, straight }));
+    };
+    if (isWeighted(ground)) {
+      put('cost', await engine.estimate(...ends));
+      return;
+    }
+    let estimate: Leg | null = null;
+    try {
+      for (;;) {
+        const found = await engine.measure(...ends);
+        if (found) {
+          put('exact', found.leg);
+          return;
+        }
+        if (!this.#isWanted(basis, ends)) return;
+        if (performance.now() - began > 1000 * MOST_SECONDS) break;
+        if (estimate) continue;
+        estimate = await engine.estimate(...ends);
+        put('estimated', estimate);
+        if (!estimate) return;
+      }
+    } catch (error) {
+      if (!(error instanceof Error && isOutOfMemory(error)) || error instanceof WorkerLost) throw error;
+    }
+    put('approximate', estimate ?? (await engine.estimate(...ends)));
+  }
+
+  #isWanted(basis: Basis, ends: readonly [MeshPoint, MeshPoint]): boolean {
+    const { tapes } = this.#session.scene.state;
+    return basis === this.#basis && tapes.some((tape) => legsOf(tape).some((leg) => keyOf(leg) === keyOf(ends)));
+  }
+
+  /** What was found on another ground is dropped. */
+  #keep(basis: Basis, put: () => void): void {
+    if (basis !== this.#basis) return;
+    put();
+    this.#show();
+  }
+}
+
+function keyOf(places: unknown): string {
+  return JSON.stringify(places);
+}

@@ -1,0 +1,104 @@
+/** How a field is distributed over the surface, and how far it was off by distance. */
+
+/** Triangles with a value at each corner. */
+export interface Values {
+  /** #D × 3. */
+  positions: Float32Array;
+  /** #F × 3. */
+  triangles: Uint32Array;
+  /** One a drawn vertex; one a corner where `byCorner`. Infinity where no source reaches. */
+  distance: Float32Array;
+  byCorner: boolean;
+}
+
+export interface Distribution {
+  /** Borders of the bins, from 0 to the largest value. */
+  edges: Float64Array;
+  /** Share of the reached area with a value below each border, 0 to 1. */
+  below: Float64Array;
+  /** Share of the whole area that no source reaches. */
+  unreached: number;
+}
+
+/** Exact for values that are linear over each triangle. */
+export function distributionOf({ positions, triangles, distance, byCorner }: Values, bins: number): Distribution {
+  const whole = largest(distance);
+  const edges = Float64Array.from({ length: bins + 1 }, (_, index) => (whole * index) / bins);
+  const partly = new Float64Array(bins + 1);
+  /** Area that is below an edge and all after it. */
+  const wholly = new Float64Array(bins + 2);
+  let [reached, unreached] = [0, 0];
+  for (let first = 0; first < triangles.length; first += 3) {
+    const area = areaOf(positions, triangles, first);
+    const at = (k: number) => distance[byCorner ? first + k : triangles[first + k]];
+    const [p, q, r] = [at(0), at(1), at(2)];
+    const [least, most] = [Math.min(p, q, r), Math.max(p, q, r)];
+    if (most === Infinity) {
+      unreached += area;
+      continue;
+    }
+    reached += area;
+    const middle = Math.max(Math.min(p, q), Math.min(Math.max(p, q), r));
+    let edge = whole > 0 ? Math.min(bins, Math.max(0, Math.ceil((least / whole) * bins))) : 0;
+    for (; edge <= bins && edges[edge] < most; edge++) {
+      partly[edge] += area * shareBelow(least, middle, most, edges[edge]);
+    }
+    wholly[edge] += area;
+  }
+  let sum = 0;
+  const below = partly.map((area, edge) => {
+    sum += wholly[edge];
+    return reached > 0 ? (sum + area) / reached : 0;
+  });
+  // The largest value itself belongs to the last bin; rounding may miss it.
+  below[bins] = reached > 0 ? 1 : 0;
+  return { edges, below, unreached: reached + unreached > 0 ? unreached / (reached + unreached) : 0 };
+}
+
+/** The share of a triangle with corner values in order that is below a value between them. */
+function shareBelow(a: number, b: number, c: number, value: number): number {
+  if (value <= a) return 0;
+  if (value < b) return (value - a) ** 2 / ((b - a) * (c - a));
+  return 1 - (c - value) ** 2 / ((c - a) * (c - b));
+}
+
+export interface ErrorByDistance {
+  /** The middle of each bin that has vertices. */
+  distance: number[];
+  /** Relative to the exact distance. */
+  mean: number[];
+  most: number[];
+}
+
+/** `errors`, relative ones: one a value of `distance`. */
+export function errorsByDistance(errors: Float32Array, distance: Float32Array, bins: number): ErrorByDistance {
+  const whole = largest(distance);
+  const sums = Array.from({ length: bins }, () => ({ count: 0, sum: 0, most: 0 }));
+  errors.forEach((error, index) => {
+    const value = distance[index];
+    if (!(value > 0 && value < Infinity)) return;
+    const bin = sums[Math.min(bins - 1, Math.floor((value / whole) * bins))];
+    bin.count += 1;
+    bin.sum += error;
+    bin.most = Math.max(bin.most, error);
+  });
+  const filled = sums
+    .map((bin, index) => ({ ...bin, at: ((index + 0.5) / bins) * whole }))
+    .filter(({ count }) => count > 0);
+  return {
+    distance: filled.map(({ at }) => at),
+    mean: filled.map(({ sum, count }) => sum / count),
+    most: filled.map(({ most }) => most),
+  };
+}
+
+function largest(values: Float32Array): number {
+  return values.reduce((most, value) => (value > most && value < Infinity ? value : most), 0);
+}
+
+function areaOf(p: Float32Array, triangles: Uint32Array, first: number): number {
+  const [a, b, c] = [3 * triangles[first], 3 * triangles[first + 1], 3 * triangles[first + 2]];
+  const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
+  const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+}

@@ -1,0 +1,67 @@
+/** Measuring tapes: chains of places between which lengths are told, and the scale that lengths are told in. */
+import type { MeshPoint } from '../protocol';
+
+/** A chain of places, in order; a closed one leads back to its first. */
+export interface Tape {
+  points: readonly MeshPoint[];
+  closed: boolean;
+}
+
+/** Least and greatest length of the file's unit in the unit that lengths are told in. */
+export const SCALES = [1e-12, 1e12] as const;
+
+/** A closed tape has a corner more than a tape there and back. */
+const LEAST_CLOSED = 3;
+
+/** What follows the places of a closed tape in a link. */
+const CLOSED = '!';
+
+/** The ends of each leg of a tape. */
+export function legsOf({ points, closed }: Tape): (readonly [MeshPoint, MeshPoint])[] {
+  const legs = points.slice(1).map((to, index) => [points[index], to] as const);
+  return closed && points.length > 1 ? [...legs, [points[points.length - 1], points[0]]] : legs;
+}
+
+/** Whether it has places enough to be closed, and is open. */
+export function canClose(tape: Tape | undefined): boolean {
+  return tape !== undefined && !tape.closed && tape.points.length >= LEAST_CLOSED;
+}
+
+/** With another place at the end of a tape; of a new one where there is none of that index. */
+export function extended(tapes: readonly Tape[], index: number, point: MeshPoint): Tape[] {
+  const tape = tapes.at(index);
+  if (index < 0 || !tape) return [...tapes, { points: [point], closed: false }];
+  return tapes.with(index, { ...tape, points: [...tape.points, point] });
+}
+
+export function moved(tapes: readonly Tape[], index: number, place: number, point: MeshPoint): Tape[] {
+  return tapes.with(index, { ...tapes[index], points: tapes[index].points.with(place, point) });
+}
+
+export function closed(tapes: readonly Tape[], index: number): Tape[] {
+  return tapes.with(index, { ...tapes[index], closed: true });
+}
+
+/** Without a place; a tape without places is none, and one with two is open. */
+export function withoutPlace(tapes: readonly Tape[], index: number, place: number): Tape[] {
+  const points = tapes[index].points.toSpliced(place, 1);
+  if (points.length === 0) return tapes.toSpliced(index, 1);
+  return tapes.with(index, { points, closed: tapes[index].closed && points.length >= LEAST_CLOSED });
+}
+
+/** Places with commas between them, tapes with semicolons. */
+export function encodeTapes(tapes: readonly Tape[], encode: (points: readonly MeshPoint[]) => string): string {
+  return tapes.map((tape) => encode(tape.points) + (tape.closed ? CLOSED : '')).join(';') || 'none';
+}
+
+/** Null where anything in it is no tape. */
+export function decodeTapes(text: string, decode: (text: string) => MeshPoint[] | null): Tape[] | null {
+  if (text === 'none') return [];
+  const tapes = text.split(';').map((each): Tape | null => {
+    const isClosed = each.endsWith(CLOSED);
+    const points = decode(isClosed ? each.slice(0, -1) : each);
+    const least = isClosed ? LEAST_CLOSED : 1;
+    return points && points.length >= least ? { points, closed: isClosed } : null;
+  });
+  return tapes.every((tape) => tape !== null) ? tapes : null;
+}

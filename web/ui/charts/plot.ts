@@ -1,0 +1,136 @@
+/** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
+
+export interface Series {
+  name: string;
+  /** Bars stand from each x to the next one, which is one more than there are y. */
+  kind: 'bars' | 'line';
+  x: ArrayLike<number>;
+  y: ArrayLike<number>;
+}
+
+export interface Chart {
+  title: string;
+  xLabel: string;
+  yLabel: string;
+  series: readonly Series[];
+}
+
+export interface Palette {
+  text: string;
+  quiet: string;
+  grid: string;
+  paper: string;
+  series: readonly string[];
+}
+
+/** On the page, where the theme chooses. */
+export const THEMED: Palette = {
+  text: 'var(--text)',
+  quiet: 'var(--quiet)',
+  grid: 'var(--line)',
+  paper: 'none',
+  series: ['var(--accent)', 'var(--series)'],
+};
+/** In a file, which other programs show on paper. */
+export const PRINTED: Palette = {
+  text: '#16191c',
+  quiet: '#4a535b',
+  grid: '#d5d9dc',
+  paper: '#ffffff',
+  series: ['#0d7a41', '#b3470b'],
+};
+
+const [WIDTH, HEIGHT] = [320, 190];
+const MARGIN = { left: 44, right: 10, top: 26, bottom: 36 };
+const TICKS = 5;
+
+/** Values at equal steps of 1, 2 or 5 times a power of ten, from 0 to the most. */
+export function ticksTo(most: number, count = TICKS): number[] {
+  if (!(most > 0)) return [0];
+  const rough = most / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5].find((times) => times * power >= rough) ?? 10);
+  // A tick is missed neither nor invented by rounding.
+  return Array.from({ length: Math.floor(most / step + 1e-9) + 1 }, (_, index) =>
+    Number((index * step).toPrecision(12)),
+  );
+}
+
+export function plot({ title, xLabel, yLabel, series }: Chart, palette: Palette): SVGSVGElement {
+  const mostX = Math.max(...series.map(({ x }) => x[x.length - 1] ?? 0), 0);
+  const mostY = Math.max(...series.flatMap(({ y }) => Array.from(y).filter(Number.isFinite)), 0);
+  const [right, bottom] = [WIDTH - MARGIN.right, HEIGHT - MARGIN.bottom];
+  const px = (x: number) => MARGIN.left + (mostX > 0 ? x / mostX : 0) * (right - MARGIN.left);
+  const py = (y: number) => bottom - (mostY > 0 ? y / mostY : 0) * (bottom - MARGIN.top);
+  const root = svg('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    role: 'img',
+    'aria-label': `${title}: ${yLabel} by ${xLabel}`,
+    'font-family': 'system-ui, sans-serif',
+    'font-size': 11,
+  });
+  root.append(svg('rect', { width: WIDTH, height: HEIGHT, fill: palette.paper }));
+  root.append(text(title, { x: MARGIN.left, y: 14, fill: palette.text, 'font-weight': 600, 'font-size': 12 }));
+  for (const tick of ticksTo(mostY)) {
+    const y = py(tick).toFixed(1);
+    root.append(svg('path', { d: `M${MARGIN.left} ${y}H${right}`, stroke: palette.grid }));
+    root.append(text(String(tick), { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
+  }
+  for (const tick of ticksTo(mostX)) {
+    root.append(
+      text(String(tick), { x: px(tick).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }),
+    );
+  }
+  root.append(
+    text(xLabel, { x: (MARGIN.left + right) / 2, y: HEIGHT - 6, 'text-anchor': 'middle', fill: palette.text }),
+  );
+  const middle = (MARGIN.top + bottom) / 2;
+  root.append(
+    text(yLabel, { transform: `translate(11 ${middle}) rotate(-90)`, 'text-anchor': 'middle', fill: palette.text }),
+  );
+  series.forEach(({ name, kind, x, y }, index) => {
+    const color = palette.series[index % palette.series.length];
+    const at = (i: number) => `${px(x[i]).toFixed(2)} ${py(y[i]).toFixed(2)}`;
+    const bar = (i: number) =>
+      `M${px(x[i]).toFixed(2)} ${bottom}V${py(y[i]).toFixed(2)}H${px(x[i + 1]).toFixed(2)}V${bottom}Z`;
+    const order = Array.from({ length: y.length }, (_, i) => i);
+    if (kind === 'bars') root.append(svg('path', { d: order.map(bar).join(''), fill: color }));
+    else root.append(svg('path', { d: `M${order.map(at).join('L')}`, fill: 'none', stroke: color, 'stroke-width': 2 }));
+    if (series.length > 1) {
+      root.append(text(name, { x: right, y: 14 + 12 * index, 'text-anchor': 'end', fill: color, 'font-weight': 600 }));
+    }
+  });
+  return root;
+}
+
+/** The chart as a file. */
+export function svgFile(chart: Chart): Blob {
+  return new Blob([new XMLSerializer().serializeToString(plot(chart, PRINTED))], { type: 'image/svg+xml' });
+}
+
+/** One line an x of the first series; a bar is told by where it begins. */
+export function csvOf({ xLabel, series }: Chart): string {
+  const rows = Array.from({ length: series[0]?.y.length ?? 0 }, (_, i) => [
+    series[0].x[i],
+    ...series.map(({ y }) => y[i]),
+  ]);
+  const head = [xLabel, ...series.map(({ name }) => name)].map((name) => `"${name.replaceAll('"', '""')}"`);
+  return [head, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n';
+}
+
+function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string | number>,
+): SVGElementTagNameMap[K] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    element.setAttribute(name, String(value));
+  }
+  return element;
+}
+
+function text(content: string, attributes: Record<string, string | number>): SVGTextElement {
+  const element = svg('text', attributes);
+  element.textContent = content;
+  return element;
+}

@@ -1,0 +1,80 @@
+/** What clicks, taps and keys do to tapes. */
+import type { MeshPoint } from '../../protocol';
+import type { Session } from '../../session/session';
+import type { Signal } from '../../state/signal';
+import { canClose, closed, extended } from '../../state/tapes';
+import type { Tool } from '../overlay/toolbar';
+
+const DOUBLE_MS = 300;
+const DOUBLE_PX = 8;
+
+export class MeasureInput {
+  readonly #session: Session;
+  readonly #tool: Signal<Tool>;
+  /** The tape that the next place belongs to; −1: a new one. */
+  #open = -1;
+  /** The click that added a place last. */
+  #last: { x: number; y: number; time: number } | null = null;
+
+  constructor(session: Session, tool: Signal<Tool>) {
+    this.#session = session;
+    this.#tool = tool;
+    tool.watch((value) => {
+      if (value !== 'measure') this.#open = -1;
+    });
+    session.scene.subscribe(({ tapes }, previous) => {
+      // Undo may have taken it away, or closed it again.
+      if (tapes !== previous.tapes && (this.#open >= tapes.length || tapes.at(this.#open)?.closed)) this.#open = -1;
+    });
+  }
+
+  /** True if a click without modifiers was for a tape. */
+  click(event: PointerEvent): boolean {
+    const hasModifier = event.ctrlKey || event.metaKey || event.shiftKey || event.altKey;
+    if (this.#tool.value !== 'measure' || hasModifier) return false;
+    const { clientX: x, clientY: y, timeStamp: time } = event;
+    const last = this.#last;
+    if (last && time - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX) {
+      this.#close();
+      return true;
+    }
+    const hit = this.#session.view.pick(x, y);
+    if (hit) this.add(hit.point);
+    this.#last = hit && { x, y, time };
+    return true;
+  }
+
+  /** Adds a place to the tape that is being laid. True if the tool is this one. */
+  add(point: MeshPoint): boolean {
+    if (this.#tool.value !== 'measure') return false;
+    const { scene } = this.#session;
+    const tapes = extended(scene.state.tapes, this.#open, point);
+    const index = this.#open < 0 ? tapes.length - 1 : this.#open;
+    scene.place({ tapes });
+    this.#open = index;
+    return true;
+  }
+
+  /** A click on a place of a tape: its first one closes the tape that is being laid, and so does a double click on its last. */
+  clickPlace(tape: number, place: number, time: number): void {
+    if (tape !== this.#open) return;
+    const { points } = this.#session.scene.state.tapes[tape];
+    const isDouble = place === points.length - 1 && this.#last !== null && time - this.#last.time < DOUBLE_MS;
+    if (place === 0 ? points.length > 1 : isDouble) this.#close();
+  }
+
+  /** Ends the tape that is being laid; false if there is none. */
+  end(): boolean {
+    const wasOpen = this.#open >= 0;
+    this.#open = -1;
+    return wasOpen;
+  }
+
+  /** Closes the tape where it has places enough, and ends it. */
+  #close(): void {
+    this.#last = null;
+    const { scene } = this.#session;
+    if (canClose(scene.state.tapes.at(this.#open))) scene.place({ tapes: closed(scene.state.tapes, this.#open) });
+    this.#open = -1;
+  }
+}

@@ -1,0 +1,36 @@
+/** Legs of tapes as polylines. */
+import type { Leg, MeshPoint } from '../../protocol';
+import type { Places, Vector } from '../../state/places';
+
+/** The places that a leg leads through. */
+export function pointsOf({ triangles, weights }: Leg): MeshPoint[] {
+  return Array.from(triangles, (face, i): MeshPoint => {
+    return { face, weights: [weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]] };
+  });
+}
+
+/** Where places are drawn. */
+export function positionsOf(points: readonly MeshPoint[], places: Places): Vector[] {
+  return points.map((point) => places.at(point)?.position).filter((position) => position !== undefined);
+}
+
+/** How far each point of a polyline is from its first, along it. */
+export function arcsOf(polyline: readonly Vector[]): number[] {
+  let arc = 0;
+  return polyline.map((point, index) => (arc += index > 0 ? away(polyline[index - 1], point) : 0));
+}
+
+/** The point half way along a polyline; null for none. */
+export function middleOf(polyline: readonly Vector[]): Vector | null {
+  const arcs = arcsOf(polyline);
+  const half = (arcs.at(-1) ?? 0) / 2;
+  const next = arcs.findIndex((arc) => arc >= half && arc > 0);
+  if (next < 1) return polyline[0] ?? null;
+  const share = (half - arcs[next - 1]) / (arcs[next] - arcs[next - 1]);
+  const [from, to] = [polyline[next - 1], polyline[next]];
+  return from.map((along, axis) => along + share * (to[axis] - along)) as Vector;
+}
+
+export function away(a: Vector, b: Vector): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}

@@ -1,0 +1,241 @@
+/** Tapes on the stage: their curves, places that can be dragged, and lengths that follow the camera and stay in pictures. */
+import type { Session } from '../../session/session';
+import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/tapes';
+import type { Places, Vector } from '../../state/places';
+import { type LengthUnit, unitOf } from '../../state/scene';
+import { legsOf, moved, withoutPlace } from '../../state/tapes';
+import { h } from '../dom';
+import type { MeasureInput } from '../input/measure';
+import { away, middleOf, pointsOf, positionsOf } from './curves';
+import { areaLabel, lengthWords } from './words';
+
+/** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
+const RIM = { colour: '#101418', width: 5 };
+const LINE = { colour: '#ffc233', width: 2.5 };
+
+/** What is seen at the pixel of a place is the place itself where it is no farther away than this share of the diameter. */
+const SEEN_WITHIN = 0.02;
+
+const DRAG_PX = 3;
+const NUDGE_PX = 6;
+const ARROWS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** An element that stands where a place is seen. */
+interface Anchored {
+  element: HTMLElement;
+  position: Vector;
+}
+
+export class TapeLabels {
+  readonly #labelLayer = h('div', { class: 'tapes' });
+  readonly #placeLayer = h('div', { class: 'tapes' });
+  readonly element = h('div', { role: 'group', 'aria-label': 'Tapes' }, this.#labelLayer, this.#placeLayer);
+  readonly #session: Session;
+  readonly #tapes: Tapes;
+  readonly #input: MeasureInput;
+  #places: Anchored[][] = [];
+  #labels: Anchored[] = [];
+  /** Arrows in a row are one step of undo. */
+  #nudging: object | null = null;
+  /** Whether lines are on the view. */
+  #hasLines = false;
+
+  constructor(session: Session, tapes: Tapes, input: MeasureInput) {
+    this.#session = session;
+    this.#tapes = tapes;
+    this.#input = input;
+    session.view.overprint = (context) => this.#print(context);
+    tapes.measured.watch(() => this.#show());
+    session.pose.watch(() => this.#show());
+    session.scene.subscribe((state, previous) => {
+      if (state.unit !== previous.unit || state.scale !== previous.scale) this.#show();
+    });
+  }
+
+  /** Goes to where everything is seen now. */
+  follow(): void {
+    const { view, shown } = this.#session;
+    const diameter = shown.value?.places.drawnDiameter ?? 1;
+    for (const { element, position } of [...this.#places.flat(), ...this.#labels]) {
+      const pixel = view.project(position);
+      element.hidden = pixel === null;
+      if (!pixel) continue;
+      element.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
+      const seen = view.pick(...pixel)?.position;
+      const isBehind = seen !== undefined && away(seen, position) > SEEN_WITHIN * diameter;
+      element.toggleAttribute('data-behind', isBehind);
+    }
+  }
+
+  #show(): void {
+    const { scene, shown, view } = this.#session;
+    if (!shown.value) return;
+    const { places, opened } = shown.value;
+    const unit = unitOf(scene.state, opened);
+    const measured = this.#tapes.measured.value;
+    const curves = measured.map((each) => curvesOf(each, places));
+    const ends = Float32Array.from(curves.flat().flatMap((curve) => segmentsOf(curve)));
+    if (ends.length > 0 || this.#hasLines) {
+      view.setEdges(
+        'tapes',
+        ends.length > 0
+          ? [
+              { ends, ...RIM },
+              { ends, ...LINE },
+            ]
+          : [],
+      );
+      this.#hasLines = ends.length > 0;
+    }
+    this.#placeAll(measured, places);
+    this.#labels = measured.flatMap((each, index) => labelsOf(each, curves[index], unit, places));
+    this.#labelLayer.replaceChildren(...this.#labels.map(({ element }) => element));
+    this.follow();
+  }
+
+  /** Elements stay as long as the counts do: a drag and the focus go on. */
+  #placeAll(measured: readonly MeasuredTape[], places: Places): void {
+    const isSame =
+      measured.length === this.#places.length &&
+      measured.every(({ tape }, index) => tape.points.length === this.#places[index].length);
+    this.#places = measured.map(({ tape }, index) =>
+      tape.points.map((point, place) => {
+        const position = places.at(point)?.position ?? [0, 0, 0];
+        return { element: isSame ? this.#places[index][place].element : this.#place(index, place), position };
+      }),
+    );
+    if (!isSame) this.#placeLayer.replaceChildren(...this.#places.flat().map(({ element }) => element));
+  }
+
+  #place(tape: number, place: number): HTMLElement {
+    const button = h('button', {
+      class: 'tape-place',
+      'aria-label': `Tape ${tape + 1}, place ${place + 1}`,
+      title: 'Drag to move, Delete to remove',
+    });
+    let drag: { x: number; y: number; isMoving: boolean; gesture: object } | null = null;
+    button.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      button.setPointerCapture(event.pointerId);
+      drag = { x: event.clientX, y: event.clientY, isMoving: false, gesture: {} };
+    });
+    button.addEventListener('pointermove', ({ clientX: x, clientY: y }) => {
+      if (!drag) return;
+      drag.isMoving ||= Math.hypot(x - drag.x, y - drag.y) > DRAG_PX;
+      if (drag.isMoving) this.#move(tape, place, x, y, drag.gesture);
+    });
+    const end = (event: PointerEvent) => {
+      if (drag && !drag.isMoving && event.type === 'pointerup') this.#input.clickPlace(tape, place, event.timeStamp);
+      drag = null;
+    };
+    button.addEventListener('pointerup', end);
+    button.addEventListener('pointercancel', end);
+    // By the keyboard alone: a pointer has ended above.
+    button.addEventListener('click', (event) => {
+      if (event.detail === 0) this.#input.clickPlace(tape, place, event.timeStamp);
+    });
+    button.addEventListener('wheel', (event) => this.#session.view.stage.dispatchEvent(new WheelEvent('wheel', event)));
+    button.addEventListener('keydown', (event) => this.#key(tape, place, button, event));
+    return button;
+  }
+
+  #key(tape: number, place: number, button: HTMLElement, event: KeyboardEvent): void {
+    const arrow = ARROWS[event.key];
+    const removes = event.key === 'Delete' || event.key === 'Backspace';
+    if ((!arrow && !removes) || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { scene, view } = this.#session;
+    if (removes) {
+      scene.place({ tapes: withoutPlace(scene.state.tapes, tape, place) });
+      view.stage.focus({ preventScroll: true });
+      return;
+    }
+    const pixel = view.project(this.#places[tape][place].position);
+    if (!pixel) return;
+    this.#nudging ??= {};
+    this.#move(tape, place, pixel[0] + arrow[0] * NUDGE_PX, pixel[1] + arrow[1] * NUDGE_PX, this.#nudging);
+    button.addEventListener('keyup', () => (this.#nudging = null), { once: true });
+  }
+
+  #move(tape: number, place: number, x: number, y: number, gesture: object): void {
+    const { scene, view } = this.#session;
+    const hit = view.pick(x, y);
+    if (hit) scene.place({ tapes: moved(scene.state.tapes, tape, place, hit.point) }, gesture);
+  }
+
+  /** What is seen of labels and places, drawn on a picture. */
+  #print(context: OffscreenCanvasRenderingContext2D): void {
+    const stage = this.#session.view.stage.getBoundingClientRect();
+    const isSeen = ({ element }: Anchored) => !element.hidden && !element.hasAttribute('data-behind');
+    const at = ({ position }: Anchored): [number, number] | null => {
+      const pixel = this.#session.view.project(position);
+      return pixel && [pixel[0] - stage.left, pixel[1] - stage.top];
+    };
+    for (const each of this.#places.flat().filter(isSeen)) {
+      const pixel = at(each);
+      if (!pixel) continue;
+      context.beginPath();
+      context.arc(...pixel, 4, 0, 2 * Math.PI);
+      context.fillStyle = LINE.colour;
+      context.fill();
+      context.lineWidth = 1.5;
+      context.strokeStyle = RIM.colour;
+      context.stroke();
+    }
+    for (const each of this.#labels.filter(isSeen)) {
+      const text = each.element.textContent;
+      const inner = each.element.firstElementChild;
+      if (!text || !inner) continue;
+      const { backgroundColor, color, font } = getComputedStyle(inner);
+      const { left, top, width, height } = inner.getBoundingClientRect();
+      const [x, y] = [left - stage.left, top - stage.top];
+      context.beginPath();
+      context.roundRect(x, y, width, height, 4);
+      context.fillStyle = backgroundColor;
+      context.fill();
+      context.font = font;
+      context.fillStyle = color;
+      context.textAlign = 'center';
+      context.textBaseline = 'middle';
+      context.fillText(text, x + width / 2, y + height / 2);
+    }
+  }
+}
+
+/** The curve of each leg as it is drawn; empty where there is none. */
+function curvesOf({ tape, legs }: MeasuredTape, places: Places): Vector[][] {
+  return legsOf(tape).map((ends, index) => {
+    const { leg, state } = legs[index];
+    if (state === 'straight') return positionsOf(ends, places);
+    return leg ? positionsOf(pointsOf(leg), places) : [];
+  });
+}
+
+function segmentsOf(curve: readonly Vector[]): number[] {
+  return curve.slice(1).flatMap((point, index) => [...curve[index], ...point]);
+}
+
+/** The length of each leg in its middle; the sum, and the area, at the last place. */
+function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: LengthUnit, places: Places): Anchored[] {
+  const { tape, legs } = measured;
+  const labels = legs.flatMap(({ leg, state, straight }, index) => {
+    const position = middleOf(curves[index].length > 1 ? curves[index] : positionsOf(legsOf(tape)[index], places));
+    const value = state === 'straight' ? straight : (leg?.length ?? NaN);
+    return position ? [label(lengthWords(value, state, unit), position, 'leg')] : [];
+  });
+  const last = places.at(tape.points[tape.closed ? 0 : tape.points.length - 1]);
+  if (legs.length < 2 || !last) return labels;
+  const sum = lengthWords(lengthOf(measured), stateOf(measured), unit);
+  const within = areaLabel(measured, unit);
+  return [...labels, label(within ? `Σ ${sum} · ${within}` : `Σ ${sum}`, last.position, 'sum')];
+}
+
+function label(text: string, position: Vector, kind: 'leg' | 'sum'): Anchored {
+  return { element: h('div', { class: `tape-label ${kind}` }, h('span', {}, text)), position };
+}

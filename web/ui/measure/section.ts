@@ -1,0 +1,179 @@
+/** The table of tapes: lengths of their legs, areas, a known length that sets the scale, and all of it as CSV. */
+import type { Session } from '../../session/session';
+import { lengthOf, type MeasuredTape, stateOf, straightOf, type Tapes } from '../../session/tapes';
+import { type LengthUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
+import { SCALES } from '../../state/tapes';
+import { save } from '../../view/picture';
+import { h, select } from '../dom';
+import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
+
+export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
+  const { scene, shown } = session;
+  const list = h('div', { class: 'stack' });
+  const said = h('span', { class: 'quiet', role: 'status' });
+  const csv = () => csvOf(tapes.measured.value, unitNow());
+  const unitNow = () => unitOf(scene.state, shown.value?.opened ?? { unit: '', unitAssumed: false });
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(csv());
+      said.textContent = 'Copied.';
+    } catch {
+      said.textContent = 'The clipboard is not available. Save the file instead.';
+    }
+  };
+  const name = () => (shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
+  const saveFile = () => save(new Blob([csv()], { type: 'text/csv' }), `${name()} tapes.csv`);
+  const buttons = h(
+    'div',
+    { class: 'openers' },
+    h('button', { class: 'small', title: 'Copy all lengths as CSV', onclick: () => void copy() }, 'Copy CSV'),
+    h('button', { class: 'small', title: 'Save all lengths as a CSV file', onclick: saveFile }, 'Save CSV'),
+    h('button', { class: 'small', title: 'Delete all tapes', onclick: () => scene.place({ tapes: [] }) }, 'Delete all'),
+  );
+  let cards: Card[] = [];
+  const show = () => {
+    const measured = tapes.measured.value;
+    if (cards.length !== measured.length) {
+      cards = measured.map((_, index) => card(session, index));
+      list.replaceChildren(...cards.map(({ element }) => element));
+    }
+    cards.forEach(({ show: fill }, index) => fill(measured[index], unitNow()));
+    list.hidden = buttons.hidden = measured.length === 0;
+    said.textContent = '';
+  };
+  tapes.measured.watch(show);
+  scene.subscribe((state, previous) => {
+    if (state.unit !== previous.unit || state.scale !== previous.scale) show();
+  });
+  return h('div', { class: 'stack' }, list, buttons, said);
+}
+
+interface Card {
+  element: HTMLElement;
+  show: (measured: MeasuredTape, unit: LengthUnit) => void;
+}
+
+function card(session: Session, index: number): Card {
+  const { scene } = session;
+  const title = `Tape ${index + 1}`;
+  const total = h('span', { class: 'value' });
+  const body = h('tbody');
+  const note = h('p', { class: 'quiet', hidden: true });
+  const remove = () => scene.place({ tapes: scene.state.tapes.toSpliced(index, 1) });
+  const head = h(
+    'div',
+    { class: 'tape-head' },
+    h('span', {}, title),
+    total,
+    h(
+      'button',
+      { class: 'small', title: 'Delete this tape', 'aria-label': `Delete tape ${index + 1}`, onclick: remove },
+      '×',
+    ),
+  );
+  const titles = h('tr');
+  const table = h('table', { class: 'tape-legs', 'aria-label': title }, h('thead', {}, titles), body);
+  const known = knownLength(session, index);
+  return {
+    element: h('section', { class: 'tape', 'aria-label': title }, head, table, note, known.element),
+    show: (measured, unit) => {
+      const { legs } = measured;
+      const sum = lengthOf(measured);
+      total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : 'one place so far';
+      table.hidden = legs.length === 0;
+      const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
+      const names = ['Leg', inUnit('Surface'), inUnit('Straight'), 'Ratio'];
+      titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
+      const rows = legs.map(({ leg, state, straight }, k) =>
+        row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
+      );
+      if (legs.length > 1) rows.push(row('Σ', sum, straightOf(measured), stateOf(measured), unit));
+      body.replaceChildren(...rows);
+      note.textContent = enclosureWords(measured, unit);
+      note.hidden = !note.textContent;
+      known.show(stateOf(measured) === 'straight' ? straightOf(measured) : sum, unit);
+    },
+  };
+}
+
+function row(
+  name: string,
+  surface: number,
+  straight: number,
+  state: keyof typeof STATE_WORDS,
+  unit: LengthUnit,
+): HTMLElement {
+  const cells = [
+    state === 'straight' ? '–' : lengthNumber(surface, state, unit),
+    lengthNumber(straight, 'straight', unit),
+    ratioWords(straight, surface),
+  ];
+  const told = state === 'straight' ? null : h('span', { class: 'quiet' }, STATE_WORDS[state]);
+  const [first, ...others] = cells;
+  return h(
+    'tr',
+    {},
+    h('th', { scope: 'row' }, name),
+    h('td', {}, first, told),
+    ...others.map((text) => h('td', {}, text)),
+  );
+}
+
+/** A field for the true length of a tape: all lengths are told in that scale from then on. */
+function knownLength(
+  session: Session,
+  index: number,
+): { element: HTMLElement; show: (length: number, unit: LengthUnit) => void } {
+  const { scene } = session;
+  let measured = NaN;
+  let chosen: UnitChoice = 'm';
+  const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': `Known length of tape ${index + 1}` });
+  const unit = select(
+    'Unit of the known length',
+    UNITS.map((name) => [name, name === 'none' ? 'units' : name] as const),
+    (value) => (chosen = value),
+  );
+  const set = h(
+    'button',
+    {
+      class: 'small',
+      title: 'Tells all lengths in the scale in which this tape has that length',
+      onclick: () => {
+        const scale = field.valueAsNumber / measured;
+        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.place({ scale, unit: chosen });
+      },
+    },
+    'Set scale',
+  );
+  const reset = h(
+    'button',
+    {
+      class: 'small',
+      title: 'Tells lengths as the file has them',
+      onclick: () => scene.place({ scale: 1, unit: 'auto' }),
+    },
+    'Reset',
+  );
+  const element = h(
+    'div',
+    { class: 'known' },
+    h('span', { class: 'quiet' }, 'Known length'),
+    field,
+    unit.element,
+    set,
+    reset,
+  );
+  return {
+    element,
+    show: (length, now) => {
+      measured = length;
+      element.hidden = !(length > 0);
+      reset.hidden = now.scale === 1;
+      if (field !== document.activeElement) {
+        field.value = length > 0 ? String(Number((length * now.scale).toPrecision(4))) : '';
+        chosen = UNITS.find((name) => name === now.symbol) ?? 'm';
+        unit.show(chosen);
+      }
+    },
+  };
+}

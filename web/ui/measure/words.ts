@@ -1,0 +1,92 @@
+/** Tapes in words, and as a table for spreadsheets. */
+import type { MeshPoint } from '../../protocol';
+import { type LegState, lengthOf, type MeasuredTape, stateOf, straightOf } from '../../session/tapes';
+import type { LengthUnit } from '../../state/scene';
+import { legsOf } from '../../state/tapes';
+import { area, length } from '../words';
+
+export const STATE_WORDS: Record<LegState, string> = {
+  measuring: 'measuring…',
+  estimated: 'approximate so far',
+  exact: 'exact',
+  approximate: 'approximate',
+  cost: 'least cost, approximate',
+  straight: 'straight line',
+  none: 'not connected',
+};
+
+/** Digits that a table has of a number: more than single precision gives. */
+const DIGITS = 9;
+
+/** A length, with a sign where it is not exact. Without the unit, which a table has in its head. */
+export function lengthNumber(value: number, state: LegState, { scale }: LengthUnit): string {
+  if (!Number.isFinite(value)) return state === 'none' ? '–' : '…';
+  const isApproximate = state === 'estimated' || state === 'approximate' || state === 'cost';
+  return `${isApproximate ? '≈ ' : ''}${length(value * scale)}`;
+}
+
+/** The same with the unit, where there is one. */
+export function lengthWords(value: number, state: LegState, unit: LengthUnit): string {
+  if (!Number.isFinite(value)) return state === 'none' ? 'not connected' : '…';
+  return `${lengthNumber(value, state, unit)} ${unit.symbol}`.trim();
+}
+
+/** The area within a closed tape on its label; empty where there is none. */
+export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): string {
+  if (enclosure?.kind !== 'sides') return '';
+  return `area ${length(enclosure.area * scale ** 2)} ${symbol && `${symbol}²`}`.trim();
+}
+
+/** Straight length as a share of that on the surface. */
+export function ratioWords(straight: number, surface: number): string {
+  return surface > 0 ? (straight / surface).toFixed(3) : '–';
+}
+
+/** The area within a closed tape, or why there is none; null for an open one, and while it is not known. */
+export function enclosureWords({ tape, enclosure }: MeasuredTape, unit: LengthUnit): string | null {
+  if (!tape.closed || !enclosure) return null;
+  switch (enclosure.kind) {
+    case 'sides':
+      return `Area enclosed: ${area(enclosure.area, unit)}.`;
+    case 'whole':
+      return 'This tape does not part the surface in two, so it encloses no area.';
+    case 'crossed':
+      return 'This tape crosses itself, so it encloses no area.';
+    case 'sideless':
+      return 'The surface has no two sides of this tape, so it encloses no area.';
+  }
+}
+
+export function placeName(point: MeshPoint): string {
+  if ('vertex' in point) return `vertex ${point.vertex}`;
+  const weights = point.weights.map((weight) => Number(weight.toFixed(4))).join(' ');
+  return 'face' in point ? `triangle ${point.face}: ${weights}` : `tetrahedron ${point.tetrahedron}: ${weights}`;
+}
+
+/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit that they are told in. */
+export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthUnit): string {
+  const number = (value: number, power = 1) =>
+    Number.isFinite(value) ? String(Number((value * scale ** power).toPrecision(DIGITS))) : '';
+  const ratio = (straight: number, surface: number) => number(straight / surface, 0);
+  const header = ['tape', 'leg', 'from', 'to', 'surface', 'straight', 'ratio', 'cost', 'area', 'accuracy', 'unit'];
+  const rows = tapes.flatMap((measured, index) => {
+    const ends = legsOf(measured.tape);
+    const legs = measured.legs.map(({ leg, state, straight }, k) => {
+      const surface = leg?.length ?? NaN;
+      const names = ends[k].map(placeName);
+      const told = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
+      return [index + 1, k + 1, ...names, ...told, STATE_WORDS[state], symbol];
+    });
+    const [surface, straight] = [lengthOf(measured), straightOf(measured)];
+    const enclosed = measured.enclosure?.kind === 'sides' ? number(measured.enclosure.area, 2) : '';
+    const sums = [number(surface), number(straight), ratio(straight, surface), '', enclosed];
+    return [...legs, [index + 1, 'total', '', '', ...sums, STATE_WORDS[stateOf(measured)], symbol]];
+  });
+  return [header, ...rows].map((row) => row.map(quoted).join(',')).join('\r\n') + '\r\n';
+}
+
+/** As RFC 4180 wants it. */
+function quoted(cell: string | number): string {
+  const text = String(cell);
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}

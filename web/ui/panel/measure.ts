@@ -1,0 +1,72 @@
+/** The section of tapes, and the labels on the stage. What measures and shows them is loaded with the first tape. */
+import type { Session } from '../../session/session';
+import type { MeasuredTape, ToldTape } from '../../session/tapes';
+import { Signal } from '../../state/signal';
+import { h } from '../dom';
+import type { MeasureInput } from '../input/measure';
+import type { Measuring } from '../measure/loaded';
+import type { Tool } from '../overlay/toolbar';
+
+export class MeasureSection {
+  readonly element: HTMLElement;
+  /** Over the stage. */
+  readonly labels = h('div', { class: 'tape-layer' });
+  readonly #session: Session;
+  readonly #input: MeasureInput;
+  #loading: Promise<Measuring> | null = null;
+  #loaded: Measuring | null = null;
+  readonly measured = new Signal<readonly MeasuredTape[]>([]);
+
+  constructor(session: Session, input: MeasureInput, tool: Signal<Tool>) {
+    this.#session = session;
+    this.#input = input;
+    const choose = h('button', { class: 'wide', title: 'Click places to measure between them (4)' }, 'Measure');
+    choose.addEventListener('click', () => {
+      tool.value = tool.value === 'measure' ? 'source' : 'measure';
+    });
+    tool.watch((value) => choose.setAttribute('aria-pressed', String(value === 'measure')));
+    const help = h(
+      'p',
+      { class: 'quiet' },
+      'Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.',
+    );
+    this.element = h('div', { class: 'stack' }, choose, help);
+    const isWanted = () => tool.value === 'measure' || session.scene.state.tapes.length > 0;
+    const look = () => {
+      if (isWanted()) void this.#load();
+    };
+    tool.watch(look);
+    session.scene.subscribe(look);
+  }
+
+  /** What is measured. */
+  get told(): readonly ToldTape[] {
+    return this.#loaded?.told() ?? [];
+  }
+
+  /** Labels go to where places are seen now. */
+  follow(): void {
+    this.#loaded?.labels.follow();
+  }
+
+  /** Resolves when all is measured. */
+  async settled(): Promise<void> {
+    await (await this.#loading)?.tapes.settled();
+  }
+
+  async #load(): Promise<void> {
+    if (this.#loading) return;
+    this.#loading = import('../measure/loaded').then(({ measuring }) => measuring(this.#session, this.#input));
+    try {
+      this.#loaded = await this.#loading;
+      this.#loaded.tapes.measured.watch((measured) => (this.measured.value = measured));
+      this.labels.append(this.#loaded.labels.element);
+      this.element.append(this.#loaded.table);
+      this.#loaded.labels.follow();
+    } catch (error) {
+      // The next tape tries again.
+      this.#loading = null;
+      this.#session.fail(error);
+    }
+  }
+}
