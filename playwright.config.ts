@@ -46,10 +46,14 @@ export default defineConfig({
     // Where details of pictures matter, a test asks for all pixels.
     deviceScaleFactor: 0.5,
     screenshot: 'only-on-failure',
+    // What a service worker keeps costs time; where it is tested it is allowed.
+    serviceWorkers: 'block',
   },
   projects: [
     { name: 'unit', testDir: 'tests/unit' },
     { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
+    // Driven by other means than the rest.
+    { name: 'firefox', testDir: 'tests/others' },
     // What is drawn is looked at on both; what the page does is the same on either.
     { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, use: browser(WEBGPU) },
   ],

@@ -1,18 +1,30 @@
 import { defineConfig } from 'vite';
 import { docs } from './tools/docs.mjs';
+import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
 const SCHEME_MAKERS = ['colors', 'ramp', 'ramp$1', 'rgb', 'cubehelix$1', 'interpolateCubehelixLong'];
+
+/** What other pages and the browser ask for by name. */
+const NAMED = [OFFLINE_WORKER, 'embed'];
 
 export default defineConfig({
   // Relative addresses, so that a build serves from any sub-path.
   base: './',
   worker: { format: 'es' },
-  plugins: [docs(import.meta.dirname)],
   assetsInclude: ['**/*.ply.gz'],
+  plugins: [docs(import.meta.dirname), offline()],
   build: {
     target: 'es2022',
     outDir: 'dist',
-    rolldownOptions: { treeshake: { manualPureFunctions: SCHEME_MAKERS } },
+    rolldownOptions: {
+      input: { index: 'index.html', [OFFLINE_WORKER]: 'web/offline/worker.ts', embed: 'web/embed.ts' },
+      output: {
+        entryFileNames: ({ name }) => (NAMED.includes(name) ? '[name].js' : 'assets/[name]-[hash].js'),
+      },
+      // The last is a module for other pages.
+      preserveEntrySignatures: 'exports-only',
+      treeshake: { manualPureFunctions: SCHEME_MAKERS },
+    },
   },
 });

@@ -6,7 +6,19 @@ import GithubSlugger from 'github-slugger';
 import MarkdownIt from 'markdown-it';
 
 /** In the order of the index; what is not named comes last. */
-const ORDER = ['page', 'program', 'method', 'accuracy', 'benchmarks', 'table1', 'gallery', 'scripting', 'architecture'];
+const ORDER = [
+  'page',
+  'program',
+  'method',
+  'accuracy',
+  'benchmarks',
+  'table1',
+  'gallery',
+  'scripting',
+  'embedding',
+  'hosting',
+  'architecture',
+];
 const IMAGE_TYPES = { '.jpg': 'image/jpeg', '.png': 'image/png', '.svg': 'image/svg+xml', '.webp': 'image/webp' };
 
 /** Where the pages are, relative to the page. */

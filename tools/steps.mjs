@@ -19,13 +19,18 @@ export function fail(sentence) {
 
 /** Says what is done, then runs it; `remedy` is said if it fails. */
 export function run(saying, command, args, remedy, env = {}) {
+  if (!attempt(saying, command, args, env)) fail(`${saying}: failed. ${remedy}`);
+}
+
+/** Says what is done, then runs it; whether that succeeded. */
+function attempt(saying, command, args, env) {
   console.log(`\n— ${saying}`);
   const { status, error } = spawnSync(command, args, {
     cwd: root,
     stdio: 'inherit',
     env: { ...process.env, ...env },
   });
-  if (error || status !== 0) fail(`${saying}: failed. ${remedy}`);
+  return !error && status === 0;
 }
 
 /** A program installed by npm. */
@@ -97,13 +102,16 @@ export function requireTypos() {
   return program;
 }
 
-/** Installs packages where there is apt-get. */
-function installDebian(saying, packages, remedy) {
+/** Installs packages where there is apt-get. Where that `mayFail`, whoever needs them does without. */
+function installDebian(saying, packages, remedy, { mayFail = false } = {}) {
   if (!output('which', ['apt-get'])) return;
   const [command, ...prefix] = process.getuid?.() === 0 ? ['apt-get'] : ['sudo', '--non-interactive', 'apt-get'];
-  run('Updating the package lists', command, [...prefix, 'update', '--quiet'], remedy);
+  const step = (what, args, env = {}) => {
+    if (!attempt(what, command, [...prefix, ...args], env) && !mayFail) fail(`${what}: failed. ${remedy}`);
+  };
+  step('Updating the package lists', ['update', '--quiet']);
   const install = ['install', '--yes', '--quiet', '--no-install-recommends', ...packages];
-  run(saying, command, [...prefix, ...install], remedy, { DEBIAN_FRONTEND: 'noninteractive' });
+  step(saying, install, { DEBIAN_FRONTEND: 'noninteractive' });
 }
 
 function chromium() {
@@ -116,6 +124,25 @@ export function requireChromium() {
   const remedy = 'Install Chromium and name it in the environment variable CHROMIUM.';
   if (!chromium()) installDebian('Installing Chromium for the browser tests', ['chromium'], remedy);
   return chromium() ?? fail(`No Chromium was found. ${remedy}`);
+}
+
+function firefox() {
+  const names = ['firefox-esr', 'firefox'];
+  return process.env.FIREFOX || names.map((name) => output('which', [name])).find(Boolean);
+}
+
+/**
+ * The path of a Firefox for the tests in it, with a virtual screen to draw on, installed by apt-get where there is none; empty
+ * where they are skipped.
+ */
+export function findFirefox() {
+  const isThere = () => firefox() && output('which', ['Xvfb']);
+  const remedy = 'Install Firefox and Xvfb (Debian: firefox-esr xvfb libegl1 libgl1-mesa-dri).';
+  const packages = ['firefox-esr', 'xvfb', 'libegl1', 'libgl1-mesa-dri'];
+  if (!isThere()) installDebian('Installing Firefox for the browser tests', packages, remedy, { mayFail: true });
+  if (isThere()) return firefox();
+  console.log(`\nThe tests in Firefox are skipped: there is none, or no virtual screen. ${remedy}`);
+  return '';
 }
 
 /** Whether the native image tests have a software Vulkan driver, installed by apt-get where there is none. */

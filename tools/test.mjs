@@ -1,11 +1,12 @@
-// npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium.
+// npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium and a real Firefox.
 
-import { cargo, hasSoftwareVulkan, npmProgram, prepare, requireChromium, root, run } from './steps.mjs';
+import { cargo, findFirefox, hasSoftwareVulkan, npmProgram, prepare, requireChromium, root, run } from './steps.mjs';
 
 const named = 'The message above names the test.';
 
 prepare();
 const chromium = requireChromium();
+const firefox = findFirefox();
 const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 run('Checking format, lint and types', process.execPath, [`${root}tools/check.mjs`], 'npm run check repeats it.');
 // Tests that need large meshes are ignored where the folder of these is not known.
@@ -13,4 +14,7 @@ const all = process.env.HEATWALK_MESHES ? ['--', '--include-ignored'] : [];
 cargo('Running the Rust tests', ['test', '--workspace', ...all], named, gpu);
 cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
 run('Building the page', process.execPath, [`${root}tools/build.mjs`], 'npm run build repeats it.');
-npmProgram('Running the page in Chromium', '@playwright/test/cli.js', ['test'], named, { CHROMIUM: chromium });
+const single = [`${root}tools/build.mjs`, '--single'];
+run('Building the page in one file', process.execPath, single, 'npm run build:single repeats it.');
+const browsers = { CHROMIUM: chromium, FIREFOX: firefox };
+npmProgram('Running the page in Chromium and Firefox', '@playwright/test/cli.js', ['test'], named, browsers);

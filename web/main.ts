@@ -10,6 +10,7 @@ import { GroundEditor } from './session/ground';
 import { type Given, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
+import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
 import { DEFAULT_FILL } from './state/inside';
 import { Scene } from './state/scene';
@@ -22,6 +23,7 @@ import { MeasureInput } from './ui/input/measure';
 import { DrawInput } from './ui/input/draw';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
+import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
@@ -111,6 +113,7 @@ const keys = new Keys({
 });
 
 followPaste(opener);
+followLaunches(openGiven);
 
 const bar = toolbar(session, tool);
 page.append(
@@ -197,3 +200,9 @@ expose(
   },
   () => measuring.told,
 );
+void keepForOffline(() => window.heatwalk.settled());
+// Only in a frame is there anybody to answer.
+if (window.parent !== window) {
+  const host = { session, api: window.heatwalk, messages, ground, link: () => address.link() };
+  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host));
+}

@@ -182,7 +182,7 @@ test('a preset with other settings can be set back to the defaults', () => {
   };
   const link = encodeLink(START, start);
   expect(link).toBe('v=1&m=bunny&t=auto&near=auto&way=straight&refine=1');
-  expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [] });
+  expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [], unknown: [] });
 });
 
 test('an old link keeps its meaning', () => {
@@ -222,9 +222,9 @@ test('rounding happens once: a link made from a link is equal', () => {
   expect(encodeLink(throughLink(state), START)).toBe(link);
 });
 
-test('unknown keys are ignored', () => {
+test('unknown keys are ignored, and named', () => {
   const decoded = decodeLink('#v=1&m=bunny&colour=red&kiosk=1', startOf);
-  expect(decoded).toEqual({ state: START, notices: [] });
+  expect(decoded).toEqual({ state: START, notices: [], unknown: ['colour'] });
 });
 
 for (const [broken, key] of [
@@ -280,8 +280,8 @@ test('another version gives a notice', () => {
 });
 
 test('a fragment without an existing mesh is not a scene', () => {
-  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [] });
-  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [] });
+  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [], unknown: [] });
+  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [], unknown: [] });
   const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
   expect(state).toBeNull();
   expect(notices).toEqual(['The preset of this link does not exist; the first preset is shown.']);
@@ -297,6 +297,7 @@ test('an address survives the link with what is set for its mesh, and alone it i
   expect(decodeLink('#model=https://models.example/cow.obj', startOf)).toEqual({
     state: emptyScene({ kind: 'address', address: 'https://models.example/cow.obj', path: '', hash: '' }),
     notices: [],
+    unknown: [],
   });
 });
 

@@ -158,7 +158,7 @@ export class Page {
   }
 
   async #with(address, work) {
-    const context = await this.#browser.newContext({ viewport: WINDOW });
+    const context = await this.#browser.newContext({ viewport: WINDOW, serviceWorkers: 'block' });
     try {
       const tab = await context.newPage();
       tab.setDefaultTimeout(0);

@@ -56,7 +56,7 @@ export function startOf(mesh: MeshReference): SceneState | null {
     case 'file':
       return emptyScene(mesh);
     case 'address':
-      return { ...emptyScene(mesh), ...UNTOLD, style: MODEL_STYLE };
+      return startOfGiven(mesh);
   }
 }
 
@@ -100,8 +100,8 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  /** Opens a mesh of what was given; a table alone is for the mesh on screen. */
-  async files({ title, files }: Given): Promise<void> {
+  /** Opens a mesh of what was given, in a state that is `wanted`; a table alone is for the mesh on screen. */
+  async files({ title, files }: Given, wanted: SceneState | null = null): Promise<void> {
     const [only, ...more] = await files.catch(() => []);
     if (only && more.length === 0 && isTable(only.path)) {
       await this.#table(only);
@@ -109,10 +109,11 @@ export class Opener {
     }
     const collected = async () => collect(await files);
     await this.#gather(title, collected, (collection) => {
+      if (wanted) return this.#from(given(collection), collection.meshes[0], wanted);
       const awaited = this.#awaited;
       const name = awaited && titleOf(awaited.mesh);
       const mesh = collection.meshes.find((path) => fileName(path) === name);
-      const origin = { ...collection, reference: fileReference };
+      const origin = given(collection);
       return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
     });
   }
@@ -345,6 +346,15 @@ function hasLost(wanted: SceneState, now: SceneState): boolean {
 
 function fileReference(mesh: string): MeshReference {
   return { kind: 'file', name: fileName(mesh), hash: '' };
+}
+
+function given(collection: Collection): Origin {
+  return { ...collection, reference: fileReference };
+}
+
+/** The state in which a mesh that is opened from a file starts out where some of it is chosen beforehand. */
+export function startOfGiven(mesh: MeshReference): SceneState {
+  return { ...emptyScene(mesh), ...UNTOLD, style: MODEL_STYLE };
 }
 
 function toError(thrown: unknown): Error {

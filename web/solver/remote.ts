@@ -2,6 +2,7 @@
 import { type Remote, wrap } from 'comlink';
 import type { SolverApi } from '../protocol';
 import { OUT_OF_MEMORY } from '../wasm/contract';
+import { spawn } from './spawn';
 import { isOutOfMemory, isTrap } from './trap';
 
 export class Cancelled extends Error {
@@ -25,7 +26,7 @@ export class SolverWorker {
 
   /** `module`: the solver's, compiled. */
   constructor(module: Promise<WebAssembly.Module>) {
-    this.#worker = new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
+    this.#worker = spawn();
     this.api = wrap<SolverApi>(this.#worker);
     this.lost = new Promise((resolve) => {
       this.#ended.promise.catch((reason: unknown) => {

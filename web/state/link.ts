@@ -58,7 +58,12 @@ export interface Decoded {
   state: SceneState | null;
   /** One sentence for each value that could not be used. */
   notices: string[];
+  /** Keys that mean nothing, or nothing any more. */
+  unknown: string[];
 }
+
+/** Keys of which mesh it is, and how the page looks. */
+const OF_ADDRESS = ['v', 'm', 'model', 'name', 'hash', 'kiosk'];
 
 /** The state a mesh starts out with; null for a preset that does not exist. */
 export type StartOf = (mesh: MeshReference) => SceneState | null;
@@ -134,17 +139,19 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   const notices: string[] = [];
   const mesh = parseMesh(entries);
   if (typeof mesh === 'string') notices.push(mesh);
-  if (mesh === null || typeof mesh === 'string') return { state: null, notices };
+  if (mesh === null || typeof mesh === 'string') return { state: null, notices, unknown: [] };
   const start = startOf(mesh);
   if (!start) {
     notices.push('The preset of this link does not exist; the first preset is shown.');
-    return { state: null, notices };
+    return { state: null, notices, unknown: [] };
   }
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push('This link was made by another version of the page; some of it may be ignored.');
   }
   const state = { ...start, parameters: { ...start.parameters } };
+  const known = new Set(OF_ADDRESS);
   const read = <T>(key: string, parse: (text: string) => T | null, apply: (value: T) => void) => {
+    known.add(key);
     const text = entries.get(key);
     if (text === null) return;
     const value = parse(text);
@@ -228,7 +235,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('stripes', parseFinish, (stripes) => change({ stripes }));
   read('maps', parseMaps, (maps) => change({ maps }));
   read('around', oneOf(SURROUNDINGS), (surroundings) => change({ surroundings }));
-  return { state, notices };
+  return { state, notices, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
 }
 
 function encodeMesh(mesh: MeshReference): [string, string][] {

@@ -22,12 +22,27 @@ export function shareSection(session: Session, link: () => string): HTMLElement 
   );
 }
 
+/** Of the frame; its host may change it. */
+const FRAME = { width: 800, height: 600 };
+
+/** HTML that shows the scene in another page, without the panel. */
+function frameOf(link: string): string {
+  const address = `${link}&kiosk=1`.replaceAll('&', '&amp;').replaceAll('"', '&quot;');
+  const allowed = 'fullscreen; clipboard-write';
+  return `<iframe src="${address}" title="Heatwalk" width="${FRAME.width}" height="${FRAME.height}" style="border: 0; max-width: 100%" loading="lazy" allow="${allowed}"></iframe>`;
+}
+
 function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   const said = h('span', { class: 'quiet', role: 'status' });
-  const field = h('input', { type: 'text', readonly: true, 'aria-label': 'Link to this scene', hidden: true });
-  const copy = async () => {
+  const field = h('input', {
+    type: 'text',
+    readonly: true,
+    'aria-label': 'Link to this scene, or its frame',
+    hidden: true,
+  });
+  const copy = async (text: string) => {
     try {
-      await navigator.clipboard.writeText(link());
+      await navigator.clipboard.writeText(text);
       field.hidden = true;
       said.textContent = fitLink(scene.state.sets)
         ? 'Copied.'
@@ -35,13 +50,22 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
     } catch {
       // Without permission to use the clipboard the link is shown to be copied by hand.
       field.hidden = false;
-      field.value = link();
+      field.value = text;
       field.select();
-      said.textContent = 'The clipboard is not available. Copy the link from the field.';
+      said.textContent = 'The clipboard is not available. Copy it from the field.';
     }
   };
   return [
-    h('button', { class: 'wide', title: 'Copy a link to this scene', onclick: () => void copy() }, 'Copy link'),
+    h('button', { class: 'wide', title: 'Copy a link to this scene', onclick: () => void copy(link()) }, 'Copy link'),
+    h(
+      'button',
+      {
+        class: 'wide',
+        title: 'Copy HTML that shows this scene in a frame of another page',
+        onclick: () => void copy(frameOf(link())),
+      },
+      'Copy frame',
+    ),
     field,
     said,
     h(

@@ -1,0 +1,62 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { expect, test } from '../page';
+import { Host } from '../server';
+
+test.use({ serviceWorkers: 'allow' });
+
+/** Each needs other files of the build: arrays in a module, a file, tetrahedra, a shape. */
+const PRESETS = ['teapot', 'dragon', 'cave', 'robot'];
+
+test('the page can be installed, and after one visit every preset opens without the host, from a folder of it', async ({
+  page,
+  context,
+}) => {
+  const host = await Host.start();
+  const address = `${host.page}?gpu=webgl`;
+  await page.goto(address);
+  await page.evaluate(() => window.heatwalk.settled());
+  await expectInstallable(page);
+  // Until the page has been quiet for a while, or is not looked at any more, nothing more is fetched.
+  expect(host.asked.some((path) => path.endsWith('/offline.js'))).toBe(false);
+  await page.evaluate(() => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+    return navigator.serviceWorker.ready;
+  });
+  await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state)).toBe('activated');
+  await host.stop();
+  await context.setOffline(true);
+
+  await page.goto(`${address}#m=${PRESETS[0]}`);
+  await page.reload();
+  await page.evaluate(() => window.heatwalk.ready);
+  for (const preset of PRESETS) {
+    await page.evaluate((name) => (location.hash = `#m=${name}`), preset);
+    await expect.poll(() => page.evaluate(() => window.heatwalk.scene.mesh)).toEqual({ kind: 'preset', id: preset });
+    await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name.split('.')[0])).toBe(preset);
+  }
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+/** What Chromium says that keeps a page from being installed, and what the system needs to open files with it. */
+async function expectInstallable(page: Page): Promise<void> {
+  const manifest = JSON.parse(readFileSync('dist/manifest.webmanifest', 'utf8')) as {
+    icons: { src: string; sizes: string }[];
+    file_handlers: { accept: Record<string, string[]> }[];
+  };
+  for (const { src, sizes } of manifest.icons.filter((icon) => icon.sizes !== 'any')) {
+    const width = await page.evaluate(
+      async (file) => (await createImageBitmap(await (await fetch(file)).blob())).width,
+      src,
+    );
+    expect(`${width}x${width}`).toBe(sizes);
+  }
+  const session = await page.context().newCDPSession(page);
+  const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
+  // A context of tests is one that keeps nothing.
+  expect(installabilityErrors.map(({ errorId }) => errorId)).toEqual(['in-incognito']);
+  const extensions = manifest.file_handlers.flatMap(({ accept }) => Object.values(accept).flat());
+  for (const extension of ['.glb', '.gltf', '.obj', '.off', '.ply', '.stl', '.zip'])
+    expect(extensions).toContain(extension);
+}

@@ -1,0 +1,25 @@
+import { copyFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { expect, test } from '../page';
+
+test('the page in one file opens from a disk, where nothing else is', async ({ page }, info) => {
+  const alone = info.outputPath('alone.html');
+  copyFileSync('dist-single/heatwalk.html', alone);
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).protocol));
+  await page.goto(`${pathToFileURL(alone).href}?gpu=webgl`);
+  // Its modules are unpacked first.
+  await page.waitForFunction(() => 'heatwalk' in window);
+  await page.evaluate(() => window.heatwalk.settled());
+  expect(await page.evaluate(() => window.heatwalk.backend)).toBe('WebGL2');
+  expect((await page.evaluate(() => window.heatwalk.scene)).mesh).toEqual({ kind: 'preset', id: 'bunny' });
+  // A file, and tetrahedra by a module of their own.
+  for (const preset of ['dragon', 'cave']) {
+    await page.evaluate((name) => (location.hash = `#m=${name}`), preset);
+    await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name.split('.')[0])).toBe(preset);
+  }
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await expect(page).toHaveURL(/alone\.html\?gpu=webgl#v=1&m=cave/);
+  expect(asked.filter((protocol) => !['file:', 'data:', 'blob:'].includes(protocol))).toEqual([]);
+  expect(asked.filter((protocol) => protocol === 'file:')).toHaveLength(1);
+});
