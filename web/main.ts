@@ -24,6 +24,7 @@ import { followPaste } from './ui/input/paste';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
+import { hints } from './ui/overlay/hints';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
@@ -68,9 +69,7 @@ const address = new Address(scene, opener);
 const readout = new Readout(session);
 const tool = new Signal<Tool>('source');
 
-const touch = matchMedia('(pointer: coarse)').matches ? 'Tap' : 'Click';
-const hint = h('p', { class: 'hint', hidden: true }, `${touch} the surface`);
-const acted = () => hint.remove();
+const hint = hints(session);
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session);
@@ -80,22 +79,22 @@ const frames = new Frames(session, crowd, () => {
   handle.follow();
   measuring.follow();
 });
-const cameraMoved = () => {
-  acted();
-  frames.cameraMoved();
+const cameraMoved = () => frames.cameraMoved();
+const help = () => {
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel), session.fail.bind(session));
 };
 
 const brush = new BrushInput(session, ground);
-new PointerInput({ session, readout, tool, brush, measure, acted, cameraMoved }).listen();
+new PointerInput({ session, readout, tool, brush, measure, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
   ground,
   measure,
-  acted,
   cameraMoved,
   chooseFile: dialogue.choose,
+  help,
   fill: () => void opener.fill(DEFAULT_FILL),
   closeMessage: () => messages.closeNewest(),
 });
@@ -104,8 +103,8 @@ followPaste(opener);
 
 const bar = toolbar(session, tool);
 page.append(
-  heading(session),
-  h('div', { class: 'foot' }, hint, bar),
+  heading(session, help),
+  h('div', { class: 'foot' }, hint.element, bar),
   messages.element,
   loadingBar(session),
   handle.element,
@@ -168,7 +167,7 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 frames.start();
 async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(location.hash)]);
-  hint.hidden = false;
+  hint.begin();
   await new Promise(requestAnimationFrame);
 }
 expose(

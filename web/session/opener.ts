@@ -206,7 +206,15 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({ ...this.#session.scene.state, parts, sources: [], walker: null, tapes: [], links: 0, ground: LEVEL });
+    await this.#again({
+      ...this.#session.scene.state,
+      parts,
+      sources: [],
+      walker: null,
+      tapes: [],
+      links: 0,
+      ground: LEVEL,
+    });
   }
 
   /**
@@ -218,7 +226,17 @@ export class Opener {
     const { state } = scene;
     const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && count !== null ? 'auto' : state.method;
-    const fresh = { ...state, fill: count, inside, method, sources: [], walker: null, tapes: [], links: 0, ground: LEVEL };
+    const fresh = {
+      ...state,
+      fill: count,
+      inside,
+      method,
+      sources: [],
+      walker: null,
+      tapes: [],
+      links: 0,
+      ground: LEVEL,
+    };
     await this.#again(fresh, shown.value ? relativePlaces(shown.value, state) : undefined);
   }
 

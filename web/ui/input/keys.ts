@@ -36,11 +36,11 @@ export interface KeysOptions {
   ground: GroundEditor;
   measure: MeasureInput;
   chooseFile: () => void;
+  help: () => void;
   /** Fills the surface. */
   fill: () => void;
   /** Closes the newest message; false if there was none. */
   closeMessage: () => boolean;
-  acted: () => void;
   cameraMoved: () => void;
 }
 
@@ -64,6 +64,8 @@ export class Keys {
   #key(event: KeyboardEvent): void {
     if (isTyping(event)) return;
     const element = event.target instanceof HTMLElement ? event.target : document.body;
+    // What is open in front of the page has keys of its own.
+    if (element.closest('dialog')) return;
     const onStage = element === this.#o.session.view.stage || element === document.body;
     const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
     if (used) event.preventDefault();
@@ -100,12 +102,13 @@ export class Keys {
 
   #view(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
-    const { session, tool, chooseFile, closeMessage } = this.#o;
+    const { session, tool, chooseFile, help, closeMessage } = this.#o;
     if (event.key in TOOL_KEYS) tool.value = TOOL_KEYS[event.key];
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
     else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
     else if (event.key.toLowerCase() === 'o') chooseFile();
+    else if (event.key === '?') help();
     else if (event.key.toLowerCase() === 'b') this.#toggleBrush();
     else if (event.key === '[') this.#resizeBrush(1 / BRUSH_STEP);
     else if (event.key === ']') this.#resizeBrush(BRUSH_STEP);
@@ -166,11 +169,10 @@ export class Keys {
   #place(event: KeyboardEvent): boolean {
     const walker = event.key.toLowerCase() === 'w';
     if (event.key !== 'Enter' && !walker) return false;
-    const { session, acted } = this.#o;
+    const { session } = this.#o;
     this.#showReticle();
     const [x, y] = session.view.centre;
     const hit = session.view.pick(x, y);
-    acted();
     if (!hit) return true;
     const { point } = hit;
     if (this.#o.ground.brush.value.on && !walker && !event.shiftKey) this.#paint(hit, x, y);
@@ -209,7 +211,6 @@ export class Keys {
     this.reticle.style.left = `${x}px`;
     this.reticle.style.top = `${y}px`;
     this.reticle.hidden = false;
-    this.#o.acted();
     // The camera moves with the next frame.
     requestAnimationFrame(() => this.#showReading());
   }

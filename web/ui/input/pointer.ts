@@ -36,8 +36,6 @@ export interface PointerOptions {
   tool: Signal<Tool>;
   brush: BrushInput;
   measure: MeasureInput;
-  /** The user did something: the hint may go. */
-  acted: () => void;
   /** The user moved the camera. */
   cameraMoved: () => void;
 }
@@ -58,7 +56,7 @@ export class PointerInput {
 
   listen(): void {
     const stage = this.#stage;
-    const { session, readout, acted, cameraMoved } = this.#o;
+    const { session, readout, cameraMoved } = this.#o;
     stage.addEventListener('pointerdown', (event) => this.#down(event));
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
@@ -69,10 +67,7 @@ export class PointerInput {
       this.#o.brush.leave();
     });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
-    listenToWheel(stage, session.view, () => {
-      acted();
-      cameraMoved();
-    });
+    listenToWheel(stage, session.view, cameraMoved);
     // A field that arrives under a resting pointer changes the readout.
     session.shown.watch(() => this.#showHover());
   }
@@ -98,7 +93,6 @@ export class PointerInput {
       if (!this.#o.brush.begin(x, y)) return;
       this.#press.mode = 'paint';
       this.#o.readout.hide();
-      this.#o.acted();
       return;
     }
     if (touch && target.kind === 'surface') {
@@ -112,7 +106,6 @@ export class PointerInput {
     this.#press.mode = 'done';
     sendWalker(this.#o.session.scene, point);
     this.#o.readout.show(point, x, y);
-    this.#o.acted();
   }
 
   #move(event: PointerEvent): void {
@@ -143,14 +136,13 @@ export class PointerInput {
   }
 
   #beginDrag(press: Press, event: PointerEvent): void {
-    const { session, readout, acted } = this.#o;
+    const { session, readout } = this.#o;
     const plain = (event.buttons & 1) === 1 && !event.shiftKey;
     press.mode = !plain ? 'pan' : press.target.kind === 'source' ? 'move' : 'orbit';
     if (press.mode === 'move') session.dragging = true;
     if (press.mode === 'orbit') session.view.hold();
     this.#stage.dataset.cursor = press.mode === 'move' ? 'grabbing' : 'moving';
     readout.hide();
-    acted();
   }
 
   #moveSource(press: Press, x: number, y: number): void {
@@ -203,16 +195,12 @@ export class PointerInput {
   }
 
   #click(press: Press, event: PointerEvent): void {
-    const { session, acted } = this.#o;
+    const { session } = this.#o;
     const { x, y, target } = press;
     if (this.#o.brush.click(event, target)) return;
-    if (this.#o.measure.click(event)) {
-      this.#o.acted();
-      return;
-    }
+    if (this.#o.measure.click(event)) return;
     const last = this.#lastClick;
     const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
-    acted();
     if (double) {
       // The first click of the two was not meant to move anything.
       if (last.placed) session.scene.undo();

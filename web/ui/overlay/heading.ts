@@ -3,8 +3,8 @@ import { titleOf } from '../../state/presets';
 import { h } from '../dom';
 import { exactnessWords, sizeWords } from '../words';
 
-/** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact. */
-export function heading(session: Session): HTMLElement {
+/** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact; and help. */
+export function heading(session: Session, help: () => void): HTMLElement {
   const title = h('span', { class: 'title' });
   const size = h('span', { class: 'quiet size' });
   const exactness = h('span', { class: 'quiet exactness' });
@@ -22,5 +22,10 @@ export function heading(session: Session): HTMLElement {
   session.scene.subscribe((state, previous) => {
     if (state.mesh !== previous.mesh) tell();
   });
-  return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size, exactness);
+  const ask = h(
+    'button',
+    { class: 'small', title: 'Keys, gestures, documents (?)', 'aria-label': 'Help', onclick: help },
+    '?',
+  );
+  return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size, exactness, ask);
 }

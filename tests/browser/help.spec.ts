@@ -1,0 +1,64 @@
+/** Help where it is needed: keys and gestures, a line on every setting, the documents, the first hints. */
+import { expect, test } from '../page';
+
+test('help tells what the keys do, explains every setting, and leads to documents with a search', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  await page.keyboard.press('?');
+  const dialog = page.getByRole('dialog', { name: 'Help' });
+  await expect(dialog.getByRole('row', { name: 'Frame the model' })).toContainText('F');
+  await expect(dialog.getByRole('columnheader', { name: 'Mouse' })).toBeVisible();
+  await dialog.getByLabel('Explain every setting').check();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toHaveCount(0);
+
+  // Every setting has its line, also those that are not to be seen now.
+  const unexplained = await page.evaluate(() =>
+    [...document.querySelectorAll('.panel .field')]
+      .filter((field) => !field.nextElementSibling?.classList.contains('explanation'))
+      .map((field) => `${field.closest('[id^=section-]')?.id}: ${field.querySelector('span')?.textContent}`),
+  );
+  expect(unexplained).toEqual([]);
+  await expect(page.locator('#section-style .explanation').first()).toBeVisible();
+
+  const documents = page.waitForEvent('popup');
+  await page.locator('#section-solver summary').first().click();
+  await page.getByRole('link', { name: 'More about Path' }).click();
+  const method = await documents;
+  await expect(method.getByRole('heading', { name: 'Paths' })).toBeInViewport();
+  await method.getByRole('searchbox').fill('intrinsic delaunay');
+  await method.getByRole('link', { name: /intrinsic Delaunay triangulation/ }).click();
+  await expect(method).toHaveURL(/method\.html#operator-the-intrinsic-delaunay-triangulation$/);
+  await method.goto('./docs/gallery.html');
+  await expect(method.getByRole('img').first()).toHaveJSProperty('complete', true);
+  expect(
+    await method
+      .getByRole('img')
+      .first()
+      .evaluate((image: HTMLImageElement) => image.naturalWidth),
+  ).toBeGreaterThan(0);
+});
+
+test('hints follow what the hand does, and are not told again', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const hint = page.locator('.hint');
+  await expect(hint).toContainText('Click the surface');
+  const [x, y] = await heatwalk.pixelOnModel();
+  await page.mouse.click(x, y);
+  await expect(hint).toContainText('Drag the pin');
+  const [pin] = (await heatwalk.scene()).sources;
+  const place = await heatwalk.pixelOf(pin);
+  await page.mouse.move(...place);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y + 10, { steps: 3 });
+  await page.mouse.up();
+  await expect(hint).toContainText('sends the walker');
+  await heatwalk.open();
+  await expect(hint).toContainText('sends the walker');
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...(await heatwalk.pixelOnModel(0.08, 0.05)));
+  await page.keyboard.up('Alt');
+  await expect(hint).toBeHidden();
+});

@@ -1,0 +1,146 @@
+// A Vite plugin: the documents of docs/ as pages beside the page, with a search over all of them.
+
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import GithubSlugger from 'github-slugger';
+import MarkdownIt from 'markdown-it';
+
+/** In the order of the index; what is not named comes last. */
+const ORDER = ['page', 'program', 'method', 'accuracy', 'benchmarks', 'table1', 'gallery', 'scripting', 'architecture'];
+const IMAGE_TYPES = { '.jpg': 'image/jpeg', '.png': 'image/png', '.svg': 'image/svg+xml', '.webp': 'image/webp' };
+
+/** Where the pages are, relative to the page. */
+const FOLDER = 'docs';
+const SEARCH = 'web/docs/search.ts';
+const STYLE = 'web/docs/docs.css';
+
+function rank(name) {
+  return ORDER.includes(name) ? ORDER.indexOf(name) : ORDER.length;
+}
+
+/**
+ * The documents of a folder: `pages` by name with title and HTML, `sections` of all of them in order, each with the plain
+ * text below its heading. Headings have the identifiers that GitHub gives them.
+ */
+export function readDocuments(folder) {
+  const names = readdirSync(folder)
+    .filter((file) => file.endsWith('.md'))
+    .map((file) => file.slice(0, -'.md'.length))
+    .toSorted((a, b) => rank(a) - rank(b) || a.localeCompare(b));
+  const [pages, sections] = [[], []];
+  for (const name of names) {
+    const document = render(readFileSync(join(folder, `${name}.md`), 'utf8'));
+    pages.push({ name, title: document.title, html: document.html });
+    for (const { id, heading, text } of document.sections) {
+      sections.push({ page: name, title: document.title, id, heading, text });
+    }
+  }
+  return { pages, sections };
+}
+
+function render(markdown) {
+  const converter = new MarkdownIt({ linkify: true });
+  const slugs = new GithubSlugger();
+  const tokens = converter.parse(markdown, {});
+  const sections = [];
+  tokens.forEach((token, i) => {
+    if (token.type === 'heading_open') {
+      const heading = plain(tokens[i + 1]);
+      const id = slugs.slug(heading);
+      token.attrSet('id', id);
+      sections.push({ id, heading, text: '' });
+    } else if (token.type === 'inline' && tokens[i - 1].type !== 'heading_open') {
+      sections.at(-1).text += `${plain(token)} `;
+    }
+    for (const link of token.children ?? []) {
+      const address = link.type === 'link_open' ? link.attrGet('href') : null;
+      if (address) link.attrSet('href', address.replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'));
+    }
+  });
+  // A table may be wider than a phone.
+  const html = converter.renderer
+    .render(tokens, converter.options, {})
+    .replaceAll('<table>', '<div class="table"><table>')
+    .replaceAll('</table>', '</table></div>');
+  return { title: sections[0].heading, html, sections };
+}
+
+function plain({ children }) {
+  return children.map(({ type, content }) => (type === 'softbreak' ? ' ' : content)).join('');
+}
+
+function pageOf({ title, html }, pages, here, addresses) {
+  const links = pages.map(({ name, title: other }) => {
+    const current = name === here ? ' aria-current="page"' : '';
+    return `<li><a href="./${name}.html"${current}>${escaped(other)}</a></li>`;
+  });
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<title>${escaped(title)} – Heatwalk</title>
+<link rel="stylesheet" href="${addresses.style}">
+<script type="module" src="${addresses.search}"></script>
+</head>
+<body>
+<nav aria-label="Documents">
+<a class="home" href="../">Heatwalk</a>
+<input type="search" placeholder="Search" aria-label="Search in all documents" autocomplete="off">
+<ul class="found" hidden></ul>
+<ul>
+${links.join('\n')}
+</ul>
+</nav>
+<main>
+${html}</main>
+</body>
+</html>
+`;
+}
+
+function escaped(text) {
+  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+}
+
+/** All files of `docs/` but for the script of the search: contents by path in that folder. */
+function filesOf(folder, addresses) {
+  const { pages, sections } = readDocuments(folder);
+  const overview = pages.map(({ name, title }) => `<li><a href="./${name}.html">${escaped(title)}</a></li>`).join('\n');
+  const index = { title: 'Documents', html: `<h1>Documents</h1>\n<ul>\n${overview}\n</ul>\n` };
+  const files = new Map([['index.html', pageOf(index, pages, '', addresses)]]);
+  for (const page of pages) files.set(`${page.name}.html`, pageOf(page, pages, page.name, addresses));
+  files.set('sections.json', JSON.stringify(sections));
+  for (const path of readdirSync(folder, { recursive: true })) {
+    if (extname(path) in IMAGE_TYPES) files.set(path.replaceAll('\\', '/'), readFileSync(join(folder, path)));
+  }
+  return files;
+}
+
+export function docs(root) {
+  const folder = join(root, 'docs');
+  return {
+    name: 'heatwalk-docs',
+    buildStart() {
+      if (!this.meta.watchMode)
+        this.emitFile({ type: 'chunk', id: join(root, SEARCH), fileName: `${FOLDER}/search.js` });
+    },
+    generateBundle() {
+      const files = filesOf(folder, { search: './search.js', style: './docs.css' });
+      files.set('docs.css', readFileSync(join(root, STYLE)));
+      for (const [path, source] of files) this.emitFile({ type: 'asset', fileName: `${FOLDER}/${path}`, source });
+    },
+    configureServer(server) {
+      server.middlewares.use(`/${FOLDER}`, (request, response, next) => {
+        const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(1) || 'index.html';
+        if (path.endsWith('.md') || !existsSync(folder)) return next();
+        const content = filesOf(folder, { search: `/${SEARCH}`, style: `/${STYLE}` }).get(path);
+        if (content === undefined) return next();
+        const types = { ...IMAGE_TYPES, '.html': 'text/html; charset=utf-8', '.json': 'application/json' };
+        response.setHeader('Content-Type', types[extname(path)]);
+        response.end(content);
+      });
+    },
+  };
+}

@@ -1,0 +1,43 @@
+/** Lines on the settings of the panel, below each of them. */
+import { h } from '../dom';
+import { addressOf, SECTIONS, SETTINGS } from './settings';
+
+/** The name that a setting has in the panel. */
+function nameOf(field: Element): string {
+  return field.querySelector('span')?.textContent.trim() ?? '';
+}
+
+/** Shows a line below every setting that has none yet, and a link to its documents beside every heading. */
+export function explain(panel: HTMLElement): void {
+  for (const section of panel.querySelectorAll<HTMLElement>('details[id^="section-"]')) {
+    const id = section.id.replace('section-', '');
+    const summary = section.querySelector('summary');
+    if (summary && id in SECTIONS && !summary.querySelector('.about')) {
+      const title = summary.textContent;
+      summary.append(link(SECTIONS[id], `About ${title}`));
+    }
+    for (const field of section.querySelectorAll<HTMLElement>('.field')) {
+      const name = nameOf(field);
+      const explanation = SETTINGS[id]?.[name];
+      if (!explanation || field.nextElementSibling?.classList.contains('explanation')) continue;
+      const line = h(
+        'p',
+        { class: 'explanation' },
+        `${explanation.line} `,
+        link(explanation.see, `More about ${name}`),
+      );
+      line.hidden = field.hidden;
+      field.after(line);
+      // A setting that does not apply takes its line along.
+      new MutationObserver(() => (line.hidden = field.hidden)).observe(field, { attributeFilter: ['hidden'] });
+    }
+  }
+}
+
+function link(see: string, name: string): HTMLElement {
+  return h(
+    'a',
+    { class: 'about', href: addressOf(see), target: '_blank', rel: 'noopener', 'aria-label': name },
+    'more',
+  );
+}

@@ -1,0 +1,153 @@
+/**
+ * A line on every setting of the panel, by section and by the name that it has there; `see` is a heading of the documents.
+ * Every control of the panel has one: a test looks.
+ */
+export interface Explanation {
+  line: string;
+  see: string;
+}
+
+const about = (line: string, see: string): Explanation => ({ line, see });
+
+export const SECTIONS: Record<string, string> = {
+  scene: 'page#opening',
+  animation: 'page#animations',
+  sources: 'method#several-sources',
+  ground: 'page#ground',
+  inside: 'page#inside',
+  solver: 'page#methods',
+  style: 'gallery',
+  display: 'page#materials',
+  numbers: 'page#refinement',
+  share: 'page#link',
+};
+
+export const SETTINGS: Record<string, Record<string, Explanation>> = {
+  scene: {
+    Unit: about('What lengths are told in. None is converted.', 'method#units'),
+  },
+  animation: {
+    Animation: about('Which of the animations of the file is shown.', 'page#animations'),
+    Time: about('The moment at which the model stands, or begins to play.', 'page#animations'),
+    Speed: about('Times as fast as the file says.', 'page#animations'),
+    Loop: about('Begins again at the end.', 'page#animations'),
+    Distance: about('Measured in the pose of the file, or anew in each pose that is shown.', 'page#animations'),
+  },
+  ground: {
+    Brush: about('A drag on the surface paints instead of orbiting.', 'page#ground'),
+    Tool: about('What a stroke or a click does to the ground.', 'page#ground'),
+    Cost: about('What a unit of length costs where it is painted; 1 is bare ground.', 'method#costs-and-walls'),
+    Size: about('Radius of the brush.', 'page#ground'),
+    'Soft edge': about('Share of the brush in which the cost fades out.', 'page#ground'),
+    Slope: about('Steep ground costs what a hiker takes there, by Tobler’s hiking function.', 'method#costs-and-walls'),
+    Height: about('What the highest place costs, as a multiple of the lowest.', 'method#costs-and-walls'),
+  },
+  inside: {
+    Tetrahedra: about(
+      'About how many fill what the surface encloses; more are slower and closer to the surface.',
+      'method#filling',
+    ),
+    'Cut away': about('Shows the inside: half of the mesh is left out, or a wedge of it.', 'page#inside'),
+    Position: about('Where the cut is, from one end of the mesh to the other.', 'page#inside'),
+    Turn: about('Direction of the cut around the axis that points up.', 'page#inside'),
+    Tilt: about('How far the cut leans over the horizon.', 'page#inside'),
+    Opening: about('Angle of the wedge.', 'page#inside'),
+    'Whole tetrahedra': about('Tetrahedra stay whole at the cut instead of being sliced.', 'page#inside'),
+    'Pull apart': about('Moves tetrahedra away from each other, so that all of them are seen.', 'page#inside'),
+    Shells: about('From one surface of equal distance to the next.', 'page#inside'),
+    'Arrows inside': about('Directions in which the distance grows, on the cut.', 'page#inside'),
+  },
+  solver: {
+    Method: about('How distance is found: at once by windows, smooth by heat, or exact.', 'page#methods'),
+    'Refine to exact': about(
+      'Makes the distance exact, from the sources outward, while nothing moves.',
+      'page#refinement',
+    ),
+    Path: about(
+      'How the walker goes: down the gradient, pulled straight, or on an exact shortest path.',
+      'method#paths',
+    ),
+    'Join components': about(
+      'Lets distance and paths cross where parts of a model touch.',
+      'method#components-that-touch',
+    ),
+    'Time factor m': about(
+      'Heat flows for t = m h², h the mean edge length. Longer is smoother and less accurate.',
+      'method#time-step',
+    ),
+    Boundary: about('What heat does at the rim of an open surface: it is kept in, or lost.', 'method#boundaries'),
+    'Exact region': about(
+      'Radius around the sources in which distances are exact from the start.',
+      'method#exact-region',
+    ),
+    'Multi-source': about(
+      'The nearest source decides, or heat of all sources is added up as other programs do.',
+      'method#several-sources',
+    ),
+    Operator: about(
+      'Triangles of the Laplacian: flipped to be Delaunay, as in the file, or with moved vertices.',
+      'method#operator-the-intrinsic-delaunay-triangulation',
+    ),
+    'Linear solver': about(
+      'Factors once, then milliseconds a source; or no factors, and each source takes longer.',
+      'method#conjugate-gradients',
+    ),
+    Windows: about('Windows kept of each half-edge: more are closer to exact and slower.', 'method#propagation'),
+  },
+  style: {
+    Pattern: about('Bands, thin lines, or only the colors of the surface.', 'gallery'),
+    Period: about('From one stripe to the next.', 'gallery'),
+    'Stripe width': about('Share of the period that a stripe covers.', 'gallery'),
+    Offset: about('Moves the stripes away from the sources.', 'gallery'),
+    Sharpness: about('Hard or soft edges of stripes.', 'gallery'),
+    Relief: about('Stripes stand out of the surface, or are grooves in it.', 'gallery'),
+    Flow: about('Stripes run away from the sources, or towards them.', 'gallery'),
+    Surface: about('Colors and materials of the style, or those of the file.', 'page#materials'),
+    'Stripes lie': about('How stripes cover the materials of a file.', 'page#materials'),
+    Stripes: about('Color ramp of the stripes over the distance.', 'gallery'),
+    'Stripe color': about('One color for all stripes.', 'gallery'),
+    Color: about('Whether stripes change the color.', 'gallery'),
+    Normal: about('Whether stripes change the normals, and so stand out in the light.', 'gallery'),
+    Emission: about('Whether stripes glow.', 'gallery'),
+    'Specular (separate stripe material)': about('Whether stripes have a material of their own.', 'gallery'),
+    'Surface metalness': about('Plastic or metal between the stripes.', 'gallery'),
+    'Surface roughness': about('Mirror or chalk between the stripes.', 'gallery'),
+    'Surface emission': about('Light that comes out of the surface.', 'gallery'),
+    'Stripe metalness': about('Plastic or metal on the stripes.', 'gallery'),
+    'Stripe roughness': about('Mirror or chalk on the stripes.', 'gallery'),
+    'Stripe emission': about('Light that comes out of the stripes.', 'gallery'),
+    Lighting: about('What surrounds the model.', 'page#cameras-and-lights'),
+    'Rotate lighting': about('Turns the surroundings around the model.', 'page#cameras-and-lights'),
+  },
+  display: {
+    'Color by': about(
+      'The field in the stripes: distance, heat, or the error of the answer that came first.',
+      'method#heat-does-not-underflow',
+    ),
+    'Inactive parts (scenery)': about('Parts of the file that nobody walks on.', 'page#models-of-several-parts'),
+    'Mesh edges': about('The triangles of the file.', 'method#operator-the-intrinsic-delaunay-triangulation'),
+    'Boundary edges': about('Edges with a triangle on one side only.', 'method#boundaries'),
+    Contacts: about('Where distance crosses from one component to another.', 'method#components-that-touch'),
+    'Operator edges': about(
+      'The triangles that the Laplacian is built on.',
+      'method#operator-the-intrinsic-delaunay-triangulation',
+    ),
+    'Heat gradient': about('Arrows along the unit gradient of heat, towards the sources.', 'method#directions'),
+    'Distance gradient': about('Arrows along the gradient of the distance.', 'method#directions'),
+    Crowd: about('Walkers that all take the shortest way to a source.', 'method#crowds'),
+    Up: about('The axis of the file that is drawn upward.', 'page#up'),
+    'Cameras of the file': about('Looks through a camera that the file has.', 'page#cameras-and-lights'),
+    'Lights of the file': about('Lights of the file in the place of those of the style.', 'page#cameras-and-lights'),
+  },
+  share: {
+    'Image size': about('Pixels of a saved image, as a multiple of the window.', 'page#images-and-videos'),
+    Background: about('Saves what is behind the model too; else it is transparent.', 'page#images-and-videos'),
+    Video: about('What is recorded: a turn around the model, or the walk.', 'page#images-and-videos'),
+  },
+};
+
+/** The address of a heading of the documents, beside the page. */
+export function addressOf(see: string): string {
+  const [page, heading] = see.split('#');
+  return heading === undefined ? `./docs/${page}.html` : `./docs/${page}.html#${heading}`;
+}

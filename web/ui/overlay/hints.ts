@@ -1,0 +1,84 @@
+/** What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. */
+import type { Session } from '../../session/session';
+import type { SceneState } from '../../state/scene';
+import { h } from '../dom';
+
+const MEMORY = 'heatwalk.hints';
+
+interface Hint {
+  mouse: string;
+  touch: string;
+  /** Whether the hand has just done it. */
+  isDone: (state: SceneState, previous: SceneState, dragging: boolean) => boolean;
+}
+
+const HINTS: readonly Hint[] = [
+  {
+    mouse: 'Click the surface',
+    touch: 'Tap the surface',
+    isDone: (state, previous) => state.sources !== previous.sources,
+  },
+  {
+    mouse: 'Drag the pin: the stripes follow',
+    touch: 'Drag the pin: the stripes follow',
+    isDone: (state, previous, dragging) => dragging && state.sources !== previous.sources,
+  },
+  {
+    mouse: 'Alt + click sends the walker there',
+    touch: 'A long press sends the walker there',
+    isDone: (state, previous) => state.walker !== previous.walker && state.walker !== null,
+  },
+];
+
+/** The hints, shown from `begin` on. */
+export function hints(session: Session): { element: HTMLElement; begin: () => void } {
+  const byTouch = matchMedia('(pointer: coarse)').matches;
+  const text = h('span');
+  const close = h(
+    'button',
+    { class: 'small', 'aria-label': 'Show no more hints', onclick: () => turn(HINTS.length) },
+    '×',
+  );
+  const element = h('div', { class: 'hint', hidden: true, role: 'status' }, text, close);
+  let known = remembered();
+  const show = () => {
+    const hint = HINTS[known];
+    element.hidden = hint === undefined;
+    if (hint) text.textContent = byTouch ? hint.touch : hint.mouse;
+  };
+  const turn = (next: number) => {
+    known = next;
+    remember(known);
+    show();
+  };
+  return {
+    element,
+    begin: () => {
+      show();
+      const end = session.scene.subscribe((state, previous) => {
+        // Another mesh brings places of its own.
+        if (state.mesh !== previous.mesh) return;
+        // What the hand can do already needs no hint either.
+        const done = HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging));
+        if (done >= known) turn(done + 1);
+        if (known >= HINTS.length) end();
+      });
+    },
+  };
+}
+
+function remembered(): number {
+  try {
+    return Number(localStorage.getItem(MEMORY) ?? 0);
+  } catch {
+    return 0;
+  }
+}
+
+function remember(known: number): void {
+  try {
+    localStorage.setItem(MEMORY, String(known));
+  } catch {
+    // Storage may be disabled; then every visit starts with the first hint.
+  }
+}
