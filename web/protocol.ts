@@ -265,6 +265,29 @@ export interface Progress {
   vertices: number;
 }
 
+/** At which distances isolines are wanted: at these, or where there are none at the multiples of a spacing; in the unit of the file. */
+export interface IsolineWish {
+  values: readonly number[];
+  spacing: number;
+}
+
+/** Isolines of a field. */
+export interface Isolines {
+  /** Of each, by value: how long it is, what area is nearer, and how many curves it has, and closed ones; in the unit of the file. */
+  rows: readonly { value: number; length: number; area: number; curves: number; closed: number }[];
+  /** #segments × 2 × 3, ends of all segments, as they are drawn. */
+  ends: Float32Array;
+}
+
+/** A file of isolines, of strips between them, or of these in the plane; of curves as they are seen in an SVG, whence. */
+export interface CurveFile {
+  kind: 'obj' | 'dxf' | 'svg' | 'csv' | 'glb' | 'strips.obj' | 'unrolled.svg' | 'unrolled.dxf';
+  towardEye: readonly [number, number, number];
+}
+
+/** A file with a distance for each vertex of the input; `weights.ply` has them as vertex colors. */
+export type DistanceFile = 'csv' | 'npy' | 'ply' | 'glb' | 'weights.ply';
+
 export type ProgressListener = (progress: Progress) => void;
 
 /**
@@ -369,6 +392,12 @@ export interface SolverApi {
   edges(kind: EdgeKind): Promise<Float32Array>;
   /** One value a drawn vertex, or a corner as in the field: relative error of the last field before it was made exact; null until it is. */
   errors(): Promise<Float32Array | null>;
+  /** Isolines of the last field. */
+  isolines(wish: IsolineWish): Promise<Isolines>;
+  /** A file of isolines of the last field, in the unit of the file. */
+  curveFile(wish: IsolineWish, file: CurveFile): Promise<Uint8Array<ArrayBuffer>>;
+  /** A file of the last field; of a mesh that is as in its file, with all that this holds. */
+  distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;
 }

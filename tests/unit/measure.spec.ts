@@ -4,7 +4,7 @@ import type { Session } from '../../web/session/session';
 import { emptyScene, Scene } from '../../web/state/scene';
 import { Signal } from '../../web/state/signal';
 import { MeasureInput } from '../../web/ui/input/measure';
-import type { Tool } from '../../web/ui/overlay/toolbar';
+import type { Tool } from '../../web/state/tool';
 
 const pick = (x: number) => (x < 0 ? null : { point: { vertex: x }, position: [0, 0, 0] });
 

@@ -4,6 +4,7 @@ import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
 import type { Edges } from '../view/layers';
+import { stripeWish } from './export';
 import type { Session } from './session';
 
 /** In the order in which they are drawn, so that the rarer ones stay on top. */
@@ -13,6 +14,8 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
   { overlay: 'boundary', kind: 'boundary', colour: '#e0248a' },
   { overlay: 'contacts', kind: 'contact', colour: '#e87500' },
 ];
+
+const ISOLINES = { colour: '#e5202e', width: 1.6 };
 
 export class Overlays {
   readonly #session: Session;
@@ -38,7 +41,9 @@ export class Overlays {
   follow(): void {
     const session = this.#session;
     session.scene.subscribe((state, previous) => {
-      if (state.overlays !== previous.overlays || state.colorBy !== previous.colorBy) this.#latest = this.#update(true);
+      const isSpaced = state.overlays.includes('isolines') && state.style.period !== previous.style.period;
+      const isOther = state.overlays !== previous.overlays || state.colorBy !== previous.colorBy;
+      if (isSpaced || isOther) this.#latest = this.#update(true);
     });
     session.pose.watch(() => {
       const { overlays } = session.scene.state;
@@ -56,8 +61,8 @@ export class Overlays {
   /** Edges belong to the mesh and the parameters, the others to the field. */
   async #update(anew: boolean): Promise<void> {
     const wish = ++this.#wish;
-    this.#needsEdges ||= anew;
     const session = this.#session;
+    this.#needsEdges ||= anew || session.scene.state.overlays.includes('isolines');
     const { view } = session;
     const { answer } = session.shown.value ?? {};
     const field = answer?.field ?? null;
@@ -68,6 +73,8 @@ export class Overlays {
     const { overlays, colorBy } = available(session.scene.state, method);
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
+      const isolines = edges && overlays.includes('isolines') ? stripeWish(session) : null;
+      if (isolines) edges?.push({ ...ISOLINES, ends: (await engine.isolines(isolines)).ends });
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);

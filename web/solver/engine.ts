@@ -1,11 +1,15 @@
 /** Questions to an open mesh and their answers. */
 import type {
+  CurveFile,
   DistanceField,
+  DistanceFile,
   EdgeKind,
   Enclosure,
   FaceField,
   Factoring,
   InnerView,
+  Isolines,
+  IsolineWish,
   Moment,
   OpenedMesh,
   Parameters,
@@ -230,6 +234,18 @@ export class Engine {
 
   errors(): Promise<Float32Array | null> {
     return this.#worker.call(this.#worker.api.errors());
+  }
+
+  isolines(wish: IsolineWish): Promise<Isolines> {
+    return this.#worker.call(this.#worker.api.isolines(wish));
+  }
+
+  curveFile(wish: IsolineWish, file: CurveFile): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#worker.call(this.#worker.api.curveFile(wish, file));
+  }
+
+  distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#worker.call(this.#worker.api.distanceFile(kind));
   }
 
   /** One step of measuring between two places: see `SolverApi.measure`. */

@@ -7,6 +7,7 @@ use std::thread::available_parallelism;
 use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, Parser, Subcommand};
+use glam::DVec3;
 use heatwalk::{BridgeRule, DistanceOptions, MultiSource, UnitRule, Up, WeldRule};
 
 use crate::ground::Ground;
@@ -30,6 +31,8 @@ pub enum Command {
     Distance(Distance),
     /// The path from one place to another
     Path(Path),
+    /// Curves of equal distance, and the surface cut along them
+    Isolines(Isolines),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -94,9 +97,9 @@ pub struct Info {
     pub bridging: Bridging,
 }
 
+/// From where distances are asked for, on what ground, and how they are found.
 #[derive(Args)]
-#[command(group = ArgGroup::new("turned").multiple(true))]
-pub struct Distance {
+pub struct Question {
     #[command(flatten)]
     pub mesh: Mesh,
     /// Source: a vertex V or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron, with @D if it starts from a distance D; may be repeated
@@ -126,6 +129,13 @@ pub struct Distance {
     pub linear: Linear,
     #[arg(long, value_parser = choice::<MultiSource>(), help = chosen::<MultiSource>("How several sources are joined"))]
     pub multi: Option<MultiSource>,
+}
+
+#[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+pub struct Distance {
+    #[command(flatten)]
+    pub question: Question,
     /// Distances from each source by itself, a column of the output each
     #[arg(long, conflicts_with_all = ["lines", "repeat", "compare"])]
     pub each: bool,
@@ -136,6 +146,38 @@ pub struct Distance {
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
     /// Write the distances to a .csv, .ply or .glb file; of tetrahedra to a .csv, .vtu or .msh file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub output: Option<PathBuf>,
+    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
+    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
+    pub up: Up,
+}
+
+#[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+#[command(group = ArgGroup::new("levels").required(true))]
+pub struct Isolines {
+    #[command(flatten)]
+    pub question: Question,
+    /// Isolines at these distances
+    #[arg(long, value_name = "D,D...", group = "levels", value_delimiter = ',', allow_negative_numbers = true)]
+    pub values: Vec<f64>,
+    /// Isolines at the multiples of D
+    #[arg(long, value_name = "D", group = "levels", allow_negative_numbers = true)]
+    pub spacing: Option<f64>,
+    /// So many isolines, which part the largest distance into equal shares
+    #[arg(long, value_name = "N", group = "levels")]
+    pub count: Option<usize>,
+    /// Write the surface cut along the isolines, a group a strip, instead of the curves
+    #[arg(long, requires = "output")]
+    pub strips: bool,
+    /// Write the strips unrolled into the plane, where they are not curved
+    #[arg(long, requires = "output", conflicts_with = "strips")]
+    pub unroll: bool,
+    /// The direction from which an .svg shows the curves, after --up has turned the mesh
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, default_value = "1,1,1", allow_hyphen_values = true)]
+    pub view: DVec3,
+    /// Write the curves to an .obj, .dxf, .svg, .csv or .glb file; strips to an .obj file, unrolled ones to an .svg or .dxf file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
@@ -211,7 +253,7 @@ pub struct Table {
     pub json: bool,
 }
 
-impl Distance {
+impl Question {
     /// What is asked of the solver.
     ///
     /// # Errors
@@ -255,6 +297,14 @@ fn links(text: &str) -> Result<usize, String> {
     }
 }
 
+/// A direction in space.
+fn direction(text: &str) -> Result<DVec3, String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.parse().ok()).collect();
+    let direction = numbers.and_then(|numbers| numbers.try_into().ok()).map(DVec3::from_array);
+    let direction = direction.filter(|direction| direction.try_normalize().is_some());
+    direction.ok_or_else(|| "give a direction as three numbers, such as 0,0,1".to_owned())
+}
+
 /// A positive number.
 fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|&number: &f64| number > 0.0);
@@ -264,7 +314,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, isolines, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

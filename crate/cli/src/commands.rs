@@ -8,6 +8,7 @@ use crate::args::{Command, Info};
 use crate::distance::distance;
 use crate::fill::fill;
 use crate::input::Input;
+use crate::isolines::isolines;
 use crate::path::path;
 use crate::report::Report;
 use crate::table::table;
@@ -19,6 +20,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Info(arguments) => info(arguments).map(Answer::from),
         Command::Distance(arguments) => distance(arguments).map(Answer::from),
         Command::Path(arguments) => path(arguments).map(Answer::from),
+        Command::Isolines(arguments) => isolines(arguments).map(Answer::from),
         Command::Fill(arguments) => fill(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }

@@ -10,37 +10,20 @@ use heatwalk::{
 use serde_json::{Map, Value, json};
 
 use crate::args::Distance;
-use crate::input::Input;
 use crate::output::{Columns, Output};
+use crate::question::{Posed, pose};
 use crate::report::{Report, milliseconds};
-use crate::timing::{build, go_on, join, median_solve_ms, prepare, sample};
+use crate::timing::{go_on, median_solve_ms, sample};
 use crate::volume;
 
 pub fn distance(arguments: &Distance) -> Result<String> {
-    if let Some(input) = volume::Input::of(&arguments.mesh)? {
+    let question = &arguments.question;
+    if let Some(input) = volume::Input::of(&question.mesh)? {
         return volume::distance(arguments, &input);
     }
-    let options = arguments.distance_options()?;
+    let options = question.distance_options()?;
     let output = arguments.output.as_deref().map(|path| Output::distance(path, arguments.each)).transpose()?;
-    let input = Input::of(&arguments.mesh)?;
-    arguments.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
-    arguments.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
-    let ground = arguments.ground.on(&input.soup, &surface, arguments.up)?;
-    let mut sources =
-        arguments.sources.iter().map(|source| source.on(&input.soup, &ground.surface)).collect::<Result<Vec<_>>>()?;
-    for line in &arguments.lines {
-        sources.extend(line.on(&ground.surface, arguments.closed)?);
-    }
-
-    let mut report = Report::default();
-    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
-    report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
-    let build_ms = built_ms + joined.join_ms;
-    let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());
-    let mut prepared = prepare((solver, build_ms), &options)?;
+    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.up, &options)?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }
@@ -63,7 +46,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
             "read": input.read_ms, "build": prepared.build_ms, "precompute": prepared.precompute_ms, "solve": solve_ms
         }),
     );
-    Ok(report.render(arguments.mesh.json))
+    Ok(report.render(arguments.question.mesh.json))
 }
 
 /// From all sources at once. Milliseconds of that, or the median over single sources.
@@ -99,7 +82,7 @@ fn each(
     (arguments, options): (&Distance, &DistanceOptions),
     report: &mut Report,
 ) -> Result<(Columns, f64)> {
-    let threads = arguments.mesh.threads();
+    let threads = arguments.question.mesh.threads();
     let start = Instant::now();
     let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
     let solve_ms = milliseconds(start);
@@ -117,7 +100,7 @@ fn each(
 }
 
 /// What is to be told of an answer, whose values are `of_inputs`.
-fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> Vec<(&'static str, Value)> {
+pub fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> Vec<(&'static str, Value)> {
     let mut facts = vec![("method", answer.method.name().into())];
     if answer.method != Method::Heat {
         let kept = match (answer.method, options.windows) {
@@ -135,7 +118,7 @@ fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> Vec<(
 }
 
 /// Vertices that no triangle uses are as far as another component.
-fn of_inputs(surface: &Surface, values: &VertexData<f64>) -> Vec<f64> {
+pub fn of_inputs(surface: &Surface, values: &VertexData<f64>) -> Vec<f64> {
     let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
     surface.vertices_of_inputs().iter().map(of_input).collect()
 }

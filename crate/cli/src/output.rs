@@ -41,6 +41,18 @@ pub enum FillFormat {
     Vtu,
 }
 
+#[derive(Clone, Copy)]
+pub enum CurveFormat {
+    Obj,
+    Dxf,
+    Svg,
+    Csv,
+    Glb,
+    StripsObj,
+    UnrolledSvg,
+    UnrolledDxf,
+}
+
 /// A file that can be written, and how.
 pub struct Output<F> {
     path: PathBuf,
@@ -129,6 +141,26 @@ impl Output<PathFormat> {
     }
 }
 
+impl Output<CurveFormat> {
+    /// Of isolines, of the `strips` between them, or of those `unrolled`.
+    pub fn curves(path: &Path, strips: bool, unrolled: bool) -> Result<Self> {
+        let format = match (extension(path).as_str(), strips, unrolled) {
+            ("obj", true, _) => CurveFormat::StripsObj,
+            (_, true, _) => bail!("{}: strips are written as .obj", path.display()),
+            ("svg", _, true) => CurveFormat::UnrolledSvg,
+            ("dxf", _, true) => CurveFormat::UnrolledDxf,
+            (_, _, true) => bail!("{}: unrolled strips are written as .svg or .dxf", path.display()),
+            ("obj", ..) => CurveFormat::Obj,
+            ("dxf", ..) => CurveFormat::Dxf,
+            ("svg", ..) => CurveFormat::Svg,
+            ("csv", ..) => CurveFormat::Csv,
+            ("glb", ..) => CurveFormat::Glb,
+            _ => bail!("{}: isolines are written as .obj, .dxf, .svg, .csv or .glb", path.display()),
+        };
+        Self::new(path, format)
+    }
+}
+
 impl Output<FillFormat> {
     pub fn fill(path: &Path) -> Result<Self> {
         let format = match extension(path).as_str() {
@@ -161,7 +193,7 @@ impl<F> Output<F> {
         Ok(Self { path: path.to_owned(), format })
     }
 
-    fn save(&self, bytes: &[u8]) -> Result<()> {
+    pub fn save(&self, bytes: &[u8]) -> Result<()> {
         fs::write(&self.path, bytes).with_context(|| format!("cannot write {}", self.path.display()))
     }
 }
@@ -171,16 +203,5 @@ fn extension(path: &Path) -> String {
 }
 
 fn distance_csv(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
-    let mut text = String::from("vertex");
-    columns.iter().for_each(|(name, _)| text.extend([",", name]));
-    for vertex in 0..columns[0].1.len() {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "\n{vertex}");
-        for (_, distance) in columns {
-            // 17 significant digits give every f64 back; Rust writes infinity as "inf".
-            let _ = write!(text, ",{:.16e}", distance[vertex]);
-        }
-    }
-    text.push('\n');
-    text.into_bytes()
+    write::distance_csv(&columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect::<Vec<_>>())
 }

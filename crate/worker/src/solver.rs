@@ -3,6 +3,7 @@
 mod ground;
 mod pose;
 mod tape;
+mod values;
 
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;

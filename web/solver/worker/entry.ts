@@ -28,6 +28,7 @@ import type {
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
 import { isOutOfMemory, isTrap } from '../trap';
+import type { ShownAs } from './curves';
 import { innerSolver, interiorBytes, interiorOf } from './interior';
 import { innerMesh, type Mesh, messageOf, type SolvedField, surfaceMesh } from './mesh';
 import { FILLED_FROM, lookOf, openingOf, sourceOf } from './opening';
@@ -71,6 +72,7 @@ let opened:
   | { drawing: wasm.Drawing; timings: Timings; vertices: number; inside: ReturnType<typeof innerSolver> | null }
   | undefined;
 let current: Current | undefined;
+let shownAs: ShownAs | undefined;
 /** The inactive parts that move. */
 let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
 
@@ -124,6 +126,7 @@ const api: SolverApi = {
     file.free();
     const drawing = surface.draw();
     const drawTransform = drawTransformOf(surface, up);
+    shownAs = { transform: drawTransform, from: simplified || inner ? null : { input, parts: chosen } };
     const drawn = drawing.input_vertices();
     const interior = inner && interiorOf(inner.mesh, drawTransform);
     const inputVertices = inner ? drawn.map((vertex) => inner.vertices[vertex]) : drawn;
@@ -335,6 +338,18 @@ const api: SolverApi = {
     return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
   },
 
+  async isolines(wish) {
+    return (await curves()).isolines(openSurface(), wish, shownAs);
+  },
+
+  async curveFile(wish, file) {
+    return (await curves()).curveFile(openSurface(), wish, file, shownAs);
+  },
+
+  async distanceFile(kind) {
+    return (await curves()).distanceFile(openSurface(), kind, shownAs);
+  },
+
   async shapes(): Promise<string[]> {
     await ready;
     return wasm.shape_names();
@@ -354,6 +369,8 @@ function openMesh(): Current {
 function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
   return places as unknown as wasm.Source[];
 }
+
+const curves = () => import('./curves');
 
 function openSurface(): wasm.Solver {
   const { surface } = openMesh();

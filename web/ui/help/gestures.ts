@@ -19,7 +19,7 @@ export const GESTURES: readonly Gesture[] = [
   { what: 'Remove the selected source', mouse: '× in the list', touch: '× in the list', keys: 'Delete' },
   { what: 'Place the walker', mouse: 'alt + click', touch: 'long press', keys: 'W' },
   { what: 'Read the distance', mouse: 'hover', touch: null, keys: 'arrows' },
-  { what: 'Tools: source, add, walker, measure', mouse: 'buttons', touch: 'buttons', keys: '1 2 3 4' },
+  { what: 'Tools: source, add, walker, measure', mouse: 'buttons', touch: 'buttons', keys: '1 2 3 M' },
   { what: 'Measure, with that tool', mouse: 'click', touch: 'tap', keys: 'Enter' },
   { what: 'Close a tape', mouse: 'double-click, or its first place', touch: 'its first place', keys: 'Enter there' },
   { what: 'Move a place of a tape', mouse: 'drag', touch: 'drag', keys: 'arrows' },

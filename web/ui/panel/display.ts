@@ -10,6 +10,7 @@ const OVERLAY_WORDS: Record<Overlay, string> = {
   boundary: 'Boundary edges',
   contacts: 'Contacts',
   operator: 'Operator edges',
+  isolines: 'Isolines',
   heat: 'Heat gradient',
   distance: 'Distance gradient',
 };
@@ -71,6 +72,7 @@ export function displaySection(session: Session): HTMLElement {
     const { contacts, links } = session.shown.value?.answer.factoring ?? { contacts: 0, links: 0 };
     for (const { overlay, element, show: showToggle, allow } of overlays) {
       if (overlay === 'contacts') allow(contacts + links > 0);
+      if (overlay === 'isolines') allow(!session.shown.value?.opened.interior);
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }

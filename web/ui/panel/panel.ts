@@ -4,7 +4,8 @@ import { h } from '../dom';
 export interface Section {
   id: string;
   title: string;
-  element: HTMLElement;
+  /** Of one that is loaded: asked for when it is expanded first. */
+  element: HTMLElement | (() => Promise<HTMLElement>);
   /** Until the user expands or collapses it. */
   open: boolean;
   /** Until there is something to show in it. */
@@ -24,7 +25,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
       'details',
       { open: isOpen, hidden: hidden ?? false, id: `section-${id}` },
       h('summary', {}, title),
-      element,
+      typeof element === 'function' ? later(element) : element,
     );
     details.addEventListener('toggle', () => remember(id, details.open));
     body.append(details);
@@ -48,6 +49,21 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
   // On a narrow window the sheet begins at its lower stop, so that the model is seen first.
   setOpen(narrow() ? false : (memory.panel ?? true));
   return panel;
+}
+
+/** Stands for an element until its section is expanded. */
+function later(load: () => Promise<HTMLElement>): HTMLElement {
+  const place = h('div', { class: 'quiet' });
+  new IntersectionObserver(([entry], observer) => {
+    if (!entry.isIntersecting) return;
+    observer.disconnect();
+    load().then(
+      (element) => place.replaceWith(element),
+      () =>
+        (place.textContent = 'This part of the page could not be loaded. Check the connection and reload the page.'),
+    );
+  }).observe(place);
+  return place;
 }
 
 export function narrow(): boolean {

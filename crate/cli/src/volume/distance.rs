@@ -16,15 +16,16 @@ use crate::report::{Report, milliseconds};
 pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     let options = options(arguments)?;
     let output = arguments.output.as_deref().map(|path| Output::volume(path, arguments.each)).transpose()?;
+    let question = &arguments.question;
     let (mesh, build_ms) = build(input)?;
     let mut sources =
-        arguments.sources.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
-    for line in &arguments.lines {
-        sources.extend(along(line, &input.soup, &mesh, arguments.closed)?);
+        question.sources.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
+    for line in &question.lines {
+        sources.extend(along(line, &input.soup, &mesh, question.closed)?);
     }
     let mut said = Report::default();
     push_mesh(&mut said, mesh.report());
-    let costs = arguments.ground.inside(&input.soup, &mesh)?;
+    let costs = question.ground.inside(&input.soup, &mesh)?;
     let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
     let (columns, solve_ms) = if arguments.each {
         each(&mut solver, &sources, &options, &mut said)?
@@ -42,30 +43,31 @@ pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
         "timings_ms",
         json!({ "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms }),
     );
-    Ok(said.render(arguments.mesh.json))
+    Ok(said.render(question.mesh.json))
 }
 
 fn options(arguments: &Distance) -> Result<VolumeOptions> {
-    refuse_bridging(&arguments.bridging)?;
+    let question = &arguments.question;
+    refuse_bridging(&question.bridging)?;
     refuse(&[
-        ("--exact", arguments.exact),
-        ("--windows", arguments.methods.windows.is_some()),
-        ("--operator", arguments.options.operator.is_some()),
+        ("--exact", question.exact),
+        ("--windows", question.methods.windows.is_some()),
+        ("--operator", question.options.operator.is_some()),
         ("--repeat", arguments.repeat > 1),
         ("--up", arguments.up != Up::default()),
     ])?;
-    let heat = arguments.options.given().or(arguments.linear.given()).or(arguments.multi.map(|_| "--multi"));
-    let method = arguments.methods.chosen_inside(heat)?;
+    let heat = question.options.given().or(question.linear.given()).or(question.multi.map(|_| "--multi"));
+    let method = question.methods.chosen_inside(heat)?;
     ensure!(
         !arguments.compare || method == VolumeMethod::Heat,
         "--compare tells how far the heat method is from the march: give --method heat"
     );
     Ok(VolumeOptions {
         method,
-        max_distance: arguments.max_distance.unwrap_or(f64::INFINITY),
-        heat: arguments
+        max_distance: question.max_distance.unwrap_or(f64::INFINITY),
+        heat: question
             .options
-            .parameters(arguments.linear.solver.unwrap_or_default(), arguments.multi.unwrap_or_default()),
+            .parameters(question.linear.solver.unwrap_or_default(), question.multi.unwrap_or_default()),
     })
 }
 

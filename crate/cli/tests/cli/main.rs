@@ -5,6 +5,7 @@ mod exact;
 mod files;
 mod fill;
 mod ground;
+mod isolines;
 mod joining;
 mod method;
 mod options;

@@ -3,19 +3,20 @@
 use serde_json::{Map, Value, json};
 
 use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texels, Texture, Wrap};
+use crate::io::write::container::{ARRAY_BUFFER, GlbFile};
+use crate::io::write::{largest_finite, share};
 use crate::soup::Soup;
 
 const SHORT: u32 = 5123;
-const INT: u32 = 5125;
 const FLOAT: u32 = 5126;
-const ARRAY_BUFFER: u32 = 34962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 /// How KTX 2.0 files begin (KTX File Format 2.0, 3.1).
 const KTX2: &[u8] = b"\xABKTX 20\xBB\r\n\x1A\n";
 
 /// GLB with `POSITION`, indices and two float attributes: `_REACHABLE` is 1 where the distance is finite and 0 elsewhere,
 /// `_DISTANCE` is the distance, and 0 where that is infinite: a GLB file must not hold infinities (glTF 2.0, 3.6.2.2).
+/// The first set of texture coordinates that the file has no use for is (distance / largest distance, 0), so that any program
+/// can color by distance with a texture; where nothing is reached it is (1, 0).
 /// Materials, images and the attributes that these need come along, normals as well. Vertices keep their numbers; further copies
 /// of those with several rows of attributes come after them. Textures whose images are yet to be made of others stay behind.
 ///
@@ -23,7 +24,7 @@ const KTX2: &[u8] = b"\xABKTX 20\xBB\r\n\x1A\n";
 /// If there is not one distance for each vertex.
 pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     assert_eq!(soup.positions.len(), distance.len(), "one distance for each vertex");
-    let mut file = File::default();
+    let mut file = GlbFile::default();
     let mut attributes = Map::new();
     let mut add = |name: &str, accessor: usize| attributes.insert(name.to_owned(), accessor.into());
 
@@ -41,6 +42,10 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
         let normals: Vec<[f32; 3]> = look.normals.iter().map(|normal| normal.to_array()).collect();
         add("NORMAL", file.accessor(&normals, FLOAT, "VEC3", count, ARRAY_BUFFER));
     }
+    let largest = largest_finite(distance);
+    let shares: Vec<[f32; 2]> = rows().map(|vertex| [share(distance[vertex], largest), 0.0]).collect();
+    let unused = if look.texcoords.is_empty() { "TEXCOORD_0" } else { "TEXCOORD_2" };
+    add(unused, file.accessor(&shares, FLOAT, "VEC2", count, ARRAY_BUFFER));
     if !look.texcoords.is_empty() {
         for (set, name) in ["TEXCOORD_0", "TEXCOORD_1"].into_iter().enumerate() {
             let pairs: Vec<[f32; 2]> = look.texcoords.iter().map(|row| [row[2 * set], row[2 * set + 1]]).collect();
@@ -60,7 +65,7 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
         .iter()
         .map(|run| {
             let corners = triangles[run.triangles.clone()].as_flattened();
-            let indices = file.accessor(corners, INT, "SCALAR", corners.len(), ELEMENT_ARRAY_BUFFER);
+            let indices = file.indices(corners);
             let mut primitive = json!({ "attributes": attributes, "indices": indices });
             if let Some(material) = run.material {
                 primitive["material"] = material.into();
@@ -79,50 +84,7 @@ pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     file.finish(root)
 }
 
-/// A GLB file that grows.
-#[derive(Default)]
-struct File {
-    binary: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
-}
-
-impl File {
-    fn view(&mut self, bytes: &[u8]) -> Value {
-        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
-        let view = json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() });
-        self.binary.extend(bytes);
-        view
-    }
-
-    /// The index of a new accessor. Its numbers have the byte order of the machine, little-endian wherever this runs.
-    fn accessor<T: bytemuck::NoUninit>(
-        &mut self,
-        rows: &[T],
-        component: u32,
-        kind: &str,
-        count: usize,
-        target: u32,
-    ) -> usize {
-        let mut view = self.view(bytemuck::cast_slice(rows));
-        view["target"] = target.into();
-        self.views.push(view);
-        let view = self.views.len() - 1;
-        self.accessors.push(json!({ "bufferView": view, "componentType": component, "count": count, "type": kind }));
-        self.accessors.len() - 1
-    }
-
-    /// The same of floats, with the bounds that positions must have.
-    fn bounded<const N: usize>(&mut self, rows: &[[f32; N]], kind: &str) -> usize {
-        let index = self.accessor(rows.as_flattened(), FLOAT, kind, rows.len(), ARRAY_BUFFER);
-        let bound = |start: f32, better: fn(f32, f32) -> f32| -> Vec<f32> {
-            (0..N).map(|i| rows.iter().map(|row| row[i]).fold(start, better)).collect()
-        };
-        self.accessors[index]["min"] = bound(f32::INFINITY, f32::min).into();
-        self.accessors[index]["max"] = bound(f32::NEG_INFINITY, f32::max).into();
-        index
-    }
-
+impl GlbFile {
     fn add_materials(&mut self, root: &mut Value, look: &Appearance) {
         if look.materials.is_empty() {
             return;
@@ -156,27 +118,6 @@ impl File {
         if !uses.extensions.is_empty() {
             root["extensionsUsed"] = uses.extensions.into();
         }
-    }
-
-    fn finish(self, mut root: Value) -> Vec<u8> {
-        let Self { mut binary, views, accessors } = self;
-        binary.resize(binary.len().next_multiple_of(4), 0);
-        root["accessors"] = accessors.into();
-        root["bufferViews"] = views.into();
-        root["buffers"] = json!([{ "byteLength": binary.len() }]);
-        let mut text = root.to_string().into_bytes();
-        // Chunks are padded to four bytes, JSON with spaces.
-        text.resize(text.len().next_multiple_of(4), b' ');
-        let length = 12 + 8 + text.len() + 8 + binary.len();
-        let mut bytes = Vec::with_capacity(length);
-        bytes.extend(b"glTF");
-        bytes.extend([2, length as u32].iter().flat_map(|word| word.to_le_bytes()));
-        for (kind, chunk) in [(b"JSON", &text), (b"BIN\0", &binary)] {
-            bytes.extend((chunk.len() as u32).to_le_bytes());
-            bytes.extend(kind);
-            bytes.extend(chunk);
-        }
-        bytes
     }
 }
 

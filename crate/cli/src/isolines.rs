@@ -1,0 +1,116 @@
+//! `heatwalk isolines`.
+
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+use glam::DVec3;
+use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
+use serde_json::json;
+
+use crate::args;
+use crate::distance::{facts, of_inputs};
+use crate::output::{CurveFormat, Output};
+use crate::question::{Posed, pose};
+use crate::report::milliseconds;
+use crate::timing::go_on;
+use crate::volume;
+
+pub fn isolines(arguments: &args::Isolines) -> Result<String> {
+    let question = &arguments.question;
+    if volume::Input::of(&question.mesh)?.is_some() {
+        bail!("isolines are curves on a surface, and {} holds tetrahedra", question.mesh.mesh.display());
+    }
+    let options = question.distance_options()?;
+    let output = arguments.output.as_deref();
+    let output = output.map(|path| Output::curves(path, arguments.strips, arguments.unroll)).transpose()?;
+    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.up, &options)?;
+    let start = Instant::now();
+    let answer = prepared.solver.distance(&sources, &options, &mut go_on)?;
+    let solve_ms = milliseconds(start);
+
+    let start = Instant::now();
+    let surface = prepared.solver.surface();
+    let positions = surface.positions().iter().map(|&position| arguments.up.turned(position)).collect();
+    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+    let field = Field::new(positions, triangles, answer.distance.values.iter().copied().collect())?;
+    let levels = match (arguments.spacing, arguments.count) {
+        (Some(spacing), _) => Levels::spaced(spacing, field.largest())?,
+        (_, Some(count)) => Levels::counted(count, field.largest())?,
+        (None, None) => Levels::at(&arguments.values)?,
+    };
+    let isolines = Isolines::trace(&field, &levels);
+    let isolines_ms = milliseconds(start);
+    if let Some(output) = output {
+        output.save(&bytes(output.format, &isolines, &field, &levels, arguments)?)?;
+    }
+
+    let values = of_inputs(surface, &answer.distance.values);
+    for (name, value) in facts(&answer, &values, &options) {
+        report.push(name, value);
+    }
+    if !question.mesh.json {
+        report.push("isolines", isolines.isolines.len());
+    }
+    let isoline = |isoline: &heatwalk_curves::Isoline| {
+        json!({
+            "value": isoline.value,
+            "length": isoline.length,
+            "enclosed_area": isoline.enclosed_area,
+            "curves": isoline.curves.len(),
+            "closed": isoline.curves.iter().filter(|curve| curve.is_closed).count(),
+        })
+    };
+    if question.mesh.json {
+        report.push("isolines", isolines.isolines.iter().map(isoline).collect::<Vec<_>>());
+    }
+    report.push(
+        "timings_ms",
+        json!({
+            "read": input.read_ms, "build": prepared.build_ms, "precompute": prepared.precompute_ms, "solve": solve_ms,
+            "isolines": isolines_ms
+        }),
+    );
+    let table = if question.mesh.json { String::new() } else { in_lines(&isolines) };
+    Ok(report.render(question.mesh.json) + &table)
+}
+
+fn bytes(
+    format: CurveFormat,
+    isolines: &Isolines,
+    field: &Field,
+    levels: &Levels,
+    arguments: &args::Isolines,
+) -> Result<Vec<u8>> {
+    let unrolled = || -> Result<_> {
+        let strips = Strips::cut(field, levels)?;
+        Ok((Sheet::unroll(&strips)?, strips))
+    };
+    Ok(match format {
+        CurveFormat::Obj => write::obj(isolines),
+        CurveFormat::Dxf => write::dxf(isolines),
+        CurveFormat::Csv => write::csv(isolines),
+        CurveFormat::Glb => write::glb(isolines),
+        CurveFormat::Svg => match write::View::from_direction(field, arguments.view, DVec3::Y) {
+            Some(view) => write::svg(isolines, field, &view),
+            None => bail!("there is nothing to see from {}", arguments.view),
+        },
+        CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?),
+        CurveFormat::UnrolledSvg => unrolled().map(|(sheet, strips)| write::sheet_svg(&sheet, &strips))?,
+        CurveFormat::UnrolledDxf => unrolled().map(|(sheet, strips)| write::sheet_dxf(&sheet, &strips))?,
+    })
+}
+
+/// A line an isoline.
+fn in_lines(isolines: &Isolines) -> String {
+    let line = |isoline: &heatwalk_curves::Isoline| {
+        let closed = isoline.curves.iter().filter(|curve| curve.is_closed).count();
+        format!(
+            "at {:<19} length {}, encloses {}; {} curves, {closed} closed\n",
+            isoline.value,
+            isoline.length,
+            isoline.enclosed_area,
+            isoline.curves.len()
+        )
+    };
+    isolines.isolines.iter().map(line).collect()
+}

@@ -1,0 +1,57 @@
+//! What can be wrong with a field or with what is asked of it.
+
+use thiserror::Error;
+
+use crate::levels::MOST_LEVELS;
+
+/// What is wrong, in a sentence that names it.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Error {
+    /// A surface and its values do not belong together.
+    #[error("{vertices} vertices need as many distances, not {distances}")]
+    CountMismatch {
+        /// Positions given.
+        vertices: usize,
+        /// Distances given.
+        distances: usize,
+    },
+    /// A triangle names a vertex that is not there.
+    #[error("triangle {triangle} uses vertex {vertex}, and there are {vertices}, counted from 0")]
+    IndexOutOfRange {
+        /// Counted from 0.
+        triangle: usize,
+        /// Counted from 0.
+        vertex: usize,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A position that is no place, or a distance that is no number.
+    #[error("vertex {vertex} has a {what} that is not a number")]
+    NotANumber {
+        /// Counted from 0.
+        vertex: usize,
+        /// `position` or `distance`.
+        what: &'static str,
+    },
+    /// No value to draw an isoline at.
+    #[error("no isoline: {reason}")]
+    NoLevel {
+        /// What to change.
+        reason: String,
+    },
+    /// More values than are traced at once.
+    #[error("these are {levels:.0} isolines, and {MOST_LEVELS} are drawn at most; choose a larger spacing")]
+    TooManyLevels {
+        /// How many were asked for.
+        levels: f64,
+    },
+    /// More vertices than indices can number.
+    #[error("the strips have more vertices than 32 bits can number; choose fewer isolines")]
+    TooManyVertices,
+    /// A strip that the plane cannot take.
+    #[error(transparent)]
+    NotDevelopable(#[from] crate::unroll::NotDevelopable),
+}
+
+/// What a fallible call returns.
+pub type Result<T> = std::result::Result<T, Error>;

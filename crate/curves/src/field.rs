@@ -1,0 +1,158 @@
+//! A surface with a distance at each vertex, and which of its triangles are neighbors.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+
+/// In place of a half-edge: there is none.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// A triangle surface with a value at each vertex, which is linear on each triangle.
+///
+/// Half-edge `3 f + k` leads from corner `k` of triangle `f` to the next. Triangles are neighbors where an edge has two of
+/// them and they agree in orientation; at a boundary, where three meet or where orientations differ, curves end.
+#[derive(Debug, Clone)]
+pub struct Field {
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    distances: Vec<f64>,
+    edges: Edges,
+}
+
+impl Field {
+    /// `positions` (`#V × 3`) and `distances` (`#V`) are in one unit, infinite where nothing leads; `triangles` (`#F × 3`)
+    /// are counter-clockwise seen from outside.
+    ///
+    /// # Errors
+    /// [`Error::CountMismatch`], [`Error::IndexOutOfRange`], [`Error::NotANumber`].
+    pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>, distances: Vec<f64>) -> Result<Self> {
+        let vertices = positions.len();
+        if distances.len() != vertices {
+            return Err(Error::CountMismatch { vertices, distances: distances.len() });
+        }
+        if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
+            return Err(Error::NotANumber { vertex, what: "position" });
+        }
+        if let Some(vertex) = distances.iter().position(|distance| distance.is_nan()) {
+            return Err(Error::NotANumber { vertex, what: "distance" });
+        }
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(vertex) = corners.iter().map(|&corner| corner as usize).find(|&vertex| vertex >= vertices) {
+                return Err(Error::IndexOutOfRange { triangle, vertex, vertices });
+            }
+        }
+        Ok(Self { edges: Edges::of(&triangles), positions, triangles, distances })
+    }
+
+    /// `#V × 3`.
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// `#F × 3`.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// `#V`.
+    pub fn distances(&self) -> &[f64] {
+        &self.distances
+    }
+
+    /// The largest finite distance; 0 where there is none.
+    pub fn largest(&self) -> f64 {
+        self.distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+
+    pub(crate) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        self.triangles[triangle].map(|corner| self.positions[corner as usize])
+    }
+
+    /// The distances at the corners; none where one is infinite.
+    pub(crate) fn corner_distances(&self, triangle: usize) -> Option<[f64; 3]> {
+        let distances = self.triangles[triangle].map(|corner| self.distances[corner as usize]);
+        distances.iter().all(|distance| distance.is_finite()).then_some(distances)
+    }
+
+    /// The vertices that a half-edge leaves and enters.
+    pub(crate) fn ends(&self, halfedge: usize) -> [usize; 2] {
+        let corners = self.triangles[halfedge / 3];
+        let k = halfedge % 3;
+        [corners[k] as usize, corners[(k + 1) % 3] as usize]
+    }
+
+    pub(crate) fn twin(&self, halfedge: usize) -> Option<usize> {
+        self.edges.twin(halfedge)
+    }
+
+    pub(crate) fn edges(&self) -> &Edges {
+        &self.edges
+    }
+
+    /// Where an edge is at a value: one end is below it, and the other is not. The same point from both sides, to the last
+    /// bit, for it is always found from the end below.
+    pub(crate) fn crossing(&self, halfedge: usize, value: f64) -> DVec3 {
+        let [a, b] = self.ends(halfedge);
+        let (below, above) = if self.distances[a] < value { (a, b) } else { (b, a) };
+        let (low, high) = (self.distances[below], self.distances[above]);
+        if high == value {
+            return self.positions[above];
+        }
+        // Halves first: the difference of two large numbers may be none.
+        let share = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);
+        self.positions[below].lerp(self.positions[above], share)
+    }
+}
+
+/// Which half-edges lie on the same edge.
+#[derive(Debug, Clone)]
+pub(crate) struct Edges {
+    /// `3 #F`, the half-edge on the other side; [`NONE`] where there is no one neighbor.
+    twins: Vec<u32>,
+    /// `3 #F`, the edge of each half-edge; an edge is a pair of vertices.
+    numbers: Vec<u32>,
+    count: usize,
+}
+
+impl Edges {
+    /// The half-edge on the other side of an edge of two triangles that agree in orientation.
+    pub(crate) fn twin(&self, halfedge: usize) -> Option<usize> {
+        Some(self.twins[halfedge]).filter(|&twin| twin != NONE).map(|twin| twin as usize)
+    }
+
+    /// The edge that a half-edge lies on, counted from 0.
+    pub(crate) fn number(&self, halfedge: usize) -> usize {
+        self.numbers[halfedge] as usize
+    }
+
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
+        let ends = |halfedge: usize| {
+            let (corners, k) = (triangles[halfedge / 3], halfedge % 3);
+            (corners[k], corners[(k + 1) % 3])
+        };
+        let sorted_ends = |halfedge: u32| {
+            let (a, b) = ends(halfedge as usize);
+            (a.min(b), a.max(b))
+        };
+        let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
+        order.sort_by_key(|&halfedge| (sorted_ends(halfedge), halfedge));
+        let mut twins = vec![NONE; order.len()];
+        let mut numbers = vec![0; order.len()];
+        let mut count = 0;
+        for group in order.chunk_by(|&a, &b| sorted_ends(a) == sorted_ends(b)) {
+            group.iter().for_each(|&halfedge| numbers[halfedge as usize] = count);
+            count += 1;
+            if let &[a, b] = group
+                && ends(a as usize).0 != ends(b as usize).0
+            {
+                (twins[a as usize], twins[b as usize]) = (b, a);
+            }
+        }
+        Self { twins, numbers, count: count as usize }
+    }
+}

@@ -1,0 +1,25 @@
+//! Isolines of a distance on a surface, the surface cut along them into strips, and strips unrolled into the plane.
+//!
+//! A [`Field`] is a surface with a value at each vertex, linear on each triangle. [`Levels`] are the values whose isolines are
+//! wanted; [`Isolines::trace`] finds the curves, [`Strips::cut`] the strips between them, [`Sheet::unroll`] their plane
+//! shapes. [`write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
+
+mod area;
+mod error;
+mod field;
+mod isolines;
+mod levels;
+mod sheet;
+mod strips;
+mod unroll;
+#[cfg(target_arch = "wasm32")]
+mod web;
+pub mod write;
+
+pub use error::{Error, Result};
+pub use field::Field;
+pub use isolines::{Curve, Isoline, Isolines};
+pub use levels::{Levels, MOST_LEVELS};
+pub use sheet::{Plane, Sheet};
+pub use strips::Strips;
+pub use unroll::{MAX_DEFECT, NotDevelopable};

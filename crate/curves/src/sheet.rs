@@ -1,0 +1,79 @@
+//! The strips of a surface unrolled and laid side by side.
+
+use glam::DVec2;
+
+use crate::error::Result;
+use crate::strips::Strips;
+use crate::unroll::pieces;
+
+/// Space between shapes, in shares of the width of a sheet.
+const GAP: f64 = 0.02;
+
+/// The plane shape of a piece of a strip.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plane {
+    /// Which strip it is a piece of.
+    pub strip: usize,
+    /// Closed loops, in the field's unit: counter-clockwise around the shape, clockwise around its holes. Where a ring was cut
+    /// open, its loop goes along both sides of the cut. A ring that winds by more than a turn overlaps itself.
+    pub loops: Vec<Vec<DVec2>>,
+}
+
+/// Plane shapes side by side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    /// By strips, each where it lies on the sheet; X points right and Y up.
+    pub planes: Vec<Plane>,
+    /// Width and height; the sheet begins at 0, 0.
+    pub size: DVec2,
+}
+
+impl Sheet {
+    /// Unrolls all pieces of all strips.
+    ///
+    /// # Errors
+    /// [`Error::NotDevelopable`](crate::Error::NotDevelopable) for the first that is curved.
+    pub fn unroll(strips: &Strips) -> Result<Self> {
+        let mut planes = Vec::new();
+        for strip in 0..strips.ranges.len() {
+            for piece in pieces(strips, strip) {
+                planes.push(Plane { strip, loops: piece.unroll()? });
+            }
+        }
+        Ok(Self::arranged(planes))
+    }
+
+    /// Lays shapes in rows about as wide as all rows are high, the highest first.
+    fn arranged(mut planes: Vec<Plane>) -> Self {
+        let sizes: Vec<DVec2> = planes.iter_mut().map(Plane::to_origin).collect();
+        let area: f64 = sizes.iter().map(|size| size.x * size.y).sum();
+        let widest = sizes.iter().map(|size| size.x).fold(0.0, f64::max);
+        let width = area.sqrt().max(widest);
+        let gap = GAP * width;
+        let mut order: Vec<usize> = (0..planes.len()).collect();
+        order.sort_by(|&a, &b| sizes[b].y.total_cmp(&sizes[a].y));
+        let (mut at, mut row, mut size) = (DVec2::splat(gap), 0.0_f64, DVec2::ZERO);
+        for index in order {
+            if at.x > gap && at.x + sizes[index].x > width + gap {
+                at = DVec2::new(gap, at.y + row + gap);
+                row = 0.0;
+            }
+            planes[index].loops.as_mut_slice().iter_mut().flatten().for_each(|point| *point += at);
+            row = row.max(sizes[index].y);
+            size = size.max(at + sizes[index] + gap);
+            at.x += sizes[index].x + gap;
+        }
+        Self { planes, size }
+    }
+}
+
+impl Plane {
+    /// Moves the shape so that the box around it begins at 0, 0; the size of the box.
+    fn to_origin(&mut self) -> DVec2 {
+        let points = || self.loops.iter().flatten().copied();
+        let low = points().reduce(DVec2::min).unwrap_or_default();
+        let high = points().reduce(DVec2::max).unwrap_or_default();
+        self.loops.iter_mut().flatten().for_each(|point| *point -= low);
+        high - low
+    }
+}

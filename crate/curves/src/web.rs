@@ -1,0 +1,176 @@
+//! The interface to JavaScript.
+
+use glam::DVec3;
+use heatwalk::{Soup, Up, io};
+use heatwalk_bindings::{Failure, Result, resources};
+use heatwalk_scene::DrawTransform;
+use js_sys::Function;
+use wasm_bindgen::prelude::*;
+
+use crate::error::Error;
+use crate::field::Field;
+use crate::isolines::{Isoline, Isolines};
+use crate::levels::Levels;
+use crate::sheet::Sheet;
+use crate::strips::Strips;
+use crate::write;
+
+/// Isolines of a field, and all that is made of them.
+#[wasm_bindgen]
+pub struct Curves {
+    field: Field,
+    levels: Levels,
+    isolines: Isolines,
+}
+
+/// The types of arguments that have no type in Rust.
+#[wasm_bindgen(typescript_custom_section)]
+const ARGUMENTS: &str = "
+import type { Up } from '../contract';
+
+/** The bytes of the file that a mesh refers to by this relative URI; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
+";
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::misuse(&error.to_string())
+    }
+}
+
+#[wasm_bindgen]
+impl Curves {
+    /// Traces isolines: `positions` are `#V × 3`, `triangles` `#F × 3`, `distances` `#V`. They are at these `values` or, where there
+    /// are none, at the multiples of a `spacing`.
+    ///
+    /// # Errors
+    /// As [`Field::new`] and [`Levels`].
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        positions: &[f64],
+        triangles: &[u32],
+        distances: Vec<f64>,
+        values: &[f64],
+        spacing: f64,
+    ) -> Result<Self> {
+        let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
+        let field = Field::new(positions, triangles.as_chunks().0.to_vec(), distances)?;
+        let levels = match values {
+            [] => Levels::spaced(spacing, field.largest())?,
+            values => Levels::at(values)?,
+        };
+        let isolines = Isolines::trace(&field, &levels);
+        Ok(Self { field, levels, isolines })
+    }
+
+    /// `#isolines × 5`: value, length, enclosed area, how many curves, and how many of them are closed.
+    pub fn table(&self) -> Vec<f64> {
+        let row = |isoline: &Isoline| {
+            let closed = isoline.curves.iter().filter(|curve| curve.is_closed).count();
+            [isoline.value, isoline.length, isoline.enclosed_area, isoline.curves.len() as f64, closed as f64]
+        };
+        self.isolines.isolines.iter().flat_map(row).collect()
+    }
+
+    /// `#segments × 2 × 3`, ends of all segments, as they are drawn.
+    ///
+    /// # Errors
+    /// For a center that is not three numbers, or an axis that there is not.
+    pub fn ends(
+        &self,
+        center: &[f64],
+        scale: f64,
+        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+    ) -> Result<Vec<f32>> {
+        let center = center.try_into().map_err(|_| Failure::misuse("a center is three numbers"))?;
+        let transform = DrawTransform { center: DVec3::from_array(center), scale, up: up.parse()? };
+        let curves = self.isolines.isolines.iter().flat_map(|isoline| &isoline.curves);
+        Ok(transform.places(curves.flat_map(|curve| curve.segments().flatten())))
+    }
+
+    /// A file of the curves: "obj", "dxf", "csv" or "glb"; "strips.obj", of the surface cut along them; "unrolled.svg" or
+    /// "unrolled.dxf", of its strips in the plane.
+    ///
+    /// # Errors
+    /// Where a strip is curved, or for another kind of file.
+    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
+        let strips = || Strips::cut(&self.field, &self.levels);
+        Ok(match kind {
+            "obj" => write::obj(&self.isolines),
+            "dxf" => write::dxf(&self.isolines),
+            "csv" => write::csv(&self.isolines),
+            "glb" => write::glb(&self.isolines),
+            "strips.obj" => write::strips_obj(&strips()?),
+            "unrolled.svg" | "unrolled.dxf" => {
+                let strips = strips()?;
+                let sheet = Sheet::unroll(&strips)?;
+                if kind == "unrolled.svg" {
+                    write::sheet_svg(&sheet, &strips)
+                } else {
+                    write::sheet_dxf(&sheet, &strips)
+                }
+            }
+            _ => return Err(Failure::misuse("there is no such file of curves")),
+        })
+    }
+
+    /// An SVG of what is seen of them from far away, in this direction as it is drawn where the axis `up` is drawn upward.
+    ///
+    /// # Errors
+    /// For no direction, or an axis that there is not.
+    pub fn svg(&self, toward_eye: &[f64], #[wasm_bindgen(unchecked_param_type = "Up")] up: &str) -> Result<Vec<u8>> {
+        let up: Up = up.parse()?;
+        let toward_eye = toward_eye.try_into().map(DVec3::from_array);
+        let toward_eye = toward_eye.map_err(|_| Failure::misuse("a direction is three numbers"))?;
+        // What is drawn like this, in the file.
+        let in_file = |drawn: DVec3| DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)));
+        let view = write::View::from_direction(&self.field, in_file(toward_eye), in_file(DVec3::Y));
+        let view = view.ok_or_else(|| Failure::misuse("a direction has a length"))?;
+        Ok(write::svg(&self.isolines, &self.field, &view))
+    }
+}
+
+/// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
+/// `triangles` `#F × 3`.
+///
+/// # Errors
+/// For another kind of file.
+#[wasm_bindgen]
+pub fn distance_file(kind: &str, positions: &[f64], triangles: &[u32], distances: &[f64]) -> Result<Vec<u8>> {
+    let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
+    let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
+    distances_in(kind, &soup, distances)
+}
+
+/// The same of some parts of a mesh file, with its materials where the kind of file has these. `resource` gives the bytes of files
+/// that it refers to.
+///
+/// # Errors
+/// As reading the file has.
+#[wasm_bindgen]
+pub fn distance_file_of(
+    kind: &str,
+    name: &str,
+    bytes: &[u8],
+    #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    parts: &[u32],
+    distances: &[f64],
+) -> Result<Vec<u8>> {
+    let file = io::read(name, bytes, &resources(resource))?;
+    let parts: Vec<usize> = parts.iter().map(|&part| part as usize).collect();
+    distances_in(kind, &file.select(&parts)?, distances)
+}
+
+fn distances_in(kind: &str, soup: &Soup, distances: &[f64]) -> Result<Vec<u8>> {
+    if soup.positions.len() != distances.len() {
+        return Err(Failure::misuse("there is not one distance for each vertex of the file"));
+    }
+    Ok(match kind {
+        "csv" => io::write::distance_csv(&[("distance", distances)]),
+        "npy" => io::write::distance_npy(distances),
+        "ply" => io::write::distance_ply(soup, distances),
+        "weights.ply" => io::write::weights_ply(soup, distances),
+        "glb" => io::write::distance_glb(soup, distances),
+        _ => return Err(Failure::misuse("there is no such file of distances")),
+    })
+}

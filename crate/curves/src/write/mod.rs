@@ -1,0 +1,13 @@
+//! Isolines, strips and sheets as bytes of a file. All positions are in the field's unit, turned by nothing.
+
+mod csv;
+mod dxf;
+mod glb;
+mod obj;
+mod svg;
+
+pub use csv::csv;
+pub use dxf::{dxf, sheet_dxf};
+pub use glb::glb;
+pub use obj::{obj, strips_obj};
+pub use svg::{View, sheet_svg, svg};

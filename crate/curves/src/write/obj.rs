@@ -1,0 +1,45 @@
+//! Wavefront OBJ ("Object Files (.obj)", Alias|Wavefront, appendix B1): elements `l`, `f` and groups `g`.
+
+use std::fmt::Write as _;
+
+use crate::isolines::Isolines;
+use crate::strips::Strips;
+
+// Writing to a String cannot fail.
+
+/// A group an isoline, a line a curve; a closed one returns to its first point.
+pub fn obj(isolines: &Isolines) -> Vec<u8> {
+    let mut text = String::from("# isolines of a distance by Heatwalk\n");
+    let mut first = 1;
+    for isoline in &isolines.isolines {
+        let _ = writeln!(text, "g isoline_{}", isoline.value);
+        for curve in &isoline.curves {
+            for point in &curve.points {
+                let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);
+            }
+            let end = first + curve.points.len();
+            text.push('l');
+            for index in (first..end).chain(curve.is_closed.then_some(first)) {
+                let _ = write!(text, " {index}");
+            }
+            text.push('\n');
+            first = end;
+        }
+    }
+    text.into_bytes()
+}
+
+/// A group a strip, with its triangles; vertices on isolines belong to the strips on both sides.
+pub fn strips_obj(strips: &Strips) -> Vec<u8> {
+    let mut text = String::from("# strips between isolines by Heatwalk\n");
+    for point in &strips.positions {
+        let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);
+    }
+    for (strip, range) in strips.ranges.iter().enumerate().filter(|(_, range)| !range.is_empty()) {
+        let _ = writeln!(text, "g {}", strips.name(strip));
+        for [a, b, c] in &strips.triangles[range.clone()] {
+            let _ = writeln!(text, "f {} {} {}", u64::from(*a) + 1, u64::from(*b) + 1, u64::from(*c) + 1);
+        }
+    }
+    text.into_bytes()
+}

@@ -1,0 +1,210 @@
+//! Isolines, strips and unrolled shapes against what is known of planes, spheres and cylinders.
+
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips};
+use heatwalk_shapes as shapes;
+use heatwalk_surface::{Soup, Surface};
+
+/// A welded shape with a value at each vertex.
+fn field(soup: &Soup, distance: impl Fn(DVec3) -> f64) -> Field {
+    let surface = Surface::build(soup).unwrap();
+    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+    let distances = surface.positions().iter().map(|&position| distance(position)).collect();
+    Field::new(surface.positions().iter().copied().collect(), triangles, distances).unwrap()
+}
+
+fn trace(field: &Field, values: &[f64]) -> Isolines {
+    Isolines::trace(field, &Levels::at(values).unwrap())
+}
+
+fn area(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let of = |&[a, b, c]: &[u32; 3]| {
+        let [a, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    triangles.iter().map(of).sum()
+}
+
+/// An open tube of radius 1 around Z, from 0 to `height`, triangulated; its facets are flat.
+fn tube(around: u32, rings: u32, height: f64) -> Soup {
+    let place = |ring: u32, index: u32| {
+        let angle = TAU * f64::from(index) / f64::from(around);
+        DVec3::new(angle.cos(), angle.sin(), height * f64::from(ring) / f64::from(rings))
+    };
+    let positions = (0..=rings).flat_map(|ring| (0..around).map(move |index| place(ring, index))).collect();
+    let square = |ring: u32, index: u32| {
+        let next = (index + 1) % around;
+        let [a, b, c, d] =
+            [ring * around + index, ring * around + next, (ring + 1) * around + next, (ring + 1) * around + index];
+        [[a, b, c], [a, c, d]]
+    };
+    let triangles = (0..rings).flat_map(|ring| (0..around).flat_map(move |index| square(ring, index))).collect();
+    Soup::single("tube", positions, triangles)
+}
+
+fn triangle(distances: [f64; 3]) -> Field {
+    Field::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]], distances.to_vec()).unwrap()
+}
+
+#[test]
+fn isolines_of_a_linear_function_are_straight_across_the_plane() {
+    let field = field(&shapes::grid(7, 5), |position| position.x);
+    let traced = trace(&field, &[0.25, 0.6]);
+    for (isoline, value) in traced.isolines.iter().zip([0.25, 0.6]) {
+        assert_eq!(isoline.curves.len(), 1);
+        assert!(!isoline.curves[0].is_closed);
+        assert!((isoline.length - 1.0).abs() < 1e-14);
+        assert!((isoline.enclosed_area - value).abs() < 1e-14);
+        assert!(isoline.curves[0].points.iter().all(|point| (point.x - value).abs() < 1e-15));
+    }
+}
+
+#[test]
+fn an_isoline_on_a_sphere_is_a_parallel() {
+    let soup = shapes::icosphere(6);
+    let field = field(&soup, |position| position.normalize().z.acos());
+    for value in [0.3, 1.0, PI / 2.0, 2.5] {
+        let [isoline] = &trace(&field, &[value]).isolines[..] else { panic!("one level") };
+        let [curve] = &isoline.curves[..] else { panic!("one curve, not {}", isoline.curves.len()) };
+        assert!(curve.is_closed && curve.triangles.len() == curve.points.len());
+        // Edges are at most 0.02 long; linear interpolation and chords are off by their squares.
+        assert!((isoline.length / (TAU * value.sin()) - 1.0).abs() < 2e-3, "length {}", isoline.length);
+        assert!((isoline.enclosed_area / (TAU * (1.0 - value.cos())) - 1.0).abs() < 2e-3);
+        // Larger distances, to the south, are on the left: westward seen from outside.
+        let turning: f64 = curve.segments().map(|[from, to]| from.x * to.y - from.y * to.x).sum();
+        assert!(turning < 0.0);
+    }
+}
+
+#[test]
+fn a_vertex_at_the_value_counts_as_farther_and_gives_no_point_twice() {
+    // Every vertex of a row of the grid is at the value.
+    let field = field(&shapes::grid(8, 8), |position| position.x);
+    let [isoline] = &trace(&field, &[0.5]).isolines[..] else { panic!("one level") };
+    let [curve] = &isoline.curves[..] else { panic!("one curve") };
+    assert_eq!(curve.points.len(), 9);
+    assert_eq!(isoline.length, 1.0);
+    assert_eq!(isoline.enclosed_area, 0.5);
+    // A corner that is the farthest place is a point, which is no curve.
+    assert!(trace(&triangle([0.0, 0.0, 1.0]), &[1.0]).isolines[0].curves.is_empty());
+    assert_eq!(trace(&triangle([0.0, 1.0, 1.0]), &[1.0]).isolines[0].curves.len(), 1);
+    assert!(trace(&triangle([1.0, 1.0, 1.0]), &[1.0]).isolines[0].curves.is_empty());
+}
+
+#[test]
+fn curves_are_a_component_each_and_closed_as_rings_are() {
+    let field = field(&shapes::torus(1.0, 0.3, 40, 20), |position| position.x + 2.0);
+    let counts = |value: f64| trace(&field, &[value]).isolines[0].curves.iter().filter(|curve| curve.is_closed).count();
+    // A plane cuts a torus once at its sides and twice through its hole.
+    assert_eq!([counts(0.8), counts(2.01), counts(3.2)], [1, 2, 1]);
+}
+
+#[test]
+fn what_is_not_reached_has_no_isolines_and_no_strips() {
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
+    let field = Field::new(positions, vec![[0, 1, 2], [1, 3, 2]], vec![0.0, 1.0, 1.0, f64::INFINITY]).unwrap();
+    let [isoline] = &trace(&field, &[0.5]).isolines[..] else { panic!("one level") };
+    assert_eq!((isoline.curves.len(), isoline.enclosed_area), (1, 0.125));
+    let strips = Strips::cut(&field, &Levels::at(&[0.5]).unwrap()).unwrap();
+    assert!((area(&strips.positions, &strips.triangles) - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn curves_end_where_three_triangles_share_an_edge() {
+    // Three wings on the edge from 0 to 1.
+    let positions = vec![DVec3::ZERO, DVec3::Z, DVec3::X, DVec3::Y, -DVec3::X];
+    let field = Field::new(positions, vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]], vec![0.0, 1.0, 0.0, 0.0, 0.0]).unwrap();
+    let [isoline] = &trace(&field, &[0.5]).isolines[..] else { panic!("one level") };
+    assert_eq!(isoline.curves.len(), 3);
+    let middle = DVec3::new(0.0, 0.0, 0.5);
+    for curve in &isoline.curves {
+        assert!(!curve.is_closed && curve.points.contains(&middle));
+    }
+}
+
+#[test]
+fn strips_fit_together_keep_the_area_and_lie_between_their_values() {
+    let soup = shapes::icosphere(4);
+    let field = field(&soup, |position| position.normalize().z.acos());
+    let levels = Levels::counted(40, field.largest()).unwrap();
+    let strips = Strips::cut(&field, &levels).unwrap();
+    let whole = area(field.positions(), field.triangles());
+    assert!((area(&strips.positions, &strips.triangles) / whole - 1.0).abs() < 1e-12);
+    let mut sides: HashMap<(u32, u32), u32> = HashMap::new();
+    for corners in &strips.triangles {
+        (0..3).for_each(|k| *sides.entry((corners[k], corners[(k + 1) % 3])).or_default() += 1);
+    }
+    assert!(sides.iter().all(|(&(a, b), &count)| count == 1 && sides.get(&(b, a)) == Some(&1)), "watertight");
+    let isolines = Isolines::trace(&field, &levels);
+    let mut nearer = 0.0;
+    for (strip, range) in strips.ranges.iter().enumerate() {
+        let [low, high] = strips.bounds(strip);
+        for &corner in strips.triangles[range.clone()].as_flattened() {
+            let distance = strips.distances[corner as usize];
+            assert!(low.is_none_or(|low| low <= distance) && high.is_none_or(|high| distance <= high));
+        }
+        nearer += area(&strips.positions, &strips.triangles[range.clone()]);
+        if let Some(isoline) = isolines.isolines.get(strip) {
+            assert!((nearer / isoline.enclosed_area - 1.0).abs() < 1e-9, "strip {strip}");
+        }
+    }
+}
+
+#[test]
+fn a_triangle_of_one_value_is_in_one_strip() {
+    let strips = Strips::cut(&triangle([1.0, 1.0, 1.0]), &Levels::at(&[1.0]).unwrap()).unwrap();
+    assert_eq!(strips.ranges, [0..0, 0..1]);
+}
+
+#[test]
+fn a_ring_around_a_tube_unrolls_to_a_rectangle() {
+    let (around, height) = (24, 3.0);
+    let field = field(&tube(around, 9, height), |position| position.z);
+    let strips = Strips::cut(&field, &Levels::at(&[0.7, 1.9]).unwrap()).unwrap();
+    let sheet = Sheet::unroll(&strips).unwrap();
+    assert_eq!(sheet.planes.len(), 3);
+    let girth = f64::from(around) * 2.0 * (PI / f64::from(around)).sin();
+    for (plane, width) in sheet.planes.iter().zip([0.7, 1.2, 1.1]) {
+        let [outline] = &plane.loops[..] else { panic!("a ring is cut open into one loop") };
+        let next = |index: usize| outline[(index + 1) % outline.len()];
+        let doubled: f64 = outline.iter().enumerate().map(|(index, point)| point.perp_dot(next(index))).sum();
+        assert!((0.5 * doubled - girth * width).abs() < 1e-9, "counter-clockwise, with the area of the ring");
+        let inside = |point: &glam::DVec2| point.cmpge(glam::DVec2::ZERO).all() && point.cmple(sheet.size).all();
+        assert!(outline.iter().all(inside));
+    }
+}
+
+#[test]
+fn what_is_curved_is_refused_with_its_largest_defect() {
+    let field = field(&shapes::icosphere(2), |position| position.normalize().z.acos());
+    let strips = Strips::cut(&field, &Levels::at(&[1.0]).unwrap()).unwrap();
+    let Err(Error::NotDevelopable(refused)) = Sheet::unroll(&strips) else { panic!("a cap of a sphere is curved") };
+    assert!(refused.largest > 0.05 && refused.total >= refused.largest);
+    assert!(refused.to_string().contains(&format!("{:.4} rad at vertex {}", refused.largest, refused.vertex)));
+}
+
+#[test]
+fn levels_are_multiples_of_a_spacing_or_equal_shares() {
+    assert_eq!(Levels::spaced(0.5, 2.0).unwrap().values(), [0.5, 1.0, 1.5]);
+    assert_eq!(Levels::counted(3, 2.0).unwrap().values(), [0.5, 1.0, 1.5]);
+    assert_eq!(Levels::at(&[3.0, 1.0, 3.0]).unwrap().values(), [1.0, 3.0]);
+    for bad in [0.0, -1.0, f64::NAN, 2.0] {
+        assert!(matches!(Levels::spaced(bad, 2.0), Err(Error::NoLevel { .. })), "{bad}");
+    }
+    assert!(matches!(Levels::spaced(1e-9, 2.0), Err(Error::TooManyLevels { .. })));
+    assert!(matches!(Levels::counted(0, 2.0), Err(Error::NoLevel { .. })));
+    assert!(matches!(Levels::at(&[f64::INFINITY]), Err(Error::NoLevel { .. })));
+}
+
+#[test]
+fn rejects_fields_that_do_not_fit() {
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    let new =
+        |triangle, distances: &[f64]| Field::new(positions.clone(), vec![triangle], distances.to_vec()).unwrap_err();
+    assert!(matches!(new([0, 1, 2], &[0.0]), Error::CountMismatch { vertices: 3, distances: 1 }));
+    assert!(matches!(new([0, 1, 3], &[0.0; 3]), Error::IndexOutOfRange { triangle: 0, vertex: 3, vertices: 3 }));
+    assert!(matches!(new([0, 1, 2], &[0.0, f64::NAN, 0.0]), Error::NotANumber { vertex: 1, what: "distance" }));
+}

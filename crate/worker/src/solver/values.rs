@@ -1,0 +1,37 @@
+//! The last field as it was found, for files: in double precision, over welded vertices.
+
+use heatwalk::InputVertex;
+use heatwalk_bindings::Result;
+use js_sys::{Float64Array, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use super::Solver;
+
+#[wasm_bindgen]
+impl Solver {
+    /// `#V × 3`, vertices of the surface as it is shown, in the file's unit.
+    pub fn positions(&self) -> Float64Array {
+        let numbers: Vec<f64> = self.shown.positions().iter().flat_map(|position| position.to_array()).collect();
+        numbers.as_slice().into()
+    }
+
+    /// `#F × 3`, triangles of the surface.
+    pub fn faces(&self) -> Uint32Array {
+        let corners: Vec<u32> = self.shown.faces().iter().flat_map(|face| face.map(|vertex| vertex.0)).collect();
+        corners.as_slice().into()
+    }
+
+    /// `#V`, the last field.
+    pub fn distances(&self) -> Result<Float64Array> {
+        let values: Vec<f64> = self.solved()?.distance.values.iter().copied().collect();
+        Ok(values.as_slice().into())
+    }
+
+    /// Of each vertex of the input the vertex that it became; 2³² − 1 where no triangle uses it.
+    pub fn vertices_of_inputs(&self) -> Uint32Array {
+        let inputs = (0..self.shown.report().input_vertices as u32).map(InputVertex);
+        let vertices: Vec<u32> =
+            inputs.map(|input| self.shown.vertex_of_input(input).map_or(u32::MAX, |vertex| vertex.0)).collect();
+        vertices.as_slice().into()
+    }
+}

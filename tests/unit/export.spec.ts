@@ -1,0 +1,75 @@
+import { expect, test } from '@playwright/test';
+import type { SurfacePath } from '../../web/protocol';
+import { pathFile, pathPoints, towardEye, wishOf } from '../../web/session/export';
+import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
+import { emptyScene } from '../../web/state/scene';
+
+const REPORT = { degenerateFaces: 0, duplicateFaces: 0, flippedFaces: 0 } as Measured['opened']['report'];
+const STATE = { ...emptyScene({ kind: 'preset', id: 'torus' }), sources: [{ vertex: 7 }] };
+const MEASURED: Measured = {
+  state: STATE,
+  mesh: 'shape:torus',
+  opened: {
+    simplified: null,
+    interior: null,
+    report: REPORT,
+    active: [0],
+    parts: [{ name: 'torus', triangles: 2 }],
+    clips: [],
+  },
+  field: { exactBelow: Infinity, windows: undefined },
+};
+
+test('isolines are at a spacing, at values, or where the stripes are', () => {
+  expect(wishOf('', 0.3)).toEqual({ values: [], spacing: 0.3 });
+  expect(wishOf(' 0.5 ', 0.3)).toEqual({ values: [], spacing: 0.5 });
+  expect(wishOf('0.5,', 0.3)).toEqual({ values: [0.5], spacing: 0 });
+  expect(wishOf('0.5, 1e0;2', 0.3)).toEqual({ values: [0.5, 1, 2], spacing: 0 });
+  expect(() => wishOf('0.5, far', 0.3)).toThrow('far is no distance');
+});
+
+test('the command line names the mesh, the sources and what found the distances', () => {
+  expect(commandLine(MEASURED)).toBe('heatwalk distance shape:torus --source 7 --method exact --output distances.csv');
+  const parameters = { ...STATE.parameters, timeStep: 10, exactRadius: Infinity };
+  const sources = [{ face: 3, weights: [0.25, 0.25, 0.5] as [number, number, number], offset: 2 }];
+  const state = { ...STATE, parameters, sources, links: 1, parts: [1] };
+  const opened = { ...MEASURED.opened, active: [1], parts: [...MEASURED.opened.parts, ...MEASURED.opened.parts] };
+  const asked = { ...MEASURED, state, opened, mesh: "a cow's.obj", field: { exactBelow: 0, windows: undefined } };
+  expect(commandLine(asked)).toBe(
+    String.raw`heatwalk distance 'a cow'\''s.obj' --part 1 --source 3:0.25,0.25,0.5@2 --link 1 --method heat --t 10 --near inf --output distances.csv`,
+  );
+  expect(commandLine({ ...MEASURED, field: { exactBelow: 1, windows: 2 } })).toContain(
+    '--method propagation --windows 2',
+  );
+  expect(pythonLines(MEASURED)).toContain('subprocess.run("heatwalk distance shape:torus');
+});
+
+test('what the program cannot be asked for is refused with the reason', () => {
+  const painted = { ...STATE, ground: { ...STATE.ground, slope: true } };
+  expect(() => commandLine({ ...MEASURED, state: painted })).toThrow('Paint, walls and slopes');
+  const dropped = { ...MEASURED.opened, report: { ...REPORT, flippedFaces: 1 } };
+  const inside = { ...STATE, sources: [{ face: 0, weights: [1, 0, 0] as [number, number, number] }] };
+  expect(() => commandLine({ ...MEASURED, state: inside, opened: dropped })).toThrow('only found again at vertices');
+});
+
+test('paths are written in the unit of the file', () => {
+  const path = { points: Float32Array.of(0, 0, 0, 1, 2, 3) } as SurfacePath;
+  const points = pathPoints(path, { center: [10, 20, 30], scale: 2, up: 'z' });
+  // Drawn along Y is along Z in the file, and drawn along Z is against Y.
+  expect(points).toEqual([
+    [10, 20, 30],
+    [10.5, 18.5, 31],
+  ]);
+  expect(pathFile('obj', points)).toContain('v 10.5 18.5 31\nl 1 2\n');
+  expect(
+    pathFile('csv', [
+      [0, 0, 0],
+      [0, 3, 4],
+    ]),
+  ).toBe('length,x,y,z\n0,0,0,0\n5,0,3,4\n');
+});
+
+test('the eye is where yaw and pitch say', () => {
+  expect(towardEye([0, 0])).toEqual([0, 0, 1]);
+  expect(towardEye([0, Math.PI / 2])[1]).toBe(1);
+});

@@ -1,0 +1,85 @@
+/** The lines that reproduce the numbers of a scene with the program `heatwalk`. */
+import type { DistanceField, OpenedMesh, Source } from '../protocol';
+import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
+import { isPainted } from './ground';
+import type { SceneState } from './scene';
+
+/** What is measured: of the scene, the mesh that it has, and the field that is shown. */
+export interface Measured {
+  state: SceneState;
+  /** A file name, or `shape:NAME`. */
+  mesh: string;
+  opened: Pick<OpenedMesh, 'simplified' | 'interior' | 'report' | 'active' | 'parts' | 'clips'>;
+  field: Pick<DistanceField, 'exactBelow' | 'windows'>;
+}
+
+/**
+ * The command that writes the distances to a CSV file.
+ *
+ * @throws Error where the program cannot be asked for the same, with the reason.
+ */
+export function commandLine({ state, mesh, opened, field }: Measured): string {
+  if (opened.interior) throw new Error('Distances inside of tetrahedra made on this page have no command line.');
+  if (opened.simplified) throw new Error('The mesh was simplified on this page; save it, and open the saved mesh.');
+  const { slope, highest } = state.ground;
+  if (isPainted(state.ground) || slope || highest !== 1)
+    throw new Error('Paint, walls and slopes of this page have no command line.');
+  const words = ['heatwalk', 'distance', quoted(mesh)];
+  if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
+  const { clip, seconds, live } = state.animation;
+  if (live && clip !== null) words.push(`--animation ${clip} --time ${seconds}`);
+  words.push(...state.sources.map((source) => `--source ${sourceWord(source, opened)}`));
+  if (state.bridge !== AUTOMATIC) words.push(`--bridge ${state.bridge}`);
+  if (state.links > 0) words.push(`--link ${state.links}`);
+  words.push(...methodWords(state, field), '--output distances.csv');
+  return words.join(' ');
+}
+
+/** The same from Python, by the program, as an array of NumPy. */
+export function pythonLines(measured: Measured): string {
+  return [
+    'import subprocess',
+    'import numpy',
+    `subprocess.run(${pythonText(commandLine(measured))}, shell=True, check=True)`,
+    "distances = numpy.loadtxt('distances.csv', delimiter=',', skiprows=1)[:, 1]",
+  ].join('\n');
+}
+
+function methodWords({ method, parameters, windows }: SceneState, field: Measured['field']): string[] {
+  if (field.exactBelow === Infinity) return ['--method exact'];
+  if (method !== 'heat' || field.windows !== undefined)
+    return [`--method propagation --windows ${field.windows ?? windows}`];
+  const words = ['--method heat'];
+  const options = [
+    ['operator', 'operator'],
+    ['solver', 'solver'],
+    ['boundary', 'boundary'],
+    ['t', 'timeStep'],
+    ['near', 'exactRadius'],
+    ['multi', 'sources'],
+  ] as const;
+  for (const [option, key] of options) {
+    const value = parameters[key];
+    if (value !== DEFAULT_PARAMETERS[key]) words.push(`--${option} ${value === Infinity ? 'inf' : value}`);
+  }
+  return words;
+}
+
+function sourceWord(source: Source, { report }: Pick<OpenedMesh, 'report'>): string {
+  const from = source.offset ? `@${source.offset}` : '';
+  if ('vertex' in source) return `${source.vertex}${from}`;
+  if (!('face' in source)) throw new Error('A source inside of tetrahedra has no place on a surface.');
+  // The page counts the triangles that were kept, with the corners that they have since.
+  if (report.degenerateFaces + report.duplicateFaces + report.flippedFaces > 0) {
+    throw new Error('Triangles of the file were left out or flipped, so sources are only found again at vertices.');
+  }
+  return `${source.face}:${source.weights.join(',')}${from}`;
+}
+
+function quoted(name: string): string {
+  return /^[\w./:#-]+$/.test(name) && !name.startsWith('-') ? name : `'${name.replaceAll("'", String.raw`'\''`)}'`;
+}
+
+function pythonText(text: string): string {
+  return JSON.stringify(text);
+}

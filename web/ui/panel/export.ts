@@ -1,0 +1,187 @@
+import type { CurveFile, DistanceFile, Isolines } from '../../protocol';
+import { pathFile, pathPoints, stripeSpacing, towardEye, wishOf } from '../../session/export';
+import type { Engine } from '../../solver/engine';
+import type { Session } from '../../session/session';
+import { commandLine, type Measured, pythonLines } from '../../state/reproduce';
+import { unitOf } from '../../state/scene';
+import { save } from '../../view/picture';
+import { h, select } from '../dom';
+import { length, unitWords } from '../words';
+
+const CURVES: readonly (readonly [CurveFile['kind'], string])[] = [
+  ['obj', 'Curves, OBJ'],
+  ['dxf', 'Curves, DXF'],
+  ['svg', 'Curves as seen, SVG'],
+  ['csv', 'Curves, CSV'],
+  ['glb', 'Curves, GLB'],
+  ['strips.obj', 'Strips, OBJ'],
+  ['unrolled.svg', 'Strips unrolled, SVG'],
+  ['unrolled.dxf', 'Strips unrolled, DXF'],
+];
+const DISTANCES: readonly (readonly [DistanceFile, string])[] = [
+  ['csv', 'CSV'],
+  ['npy', 'NumPy'],
+  ['ply', 'PLY, double'],
+  ['glb', 'GLB with materials'],
+  ['weights.ply', 'PLY, vertex colors'],
+];
+const PATHS = [
+  ['csv', 'CSV'],
+  ['obj', 'OBJ'],
+] as const;
+const LINES = [
+  ['command', 'Command line'],
+  ['python', 'Python'],
+] as const;
+
+/** Isolines in numbers, and files of curves, distances and paths. */
+export function exportSection(session: Session): HTMLElement {
+  const said = h('p', { class: 'quiet', role: 'status' });
+  /** Disables a button while its work is under way, and tells why it failed. */
+  const action = (name: string, title: string, work: () => Promise<string | void> | string | void) => {
+    const button = h('button', { class: 'wide', title }, name);
+    button.addEventListener('click', () => {
+      button.disabled = true;
+      said.textContent = '';
+      void Promise.resolve()
+        .then(work)
+        .then((words) => (said.textContent = words ?? ''))
+        .catch((error: unknown) => (said.textContent = error instanceof Error ? error.message : String(error)))
+        .finally(() => (button.disabled = false));
+    });
+    return button;
+  };
+  return h(
+    'div',
+    { class: 'stack' },
+    ...curveControls(session, action),
+    ...distanceControls(session, action),
+    ...pathControls(session, action),
+    ...reproduceControls(session, action),
+    said,
+  );
+}
+
+type Action = (name: string, title: string, work: () => Promise<string | void> | string | void) => HTMLElement;
+
+/** The engine where a surface has a field. */
+function measured(session: Session): Engine {
+  const { opened, answer } = session.shown.value ?? {};
+  if (!session.engine || !opened || !answer?.field)
+    throw new Error('There are no distances yet. Click the surface to place a source.');
+  if (opened.interior) throw new Error('This is for surfaces; the program writes distances inside of tetrahedra.');
+  return session.engine;
+}
+
+function curveControls(session: Session, action: Action): HTMLElement[] {
+  const at = h('input', { type: 'text', inputMode: 'decimal', placeholder: 'as the stripes', id: 'isolines-at' });
+  const table = h('div', { class: 'scroll' });
+  const wish = () => wishOf(at.value, stripeSpacing(session));
+  const measure = async () => {
+    const isolines = await measured(session).isolines(wish());
+    const { scene, shown } = session;
+    const unit = shown.value ? unitOf(scene.state, shown.value.opened) : null;
+    table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : ''));
+  };
+  let kind: CurveFile['kind'] = 'obj';
+  const file = select('File', CURVES, (value) => (kind = value));
+  const saveFile = async () => {
+    const bytes = await measured(session).curveFile(wish(), { kind, towardEye: towardEye(session.view.camera) });
+    save(new Blob([bytes]), `${nameOf(session)}.isolines.${kind}`);
+  };
+  session.shown.watch((shown, previous) => {
+    if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
+  });
+  return [
+    h(
+      'label',
+      { class: 'field', title: 'A spacing, or values with commas between them; empty: the period of the stripes' },
+      h('span', {}, 'Isolines at'),
+      at,
+    ),
+    action('Measure isolines', 'Length of each isoline, and the area that is nearer', measure),
+    table,
+    file.element,
+    action('Save isolines', 'Curves of equal distance, or the surface cut along them', saveFile),
+  ];
+}
+
+function tableOf({ rows }: Isolines, unit: string): HTMLElement {
+  const cells = (tag: 'th' | 'td', words: readonly string[]) => h('tr', {}, ...words.map((word) => h(tag, {}, word)));
+  const { length: lengths } = rows;
+  const title = `${lengths} ${lengths === 1 ? 'isoline' : 'isolines'}${unit === '' ? '' : `, ${unit}`}`;
+  return h(
+    'table',
+    { class: 'isolines' },
+    h('caption', { class: 'quiet' }, title),
+    h('thead', {}, cells('th', ['Distance', 'Length', 'Area nearer', 'Closed'])),
+    h(
+      'tbody',
+      {},
+      ...rows.map(({ value, length: long, area, curves, closed }) =>
+        cells('td', [length(value), length(long), length(area), `${closed} of ${curves}`]),
+      ),
+    ),
+  );
+}
+
+function distanceControls(session: Session, action: Action): HTMLElement[] {
+  let kind: DistanceFile = 'csv';
+  const file = select('Distances', DISTANCES, (value) => (kind = value));
+  const work = async () => {
+    const bytes = await measured(session).distanceFile(kind);
+    save(new Blob([bytes]), `${nameOf(session)}.distances.${kind}`);
+  };
+  return [file.element, action('Save distances', 'One for each vertex of the file, in its unit', work)];
+}
+
+function pathControls(session: Session, action: Action): HTMLElement[] {
+  let kind: (typeof PATHS)[number][0] = 'csv';
+  const file = select('Path', PATHS, (value) => (kind = value));
+  const work = () => {
+    const { opened, answer } = session.shown.value ?? {};
+    if (!opened || !answer?.path) throw new Error('There is no path. Alt + click the surface to place a walker.');
+    const points = pathPoints(answer.path, opened.drawTransform);
+    save(new Blob([pathFile(kind, points)]), `${nameOf(session)}.path.${kind}`);
+  };
+  return [file.element, action('Save path', 'The points of the path, in the unit of the file', work)];
+}
+
+function reproduceControls(session: Session, action: Action): HTMLElement[] {
+  let kind: (typeof LINES)[number][0] = 'command';
+  const lines = select('Reproduce by', LINES, (value) => (kind = value));
+  const field = h('textarea', {
+    readOnly: true,
+    rows: 3,
+    hidden: true,
+    'aria-label': 'Lines that reproduce the distances',
+  });
+  const work = async () => {
+    const asked = await measuredBy(session);
+    field.value = kind === 'command' ? commandLine(asked) : pythonLines(asked);
+    field.hidden = false;
+    try {
+      await navigator.clipboard.writeText(field.value);
+      return 'Copied.';
+    } catch {
+      field.select();
+      return 'The clipboard is not available. Copy the lines from the field.';
+    }
+  };
+  return [lines.element, action('Copy lines', 'Lines that give the present distances again', work), field];
+}
+
+async function measuredBy(session: Session): Promise<Measured> {
+  measured(session);
+  const { shown, scene, request } = session;
+  const { opened, answer } = shown.value ?? {};
+  if (!opened || !answer?.field || !request) throw new Error('There are no distances yet.');
+  const isPreset = scene.state.mesh.kind === 'preset';
+  const input = isPreset ? await request.load() : null;
+  const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;
+  return { state: scene.state, mesh, opened, field: answer.field };
+}
+
+function nameOf(session: Session): string {
+  return (session.shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
+}
