@@ -85,8 +85,8 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   const [x0, y0] = await page.evaluate(() => window.heatwalk.centre);
   const [dx, dy] = [picture.width / 4 - x0, picture.height / 4 - y0];
   const paper = (px: number, py: number) => {
-    const first = 4 * (Math.round(2 * py) * picture.width + Math.round(2 * px));
-    return [...picture.data.subarray(first, first + 3)];
+    const start = 4 * (Math.round(2 * py) * picture.width + Math.round(2 * px));
+    return [...picture.data.subarray(start, start + 3)];
   };
   expect(paper(dx + label.x + 3, dy + label.y + label.height / 2)).toEqual([255, 255, 255]);
   expect(paper(dx + label.x - 6, dy + label.y - 6)).not.toEqual([255, 255, 255]);

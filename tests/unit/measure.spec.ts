@@ -6,11 +6,12 @@ import { Signal } from '../../web/state/signal';
 import { MeasureInput } from '../../web/ui/input/measure';
 import type { Tool } from '../../web/state/tool';
 
+const pick = (x: number) => (x < 0 ? null : { point: { vertex: x }, position: [0, 0, 0] });
+
 /** A page on which the pixel (x, y) shows vertex x; where x is negative, nothing. */
 function measuring() {
   const scene = new Scene(emptyScene({ kind: 'preset', id: 'bunny' }));
   const tool = new Signal<Tool>('measure');
-  const pick = (x: number) => (x < 0 ? null : { point: { vertex: x }, position: [0, 0, 0] });
   const input = new MeasureInput({ scene, view: { pick } } as unknown as Session, tool);
   let time = 0;
   const click = (x: number, later = 1000, over: Partial<PointerEvent> = {}) => {

@@ -3,7 +3,7 @@ import type { Leg, MeshPoint } from '../../web/protocol';
 import { lengthOf, type MeasuredTape, stateOf } from '../../web/session/tapes';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { emptyScene, Scene, type SceneState, unitOf } from '../../web/state/scene';
-import { canClose, closed, extended, legsOf, moved, type Tape, withoutPlace } from '../../web/state/tapes';
+import { canClose, close, extended, legsOf, moved, type Tape, withoutPlace } from '../../web/state/tapes';
 import { areaLabel, csvOf, enclosureWords, lengthWords } from '../../web/ui/measure/words';
 import { measure, volume } from '../../web/ui/words';
 
@@ -44,7 +44,7 @@ test('a place begins a tape or lengthens it; places are moved and taken away; th
   expect(canClose(tapes[0])).toBe(false);
   tapes = extended(tapes, 0, at(3));
   expect(canClose(tapes[0])).toBe(true);
-  tapes = closed(tapes, 0);
+  tapes = close(tapes, 0);
   expect(canClose(tapes[0])).toBe(false);
   expect(legsOf(tapes[0])).toEqual([
     [at(1), at(2)],

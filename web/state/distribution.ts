@@ -82,13 +82,11 @@ export function errorsByDistance(errors: Float32Array, distance: Float32Array, b
     bin.sum += error;
     bin.most = Math.max(bin.most, error);
   });
-  const filled = sums
-    .map((bin, index) => ({ ...bin, at: ((index + 0.5) / bins) * whole }))
-    .filter(({ count }) => count > 0);
+  const filled = sums.flatMap((bin, index) => (bin.count > 0 ? [{ bin, at: ((index + 0.5) / bins) * whole }] : []));
   return {
     distance: filled.map(({ at }) => at),
-    mean: filled.map(({ sum, count }) => sum / count),
-    most: filled.map(({ most }) => most),
+    mean: filled.map(({ bin }) => bin.sum / bin.count),
+    most: filled.map(({ bin }) => bin.most),
   };
 }
 

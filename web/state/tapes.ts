@@ -38,7 +38,7 @@ export function moved(tapes: readonly Tape[], index: number, place: number, poin
   return tapes.with(index, { ...tapes[index], points: tapes[index].points.with(place, point) });
 }
 
-export function closed(tapes: readonly Tape[], index: number): Tape[] {
+export function close(tapes: readonly Tape[], index: number): Tape[] {
   return tapes.with(index, { ...tapes[index], closed: true });
 }
 

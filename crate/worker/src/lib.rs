@@ -11,6 +11,7 @@ mod drawn;
 mod field;
 mod ground;
 mod joined;
+mod measuring;
 mod motion;
 mod outline;
 mod results;

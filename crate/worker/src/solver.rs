@@ -24,10 +24,10 @@ use crate::drawn::Drawn;
 use crate::field::{Field, Origin};
 use crate::ground::Ground;
 use crate::joined::Joined;
+use crate::measuring::Measuring;
 use crate::motion::Moving;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
-use tape::Measuring;
 
 /// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
 /// the rings around a source, where heat is off most, are exact.

@@ -290,15 +290,15 @@ const api: SolverApi = {
   measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
     const mesh = openMesh();
     const clock = stopwatch();
-    const [begin, end] = known([from, to]);
-    const leg = pathOf(() => openSurface().measure(begin, end, mesh.work));
+    const ends = known([from, to]);
+    const leg = pathOf(() => openSurface().measure(ends[0], ends[1], mesh.work));
     mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
     return Promise.resolve(leg === undefined ? null : { leg });
   },
 
   estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
-    const [begin, end] = known([from, to]);
-    return Promise.resolve(pathOf(() => openSurface().estimate(begin, end)) ?? null);
+    const ends = known([from, to]);
+    return Promise.resolve(pathOf(() => openSurface().estimate(ends[0], ends[1])) ?? null);
   },
 
   enclosed(legs: readonly Leg[]): Promise<Enclosure> {

@@ -102,7 +102,6 @@ function chartsOf(
   if (errors && !field.byCorner) {
     const { distance, mean, most } = errorsByDistance(errors, field.distance, BINS);
     const x = distance.map((value) => value * scale);
-    const inPercent = (values: readonly number[]) => values.map((value) => 100 * value);
     const series = [
       { name: 'Maximum', kind: 'line' as const, x, y: inPercent(most) },
       { name: 'Mean', kind: 'line' as const, x, y: inPercent(mean) },
@@ -110,6 +109,10 @@ function chartsOf(
     charts.push({ title: 'Error before refinement', xLabel, yLabel: 'Error (%)', series });
   } else notes.push('The error is known once all distances have been made exact from another method.');
   return { charts, notes };
+}
+
+function inPercent(shares: readonly number[]): number[] {
+  return shares.map((share) => 100 * share);
 }
 
 /** Distance over the length along a tape; null while its paths are not known. */

@@ -17,6 +17,8 @@ export const SECTIONS: Record<string, string> = {
   inside: 'page#inside',
   solver: 'page#methods',
   style: 'gallery',
+  measure: 'page#tapes',
+  charts: 'page#charts',
   display: 'page#materials',
   numbers: 'page#refinement',
   share: 'page#link',
@@ -32,6 +34,9 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Speed: about('Times as fast as the file says.', 'page#animations'),
     Loop: about('Begins again at the end.', 'page#animations'),
     Distance: about('Measured in the pose of the file, or anew in each pose that is shown.', 'page#animations'),
+  },
+  measure: {
+    'Unit of the known length': about('What lengths are told in from then on.', 'page#tapes'),
   },
   ground: {
     Brush: about('A drag on the surface paints instead of orbiting.', 'page#ground'),

@@ -2,7 +2,7 @@
 import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
-import { canClose, closed, extended } from '../../state/tapes';
+import { canClose, close, extended } from '../../state/tapes';
 import type { Tool } from '../../state/tool';
 
 const DOUBLE_MS = 300;
@@ -74,7 +74,7 @@ export class MeasureInput {
   #close(): void {
     this.#last = null;
     const { scene } = this.#session;
-    if (canClose(scene.state.tapes.at(this.#open))) scene.place({ tapes: closed(scene.state.tapes, this.#open) });
+    if (canClose(scene.state.tapes.at(this.#open))) scene.place({ tapes: close(scene.state.tapes, this.#open) });
     this.#open = -1;
   }
 }

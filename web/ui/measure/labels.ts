@@ -172,7 +172,6 @@ export class TapeLabels {
   /** What is seen of labels and places, drawn on a picture. */
   #print(context: OffscreenCanvasRenderingContext2D): void {
     const stage = this.#session.view.stage.getBoundingClientRect();
-    const isSeen = ({ element }: Anchored) => !element.hidden && !element.hasAttribute('data-behind');
     const at = ({ position }: Anchored): [number, number] | null => {
       const pixel = this.#session.view.project(position);
       return pixel && [pixel[0] - stage.left, pixel[1] - stage.top];
@@ -208,6 +207,10 @@ export class TapeLabels {
   }
 }
 
+function isSeen({ element }: Anchored): boolean {
+  return !element.hidden && !element.hasAttribute('data-behind');
+}
+
 /** The curve of each leg as it is drawn; empty where there is none. */
 function curvesOf({ tape, legs }: MeasuredTape, places: Places): Vector[][] {
   return legsOf(tape).map((ends, index) => {
@@ -218,7 +221,7 @@ function curvesOf({ tape, legs }: MeasuredTape, places: Places): Vector[][] {
 }
 
 function segmentsOf(curve: readonly Vector[]): number[] {
-  return curve.slice(1).flatMap((point, index) => [...curve[index], ...point]);
+  return curve.slice(1).flatMap((point, index) => curve[index].concat(point));
 }
 
 /** The length of each leg in its middle; the sum, and the area, at the last place. */

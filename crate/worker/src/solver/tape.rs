@@ -2,98 +2,18 @@
 
 use std::sync::Arc;
 
-use heatwalk::exact::ExactGeometry;
 use heatwalk::{
-    Enclosed, FaceId, Path, PathPoint, PathSearch, Place, Source, Surface, SurfacePoint, descend, enclosed, refract,
-    straighten,
+    FaceId, Path, PathPoint, PathSearch, Place, Source, Surface, SurfacePoint, descend, enclosed, refract, straighten,
 };
 use heatwalk_bindings::Result;
-use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
+use crate::measuring::{Enclosure, Leg, Measuring};
 
 /// Windows of each half-edge by which a length is estimated, and where costs refract them.
 const WINDOWS: u16 = 1;
 const REFRACTED_WINDOWS: u16 = 4;
-
-/// The search for a shortest path, which is done step by step.
-pub(super) struct Measuring {
-    geometry: Arc<ExactGeometry>,
-    ends: [SurfacePoint; 2],
-    search: PathSearch,
-}
-
-/// A path between two places, as places of the drawing, so that it can be drawn in any pose.
-#[wasm_bindgen(inspectable)]
-pub struct Leg {
-    triangles: Vec<u32>,
-    weights: Vec<f64>,
-    length: f64,
-    straight: f64,
-    cost: f64,
-}
-
-#[wasm_bindgen]
-impl Leg {
-    /// `#P`, drawn triangles that the points lie on: those that the path goes through after each.
-    #[wasm_bindgen(getter)]
-    pub fn triangles(&self) -> Uint32Array {
-        self.triangles.as_slice().into()
-    }
-
-    /// `#P × 3`, barycentric weights in them.
-    #[wasm_bindgen(getter)]
-    pub fn weights(&self) -> Float64Array {
-        self.weights.as_slice().into()
-    }
-
-    /// In the unit of the file.
-    #[wasm_bindgen(getter)]
-    pub fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// Of the straight line between both ends, in the unit of the file.
-    #[wasm_bindgen(getter)]
-    pub fn straight(&self) -> f64 {
-        self.straight
-    }
-
-    /// What it costs to walk; the length where all costs are 1.
-    #[wasm_bindgen(getter)]
-    pub fn cost(&self) -> f64 {
-        self.cost
-    }
-}
-
-/// What a closed curve encloses.
-#[wasm_bindgen(inspectable)]
-pub struct Enclosure(Enclosed);
-
-#[wasm_bindgen]
-impl Enclosure {
-    /// Whether there are two sides; else why not.
-    #[wasm_bindgen(getter, unchecked_return_type = "'sides' | 'whole' | 'crossed' | 'sideless'")]
-    pub fn kind(&self) -> String {
-        match self.0 {
-            Enclosed::Sides(_) => "sides",
-            Enclosed::Whole => "whole",
-            Enclosed::Crossed => "crossed",
-            Enclosed::Sideless => "sideless",
-        }
-        .to_owned()
-    }
-
-    /// The area of the smaller side, in the unit of the file squared; 0 where there is none.
-    #[wasm_bindgen(getter)]
-    pub fn area(&self) -> f64 {
-        match self.0 {
-            Enclosed::Sides([left, right]) => left.min(right),
-            _ => 0.0,
-        }
-    }
-}
 
 impl Solver {
     fn ends(&self, from: &JsValue, to: &JsValue) -> Result<[SurfacePoint; 2]> {
@@ -194,6 +114,6 @@ impl Solver {
             (triangles, weights) = (rest, others);
             paths.push(self.path_of(surface, these, shares)?);
         }
-        Ok(Enclosure(enclosed(surface, &paths)?))
+        Ok(Enclosure::of(enclosed(surface, &paths)?))
     }
 }
