@@ -14,10 +14,12 @@ import { FIRST_PRESET } from './state/presets';
 import { DEFAULT_FILL } from './state/inside';
 import { Scene } from './state/scene';
 import { Signal } from './state/signal';
+import { draws, type Tool } from './state/tool';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
 import { MeasureInput } from './ui/input/measure';
+import { DrawInput } from './ui/input/draw';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followPaste } from './ui/input/paste';
@@ -28,7 +30,7 @@ import { hints } from './ui/overlay/hints';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
-import { toolbar, type Tool } from './ui/overlay/toolbar';
+import { toolbar } from './ui/overlay/toolbar';
 import { styleSection } from './ui/panel/style';
 import { numbersSection } from './ui/panel/numbers';
 import { buildPanel } from './ui/panel/panel';
@@ -85,13 +87,22 @@ const help = () => {
 };
 
 const brush = new BrushInput(session, ground);
-new PointerInput({ session, readout, tool, brush, measure, cameraMoved }).listen();
+const draw = new DrawInput(session, tool);
+// One of them has the pointer.
+tool.watch((chosen) => {
+  if (draws(chosen)) ground.set({ on: false });
+});
+ground.brush.watch(({ on }) => {
+  if (on && draws(tool.value)) tool.value = 'source';
+});
+new PointerInput({ session, readout, tool, brush, measure, draw, cameraMoved }).listen();
 const keys = new Keys({
   session,
   readout,
   tool,
   ground,
   measure,
+  draw,
   cameraMoved,
   chooseFile: dialogue.choose,
   help,
@@ -127,7 +138,7 @@ if (!address.kiosk) {
       open: true,
     },
     { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
-    { id: 'sources', title: 'Sources', element: sourcesSection(session), open: true },
+    { id: 'sources', title: 'Sources', element: sourcesSection(session, tool, first.promise), open: true },
     { id: 'measure', title: 'Measure', element: measuring.element, open: false },
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },

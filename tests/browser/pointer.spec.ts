@@ -12,7 +12,10 @@ async function sourceCount(heatwalk: HeatwalkPage, count: number): Promise<void>
   await expect.poll(async () => (await heatwalk.scene()).sources.length).toBe(count);
 }
 
-test('a click sets the source, ctrl-click and shift-click add', async ({ heatwalk, page }) => {
+test('a click sets the source, ctrl-click adds, shift-click draws a line from the last one', async ({
+  heatwalk,
+  page,
+}) => {
   await heatwalk.open();
   const solves = await heatwalk.solves();
   const [x, y] = await heatwalk.pixelOnModel();
@@ -29,10 +32,12 @@ test('a click sets the source, ctrl-click and shift-click add', async ({ heatwal
   await clickModel(heatwalk, 0.06, 0.1, 'Control');
   await sourceCount(heatwalk, 2);
   await clickModel(heatwalk, -0.04, 0.15, 'Shift');
-  await sourceCount(heatwalk, 3);
-  await expect(page.getByRole('button', { name: /^Delete source/ })).toHaveCount(3);
+  await sourceCount(heatwalk, 1);
+  await expect(page.getByRole('button', { name: /^Delete source/ })).toHaveCount(2);
+  await expect(page.getByRole('button', { name: /^Line of \d+ vertices$/ })).toBeVisible();
   await clickModel(heatwalk, 0.02, 0.12);
   await sourceCount(heatwalk, 1);
+  expect((await heatwalk.scene()).sets).toEqual([]);
 });
 
 test('dragging a pin moves the source and solves on the way', async ({ heatwalk, page }) => {

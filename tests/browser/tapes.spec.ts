@@ -33,7 +33,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await heatwalk.openFile('square.off', off(grid(N)), VIEW);
   await heatwalk.settled();
   const solves = await heatwalk.solves();
-  await page.keyboard.press('4');
+  await page.keyboard.press('m');
   await expect(page.getByRole('button', { name: 'Measure' }).first()).toHaveAttribute('aria-pressed', 'true');
   await click(heatwalk, at(6, 6));
   await click(heatwalk, at(18, 6));

@@ -4,7 +4,7 @@ import type { Session } from '../../web/session/session';
 import { emptyScene, Scene } from '../../web/state/scene';
 import { Signal } from '../../web/state/signal';
 import { MeasureInput } from '../../web/ui/input/measure';
-import type { Tool } from '../../web/ui/overlay/toolbar';
+import type { Tool } from '../../web/state/tool';
 
 /** A page on which the pixel (x, y) shows vertex x; where x is negative, nothing. */
 function measuring() {

@@ -11,6 +11,7 @@ import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type LengthUnit, type MeshReference, type SceneState, TRIANGLES, unitOf } from '../state/scene';
+import type { SourceSet } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { GroundEditor } from './ground';
@@ -99,11 +100,11 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  /** Opens a mesh of what was given; a table of costs alone is for the mesh on screen. */
+  /** Opens a mesh of what was given; a table alone is for the mesh on screen. */
   async files({ title, files }: Given): Promise<void> {
     const [only, ...more] = await files.catch(() => []);
     if (only && more.length === 0 && isTable(only.path)) {
-      await this.#paint(only);
+      await this.#table(only);
       return;
     }
     const collected = async () => collect(await files);
@@ -116,11 +117,32 @@ export class Opener {
     });
   }
 
-  /** Paints the ground of the mesh on screen. */
-  async #paint({ path, content }: GivenFile): Promise<void> {
+  /** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
+  async #table({ path, content }: GivenFile): Promise<void> {
     const name = fileName(path);
+    const [text, { isNamedList }] = await Promise.all([content.text(), import('../state/list')]);
+    if (isNamedList(text)) await this.#list(name, text);
+    else await this.#change(() => this.#ground.paintRows(name, text));
+  }
+
+  /** Adds what is pasted to the mesh on screen, if it is a list of sources. */
+  async pastedList(text: string): Promise<void> {
+    const { isList } = await import('../state/list');
+    if (isList(text)) await this.#list('List', text);
+  }
+
+  /** Adds rows of text as sources of the mesh on screen. */
+  async #list(name: string, text: string): Promise<void> {
+    await this.#change(async () => {
+      const { addList } = await import('./sets');
+      this.#voice.notice(addList(this.#session, name, text));
+    });
+  }
+
+  /** Where a change fails, the reason is told. */
+  async #change(work: () => Promise<void> | void): Promise<void> {
     try {
-      this.#ground.paintRows(name, await content.text());
+      await work();
     } catch (error) {
       const { message, stack } = toError(error);
       this.#voice.fail(message, stack ?? message);
@@ -210,6 +232,7 @@ export class Opener {
       ...this.#session.scene.state,
       parts,
       sources: [],
+      sets: [],
       walker: null,
       tapes: [],
       links: 0,
@@ -232,6 +255,7 @@ export class Opener {
       inside,
       method,
       sources: [],
+      sets: [],
       walker: null,
       tapes: [],
       links: 0,
@@ -260,7 +284,7 @@ export class Opener {
   async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
     try {
       const shown = await this.#session.open(request);
-      if (request.state.sources.length > this.#session.scene.state.sources.length) {
+      if (hasLost(request.state, this.#session.scene.state)) {
         this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
       }
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
@@ -306,9 +330,17 @@ function simplifiedOf(state: SceneState): { name: string; state: SceneState } | 
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const places = { sources: [], walker: null, tapes: [], links: 0 };
+  const places = { sources: [], sets: [], walker: null, tapes: [], links: 0 };
   const name = `Simplify to ${triangles.toLocaleString('en')} triangles`;
   return { name, state: { ...state, ...places, triangles, windows: DEFAULT_WINDOWS } };
+}
+
+/** Whether there are fewer sources than were wanted. */
+function hasLost(wanted: SceneState, now: SceneState): boolean {
+  const isFewer = ({ points }: SourceSet, index: number) => points.length > now.sets[index].points.length;
+  return (
+    wanted.sources.length > now.sources.length || wanted.sets.length > now.sets.length || wanted.sets.some(isFewer)
+  );
 }
 
 function fileReference(mesh: string): MeshReference {

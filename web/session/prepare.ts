@@ -6,6 +6,7 @@ import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
 import { Places, type Vector } from '../state/places';
 import { type Animation, type SceneState, STILL } from '../state/scene';
+import { allSources } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
@@ -58,7 +59,8 @@ export function momentOf({ clip, seconds }: Animation): Moment | null {
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { sources, windows, parameters, bridge, links, ground, inside, walker, pathKind, animation } = state;
+  const { windows, parameters, bridge, links, ground, inside, walker, pathKind, animation } = state;
+  const sources = allSources(state);
   const moment = animation.live ? momentOf(animation) : null;
   const from = walker;
   return { sources, method, windows, parameters, bridge, links, ground, inside, moment, from, pathKind, quick: false };
@@ -78,18 +80,24 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   let sources = request.state.sources.filter((source) => places.has(source));
   let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
   const tapes = request.state.tapes.filter(({ points }) => points.every((point) => places.has(point)));
+  // Where there are none, what finds their places is not fetched.
+  const sets =
+    request.state.sets.length > 0
+      ? await (await import('./found')).found({ engine, opened, places }, request.state.sets)
+      : [];
+  const isEmpty = () => sources.length === 0 && sets.length === 0;
   const { near } = request;
-  if (near && sources.length === 0) sources = near.sources.map((place) => places.nearest(place));
+  if (near && isEmpty()) sources = near.sources.map((place) => places.nearest(place));
   if (near?.walker && !walker) walker = places.nearest(near.walker);
-  if (request.choosePlaces && sources.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
+  if (request.choosePlaces && isEmpty()) sources = [places.extreme([0.5, 0.4, 0.75])];
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });
   const ground = isFitting ? request.state.ground : { ...LEVEL };
-  let answer = await ask(engine, { ...request.state, sources, walker, ground });
+  let answer = await ask(engine, { ...request.state, sources, sets, walker, ground });
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field);
     const { posed } = answer;
-    answer = { ...(await ask(engine, { ...request.state, sources, walker, ground })), posed };
+    answer = { ...(await ask(engine, { ...request.state, sources, sets, walker, ground })), posed };
   }
   const { mesh } = request.state;
   return {
@@ -97,6 +105,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       ...request.state,
       mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
       sources,
+      sets,
       walker,
       tapes,
       ground,

@@ -7,6 +7,7 @@ import { reducedMotion } from '../view/motion';
 import type { ShownField } from '../view/layers';
 import type { View } from '../view/view';
 import { Walk } from '../view/walk';
+import { curvesOf } from './curves';
 import type { OpenRequest, Shown } from './prepare';
 import { costAlong, tintsOf, wallsOf } from './tints';
 
@@ -108,7 +109,7 @@ export class Presenter {
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => this.#showPose(true), POSE_RESTS_MS);
     shown.places.pose(posed.surface);
-    this.#showWalls(shown);
+    this.#showLines(shown);
     this.#showPins();
     if (shown.answer.path && posed.path) this.#showPath(posed.path, this.walk.arc);
   }
@@ -219,6 +220,8 @@ export class Presenter {
     if (state.lights !== previous.lights) this.#showLights(this.#shown.opened.lights, state);
     if (state.ground !== previous.ground) this.#showGround(this.#shown, state, isPainted(previous.ground));
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
+    const hasSets = state.sets.length > 0 || previous.sets.length > 0;
+    if (hasSets && (state.sets !== previous.sets || state.selected !== previous.selected)) this.#showLines(this.#shown);
     this.#showScenery(state, previous);
   }
 
@@ -227,11 +230,14 @@ export class Presenter {
     if (!isAnew && !isPainted(ground)) return;
     const { surface } = shown.opened;
     if (isPainted(ground) || this.#view.isTinted) this.#view.setTints(surface, tintsOf(ground, surface));
-    this.#showWalls(shown);
+    this.#showLines(shown);
   }
 
-  #showWalls({ places }: Shown): void {
-    this.#view.setEdges('walls', wallsOf(this.#state.ground, places));
+  /** Walls along edges, and sets of sources. */
+  #showLines({ places }: Shown): void {
+    const { ground, sources, sets, selected } = this.#state;
+    const curves = curvesOf(sets, sets[selected - sources.length], places);
+    this.#view.setEdges('lines', [...wallsOf(ground, places), ...curves]);
   }
 
   #showStyle(): void {

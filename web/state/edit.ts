@@ -2,10 +2,11 @@
 import type { MeshPoint } from '../protocol';
 import { UP, type Up } from '../wasm/contract';
 import type { Inside } from './inside';
-import { type Scene, upOf, withOffset } from './scene';
+import { type Scene, upOf } from './scene';
+import { type SourceSet, withOffset } from './sources';
 
 export function setSource(scene: Scene, point: MeshPoint): void {
-  scene.place({ sources: [point], selected: -1 });
+  scene.place({ sources: [point], sets: [], selected: -1 });
 }
 
 export function addSource(scene: Scene, point: MeshPoint): void {
@@ -18,16 +19,45 @@ export function moveSource(scene: Scene, index: number, point: MeshPoint, gestur
   scene.place({ sources: sources.with(index, source), selected: index }, gesture);
 }
 
-/** Sets the initial distance of a source, in the unit of the file. */
+/** Adds a set, which is selected then. */
+export function addSet(scene: Scene, set: SourceSet, gesture: object | null = null): void {
+  const { sources, sets } = scene.state;
+  scene.place({ sets: [...sets, set], selected: sources.length + sets.length }, gesture);
+}
+
+/** Puts a set in the place of another one. What is selected stays so. */
+export function replaceSet(scene: Scene, before: SourceSet, set: SourceSet, gesture: object | null = null): void {
+  scene.place({ sets: scene.state.sets.map((other) => (other === before ? set : other)) }, gesture);
+}
+
+/** The set that is selected, if one is. */
+export function selectedSet(scene: Scene): SourceSet | undefined {
+  const { sources, sets, selected } = scene.state;
+  return selected < sources.length ? undefined : sets[selected - sources.length];
+}
+
+/** Sets the initial distance of an entry of the list, in the unit of the file. */
 export function setInitialDistance(scene: Scene, index: number, offset: number, gesture: object): void {
-  const { sources } = scene.state;
-  scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
+  const { sources, sets } = scene.state;
+  if (index < sources.length) {
+    scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
+  } else {
+    const set = sets[index - sources.length];
+    replaceSet(scene, set, { ...set, offset }, gesture);
+  }
+}
+
+/** Removes an entry of the list. */
+export function removeEntry(scene: Scene, index: number): void {
+  const { sources, sets } = scene.state;
+  if (index < sources.length) scene.place({ sources: sources.toSpliced(index, 1), selected: -1 });
+  else scene.place({ sets: sets.toSpliced(index - sources.length, 1), selected: -1 });
 }
 
 export function removeSelected(scene: Scene): boolean {
-  const { sources, selected } = scene.state;
+  const { selected } = scene.state;
   if (selected < 0) return false;
-  scene.place({ sources: sources.toSpliced(selected, 1), selected: -1 });
+  removeEntry(scene, selected);
   return true;
 }
 

@@ -1,6 +1,6 @@
 /** Ground of different difficulty: what it costs to walk on each triangle, and walls; as bytes, and as text in a link. */
-import { deflateSync, Inflate } from 'fflate';
 import type { GroundChange } from '../protocol';
+import { pack, unpack } from './text';
 
 /** A wall along edges. */
 export interface WallLine {
@@ -123,11 +123,8 @@ export function changeOf(before: Ground, after: Ground): GroundChange {
   };
 }
 
-/** What a link may hold: as many triangles as any mesh that opens, and as many bytes once it is unpacked. */
+/** What a link may hold: as many triangles as any mesh that opens. */
 const MOST_TRIANGLES = 2 ** 24;
-const MOST_BYTES = 2 ** 23;
-/** Text that is unpacked at once: bytes are at most a thousand times as many. */
-const SLICE = 1024;
 
 /** Runs of equal codes and the vertices of walls, packed; empty where nothing is painted. */
 export function encodeGround(ground: Ground): string {
@@ -157,37 +154,16 @@ export function encodeGround(ground: Ground): string {
       before = vertex;
     }
   }
-  const packed = deflateSync(Uint8Array.from(bytes), { level: 9 });
-  const letters = Array.from(packed, (byte) => String.fromCharCode(byte)).join('');
-  return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return pack(Uint8Array.from(bytes));
 }
 
 /** Null for text that is none. */
 export function decodeGround(text: string): Pick<Ground, 'faces' | 'lines'> | null {
   try {
-    return text === '' ? { faces: LEVEL.faces, lines: [] } : read(unpacked(text));
+    return text === '' ? { faces: LEVEL.faces, lines: [] } : read(unpack(text));
   } catch {
     return null;
   }
-}
-
-function unpacked(text: string): Uint8Array {
-  const letters = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const chunks: number[][] = [];
-  let size = 0;
-  let ended = false;
-  const inflate = new Inflate((chunk, final) => {
-    size += chunk.length;
-    ended ||= final;
-    if (size > MOST_BYTES) throw new RangeError('too large');
-    chunks.push([...chunk]);
-  });
-  for (let first = 0; first < packed.length; first += SLICE) {
-    inflate.push(packed.subarray(first, first + SLICE), first + SLICE >= packed.length);
-  }
-  if (!ended) throw new RangeError('cut off');
-  return Uint8Array.from(chunks.flat());
 }
 
 function read(bytes: Uint8Array): Pick<Ground, 'faces' | 'lines'> {

@@ -43,9 +43,11 @@ import {
   TRIANGLES,
   UNITS,
   type Windows,
-  withOffset,
 } from './scene';
+import { decodeSets, encodeSets } from './sets';
+import { withOffset } from './sources';
 import { decodeTapes, encodeTapes, SCALES } from './tapes';
+import { amount, parseAmount } from './text';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -71,6 +73,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   add('fill', fill(state.fill), fill(start.fill));
   add('hide', state.hidden.join(','), start.hidden.join(','));
   add('s', encodePoints(state.sources), encodePoints(start.sources));
+  add('sets', encodeSets(state.sets), encodeSets(start.sets));
   add('w', encodePoints(state.walker ? [state.walker] : []), encodePoints(start.walker ? [start.walker] : []));
   add('up', state.up, start.up);
   add('unit', state.unit, start.unit);
@@ -153,6 +156,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   read('fill', parseFill, ([count]) => (state.fill = count ?? null));
   read('hide', parseIndices, (hidden) => (state.hidden = hidden));
   read('s', listOf(parseSource), (sources) => (state.sources = sources));
+  read('sets', decodeSets, (sets) => (state.sets = sets));
   read('w', listOf(parsePoint), ([walker]) => (state.walker = walker ?? null));
   read('up', automaticOr(choiceOf(UP)), (up) => (state.up = up));
   read('unit', automaticOr(oneOf(UNITS)), (unit) => (state.unit = unit));
@@ -268,11 +272,6 @@ function number(value: number): string {
   return String(Number(value.toFixed(4)));
 }
 
-/** Six digits, whatever the file's unit is; a plus sign would read as a space. */
-function amount(value: number): string {
-  return String(Number(value.toPrecision(6))).replace('+', '');
-}
-
 function option(value: number | typeof AUTOMATIC): string {
   return value === AUTOMATIC ? value : number(value);
 }
@@ -283,7 +282,7 @@ function bridge(rule: Bridge): string {
 
 function parseBridge(text: string): Bridge | null {
   if (text === 'auto' || text === 'off') return text;
-  return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
+  return parseAmount(text);
 }
 
 function triangles(most: number | null): string {
@@ -358,8 +357,8 @@ function parseSource(text: string): Source | null {
   const point = parsePoint(place);
   if (!point || more.length > 0) return null;
   if (start === undefined) return point;
-  const offset = /^\d[\d.]*(e-?\d+)?$/.test(start) ? Number(start) : Number.NaN;
-  return Number.isFinite(offset) ? withOffset(point, offset) : null;
+  const offset = parseAmount(start);
+  return offset === null ? null : withOffset(point, offset);
 }
 
 function parsePoint(text: string): MeshPoint | null {

@@ -14,6 +14,7 @@ import {
 import { type Ground, LEVEL } from './ground';
 import { type Inside, WHOLE } from './inside';
 import { tellEach } from './signal';
+import type { SourceSet } from './sources';
 import type { Tape } from './tapes';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -94,6 +95,8 @@ export const CROWD_HEIGHT = 0.03;
 /** What undo goes back over. */
 export interface Places {
   sources: readonly Source[];
+  /** Sources that are many places each. */
+  sets: readonly SourceSet[];
   /** Where the walker starts; null: no walker. */
   walker: MeshPoint | null;
   /** How many links there are between groups that stay apart, each time of the two that are nearest. */
@@ -144,7 +147,7 @@ export interface SceneState extends Places {
   overlays: readonly Overlay[];
   /** Number of walkers in the crowd. */
   crowd: number;
-  /** Index into `sources`, −1 for none. Belongs to the moment, so the link leaves it out. */
+  /** Index into `sources` and, after these, `sets`; −1 for none. Belongs to the moment, so the link leaves it out. */
   selected: number;
 }
 
@@ -155,6 +158,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     triangles: null,
     fill: null,
     sources: [],
+    sets: [],
     walker: null,
     links: 0,
     up: 'y',
@@ -217,19 +221,6 @@ export function isSameUnit(
 export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): SceneryPart[] {
   if (!overlays.includes('scenery')) return [];
   return scenery.filter(({ part }) => !hidden.includes(part));
-}
-
-/** A source at a place. An initial distance of 0 is not written, so that equal sources are equal objects. */
-export function withOffset(point: MeshPoint, offset: number): Source {
-  const place = placeOf(point);
-  return offset > 0 ? { ...place, offset } : place;
-}
-
-/** Without what else there may be. */
-function placeOf(point: MeshPoint): MeshPoint {
-  if ('vertex' in point) return { vertex: point.vertex };
-  if ('face' in point) return { face: point.face, weights: point.weights };
-  return { tetrahedron: point.tetrahedron, weights: point.weights };
 }
 
 export type SceneListener = (state: SceneState, previous: SceneState) => void;
@@ -310,10 +301,10 @@ export class Scene {
   }
 }
 
-function placesOf({ sources, walker, links, up, unit, scale, tapes, ground, inside }: SceneState): Places {
-  return { sources, walker, links, up, unit, scale, tapes, ground, inside };
+function placesOf({ sources, sets, walker, links, up, unit, scale, tapes, ground, inside }: SceneState): Places {
+  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside };
 }
 
 function withValidSelection(state: SceneState): SceneState {
-  return state.selected < state.sources.length ? state : { ...state, selected: -1 };
+  return state.selected < state.sources.length + state.sets.length ? state : { ...state, selected: -1 };
 }

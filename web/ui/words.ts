@@ -2,6 +2,7 @@
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import type { LengthUnit, SceneState } from '../state/scene';
+import type { SourceSet } from '../state/sources';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
@@ -209,6 +210,25 @@ export function fieldSentence(field: DistanceField): string {
 
 export function errorWords({ mean, max }: FieldError): string {
   return `mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
+}
+
+/** What a set is, with how many places it has. */
+export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): string {
+  const vertices = counted(points.length, 'vertex', 'vertices');
+  switch (shape.kind) {
+    case 'line':
+      return `${shape.closed ? 'Closed line' : 'Line'} of ${vertices}`;
+    case 'stroke':
+      return `${shape.closed ? 'Closed curve' : 'Stroke'} of ${counted(points.length, 'point')}`;
+    case 'boundary':
+      return `Boundary of ${vertices}`;
+    case 'component':
+      return `Component of ${vertices}`;
+    case 'part':
+      return `${opened?.parts.at(shape.part)?.name || `Part ${shape.part + 1}`}, ${vertices}`;
+    case 'list':
+      return `${shape.name}: ${count(points.length)}`;
+  }
 }
 
 /** What is shown, and the state of refinement or the reason why it ended. */

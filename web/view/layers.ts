@@ -14,10 +14,10 @@ export interface Edges {
 
 export const THIN = 1.2;
 
-/** What lines are shown for, in the order in which they are drawn: overlays, walls along edges, tapes. */
-export const EDGE_GROUPS = ['overlays', 'walls', 'tapes'] as const;
+/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, tapes. */
+export const EDGE_GROUPS = ['overlays', 'lines', 'tapes'] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
-export const NO_EDGES: Picture['edges'] = { overlays: [], walls: [], tapes: [] };
+export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], tapes: [] };
 
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [

@@ -98,7 +98,7 @@ function chartsOf(
       series,
     });
   });
-  if (tapes.length === 0) notes.push('Lay a tape (4) to see the distance along it.');
+  if (tapes.length === 0) notes.push('Lay a tape (M) to see the distance along it.');
   if (errors && !field.byCorner) {
     const { distance, mean, most } = errorsByDistance(errors, field.distance, BINS);
     const x = distance.map((value) => value * scale);

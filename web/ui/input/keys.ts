@@ -9,7 +9,8 @@ import type { Signal } from '../../state/signal';
 import type { PointHit } from '../../view/view';
 import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
-import type { Tool } from '../overlay/toolbar';
+import { draws, type Tool } from '../../state/tool';
+import type { DrawInput } from './draw';
 import type { MeasureInput } from './measure';
 import { isTyping } from './typing';
 
@@ -27,7 +28,16 @@ const ARROWS: Record<string, readonly [number, number]> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
-const TOOL_KEYS: Record<string, Tool> = { '1': 'source', '2': 'add', '3': 'walker', '4': 'measure' };
+const TOOL_KEYS: Record<string, Tool> = {
+  '1': 'source',
+  '2': 'add',
+  '3': 'walker',
+  '4': 'line',
+  '5': 'stroke',
+  '6': 'boundary',
+  '7': 'part',
+  m: 'measure',
+};
 
 export interface KeysOptions {
   session: Session;
@@ -35,6 +45,7 @@ export interface KeysOptions {
   tool: Signal<Tool>;
   ground: GroundEditor;
   measure: MeasureInput;
+  draw: DrawInput;
   chooseFile: () => void;
   help: () => void;
   /** Fills the surface. */
@@ -90,7 +101,7 @@ export class Keys {
       const [x, y] = arrow;
       this.#showReticle();
       if (event.ctrlKey || event.metaKey) view.pan(-x * ORBIT_PX, -y * ORBIT_PX);
-      else if (scene.state.selected >= 0) this.#nudge(x, y);
+      else if (scene.state.selected in scene.state.sources) this.#nudge(x, y);
       else view.orbit(-x * ORBIT_PX, -y * ORBIT_PX);
     } else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
     else if (event.key === '-') view.zoom(1 / ZOOM_STEP);
@@ -103,7 +114,7 @@ export class Keys {
   #view(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const { session, tool, chooseFile, help, closeMessage } = this.#o;
-    if (event.key in TOOL_KEYS) tool.value = TOOL_KEYS[event.key];
+    if (event.key.toLowerCase() in TOOL_KEYS) tool.value = TOOL_KEYS[event.key.toLowerCase()];
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
     else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
@@ -163,6 +174,7 @@ export class Keys {
     else if (this.#o.ground.endLine() || this.#o.measure.end()) return;
     else if (this.#o.ground.brush.value.on) this.#o.ground.set({ on: false });
     else if (session.scene.state.selected >= 0) session.scene.set({ selected: -1 });
+    else if (draws(this.#o.tool.value)) this.#o.tool.value = 'source';
     else if (!closeMessage()) this.#hideReticle();
   }
 
@@ -179,7 +191,7 @@ export class Keys {
     else if (walker) sendWalker(session.scene, point);
     else if (!event.shiftKey && this.#o.measure.add(point)) return true;
     else if (event.shiftKey) addSource(session.scene, point);
-    else setSource(session.scene, point);
+    else if (!this.#o.draw.click(point)) setSource(session.scene, point);
     return true;
   }
 

@@ -3,7 +3,7 @@ import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import { canClose, closed, extended } from '../../state/tapes';
-import type { Tool } from '../overlay/toolbar';
+import type { Tool } from '../../state/tool';
 
 const DOUBLE_MS = 300;
 const DOUBLE_PX = 8;

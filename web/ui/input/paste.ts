@@ -1,4 +1,4 @@
-/** Files and addresses from the clipboard. */
+/** Files, addresses and lists of sources from the clipboard. */
 import { addressIn, namesMesh } from '../../files/address';
 import type { Opener } from '../../session/opener';
 import { givenItems } from './given';
@@ -8,9 +8,11 @@ export function followPaste(opener: Opener): void {
   addEventListener('paste', (event) => {
     const { clipboardData } = event;
     if (!clipboardData || isTyping(event)) return;
-    const address = addressIn(clipboardData.getData('text/plain'));
+    const text = clipboardData.getData('text/plain');
+    const address = addressIn(text);
     if (clipboardData.files.length > 0) void opener.files(givenItems(clipboardData.items));
     else if (address && namesMesh(address)) void opener.address(address);
+    else if (text) void opener.pastedList(text);
     else return;
     event.preventDefault();
   });

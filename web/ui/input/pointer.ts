@@ -5,8 +5,9 @@ import { addSource, moveSource, sendWalker, setSource } from '../../state/edit';
 import type { Signal } from '../../state/signal';
 import { reducedMotion } from '../../view/motion';
 import type { Readout } from '../overlay/readout';
-import type { Tool } from '../overlay/toolbar';
+import { draws, type Tool } from '../../state/tool';
 import type { BrushInput } from './brush';
+import type { DrawInput } from './draw';
 import type { MeasureInput } from './measure';
 import { type Finger, listenToWheel, pinch } from './orbit';
 import { type Target, targetAt } from './pick';
@@ -26,6 +27,8 @@ interface Press {
   y: number;
   time: number;
   touch: boolean;
+  /** What a drag paints with. */
+  pen: BrushInput | DrawInput | null;
   /** One step of undo for a whole drag. */
   gesture: object;
 }
@@ -36,6 +39,7 @@ export interface PointerOptions {
   tool: Signal<Tool>;
   brush: BrushInput;
   measure: MeasureInput;
+  draw: DrawInput;
   /** The user moved the camera. */
   cameraMoved: () => void;
 }
@@ -80,7 +84,7 @@ export class PointerInput {
     clearTimeout(this.#longPress);
     if (this.#pointers.size > 1) {
       if (this.#press) {
-        if (this.#press.mode === 'paint') this.#o.brush.abandon();
+        if (this.#press.mode === 'paint') this.#press.pen?.abandon();
         this.#endMove(this.#press);
         this.#press.mode = this.#pointers.size === 2 ? 'pinch' : 'done';
       }
@@ -88,9 +92,10 @@ export class PointerInput {
     }
     const touch = event.pointerType === 'touch';
     const target = targetAt(this.#o.session, x, y, touch);
-    this.#press = { mode: 'pressed', target, x, y, time: event.timeStamp, touch, gesture: {} };
-    if (this.#o.brush.takes(event, target)) {
-      if (!this.#o.brush.begin(x, y)) return;
+    const pen = [this.#o.draw, this.#o.brush].find((one) => one.takes(event, target)) ?? null;
+    this.#press = { mode: 'pressed', target, x, y, time: event.timeStamp, touch, pen, gesture: {} };
+    if (pen) {
+      if (!pen.begin(x, y)) return;
       this.#press.mode = 'paint';
       this.#o.readout.hide();
       return;
@@ -132,7 +137,7 @@ export class PointerInput {
     if (press.mode === 'pan') view.pan(dx, dy);
     if (press.mode === 'orbit' || press.mode === 'pan') this.#o.cameraMoved();
     if (press.mode === 'move') this.#moveSource(press, x, y);
-    if (press.mode === 'paint') this.#o.brush.drag(x, y);
+    if (press.mode === 'paint') press.pen?.drag(x, y);
   }
 
   #beginDrag(press: Press, event: PointerEvent): void {
@@ -187,7 +192,7 @@ export class PointerInput {
   #endMove(press: Press): void {
     const { session, cameraMoved } = this.#o;
     if (press.mode === 'move') session.dragging = false;
-    if (press.mode === 'paint') this.#o.brush.end();
+    if (press.mode === 'paint') press.pen?.end();
     if (press.mode === 'orbit') {
       session.view.letGo(!reducedMotion());
       cameraMoved();
@@ -200,7 +205,10 @@ export class PointerInput {
     if (this.#o.brush.click(event, target)) return;
     if (this.#o.measure.click(event)) return;
     const last = this.#lastClick;
-    const double = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
+    // A line is ended by clicking its end once more.
+    const isSeparate = event.shiftKey || draws(this.#o.tool.value);
+    const isNear = last && event.timeStamp - last.time < DOUBLE_MS && Math.hypot(x - last.x, y - last.y) < DOUBLE_PX;
+    const double = isNear && !isSeparate;
     if (double) {
       // The first click of the two was not meant to move anything.
       if (last.placed) session.scene.undo();
@@ -223,7 +231,11 @@ export class PointerInput {
     }
     const tool = this.#o.tool.value;
     if (event.altKey) sendWalker(scene, target.point);
-    else if (event.ctrlKey || event.metaKey || event.shiftKey || tool === 'add') addSource(scene, target.point);
+    else if (event.shiftKey) {
+      this.#o.draw.line(target.point);
+      return false;
+    } else if (event.ctrlKey || event.metaKey || tool === 'add') addSource(scene, target.point);
+    else if (this.#o.draw.click(target.point)) return false;
     else if (tool === 'walker') sendWalker(scene, target.point);
     else setSource(scene, target.point);
     return true;

@@ -1,9 +1,7 @@
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
+import type { Tool } from '../../state/tool';
 import { h, icon } from '../dom';
-
-/** What a plain click or tap does; modifiers reach the others. */
-export type Tool = 'source' | 'add' | 'walker' | 'measure';
 
 const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
   {
@@ -27,7 +25,7 @@ const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] 
   {
     tool: 'measure',
     name: 'Measure',
-    tip: 'Clicks measure between places (4); Esc ends a tape',
+    tip: 'Clicks measure between places (M); Esc ends a tape',
     path: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
   },
 ];

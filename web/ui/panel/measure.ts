@@ -5,7 +5,7 @@ import { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { MeasureInput } from '../input/measure';
 import type { Measuring } from '../measure/loaded';
-import type { Tool } from '../overlay/toolbar';
+import type { Tool } from '../../state/tool';
 
 export class MeasureSection {
   readonly element: HTMLElement;
@@ -20,7 +20,7 @@ export class MeasureSection {
   constructor(session: Session, input: MeasureInput, tool: Signal<Tool>) {
     this.#session = session;
     this.#input = input;
-    const choose = h('button', { class: 'wide', title: 'Click places to measure between them (4)' }, 'Measure');
+    const choose = h('button', { class: 'wide', title: 'Click places to measure between them (M)' }, 'Measure');
     choose.addEventListener('click', () => {
       tool.value = tool.value === 'measure' ? 'source' : 'measure';
     });

@@ -1,4 +1,5 @@
 import type { Session } from '../../session/session';
+import { fitLink } from '../../state/sets';
 import { canRecord, png, save, video } from '../../view/picture';
 import { h, select, toggle } from '../dom';
 
@@ -15,20 +16,22 @@ export function shareSection(session: Session, link: () => string): HTMLElement 
   return h(
     'div',
     { class: 'stack' },
-    ...linkControls(link),
+    ...linkControls(session, link),
     ...imageControls(session),
     ...(canRecord ? videoControls(session) : []),
   );
 }
 
-function linkControls(link: () => string): HTMLElement[] {
+function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   const said = h('span', { class: 'quiet', role: 'status' });
   const field = h('input', { type: 'text', readonly: true, 'aria-label': 'Link to this scene', hidden: true });
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(link());
       field.hidden = true;
-      said.textContent = 'Copied.';
+      said.textContent = fitLink(scene.state.sets)
+        ? 'Copied.'
+        : 'Copied, without lists and curves of sources: they are too many for a link.';
     } catch {
       // Without permission to use the clipboard the link is shown to be copied by hand.
       field.hidden = false;

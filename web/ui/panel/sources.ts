@@ -1,12 +1,18 @@
-import type { MeshPoint } from '../../protocol';
+import type { MeshPoint, OpenedMesh } from '../../protocol';
 import { linkAll, linkNearest } from '../../session/links';
 import type { Session } from '../../session/session';
-import { setInitialDistance } from '../../state/edit';
+import { removeEntry, setInitialDistance } from '../../state/edit';
+import type { SceneState } from '../../state/scene';
+import type { Signal } from '../../state/signal';
 import { h } from '../dom';
-import { unreachedSentence } from '../words';
+import type { Tool } from '../../state/tool';
+import { setName, unreachedSentence } from '../words';
 
-/** The list of sources: select, focus, initial distance, delete; and the parts that none of them reaches. */
-export function sourcesSection(session: Session): HTMLElement {
+/**
+ * The list of sources: select, focus, initial distance, delete; what draws and adds them, fetched after the `first` picture; and the
+ * parts that none of them reaches.
+ */
+export function sourcesSection(session: Session, tool: Signal<Tool>, first: Promise<void>): HTMLElement {
   const { scene } = session;
   const list = h('ul', { class: 'sources' });
   const unreached = h('p', { class: 'warning', hidden: true });
@@ -34,8 +40,8 @@ export function sourcesSection(session: Session): HTMLElement {
   let rows: HTMLElement[] = [];
 
   const build = () => {
-    const { sources } = scene.state;
-    rows = sources.map((_, index) => row(index));
+    const { sources, sets } = scene.state;
+    rows = [...sources, ...sets].map((_, index) => row(index));
     list.replaceChildren(...rows);
     if (rows.length === 0) list.append(h('li', { class: 'quiet' }, 'No source: click the surface to set one.'));
   };
@@ -46,7 +52,7 @@ export function sourcesSection(session: Session): HTMLElement {
       onclick: () => {
         const selected = scene.state.selected === index ? -1 : index;
         scene.set({ selected });
-        const place = session.shown.value?.places.at(scene.state.sources[index]);
+        const place = session.shown.value?.places.at(entryAt(scene.state, index).middle);
         if (selected >= 0 && place) session.view.focus(place.position);
       },
     });
@@ -56,11 +62,13 @@ export function sourcesSection(session: Session): HTMLElement {
         class: 'small',
         title: 'Delete this source (Delete)',
         'aria-label': `Delete source ${index + 1}`,
-        onclick: () => scene.place({ sources: scene.state.sources.toSpliced(index, 1), selected: -1 }),
+        onclick: () => removeEntry(scene, index),
       },
       '×',
     );
-    return h('li', {}, h('span', { class: 'pin', 'aria-hidden': 'true' }), name, initialDistanceField(index), remove);
+    const isSet = index >= scene.state.sources.length;
+    const mark = h('span', { class: isSet ? 'pin set' : 'pin', 'aria-hidden': 'true' });
+    return h('li', {}, mark, name, initialDistanceField(index), remove);
   };
   /** All that is typed until the focus leaves is one step of undo. */
   const initialDistanceField = (index: number) => {
@@ -80,27 +88,29 @@ export function sourcesSection(session: Session): HTMLElement {
         }
       },
       onblur: () => {
-        field.valueAsNumber = scene.state.sources[index]?.offset ?? 0;
+        field.valueAsNumber = entryAt(scene.state, index).offset;
       },
     });
     return h('label', { class: 'initial quiet' }, 'initial', field);
   };
   const label = () => {
-    const { sources, selected } = scene.state;
+    const { selected } = scene.state;
     rows.forEach((element, index) => {
       const name = element.querySelector<HTMLButtonElement>('.source-name');
       if (!name) return;
-      name.textContent = pointName(sources[index]);
+      const { title, offset } = entryAt(scene.state, index, session.shown.value?.opened);
+      name.textContent = title;
       name.setAttribute('aria-pressed', String(index === selected));
       const initial = element.querySelector<HTMLInputElement>('.initial input');
       // What is being typed is left alone.
-      if (initial && initial !== document.activeElement) initial.valueAsNumber = sources[index].offset ?? 0;
+      if (initial && initial !== document.activeElement) initial.valueAsNumber = offset;
     });
   };
   scene.subscribe((state, previous) => {
     // A drag changes places, not the rows: rebuilding them would drop the focus.
-    if (state.sources.length !== previous.sources.length) build();
-    if (state.sources !== previous.sources || state.selected !== previous.selected) label();
+    if (state.sources.length !== previous.sources.length || state.sets.length !== previous.sets.length) build();
+    const isOther = state.sources !== previous.sources || state.sets !== previous.sets;
+    if (isOther || state.selected !== previous.selected) label();
   });
   build();
   label();
@@ -112,7 +122,30 @@ export function sourcesSection(session: Session): HTMLElement {
     if (unreached.textContent !== (sentence ?? '')) unreached.textContent = sentence ?? '';
   });
   unreached.setAttribute('role', 'status');
-  return h('div', { class: 'stack' }, list, unreached, linking);
+  const drawing = h('div', { class: 'stack' });
+  void first.then(async () => drawing.append(...(await import('./sets')).drawingControls(session, tool)));
+  return h('div', { class: 'stack' }, list, drawing, unreached, linking);
+}
+
+/** What a row of the list shows. */
+interface Entry {
+  title: string;
+  offset: number;
+  /** A place of it to look at. */
+  middle: MeshPoint;
+}
+
+const NOTHING: Entry = { title: '', offset: 0, middle: { vertex: -1 } };
+
+function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
+  if (index < sources.length) {
+    const source = sources[index];
+    return { title: pointName(source), offset: source.offset ?? 0, middle: source };
+  }
+  const set = sets.at(index - sources.length);
+  const middle = set?.points[Math.floor(set.points.length / 2)];
+  if (!set || !middle) return NOTHING;
+  return { title: setName(set, opened), offset: set.offset, middle };
 }
 
 function pointName(point: MeshPoint): string {

@@ -1,0 +1,63 @@
+/** The places of sets of sources on a mesh. Fetched when a scene has some. */
+import type { OpenedMesh, Source } from '../protocol';
+import type { Engine } from '../solver/engine';
+import { Cancelled, WorkerLost } from '../solver/remote';
+import type { Places } from '../state/places';
+import { MOST_POINTS, type SetShape, type SourceSet } from '../state/sources';
+import { boundaryThrough, componentOf, type Outlined, verticesOfPart } from './outlines';
+
+/** A mesh that can be asked. */
+export interface Mesh {
+  engine: Engine;
+  opened: OpenedMesh;
+  places: Places;
+}
+
+/** Sets with their places on a mesh. What the mesh does not have is left out. */
+export async function found(mesh: Mesh, sets: readonly SourceSet[]): Promise<SourceSet[]> {
+  const all: SourceSet[] = [];
+  for (const set of sets) {
+    try {
+      all.push({ ...set, points: await pointsOf(mesh, set.shape, set.points) });
+    } catch (error) {
+      if (error instanceof Cancelled || error instanceof WorkerLost) throw error;
+    }
+  }
+  return all.filter(({ points }) => points.length > 0);
+}
+
+/** @throws where a set has more places than distance can be measured from, and where the mesh has no such vertex. */
+export async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Source[]): Promise<readonly Source[]> {
+  switch (shape.kind) {
+    case 'stroke':
+    case 'list':
+      return given.filter((point) => mesh.places.has(point));
+    case 'line':
+      return atVertices(await lineThrough(mesh.engine, shape.corners, shape.closed));
+    case 'boundary':
+      return atVertices(boundaryThrough(await outlined(mesh), shape.vertex));
+    case 'component':
+      return atVertices(componentOf(await outlined(mesh), shape.vertex));
+    case 'part':
+      return atVertices(verticesOfPart(await outlined(mesh), shape.part));
+  }
+}
+
+export function atVertices(vertices: readonly number[]): Source[] {
+  if (vertices.length > MOST_POINTS) {
+    throw new Error(`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
+  }
+  return vertices.map((vertex) => ({ vertex }));
+}
+
+export async function outlined({ engine, opened }: Mesh): Promise<Outlined> {
+  return { ...opened, neighbors: await engine.neighbors() };
+}
+
+export async function lineThrough(engine: Engine, corners: readonly number[], closed: boolean): Promise<number[]> {
+  const line = corners.slice(0, 1);
+  const ends = closed ? [...corners, corners[0]] : corners;
+  for (let i = 1; i < ends.length; i++) line.push(...(await engine.line(ends[i - 1], ends[i])).subarray(1));
+  // The first vertex is not repeated.
+  return closed && line.length > 1 ? line.slice(0, -1) : line;
+}

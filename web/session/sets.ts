@@ -1,0 +1,189 @@
+/** Adds sets of sources as gestures, text and files ask for it. Fetched with the first of these. */
+import type { MeshPoint, Source } from '../protocol';
+import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
+import { type Row, rowsOf } from '../state/list';
+import type { Vector } from '../state/places';
+import { unitOf } from '../state/scene';
+import { allSources, indexOf, type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found';
+import { drawnPlace, filePlace, nearestPlace } from './nearest';
+import { boundaryNear, partOf } from './outlines';
+import type { Session } from './session';
+
+/** Letters of the name of a list. */
+const LONGEST_NAME = 60;
+
+/**
+ * Goes on with the line that is selected to the vertex nearest to a place, closes it at its first vertex, and ends it at its last. Where
+ * none is selected, a line begins there, or, `fromLast`, at the last source, which it replaces.
+ */
+export async function extendLine(session: Session, point: MeshPoint, fromLast: boolean): Promise<void> {
+  const { scene } = session;
+  const mesh = meshOf(session);
+  if (!mesh) return;
+  const to = mesh.places.nearestVertex(point);
+  const line = selectedSet(scene);
+  if (line?.shape.kind === 'line' && !line.shape.closed) {
+    const { corners } = line.shape;
+    if (to === corners.at(-1)) scene.set({ selected: -1 });
+    else if (to === corners[0] && corners.length > 1) await closeLine(session, line);
+    else await growLine(session, mesh, line, corners, to);
+    return;
+  }
+  const { sources } = scene.state;
+  const last = fromLast ? sources.at(-1) : undefined;
+  const from = last && mesh.places.nearestVertex(last);
+  if (!last || from === undefined || from === to) {
+    // A line of one vertex asks nothing but whether the mesh has lines at all.
+    await mesh.engine.line(to, to);
+    addSet(scene, { shape: { kind: 'line', corners: [to], closed: false }, points: [{ vertex: to }], offset: 0 });
+    return;
+  }
+  const corners = [from, to];
+  const points = atVertices(await lineThrough(mesh.engine, corners, false));
+  const now = scene.state;
+  if (mesh.engine !== session.engine || now.sources.at(-1) !== last) return;
+  const set: SourceSet = { shape: { kind: 'line', corners, closed: false }, points, offset: last.offset ?? 0 };
+  const rest = now.sources.slice(0, -1);
+  scene.place({ sources: rest, sets: [...now.sets, set], selected: rest.length + now.sets.length });
+}
+
+async function growLine(
+  session: Session,
+  { engine }: Mesh,
+  line: SourceSet,
+  corners: readonly number[],
+  to: number,
+): Promise<void> {
+  const more = await engine.line(corners[corners.length - 1], to);
+  if (engine !== session.engine || !session.scene.state.sets.includes(line)) return;
+  const points = [...line.points, ...atVertices([...more.subarray(1)])];
+  replaceSet(session.scene, line, {
+    ...line,
+    shape: { kind: 'line', corners: [...corners, to], closed: false },
+    points,
+  });
+}
+
+/** Closes a line along edges or a stroke, and ends it. */
+export async function closeLine(session: Session, set: SourceSet): Promise<void> {
+  const mesh = meshOf(session);
+  const { shape } = set;
+  if (!mesh || !('closed' in shape)) return;
+  const closed = { ...shape, closed: true };
+  const points = await pointsOf(mesh, closed, set.points);
+  if (mesh.engine !== session.engine || !session.scene.state.sets.includes(set)) return;
+  replaceSet(session.scene, set, { ...set, shape: closed, points });
+  session.scene.set({ selected: -1 });
+}
+
+/** Adds the boundary loop that is nearest to a place. */
+export async function addBoundary(session: Session, point: MeshPoint): Promise<void> {
+  await addFound(session, async (mesh) => {
+    const place = mesh.places.at(point)?.position;
+    const on = await outlined(mesh);
+    const vertex = place
+      ? boundaryNear({ ...on, surface: { ...on.surface, positions: mesh.places.positions } }, place)
+      : null;
+    if (vertex === null) throw new Error('This surface is closed: it has no boundary that could be a source.');
+    return { kind: 'boundary', vertex };
+  });
+}
+
+/** Adds all vertices of the part that a place is on; of the component, where the file has one part. */
+export async function addPart(session: Session, point: MeshPoint): Promise<void> {
+  await addFound(session, async (mesh) => {
+    const part = 'face' in point ? partOf(await outlined(mesh), point.face) : null;
+    return part === null ? { kind: 'component', vertex: mesh.places.nearestVertex(point) } : { kind: 'part', part };
+  });
+}
+
+async function addFound(session: Session, shapeOn: (mesh: Mesh) => Promise<SetShape>): Promise<void> {
+  const mesh = meshOf(session);
+  if (!mesh) return;
+  const shape = await shapeOn(mesh);
+  const points = await pointsOf(mesh, shape, []);
+  if (mesh.engine === session.engine) addSet(session.scene, { shape, points, offset: 0 });
+}
+
+/**
+ * Adds a list of sources, of which one alone is a single source. What was added, in a sentence.
+ *
+ * @throws where a row is none, with its line, and nothing is changed.
+ */
+export function addList(session: Session, name: string, text: string): string {
+  const mesh = meshOf(session);
+  if (!mesh) throw new Error('There is no mesh yet.');
+  const { scene } = session;
+  const { opened } = mesh;
+  const placed = rowsOf(name, text).map((row) => placedOf(row, mesh));
+  const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
+  const far = `${Number(farthest.toPrecision(3))} ${unitOf(scene.state, opened).symbol || 'units'}`;
+  const [first] = placed;
+  if (placed.length === 1) {
+    addSource(scene, first.source);
+    return 'coordinates' in first.row.place ? `Added, ${far} away from there.` : 'Added.';
+  }
+  const points = inOrder(placed.map(({ source }) => source));
+  const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
+  addSet(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
+  const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
+  return `${points.length.toLocaleString('en')} sources added${isByPlace ? `, at most ${far} away from where they were given` : ''}.`;
+}
+
+interface Placed {
+  row: Row;
+  source: Source;
+  /** From where it was given, as it is drawn. */
+  away: number;
+}
+
+function placedOf(row: Row, { opened, places }: Mesh): Placed {
+  const { place, offset, at } = row;
+  if ('vertex' in place) {
+    if (!places.has(place)) {
+      const { inputVertices } = opened.report;
+      const isThere = place.vertex < inputVertices;
+      throw new Error(
+        isThere
+          ? `${at}: no triangle has vertex ${place.vertex}.`
+          : `${at}: there is no vertex ${place.vertex}; the mesh has ${inputVertices}, counted from 0.`,
+      );
+    }
+    return { row, source: withOffset(place, offset), away: 0 };
+  }
+  const point = drawnPlace(place.coordinates, opened.drawTransform);
+  const nearest = nearestPlace(opened.surface, opened.inputVertices, point);
+  return { row, source: withOffset(nearest.point, offset), away: nearest.away };
+}
+
+/** By index, which is short in a link; a vertex that is there more than once counts where its initial distance is least. */
+function inOrder(sources: readonly Source[]): Source[] {
+  const byStart = sources.toSorted((a, b) => (a.offset ?? 0) - (b.offset ?? 0));
+  const seen = new Set<number>();
+  const once = byStart.filter((source) => {
+    if (!('vertex' in source)) return true;
+    const isNew = !seen.has(source.vertex);
+    seen.add(source.vertex);
+    return isNew;
+  });
+  return once.toSorted((a, b) => indexOf(a) - indexOf(b));
+}
+
+/** All sources as rows that `addList` takes: by vertex where all are vertices, else by their coordinates. */
+export function tableOf({ scene, shown }: Session): string {
+  const sources = allSources(scene.state);
+  const isByVertex = sources.every((source) => 'vertex' in source);
+  const rows = sources.map((source) => {
+    const mesh = shown.value;
+    const start = source.offset ?? 0;
+    if (isByVertex && 'vertex' in source) return `${source.vertex},${start}`;
+    const place: Vector = mesh?.places.at(source)?.position ?? [0, 0, 0];
+    return mesh ? [...filePlace(place, mesh.opened.drawTransform), start].join() : '';
+  });
+  return [isByVertex ? 'vertex,offset' : 'x,y,z,offset', ...rows, ''].join('\n');
+}
+
+function meshOf({ engine, shown }: Session): Mesh | null {
+  return engine && shown.value ? { engine, opened: shown.value.opened, places: shown.value.places } : null;
+}

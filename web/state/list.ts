@@ -1,0 +1,119 @@
+/** Lists of sources as rows of text: a CSV file, what is pasted, what is typed. */
+import { MOST_POINTS } from './sources';
+import type { Vector } from './places';
+
+/** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates. */
+export type RowPlace = { vertex: number } | { coordinates: Vector };
+
+export interface Row {
+  place: RowPlace;
+  /** Initial distance. */
+  offset: number;
+  /** What a message names it by. */
+  at: string;
+}
+
+const SEPARATORS = /\s*[,;\t]\s*|\s+/;
+const FORMS = 'Give a vertex, or x y z; an initial distance may follow.';
+/** Names of the columns, by the first row. */
+const VERTEX = ['vertex', 'v', 'vertex_id'];
+const OFFSET = ['offset', 'initial', 'initial_distance', 'distance'];
+const AXES = ['x', 'y', 'z'];
+
+/** Where in a row what is found; −1: nowhere. */
+interface Columns {
+  vertex: number;
+  axes: readonly number[];
+  offset: number;
+}
+
+/** Whether the first row says that the others are sources. */
+export function isNamedList(text: string): boolean {
+  const [first] = rowsIn(text);
+  return first !== undefined && columnsNamed(first.cells) !== null;
+}
+
+/** Whether text may be a list of sources: its first row is one, or says what the others are. */
+export function isList(text: string): boolean {
+  const [first] = rowsIn(text);
+  return first !== undefined && (columnsNamed(first.cells) !== null || columnsOf(first.cells) !== null);
+}
+
+/**
+ * Rows `vertex`, `vertex,offset`, `x,y,z` or `x,y,z,offset`, vertices counted from 0, coordinates and initial distances in the unit
+ * of the file. Commas, semicolons, tabs and blanks separate. A first row of words is a heading: it says which column is what.
+ *
+ * @throws where a row is none, with its line.
+ */
+export function rowsOf(name: string, text: string): Row[] {
+  const rows = rowsIn(text);
+  const named = rows[0] && columnsNamed(rows[0].cells);
+  if (named || (rows[0] && rows[0].cells.every((cell) => Number.isNaN(numberIn(cell))))) rows.shift();
+  if (rows.length === 0) throw new Error(`${name} has no sources. ${FORMS}`);
+  if (rows.length > MOST_POINTS) {
+    throw new Error(`${name} has ${rows.length} sources; up to ${MOST_POINTS} are taken.`);
+  }
+  const isOne = rows.length === 1 && !named;
+  return rows.map(({ cells, line }) => {
+    const at = isOne ? name : `${name}, line ${line}`;
+    const columns = named ?? columnsOf(cells);
+    if (!columns) throw new Error(`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
+    return rowOf(cells, columns, at);
+  });
+}
+
+function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: string): Row {
+  const valueAt = (column: number) => numberIn(cells[column] ?? '');
+  const offset = own < 0 || (cells[own] ?? '') === '' ? 0 : valueAt(own);
+  // Written so that not a number is refused.
+  if (!(offset >= 0 && offset < Infinity)) {
+    throw new Error(`${at}: an initial distance is a number from 0 on, not “${(cells[own] ?? '').slice(0, 40)}”.`);
+  }
+  if (vertex >= 0) {
+    const index = valueAt(vertex);
+    if (!(Number.isInteger(index) && index >= 0)) {
+      throw new Error(`${at}: a vertex is a whole number from 0 on, not “${(cells[vertex] ?? '').slice(0, 40)}”.`);
+    }
+    return { place: { vertex: index }, offset, at };
+  }
+  const [x, y, z] = axes.map(valueAt);
+  if (![x, y, z].every(Number.isFinite)) throw new Error(`${at}: x, y and z must be numbers.`);
+  return { place: { coordinates: [x, y, z] }, offset, at };
+}
+
+function rowsIn(text: string): { cells: string[]; line: number }[] {
+  return text
+    .split(/\r\n|\r|\n/)
+    .map((row, index) => ({ row: row.trim(), line: index + 1 }))
+    .filter(({ row }) => row !== '')
+    .map(({ row, line }) => ({ cells: row.split(SEPARATORS), line }));
+}
+
+/** What a heading says; null for a row that is none. */
+function columnsNamed(cells: readonly string[]): Columns | null {
+  const names = cells.map((cell) => cell.replaceAll('"', '').toLowerCase());
+  const among = (wanted: readonly string[]) => names.findIndex((name) => wanted.includes(name));
+  const vertex = among(VERTEX);
+  const axes = AXES.map((axis) => names.indexOf(axis));
+  const isHeading = vertex >= 0 || axes.every((column) => column >= 0);
+  return isHeading ? { vertex, axes, offset: among(OFFSET) } : null;
+}
+
+/** What a row without a heading holds, by how many numbers it has; null where it is none. */
+function columnsOf(cells: readonly string[]): Columns | null {
+  if (cells.some((cell) => Number.isNaN(numberIn(cell)))) return null;
+  switch (cells.length) {
+    case 1:
+    case 2:
+      return { vertex: 0, axes: [], offset: cells.length === 2 ? 1 : -1 };
+    case 3:
+    case 4:
+      return { vertex: -1, axes: [0, 1, 2], offset: cells.length === 4 ? 3 : -1 };
+    default:
+      return null;
+  }
+}
+
+function numberIn(cell: string): number {
+  return cell === '' ? Number.NaN : Number(cell);
+}

@@ -1,0 +1,152 @@
+/** Sets of sources as text in a link. */
+import type { MeshPoint, Source } from '../protocol';
+import { indexOf, MOST_POINTS, type SetShape, type SourceSet, withOffset } from './sources';
+import { amount, pack, parseAmount, unpack } from './text';
+
+/** Text that is longer is packed, and marked so. */
+const MOST_READABLE = 1500;
+const PACKED = '~';
+/** What a link can hold: browsers take more, mail and messengers do not. */
+const MOST_LETTERS = 30_000;
+/** Weights are written in steps of this share. */
+const STEPS = 10_000;
+
+const WRITTEN = new WeakMap<readonly SourceSet[], string>();
+
+/** Text for a link; empty where there are none, and where they are too many for one. */
+export function encodeSets(sets: readonly SourceSet[]): string {
+  const text = written(sets);
+  return text.length > MOST_LETTERS ? '' : text;
+}
+
+/** Whether a link can hold them. */
+export function fitLink(sets: readonly SourceSet[]): boolean {
+  return written(sets).length <= MOST_LETTERS;
+}
+
+function written(sets: readonly SourceSet[]): string {
+  let text = WRITTEN.get(sets);
+  if (text === undefined) {
+    const plain = sets.map(encodeSet).join(',');
+    const isShort = plain.length <= MOST_READABLE;
+    // A percent sign belongs to a name and is read twice: as part of an address first.
+    text = isShort ? plain.replaceAll('%', '%25') : PACKED + pack(new TextEncoder().encode(plain));
+    WRITTEN.set(sets, text);
+  }
+  return text;
+}
+
+/** Null for text that is none. Places that only a mesh can tell are empty. */
+export function decodeSets(text: string): SourceSet[] | null {
+  if (text === '') return [];
+  try {
+    const plain = text.startsWith(PACKED) ? new TextDecoder().decode(unpack(text.slice(PACKED.length))) : text;
+    const sets = plain.split(',').map(parseSet);
+    return sets.every((set) => set !== null) ? sets : null;
+  } catch {
+    return null;
+  }
+}
+
+function encodeSet({ shape, points, offset }: SourceSet): string {
+  return `${encodeShape(shape, points)}${offset > 0 ? `@${amount(offset)}` : ''}`;
+}
+
+function encodeShape(shape: SetShape, points: readonly Source[]): string {
+  switch (shape.kind) {
+    case 'line':
+      return `${shape.closed ? 'loop' : 'line'}:${shape.corners.join('-')}`;
+    case 'stroke':
+      return `${shape.closed ? 'curve' : 'stroke'}:${encodePoints(points)}`;
+    case 'boundary':
+    case 'component':
+      return `${shape.kind}:${shape.vertex}`;
+    case 'part':
+      return `part:${shape.part}`;
+    case 'list':
+      return `list:${encodeURIComponent(shape.name)}:${encodePoints(points)}`;
+  }
+}
+
+function parseSet(text: string): SourceSet | null {
+  const [whole, start, ...more] = text.split('@');
+  const [kind, ...rest] = whole.split(':');
+  const offset = start === undefined ? 0 : parseAmount(start);
+  const places = rest.pop();
+  if (offset === null || more.length > 0 || places === undefined || rest.length !== (kind === 'list' ? 1 : 0))
+    return null;
+  const of = (shape: SetShape, points: readonly Source[] | null = []) => points && { shape, points, offset };
+  const index = parseIndex(places);
+  switch (kind) {
+    case 'line':
+    case 'loop': {
+      const corners = places.split('-').map(parseIndex);
+      const isLine = corners.every((corner) => corner !== null);
+      return isLine ? of({ kind: 'line', corners, closed: kind === 'loop' }) : null;
+    }
+    case 'stroke':
+    case 'curve':
+      return of({ kind: 'stroke', closed: kind === 'curve' }, parsePoints(places));
+    case 'boundary':
+    case 'component':
+      return index === null ? null : of({ kind, vertex: index });
+    case 'part':
+      return index === null ? null : of({ kind, part: index });
+    case 'list':
+      return of({ kind, name: decodeURIComponent(rest[0]) }, parsePoints(places));
+    default:
+      return null;
+  }
+}
+
+function parseIndex(text: string): number | null {
+  return /^\d{1,9}$/.test(text) ? Number(text) : null;
+}
+
+/** Each as the step from the index before, then its weights but the last one, then its own initial distance. */
+function encodePoints(points: readonly Source[]): string {
+  let before = 0;
+  return points
+    .map((point) => {
+      const index = indexOf(point);
+      const step = index - before;
+      before = index;
+      const weights = 'vertex' in point ? '' : shares(point.weights);
+      return `${step}${weights}${point.offset ? `*${amount(point.offset)}` : ''}`;
+    })
+    .join('_');
+}
+
+/** Whole steps that together are never more than all, so that what is read is written alike. */
+function shares(weights: readonly number[]): string {
+  let rest = STEPS;
+  const part = (weight: number) => {
+    const steps = Math.min(rest, Math.max(0, Math.round(STEPS * weight)));
+    rest -= steps;
+    return `/${steps}`;
+  };
+  return weights.slice(0, -1).map(part).join('');
+}
+
+function parsePoints(text: string): Source[] | null {
+  const found: Source[] = [];
+  let index = 0;
+  for (const word of text.split('_')) {
+    const match = /^(-?\d{1,9})((?:\/\d{1,5}){0,3})(?:\*(.+))?$/.exec(word);
+    const offset = match?.[3] === undefined ? 0 : parseAmount(match[3]);
+    if (!match || offset === null || found.length === MOST_POINTS) return null;
+    index += Number(match[1]);
+    const point = index < 0 ? null : pointOf(index, match[2].split('/').slice(1).map(Number));
+    if (!point) return null;
+    found.push(withOffset(point, offset));
+  }
+  return found;
+}
+
+function pointOf(index: number, steps: readonly number[]): MeshPoint | null {
+  const rest = STEPS - steps.reduce((sum, step) => sum + step, 0);
+  if (rest < 0 || steps.length === 1) return null;
+  const [a, b, c, d] = [...steps, rest].map((step) => step / STEPS);
+  if (steps.length === 0) return { vertex: index };
+  return steps.length === 2 ? { face: index, weights: [a, b, c] } : { tetrahedron: index, weights: [a, b, c, d] };
+}

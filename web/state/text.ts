@@ -1,0 +1,48 @@
+/** How numbers and bytes are written in a link. */
+import { deflateSync, Inflate } from 'fflate';
+
+/** What may be unpacked. */
+const MOST_BYTES = 2 ** 23;
+/** Text that is unpacked at once: bytes are at most a thousand times as many. */
+const SLICE = 1024;
+
+/** Six digits, whatever the file's unit is; a plus sign would read as a space. */
+export function amount(value: number): string {
+  return String(Number(value.toPrecision(6))).replace('+', '');
+}
+
+/** A number as `amount` writes it, not negative; null for other text. */
+export function parseAmount(text: string): number | null {
+  return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
+}
+
+/** Bytes by deflate in base64url. */
+export function pack(bytes: Uint8Array): string {
+  const packed = deflateSync(bytes, { level: 9 });
+  const letters = Array.from(packed, (byte) => String.fromCharCode(byte)).join('');
+  return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+/**
+ * The bytes that were packed.
+ *
+ * @throws for text that is none, and for more than 8 MiB.
+ */
+export function unpack(text: string): Uint8Array {
+  const letters = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  const chunks: number[][] = [];
+  let size = 0;
+  let ended = false;
+  const inflate = new Inflate((chunk, final) => {
+    size += chunk.length;
+    ended ||= final;
+    if (size > MOST_BYTES) throw new RangeError('too large');
+    chunks.push([...chunk]);
+  });
+  for (let first = 0; first < packed.length; first += SLICE) {
+    inflate.push(packed.subarray(first, first + SLICE), first + SLICE >= packed.length);
+  }
+  if (!ended) throw new RangeError('cut off');
+  return Uint8Array.from(chunks.flat());
+}

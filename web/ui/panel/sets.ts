@@ -1,0 +1,144 @@
+/** Draws, types, and saves sources that are many at once. */
+import type { Session } from '../../session/session';
+import { selectedSet } from '../../state/edit';
+import type { Scene } from '../../state/scene';
+import { fitLink } from '../../state/sets';
+import type { Signal } from '../../state/signal';
+import type { SourceSet } from '../../state/sources';
+import { save } from '../../view/picture';
+import { h, select } from '../dom';
+import { DRAWING, type Tool } from '../../state/tool';
+
+const NO_DRAWING = 'none';
+type Choice = typeof NO_DRAWING | (typeof DRAWING)[number];
+
+const WORDS: readonly (readonly [Choice, string])[] = [
+  [NO_DRAWING, 'single sources'],
+  ['line', 'line along edges (4)'],
+  ['stroke', 'stroke (5)'],
+  ['boundary', 'whole boundary (6)'],
+  ['part', 'whole part (7)'],
+];
+
+const HINTS: Record<Choice, string> = {
+  none: matchMedia('(pointer: coarse)').matches
+    ? 'Choose what a tap draws.'
+    : 'Shift + click draws a line along edges from the last source.',
+  line: 'Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.',
+  stroke: 'Drag on the surface to draw. A stroke that ends where it began is closed.',
+  boundary: 'Click near a boundary: all of its vertices are sources.',
+  part: 'Click a part: all of its vertices are sources; of a model of one part, those of the component.',
+};
+
+const TOO_MANY =
+  'These sources are too many for a link, which leaves out those drawn and listed. Save them as a file: whoever drops it on the page has them again.';
+
+/** What draws sources, a field to type or paste them, and a file to save them in. */
+export function drawingControls(session: Session, tool: Signal<Tool>): HTMLElement[] {
+  const { scene } = session;
+  const choice = select<Choice>('Draw', WORDS, (value) => {
+    tool.value = value === NO_DRAWING ? 'source' : value;
+  });
+  const hint = h('p', { class: 'quiet' });
+  tool.watch((value) => {
+    const chosen = DRAWING.find((drawing) => drawing === value) ?? NO_DRAWING;
+    choice.show(chosen);
+    hint.textContent = HINTS[chosen];
+  });
+
+  const said = h('p', { class: 'quiet', role: 'status', hidden: true });
+  const tell = (text: string) => {
+    said.hidden = text === '';
+    said.textContent = text;
+  };
+  const add = async (text: string) => {
+    if (text.trim() === '') return;
+    try {
+      const { addList } = await import('../../session/sets');
+      tell(addList(session, 'List', text));
+      field.value = '';
+    } catch (error) {
+      tell(error instanceof Error ? error.message : String(error));
+    }
+  };
+  const field = h('input', {
+    type: 'text',
+    placeholder: 'Vertex, or x y z',
+    title: 'A vertex of the file, counted from 0, or coordinates in its unit; a list can be pasted',
+    'aria-label': 'Source to add: a vertex, or x y z',
+    onkeydown: (event) => {
+      if (event instanceof KeyboardEvent && event.key === 'Enter') void add(field.value);
+    },
+    // A field of one line would join those of a list.
+    onpaste: (event) => {
+      const text = (event instanceof ClipboardEvent && event.clipboardData?.getData('text/plain')) || '';
+      if (!/[\r\n]/.test(text.trim())) return;
+      event.preventDefault();
+      void add(text);
+    },
+  });
+  const typed = h(
+    'div',
+    { class: 'linking' },
+    field,
+    h('button', { class: 'small', onclick: () => void add(field.value) }, 'Add'),
+  );
+
+  const tooMany = h('p', { class: 'warning', role: 'status', hidden: true });
+  const keep = h(
+    'button',
+    {
+      class: 'small',
+      title: 'All sources as a CSV file, which can be dropped on the page',
+      onclick: () =>
+        void (async () => {
+          const { tableOf } = await import('../../session/sets');
+          save(new Blob([tableOf(session)], { type: 'text/csv' }), 'sources.csv');
+        })().catch((error: unknown) => session.fail(error)),
+    },
+    'Save sources',
+  );
+  const clear = h(
+    'button',
+    { class: 'small', onclick: () => scene.place({ sources: [], sets: [], selected: -1 }) },
+    'Delete all',
+  );
+  const close = h(
+    'button',
+    {
+      class: 'small',
+      title: 'Joins the end of the selected curve with its beginning',
+      onclick: () =>
+        void (async () => {
+          const curve = openCurve(scene);
+          if (curve) await (await import('../../session/sets')).closeLine(session, curve);
+        })().catch((error: unknown) => session.fail(error)),
+    },
+    'Close curve',
+  );
+  const keeping = h('div', { class: 'linking', hidden: true }, close, keep, clear);
+  const showSets = () => {
+    const { sets, sources } = scene.state;
+    keeping.hidden = sets.length === 0 && sources.length < 2;
+    close.hidden = openCurve(scene) === undefined;
+    const text = fitLink(sets) ? '' : TOO_MANY;
+    tooMany.hidden = text === '';
+    if (tooMany.textContent !== text) tooMany.textContent = text;
+  };
+  scene.subscribe((state, previous) => {
+    // While a stroke is drawn, its text is not wanted at every step.
+    if (session.dragging) return;
+    const isOther = state.sets !== previous.sets || state.sources.length !== previous.sources.length;
+    if (isOther || state.selected !== previous.selected) showSets();
+  });
+  session.shown.watch(() => {
+    if (!session.dragging) showSets();
+  });
+  return [choice.element, hint, typed, said, tooMany, keeping];
+}
+
+/** The curve that is selected, if it can be closed. */
+function openCurve(scene: Scene): SourceSet | undefined {
+  const set = selectedSet(scene);
+  return set && 'closed' in set.shape && !set.shape.closed && set.points.length > 2 ? set : undefined;
+}
