@@ -142,7 +142,7 @@ fn curves_that_cross_themselves_and_surfaces_without_sides_are_told() {
     assert_eq!(enclosed(&plane, &ring(&plane, &small)), Ok(Enclosed::Crossed));
 
     let twisted = surface(&band(24, 1));
-    let places = [0, 7, 13].map(|vertex| VertexId(vertex));
+    let places = [0, 7, 13].map(VertexId);
     assert_eq!(enclosed(&twisted, &ring(&twisted, &places)), Ok(Enclosed::Sideless));
 
     let mut open = ring(&plane, &bow[..3]);
