@@ -131,12 +131,12 @@ fn trace_from(field: &Field, start: usize, value: f64, is_traced: &mut [bool]) -
     if !is_closed {
         points.push(field.crossing(last, value));
     }
-    Curve::without_repetitions(points, triangles, is_closed)
+    Curve::without_repetitions(&points, &triangles, is_closed)
 }
 
 impl Curve {
     /// Of points that may fall together.
-    fn without_repetitions(points: Vec<DVec3>, triangles: Vec<u32>, is_closed: bool) -> Option<Self> {
+    fn without_repetitions(points: &[DVec3], triangles: &[u32], is_closed: bool) -> Option<Self> {
         let count = points.len();
         let (mut kept, mut beside) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (index, &triangle) in triangles.iter().enumerate() {

@@ -45,7 +45,7 @@ impl Sheet {
 
     /// Lays shapes in rows about as wide as all rows are high, the highest first.
     fn arranged(mut planes: Vec<Plane>) -> Self {
-        let sizes: Vec<DVec2> = planes.iter_mut().map(Plane::to_origin).collect();
+        let sizes: Vec<DVec2> = planes.iter_mut().map(Plane::move_to_origin).collect();
         let area: f64 = sizes.iter().map(|size| size.x * size.y).sum();
         let widest = sizes.iter().map(|size| size.x).fold(0.0, f64::max);
         let width = area.sqrt().max(widest);
@@ -69,7 +69,7 @@ impl Sheet {
 
 impl Plane {
     /// Moves the shape so that the box around it begins at 0, 0; the size of the box.
-    fn to_origin(&mut self) -> DVec2 {
+    fn move_to_origin(&mut self) -> DVec2 {
         let points = || self.loops.iter().flatten().copied();
         let low = points().reduce(DVec2::min).unwrap_or_default();
         let high = points().reduce(DVec2::max).unwrap_or_default();

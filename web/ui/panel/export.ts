@@ -106,8 +106,11 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   ];
 }
 
+function cells(tag: 'th' | 'td', words: readonly string[]): HTMLElement {
+  return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
+}
+
 function tableOf({ rows }: Isolines, unit: string): HTMLElement {
-  const cells = (tag: 'th' | 'td', words: readonly string[]) => h('tr', {}, ...words.map((word) => h(tag, {}, word)));
   const { length: lengths } = rows;
   const title = `${lengths} ${lengths === 1 ? 'isoline' : 'isolines'}${unit === '' ? '' : `, ${unit}`}`;
   return h(
