@@ -53,7 +53,7 @@ export default defineConfig({
     { name: 'unit', testDir: 'tests/unit' },
     { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
     // Driven by other means than the rest.
-    { name: 'firefox', testDir: 'tests/others' },
+    { name: 'others', testDir: 'tests/others' },
     // What is drawn is looked at on both; what the page does is the same on either.
     { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, use: browser(WEBGPU) },
   ],

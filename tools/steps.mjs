@@ -145,6 +145,15 @@ export function findFirefox() {
   return '';
 }
 
+/** Installs a WebKit for the tests in it by apt-get where there is none; without one they are skipped. */
+export function findWebKit() {
+  const isThere = () => existsSync('/usr/bin/WebKitWebDriver') && output('which', ['Xvfb']);
+  const remedy = 'Install the Debian packages webkit2gtk-driver and xvfb.';
+  const packages = ['webkit2gtk-driver', 'xvfb', 'libegl1', 'libgl1-mesa-dri'];
+  if (!isThere()) installDebian('Installing WebKit for the browser tests', packages, remedy, { mayFail: true });
+  if (!isThere()) console.log(`\nThe tests in WebKit are skipped: there is none, or no virtual screen. ${remedy}`);
+}
+
 /** Whether the native image tests have a software Vulkan driver, installed by apt-get where there is none. */
 export function hasSoftwareVulkan() {
   const drivers = '/usr/share/vulkan/icd.d';

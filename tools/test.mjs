@@ -1,12 +1,23 @@
-// npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium and a real Firefox.
+// npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium, Firefox and WebKit.
 
-import { cargo, findFirefox, hasSoftwareVulkan, npmProgram, prepare, requireChromium, root, run } from './steps.mjs';
+import {
+  cargo,
+  findFirefox,
+  findWebKit,
+  hasSoftwareVulkan,
+  npmProgram,
+  prepare,
+  requireChromium,
+  root,
+  run,
+} from './steps.mjs';
 
 const named = 'The message above names the test.';
 
 prepare();
 const chromium = requireChromium();
 const firefox = findFirefox();
+findWebKit();
 const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 run('Checking format, lint and types', process.execPath, [`${root}tools/check.mjs`], 'npm run check repeats it.');
 // Tests that need large meshes are ignored where the folder of these is not known.
@@ -17,4 +28,4 @@ run('Building the page', process.execPath, [`${root}tools/build.mjs`], 'npm run 
 const single = [`${root}tools/build.mjs`, '--single'];
 run('Building the page in one file', process.execPath, single, 'npm run build:single repeats it.');
 const browsers = { CHROMIUM: chromium, FIREFOX: firefox };
-npmProgram('Running the page in Chromium and Firefox', '@playwright/test/cli.js', ['test'], named, browsers);
+npmProgram('Running the page in Chromium, Firefox and WebKit', '@playwright/test/cli.js', ['test'], named, browsers);
