@@ -24,7 +24,16 @@ export type MeshReference =
   | { kind: 'file'; name: string; hash: string }
   | { kind: 'address'; address: string; path: string; hash: string };
 
-export const OVERLAYS = ['scenery', 'edges', 'boundary', 'contacts', 'operator', 'isolines', 'heat', 'distance'] as const;
+export const OVERLAYS = [
+  'scenery',
+  'edges',
+  'boundary',
+  'contacts',
+  'operator',
+  'isolines',
+  'heat',
+  'distance',
+] as const;
 /**
  * The inactive parts; edges of the mesh, boundary edges, places where components meet, edges of the operator's triangles;
  * curves of equal distance at the period of the stripes;
