@@ -19,7 +19,7 @@ import { draws, type Tool } from './state/tool';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
-import { MeasureInput } from './ui/input/measure';
+import { MeasureInput } from './ui/measure/input';
 import { DrawInput } from './ui/input/draw';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';

@@ -3,7 +3,7 @@ import type { MeshPoint } from '../../web/protocol';
 import type { Session } from '../../web/session/session';
 import { emptyScene, Scene } from '../../web/state/scene';
 import { Signal } from '../../web/state/signal';
-import { MeasureInput } from '../../web/ui/input/measure';
+import { MeasureInput } from '../../web/ui/measure/input';
 import type { Tool } from '../../web/state/tool';
 
 const pick = (x: number) => (x < 0 ? null : { point: { vertex: x }, position: [0, 0, 0] });

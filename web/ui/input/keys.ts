@@ -11,7 +11,7 @@ import { h } from '../dom';
 import type { Readout } from '../overlay/readout';
 import { draws, type Tool } from '../../state/tool';
 import type { DrawInput } from './draw';
-import type { MeasureInput } from './measure';
+import type { MeasureInput } from '../measure/input';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;

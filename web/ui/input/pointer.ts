@@ -8,7 +8,7 @@ import type { Readout } from '../overlay/readout';
 import { draws, type Tool } from '../../state/tool';
 import type { BrushInput } from './brush';
 import type { DrawInput } from './draw';
-import type { MeasureInput } from './measure';
+import type { MeasureInput } from '../measure/input';
 import { type Finger, listenToWheel, pinch } from './orbit';
 import { type Target, targetAt } from './pick';
 

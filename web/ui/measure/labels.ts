@@ -5,7 +5,7 @@ import type { Places, Vector } from '../../state/places';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
-import type { MeasureInput } from '../input/measure';
+import type { MeasureInput } from './input';
 import { away, middleOf, pointsOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 

@@ -2,7 +2,7 @@
 import '../../style/tapes.css';
 import type { Session } from '../../session/session';
 import { told, Tapes, type ToldTape } from '../../session/tapes';
-import type { MeasureInput } from '../input/measure';
+import type { MeasureInput } from './input';
 import { TapeLabels } from './labels';
 import { tapesTable } from './section';
 

@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import type { MeasuredTape, ToldTape } from '../../session/tapes';
 import { Signal } from '../../state/signal';
 import { h } from '../dom';
-import type { MeasureInput } from '../input/measure';
+import type { MeasureInput } from '../measure/input';
 import type { Measuring } from '../measure/loaded';
 import type { Tool } from '../../state/tool';
 
