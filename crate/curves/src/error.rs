@@ -2,7 +2,29 @@
 
 use thiserror::Error;
 
-use crate::levels::MOST_LEVELS;
+/// Isolines that are traced at once, at most: at a hundred thousand, the curves of a small mesh fill a gigabyte.
+pub const MOST_LEVELS: usize = 10_000;
+
+/// Angle defects of all inner vertices of a piece that is unrolled, in radians, without their signs, at most. Where two sides of
+/// a cut would meet, the plane shape is off by no more than this times the piece's extent: 1 %.
+pub const MAX_DEFECT: f64 = 0.01;
+
+/// A piece that has no plane shape.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "strip {strip} cannot be unrolled: it is curved, with an angle defect of {largest:.4} rad at vertex {vertex} and of {total:.4} rad \
+     in all, where {MAX_DEFECT} is allowed; choose a smaller spacing"
+)]
+pub struct NotDevelopable {
+    /// Which strip it is a piece of.
+    pub strip: usize,
+    /// The largest angle defect, without its sign, in radians.
+    pub largest: f64,
+    /// Where that is: a vertex of the strips.
+    pub vertex: u32,
+    /// The sum of all of them, without signs.
+    pub total: f64,
+}
 
 /// What is wrong, in a sentence that names it.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -50,7 +72,7 @@ pub enum Error {
     TooManyVertices,
     /// A strip that the plane cannot take.
     #[error(transparent)]
-    NotDevelopable(#[from] crate::unroll::NotDevelopable),
+    NotDevelopable(#[from] NotDevelopable),
 }
 
 /// What a fallible call returns.

@@ -1,9 +1,6 @@
 //! The values whose isolines are wanted.
 
-use crate::error::{Error, Result};
-
-/// Isolines that are traced at once, at most: at a hundred thousand, the curves of a small mesh fill a gigabyte.
-pub const MOST_LEVELS: usize = 10_000;
+use crate::error::{Error, MOST_LEVELS, Result};
 
 /// Finite values, ascending, each once; one at least.
 #[derive(Debug, Clone, PartialEq)]

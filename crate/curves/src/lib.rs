@@ -2,7 +2,7 @@
 //!
 //! A [`Field`] is a surface with a value at each vertex, linear on each triangle. [`Levels`] are the values whose isolines are
 //! wanted; [`Isolines::trace`] finds the curves, [`Strips::cut`] the strips between them, [`Sheet::unroll`] their plane
-//! shapes. [`write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
+//! shapes. [`mod@write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
 
 mod area;
 mod error;
@@ -16,10 +16,9 @@ mod unroll;
 mod web;
 pub mod write;
 
-pub use error::{Error, Result};
+pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
 pub use isolines::{Curve, Isoline, Isolines};
-pub use levels::{Levels, MOST_LEVELS};
+pub use levels::Levels;
 pub use sheet::{Plane, Sheet};
 pub use strips::Strips;
-pub use unroll::{MAX_DEFECT, NotDevelopable};

@@ -8,31 +8,10 @@ use std::collections::BinaryHeap;
 
 use glam::{DVec2, DVec3};
 use heatwalk_surface::triangle;
-use thiserror::Error;
 
+use crate::error::{MAX_DEFECT, NotDevelopable};
 use crate::field::Edges;
 use crate::strips::Strips;
-
-/// Angle defects of all inner vertices of a piece that is unrolled, in radians, without their signs, at most. Where two sides of
-/// a cut would meet, the plane shape is off by no more than this times the piece's extent: 1 %.
-pub const MAX_DEFECT: f64 = 0.01;
-
-/// A piece that has no plane shape.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error(
-    "strip {strip} cannot be unrolled: it is curved, with an angle defect of {largest:.4} rad at vertex {vertex} and of {total:.4} rad \
-     in all, where {MAX_DEFECT} is allowed; choose a smaller spacing"
-)]
-pub struct NotDevelopable {
-    /// Which strip it is a piece of.
-    pub strip: usize,
-    /// The largest angle defect, without its sign, in radians.
-    pub largest: f64,
-    /// Where that is: a vertex of the strips.
-    pub vertex: u32,
-    /// The sum of all of them, without signs.
-    pub total: f64,
-}
 
 /// Triangles of one strip that hang together by edges.
 pub(crate) struct Piece<'a> {
