@@ -145,13 +145,16 @@ export function findFirefox() {
   return '';
 }
 
+function hasWebKit() {
+  return existsSync('/usr/bin/WebKitWebDriver') && output('which', ['Xvfb']) !== undefined;
+}
+
 /** Installs a WebKit for the tests in it by apt-get where there is none; without one they are skipped. */
 export function findWebKit() {
-  const isThere = () => existsSync('/usr/bin/WebKitWebDriver') && output('which', ['Xvfb']);
   const remedy = 'Install the Debian packages webkit2gtk-driver and xvfb.';
   const packages = ['webkit2gtk-driver', 'xvfb', 'libegl1', 'libgl1-mesa-dri'];
-  if (!isThere()) installDebian('Installing WebKit for the browser tests', packages, remedy, { mayFail: true });
-  if (!isThere()) console.log(`\nThe tests in WebKit are skipped: there is none, or no virtual screen. ${remedy}`);
+  if (!hasWebKit()) installDebian('Installing WebKit for the browser tests', packages, remedy, { mayFail: true });
+  if (!hasWebKit()) console.log(`\nThe tests in WebKit are skipped: there is none, or no virtual screen. ${remedy}`);
 }
 
 /** Whether the native image tests have a software Vulkan driver, installed by apt-get where there is none. */
