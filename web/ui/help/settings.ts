@@ -12,7 +12,7 @@ const about = (line: string, see: string): Explanation => ({ line, see });
 export const SECTIONS: Record<string, string> = {
   scene: 'page#opening',
   animation: 'page#animations',
-  sources: 'method#several-sources',
+  sources: 'page#sources',
   ground: 'page#ground',
   inside: 'page#inside',
   solver: 'page#methods',
@@ -37,6 +37,12 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
   },
   measure: {
     'Unit of the known length': about('What lengths are told in from then on.', 'page#tapes'),
+  },
+  sources: {
+    Draw: about(
+      'What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.',
+      'page#sources',
+    ),
   },
   ground: {
     Brush: about('A drag on the surface paints instead of orbiting.', 'page#ground'),
