@@ -39,7 +39,10 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     'Unit of the known length': about('What lengths are told in from then on.', 'page#tapes'),
   },
   sources: {
-    Draw: about('What a click or a drag adds: one source, or all of a line, stroke, boundary or part.', 'page#sources'),
+    Draw: about(
+      'What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.',
+      'page#sources',
+    ),
   },
   ground: {
     Brush: about('A drag on the surface paints instead of orbiting.', 'page#ground'),
@@ -140,7 +143,7 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
       'The triangles that the Laplacian is built on.',
       'method#operator-the-intrinsic-delaunay-triangulation',
     ),
-    Isolines: about('Curves on which the distance is the same, at the edges of the stripes.', 'page#isolines'),
+    Isolines: about('Curves on which the distance is the same, at the edges of the stripes.', 'page#curves-and-data'),
     'Heat gradient': about('Arrows along the unit gradient of heat, towards the sources.', 'method#directions'),
     'Distance gradient': about('Arrows along the gradient of the distance.', 'method#directions'),
     Crowd: about('Walkers that all take the shortest way to a source.', 'method#crowds'),
