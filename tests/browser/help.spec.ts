@@ -14,17 +14,21 @@ test('help tells what the keys do, explains every setting, and leads to document
   await page.keyboard.press('Escape');
   await expect(dialog).toHaveCount(0);
 
-  // Every setting has its line, also those that are not to be seen now.
-  const unexplained = await page.evaluate(() =>
-    [...document.querySelectorAll('.panel .field')]
-      .filter((field) => !field.nextElementSibling?.classList.contains('explanation'))
-      .map((field) => `${field.closest('[id^=section-]')?.id}: ${field.querySelector('span')?.textContent}`),
-  );
-  expect(unexplained).toEqual([]);
+  // Every setting has its line, also those that are not to be seen now, or are fetched when their section is expanded.
+  const unexplained = () =>
+    page.evaluate(() => {
+      for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
+      return [...document.querySelectorAll('.panel .field')]
+        .filter((field) => !field.nextElementSibling?.classList.contains('explanation'))
+        .map((field) => `${field.closest('[id^=section-]')?.id}: ${field.querySelector('span')?.textContent}`);
+    });
+  await unexplained();
+  await page.locator('#section-export').scrollIntoViewIfNeeded();
+  await expect(page.getByLabel('Isolines at', { exact: true })).toBeVisible();
+  await expect.poll(unexplained).toEqual([]);
   await expect(page.locator('#section-style .explanation').first()).toBeVisible();
 
   const documents = page.waitForEvent('popup');
-  await page.locator('#section-solver summary').first().click();
   await page.getByRole('link', { name: 'More about Path' }).click();
   const method = await documents;
   await expect(method.getByRole('heading', { name: 'Paths' })).toBeInViewport();

@@ -35,6 +35,8 @@ test('the page can be installed, and after one visit every preset opens without 
     await page.evaluate((name) => (location.hash = `#m=${name}`), preset);
     await expect.poll(() => page.evaluate(() => window.heatwalk.scene.mesh)).toEqual({ kind: 'preset', id: preset });
     await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name.split('.')[0])).toBe(preset);
+    await page.evaluate(() => window.heatwalk.settled());
+    await expect(page).toHaveURL(new RegExp(`m=${preset}\\b`));
   }
   await expect(page.getByRole('alert')).toBeEmpty();
 });

@@ -6,6 +6,14 @@ import { GESTURES } from './gestures';
 
 const EXPLAINED = 'explains';
 
+/** Settings that arrive while settings are explained: those of a section that is fetched when it is expanded first. */
+const arrivals = new MutationObserver((changes) => {
+  for (const { target } of changes) {
+    const panel = target instanceof Element ? target.closest<HTMLElement>('.panel') : null;
+    if (panel) explain(panel);
+  }
+});
+
 /** Opens the help. `panel`: whose settings can be explained; null where there is none. */
 export function openHelp(panel: HTMLElement | null): void {
   const close = h('button', { class: 'small', 'aria-label': 'Close the help', onclick: () => dialog.close() }, '×');
@@ -52,11 +60,14 @@ function keyCell(keys: string | null): HTMLElement {
 }
 
 function explaining(panel: HTMLElement): HTMLElement {
-  const body = document.documentElement;
+  const page = document.documentElement;
   const { element, show } = toggle('Explain every setting of the panel', (on) => {
-    if (on) explain(panel);
-    body.classList.toggle(EXPLAINED, on);
+    page.classList.toggle(EXPLAINED, on);
+    arrivals.disconnect();
+    if (!on) return;
+    explain(panel);
+    arrivals.observe(panel, { childList: true, subtree: true });
   });
-  show(body.classList.contains(EXPLAINED));
+  show(page.classList.contains(EXPLAINED));
   return element;
 }

@@ -21,6 +21,7 @@ export const SECTIONS: Record<string, string> = {
   charts: 'page#charts',
   display: 'page#materials',
   numbers: 'page#refinement',
+  export: 'page#curves-and-data',
   share: 'page#link',
 };
 
@@ -150,6 +151,16 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Up: about('The axis of the file that is drawn upward.', 'page#up'),
     'Cameras of the file': about('Looks through a camera that the file has.', 'page#cameras-and-lights'),
     'Lights of the file': about('Lights of the file in the place of those of the style.', 'page#cameras-and-lights'),
+  },
+  export: {
+    'Isolines at': about(
+      'A spacing, or values with commas between them; the period of the stripes where it is empty.',
+      'page#curves-and-data',
+    ),
+    File: about('Curves, or the surface cut along them into strips, also unrolled.', 'page#curves-and-data'),
+    Distances: about('A number a vertex, as a table or with the mesh.', 'page#curves-and-data'),
+    Path: about('The places that the walker comes through.', 'page#curves-and-data'),
+    'Reproduce by': about('The lines that give the same numbers outside of the page.', 'page#curves-and-data'),
   },
   share: {
     'Image size': about('Pixels of a saved image, as a multiple of the window.', 'page#images-and-videos'),
