@@ -29,7 +29,7 @@ test('help tells what the keys do, explains every setting, and leads to document
   await expect(page.locator('#section-style .explanation').first()).toBeVisible();
 
   const documents = page.waitForEvent('popup');
-  await page.getByRole('link', { name: 'More about Path' }).click();
+  await page.locator('#section-solver').getByRole('link', { name: 'More about Path' }).click();
   const method = await documents;
   await expect(method.getByRole('heading', { name: 'Paths' })).toBeInViewport();
   await method.getByRole('searchbox').fill('intrinsic delaunay');
