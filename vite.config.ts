@@ -1,5 +1,5 @@
 import { defineConfig } from 'vite';
-import { docs } from './tools/docs.mjs';
+import { docs } from './tools/vite/docs.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */

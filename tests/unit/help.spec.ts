@@ -1,6 +1,6 @@
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
-import { readDocuments } from '../../tools/docs.mjs';
+import { readDocuments } from '../../tools/vite/docs';
 import { addressOf, SECTIONS, SETTINGS } from '../../web/ui/help/settings';
 
 const { pages, sections } = readDocuments(join(import.meta.dirname, '../../docs'));

@@ -1,13 +1,6 @@
 /** The search field of the documents: sections of all of them, best first. */
 import MiniSearch from 'minisearch';
-
-interface Section {
-  page: string;
-  title: string;
-  id: string;
-  heading: string;
-  text: string;
-}
+import type { Section } from './section';
 
 const MOST_FOUND = 12;
 

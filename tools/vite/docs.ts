@@ -1,9 +1,10 @@
-// A Vite plugin: the documents of docs/ as pages beside the page, with a search over all of them.
-
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+/** The documents of docs/ as pages beside the page, with a search over all of them. */
+import { readdirSync, readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import GithubSlugger from 'github-slugger';
-import MarkdownIt from 'markdown-it';
+import MarkdownIt, { type Token } from 'markdown-it';
+import type { Plugin } from 'vite';
+import type { Section } from '../../web/docs/section.ts';
 
 /** In the order of the index; what is not named comes last. */
 const ORDER = [
@@ -19,14 +20,37 @@ const ORDER = [
   'hosting',
   'architecture',
 ];
-const IMAGE_TYPES = { '.jpg': 'image/jpeg', '.png': 'image/png', '.svg': 'image/svg+xml', '.webp': 'image/webp' };
+const IMAGE_TYPES: Record<string, string> = {
+  '.jpg': 'image/jpeg',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.webp': 'image/webp',
+};
+
+const TYPES: Record<string, string> = {
+  ...IMAGE_TYPES,
+  '.html': 'text/html; charset=utf-8',
+  '.json': 'application/json',
+};
 
 /** Where the pages are, relative to the page. */
 const FOLDER = 'docs';
 const SEARCH = 'web/docs/search.ts';
 const STYLE = 'web/docs/docs.css';
 
-function rank(name) {
+interface Page {
+  name: string;
+  title: string;
+  html: string;
+}
+
+/** Of the script and the style of all pages, as a page names them. */
+interface Addresses {
+  search: string;
+  style: string;
+}
+
+function rank(name: string): number {
   return ORDER.includes(name) ? ORDER.indexOf(name) : ORDER.length;
 }
 
@@ -34,12 +58,13 @@ function rank(name) {
  * The documents of a folder: `pages` by name with title and HTML, `sections` of all of them in order, each with the plain
  * text below its heading. Headings have the identifiers that GitHub gives them.
  */
-export function readDocuments(folder) {
+export function readDocuments(folder: string): { pages: Page[]; sections: Section[] } {
   const names = readdirSync(folder)
     .filter((file) => file.endsWith('.md'))
     .map((file) => file.slice(0, -'.md'.length))
     .toSorted((a, b) => rank(a) - rank(b) || a.localeCompare(b));
-  const [pages, sections] = [[], []];
+  const pages: Page[] = [];
+  const sections: Section[] = [];
   for (const name of names) {
     const document = render(readFileSync(join(folder, `${name}.md`), 'utf8'));
     pages.push({ name, title: document.title, html: document.html });
@@ -50,11 +75,11 @@ export function readDocuments(folder) {
   return { pages, sections };
 }
 
-function render(markdown) {
+function render(markdown: string) {
   const converter = new MarkdownIt({ linkify: true });
   const slugs = new GithubSlugger();
   const tokens = converter.parse(markdown, {});
-  const sections = [];
+  const sections: Pick<Section, 'id' | 'heading' | 'text'>[] = [];
   tokens.forEach((token, i) => {
     if (token.type === 'heading_open') {
       const heading = plain(tokens[i + 1]);
@@ -62,11 +87,12 @@ function render(markdown) {
       token.attrSet('id', id);
       sections.push({ id, heading, text: '' });
     } else if (token.type === 'inline' && tokens[i - 1].type !== 'heading_open') {
-      sections.at(-1).text += `${plain(token)} `;
+      const section = sections.at(-1);
+      if (section) section.text += `${plain(token)} `;
     }
     for (const link of token.children ?? []) {
       const address = link.type === 'link_open' ? link.attrGet('href') : null;
-      if (address) link.attrSet('href', address.replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'));
+      if (address) link.attrSet('href', String(address).replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'));
     }
   });
   // A table may be wider than a phone.
@@ -77,11 +103,11 @@ function render(markdown) {
   return { title: sections[0].heading, html, sections };
 }
 
-function plain({ children }) {
-  return children.map(({ type, content }) => (type === 'softbreak' ? ' ' : content)).join('');
+function plain({ children }: Token): string {
+  return (children ?? []).map(({ type, content }) => (type === 'softbreak' ? ' ' : content)).join('');
 }
 
-function pageOf({ title, html }, pages, here, addresses) {
+function pageOf({ title, html }: Omit<Page, 'name'>, pages: Page[], here: string, addresses: Addresses): string {
   const links = pages.map(({ name, title: other }) => {
     const current = name === here ? ' aria-current="page"' : '';
     return `<li><a href="./${name}.html"${current}>${escaped(other)}</a></li>`;
@@ -112,31 +138,34 @@ ${html}</main>
 `;
 }
 
-function escaped(text) {
+function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }
 
 /** All files of `docs/` but for the script of the search: contents by path in that folder. */
-function filesOf(folder, addresses) {
+function filesOf(folder: string, addresses: Addresses): Map<string, string | Uint8Array> {
   const { pages, sections } = readDocuments(folder);
   const overview = pages.map(({ name, title }) => `<li><a href="./${name}.html">${escaped(title)}</a></li>`).join('\n');
   const index = { title: 'Documents', html: `<h1>Documents</h1>\n<ul>\n${overview}\n</ul>\n` };
-  const files = new Map([['index.html', pageOf(index, pages, '', addresses)]]);
+  const files = new Map<string, string | Uint8Array>([['index.html', pageOf(index, pages, '', addresses)]]);
   for (const page of pages) files.set(`${page.name}.html`, pageOf(page, pages, page.name, addresses));
   files.set('sections.json', JSON.stringify(sections));
-  for (const path of readdirSync(folder, { recursive: true })) {
+  for (const path of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
     if (extname(path) in IMAGE_TYPES) files.set(path.replaceAll('\\', '/'), readFileSync(join(folder, path)));
   }
   return files;
 }
 
-export function docs(root) {
+export function docs(root: string): Plugin {
   const folder = join(root, 'docs');
+  let isBuild = false;
   return {
     name: 'heatwalk-docs',
+    configResolved({ command }) {
+      isBuild = command === 'build';
+    },
     buildStart() {
-      if (!this.meta.watchMode)
-        this.emitFile({ type: 'chunk', id: join(root, SEARCH), fileName: `${FOLDER}/search.js` });
+      if (isBuild) this.emitFile({ type: 'chunk', id: join(root, SEARCH), fileName: `${FOLDER}/search.js` });
     },
     generateBundle() {
       const files = filesOf(folder, { search: './search.js', style: './docs.css' });
@@ -145,12 +174,10 @@ export function docs(root) {
     },
     configureServer(server) {
       server.middlewares.use(`/${FOLDER}`, (request, response, next) => {
-        const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(1) || 'index.html';
-        if (path.endsWith('.md') || !existsSync(folder)) return next();
+        const path = new URL(request.url ?? '', 'http://localhost').pathname.slice(1) || 'index.html';
         const content = filesOf(folder, { search: `/${SEARCH}`, style: `/${STYLE}` }).get(path);
         if (content === undefined) return next();
-        const types = { ...IMAGE_TYPES, '.html': 'text/html; charset=utf-8', '.json': 'application/json' };
-        response.setHeader('Content-Type', types[extname(path)]);
+        response.setHeader('Content-Type', TYPES[extname(path)]);
         response.end(content);
       });
     },
