@@ -118,7 +118,7 @@ followLaunches(openGiven);
 const bar = toolbar(session, tool);
 page.append(
   heading(session, help),
-  h('div', { class: 'foot' }, hint.element, bar),
+  h('section', { class: 'foot', 'aria-label': 'Tools' }, hint.element, bar),
   messages.element,
   loadingBar(session),
   handle.element,

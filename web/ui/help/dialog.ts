@@ -40,7 +40,7 @@ function gestures(): HTMLElement {
   const head = h(
     'tr',
     {},
-    ...['', byTouch ? 'Touch' : 'Mouse', 'Keyboard'].map((text) => h('th', { scope: 'col' }, text)),
+    ...['Action', byTouch ? 'Touch' : 'Mouse', 'Keyboard'].map((text) => h('th', { scope: 'col' }, text)),
   );
   const rows = GESTURES.map(({ what, mouse, touch, keys }) =>
     h('tr', {}, h('th', { scope: 'row' }, what), h('td', {}, (byTouch ? touch : mouse) ?? '–'), keyCell(keys)),

@@ -7,19 +7,22 @@ function nameOf(field: Element): string {
   return field.querySelector('span')?.textContent.trim() ?? '';
 }
 
-/** Shows a line below every setting that has none yet, and a link to its documents beside every heading. */
+function isExplained(element: Element): boolean {
+  return element.nextElementSibling?.classList.contains('explanation') ?? false;
+}
+
+/** Shows a line below every setting that has none yet, and a link to its documents below every heading. */
 export function explain(panel: HTMLElement): void {
   for (const section of panel.querySelectorAll<HTMLElement>('details[id^="section-"]')) {
     const id = section.id.replace('section-', '');
     const summary = section.querySelector('summary');
-    if (summary && id in SECTIONS && !summary.querySelector('.about')) {
-      const title = summary.textContent;
-      summary.append(link(SECTIONS[id], `About ${title}`));
+    if (summary && id in SECTIONS && !isExplained(summary)) {
+      summary.after(h('p', { class: 'explanation' }, link(SECTIONS[id], `More about ${summary.textContent}`)));
     }
     for (const field of section.querySelectorAll<HTMLElement>('.field')) {
       const name = nameOf(field);
       const explanation = SETTINGS[id]?.[name];
-      if (!explanation || field.nextElementSibling?.classList.contains('explanation')) continue;
+      if (!explanation || isExplained(field)) continue;
       const line = h(
         'p',
         { class: 'explanation' },

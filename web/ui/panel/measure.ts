@@ -10,7 +10,7 @@ import type { Tool } from '../../state/tool';
 export class MeasureSection {
   readonly element: HTMLElement;
   /** Over the stage. */
-  readonly labels = h('div', { class: 'tape-layer' });
+  readonly labels = h('section', { class: 'tape-layer', 'aria-label': 'Tapes' });
   readonly #session: Session;
   readonly #input: MeasureInput;
   #loading: Promise<Measuring> | null = null;
