@@ -33,13 +33,13 @@ const HINTS: readonly Hint[] = [
 /** The hints, shown from `begin` on. */
 export function hints(session: Session): { element: HTMLElement; begin: () => void } {
   const byTouch = matchMedia('(pointer: coarse)').matches;
-  const text = h('span');
+  const text = h('span', { 'aria-live': 'polite' });
   const close = h(
     'button',
     { class: 'small', 'aria-label': 'Show no more hints', onclick: () => turn(HINTS.length) },
     '×',
   );
-  const element = h('div', { class: 'hint', hidden: true, role: 'status' }, text, close);
+  const element = h('div', { class: 'hint', hidden: true }, text, close);
   let known = remembered();
   const show = () => {
     const hint = HINTS[known];
