@@ -65,6 +65,7 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.evaluate(() => window.heatwalk.settled());
 
   // Click a source, then drag it, then turn the model.
+  await page.evaluate(cameraAtRest);
   const [x, y] = await page.evaluate(() => window.heatwalk.centre);
   await page.mouse.click(x, y);
   const place = await page.evaluate(([left, top]) => window.heatwalk.placeAt(left, top), [x, y] as const);
@@ -103,6 +104,17 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.waitForFunction(() => window.heatwalk.mesh?.name === 'teapot');
   expect(errors).toEqual([]);
 });
+
+/** Runs in the page, until the camera stands still. */
+async function cameraAtRest(): Promise<void> {
+  let before = '';
+  for (let same = 0; same < 4;) {
+    const place = JSON.stringify(window.heatwalk.camera);
+    same = place === before ? same + 1 : 0;
+    before = place;
+    await new Promise(requestAnimationFrame);
+  }
+}
 
 /** Runs in the page: its picture, in base64. */
 async function pictureOf(): Promise<string> {
