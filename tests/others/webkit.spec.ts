@@ -38,6 +38,15 @@ test('in WebKit a first visit opens a file, clicks, drags, draws, and follows a 
   await expect.poll(() => webkit.evaluate('window.heatwalk.mesh?.name')).toBe('ball.off');
   await settled();
 
+  // The camera stands still.
+  let before = '';
+  await expect
+    .poll(async () => {
+      const last = before;
+      before = JSON.stringify(await webkit.evaluate('window.heatwalk.camera'));
+      return before === last;
+    })
+    .toBe(true);
   const [x, y] = await webkit.evaluate<[number, number]>('window.heatwalk.centre');
   await webkit.press([x, y]);
   const place = await webkit.evaluate('window.heatwalk.placeAt(arguments[0], arguments[1])', x, y);

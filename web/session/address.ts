@@ -11,6 +11,8 @@ export class Address {
   readonly #opener: Opener;
   readonly kiosk: boolean;
   #timer = 0;
+  /** The fragment as it was read or written last. Another one is a link whose event is still to come. */
+  #known = location.hash;
 
   constructor(scene: Scene, opener: Opener) {
     this.#scene = scene;
@@ -22,7 +24,10 @@ export class Address {
       this.#timer = window.setTimeout(() => this.#write(), REST_MS);
     });
     // A link that cannot be opened gives way to the scene that stays.
-    addEventListener('hashchange', () => void opener.link(location.hash).then(() => this.#write()));
+    addEventListener('hashchange', () => {
+      this.#known = location.hash;
+      void opener.link(location.hash).then(() => this.#write());
+    });
   }
 
   /** The whole address of the present scene. */
@@ -34,6 +39,8 @@ export class Address {
 
   #write(): void {
     // A link that still waits for its mesh must survive a reload.
-    if (!this.#opener.waiting) history.replaceState(null, '', this.link() + (this.kiosk ? '&kiosk=1' : ''));
+    if (this.#opener.waiting || location.hash !== this.#known) return;
+    history.replaceState(null, '', this.link() + (this.kiosk ? '&kiosk=1' : ''));
+    this.#known = location.hash;
   }
 }
