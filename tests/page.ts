@@ -2,6 +2,7 @@
 import { expect, type Page, test as base } from '@playwright/test';
 import { PNG } from 'pngjs';
 import type { MeshPoint } from '../web/protocol';
+import { cameraAtRest } from './rest';
 
 export { expect };
 
@@ -26,15 +27,7 @@ export class HeatwalkPage {
 
   /** Until the camera stands still. */
   async rest(): Promise<void> {
-    await this.page.evaluate(async () => {
-      let before = '';
-      for (let same = 0; same < 4;) {
-        const place = JSON.stringify(window.heatwalk.camera);
-        same = place === before ? same + 1 : 0;
-        before = place;
-        await new Promise(requestAnimationFrame);
-      }
-    });
+    await this.page.evaluate(cameraAtRest);
   }
 
   /** Until nothing is being opened, solved or refined. */

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { off, sphere } from '../fixtures';
+import { cameraAtRest } from '../rest';
 import { Host } from '../server';
 import { Firefox, PROGRAM } from './firefox';
 
@@ -104,17 +105,6 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.waitForFunction(() => window.heatwalk.mesh?.name === 'teapot');
   expect(errors).toEqual([]);
 });
-
-/** Runs in the page, until the camera stands still. */
-async function cameraAtRest(): Promise<void> {
-  let before = '';
-  for (let same = 0; same < 4;) {
-    const place = JSON.stringify(window.heatwalk.camera);
-    same = place === before ? same + 1 : 0;
-    before = place;
-    await new Promise(requestAnimationFrame);
-  }
-}
 
 /** Runs in the page: its picture, in base64. */
 async function pictureOf(): Promise<string> {

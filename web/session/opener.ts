@@ -73,6 +73,9 @@ const MOST_SIMPLIFIED = 2_000_000;
 /** What wasm32 can address, in MiB. */
 const ADDRESS_SPACE = 4096;
 
+/** What means nothing on a mesh whose vertices and triangles are counted otherwise. */
+const NO_PLACES = { sources: [], sets: [], walker: null, tapes: [], links: 0 } as const;
+
 export class Opener {
   readonly #session: Session;
   readonly #voice: Voice;
@@ -229,16 +232,7 @@ export class Opener {
 
   /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({
-      ...this.#session.scene.state,
-      parts,
-      sources: [],
-      sets: [],
-      walker: null,
-      tapes: [],
-      links: 0,
-      ground: LEVEL,
-    });
+    await this.#again({ ...this.#session.scene.state, ...NO_PLACES, parts, ground: LEVEL });
   }
 
   /**
@@ -250,18 +244,7 @@ export class Opener {
     const { state } = scene;
     const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && count !== null ? 'auto' : state.method;
-    const fresh = {
-      ...state,
-      fill: count,
-      inside,
-      method,
-      sources: [],
-      sets: [],
-      walker: null,
-      tapes: [],
-      links: 0,
-      ground: LEVEL,
-    };
+    const fresh = { ...state, ...NO_PLACES, fill: count, inside, method, ground: LEVEL };
     await this.#again(fresh, shown.value ? relativePlaces(shown.value, state) : undefined);
   }
 
@@ -331,9 +314,8 @@ function simplifiedOf(state: SceneState): { name: string; state: SceneState } | 
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const places = { sources: [], sets: [], walker: null, tapes: [], links: 0 };
   const name = `Simplify to ${triangles.toLocaleString('en')} triangles`;
-  return { name, state: { ...state, ...places, triangles, windows: DEFAULT_WINDOWS } };
+  return { name, state: { ...state, ...NO_PLACES, triangles, windows: DEFAULT_WINDOWS } };
 }
 
 /** Whether there are fewer sources than were wanted. */
