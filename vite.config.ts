@@ -6,7 +6,7 @@ import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 const SCHEME_MAKERS = ['colors', 'ramp', 'ramp$1', 'rgb', 'cubehelix$1', 'interpolateCubehelixLong'];
 
 /** What other pages and the browser ask for by name. */
-const NAMED = [OFFLINE_WORKER, 'embed'];
+const NAMED = new Set<string>([OFFLINE_WORKER, 'embed']);
 
 export default defineConfig({
   // Relative addresses, so that a build serves from any sub-path.
@@ -20,7 +20,7 @@ export default defineConfig({
     rolldownOptions: {
       input: { index: 'index.html', [OFFLINE_WORKER]: 'web/offline/worker.ts', embed: 'web/embed.ts' },
       output: {
-        entryFileNames: ({ name }) => (NAMED.includes(name) ? '[name].js' : 'assets/[name]-[hash].js'),
+        entryFileNames: ({ name }) => (NAMED.has(name) ? '[name].js' : 'assets/[name]-[hash].js'),
       },
       // The last is a module for other pages.
       preserveEntrySignatures: 'exports-only',

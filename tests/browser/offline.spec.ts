@@ -39,6 +39,19 @@ test('the page can be installed, and after one visit every preset opens without 
     await expect(page).toHaveURL(new RegExp(`m=${preset}\\b`));
   }
   await expect(page.getByRole('alert')).toBeEmpty();
+
+  // So do the documents, with their style, their pictures and their search.
+  await page.goto(new URL('docs/', address).href);
+  await page.getByRole('main').getByRole('link', { name: 'Gallery' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Gallery');
+  const width = () =>
+    page
+      .locator('main img')
+      .first()
+      .evaluate((image: HTMLImageElement) => image.naturalWidth);
+  await expect.poll(width).toBeGreaterThan(0);
+  await page.getByRole('searchbox').fill('Dirichlet');
+  await expect(page.locator('.found a').first()).toBeVisible();
 });
 
 /** What Chromium says that keeps a page from being installed, and what the system needs to open files with it. */

@@ -29,6 +29,16 @@ test('where fewer pixels gain nothing, none are given up', () => {
   expect(shares.at(-1)).toBe(1);
 });
 
+test('fewer pixels are tried again where something else made frames slow for a while, ever more rarely', () => {
+  const resolution = new Resolution();
+  expect(run(resolution, 20, 100, 97).at(-1)).toBe(1);
+  expect(run(resolution, 100, 100).at(-1)).toBe(0.5);
+  const steady = run(new Resolution(), 1000, 100, 97);
+  const tries = steady.flatMap((share, frame) => (share < 1 && steady[frame - 1] === 1 ? [frame] : []));
+  expect(tries.length).toBeLessThan(6);
+  expect(tries.slice(1).every((frame, index) => frame - tries[index] > 50 * 2 ** (index - 1))).toBe(true);
+});
+
 test('the picture at rest has all pixels, and what moves next begins with as many as were fluent', () => {
   const resolution = new Resolution();
   expect(run(resolution, 100, 100).at(-1)).toBe(0.5);

@@ -20,15 +20,20 @@ export function offline(): Plugin {
       );
       if (worker?.type !== 'chunk' || page?.type !== 'asset' || !entry)
         throw new Error('The build has no page, or no service worker.');
-      const files = Object.keys(bundle)
-        .filter((name) => name.startsWith('assets/'))
-        .toSorted();
+      const inFolder = (folder: string) =>
+        Object.keys(bundle)
+          .filter((name) => name.startsWith(folder))
+          .toSorted();
+      const [files, documents] = [inFolder('assets/'), inFolder('docs/')];
+      const hash = createHash('sha256');
       // Their names tell their content.
-      const build = createHash('sha256')
-        .update([page.source, ...files].join('\n'))
-        .digest('hex')
-        .slice(0, 16);
-      const kept: KeptFiles = { build, page: entry.fileName, files };
+      hash.update([page.source, ...files].join('\n'));
+      for (const name of documents) {
+        const file = bundle[name];
+        hash.update(`\n${name}\n`).update(file.type === 'chunk' ? file.code : file.source);
+      }
+      const build = hash.digest('hex').slice(0, 16);
+      const kept: KeptFiles = { build, page: entry.fileName, files, documents };
       if (!worker.code.includes(MARK)) throw new Error(`The service worker does not read ${MARK}.`);
       worker.code = worker.code.replace(MARK, () => JSON.stringify(kept));
     },

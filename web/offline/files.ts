@@ -4,6 +4,8 @@ export interface KeptFiles {
   build: string;
   /** A file that only the page of this build names. */
   page: string;
-  /** Paths of all other files, relative to the page. */
+  /** Paths of the files that are named by their content, relative to the page. */
   files: readonly string[];
+  /** Paths of the documents and of what they need, relative to the page. */
+  documents: readonly string[];
 }

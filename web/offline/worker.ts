@@ -1,6 +1,7 @@
 /**
- * The service worker: keeps the files of one build, so that the page opens without a network. The page itself is asked for
- * over the network first, and every file by a name that its content decides, so that files of two builds never meet. A
+ * The service worker: keeps the files of one build, so that the page opens without a network. The page itself and the
+ * documents are asked for over the network first, and every file by a name that its content decides, so that files of two
+ * builds never meet. A
  * newer worker waits until no page of the older build is open; a page of the newer build takes its files from the network
  * until then.
  */
@@ -16,12 +17,14 @@ const PATIENCE_MS = 4000;
 /** So many files at once leave the connection to the page. */
 const AT_ONCE = 4;
 
-const { build, page, files } = KEPT_FILES;
+const { build, page, files, documents } = KEPT_FILES;
 const scope = self.registration.scope;
 /** Of this page: others may be served from the same host. */
 const OURS = `heatwalk ${scope} `;
 const STORE = OURS + build;
-const addresses = new Set(files.map((file) => new URL(file, scope).href));
+const addressOf = (path: string) => new URL(path, scope).href;
+const addresses = new Set(files.map(addressOf));
+const documentAddresses = new Set(documents.map(addressOf));
 
 self.addEventListener('install', (event) => event.waitUntil(keepAll()));
 
@@ -32,17 +35,22 @@ self.addEventListener('fetch', (event) => {
   if (request.method !== 'GET') return;
   const address = new URL(request.url);
   address.hash = '';
-  if (addresses.has(address.href)) event.respondWith(kept(request));
-  else if (request.mode === 'navigate' && isPage(address)) event.respondWith(newestPage(request));
+  if (addresses.has(address.href)) return event.respondWith(kept(request));
+  if (request.mode === 'navigate' && isPage(address)) return event.respondWith(newest(request, scope));
+  const document = documentAt(address);
+  if (documentAddresses.has(document)) event.respondWith(newest(request, document));
 });
 
 /** Keeps every file, or fails: the next visit tries again. */
 async function keepAll(): Promise<void> {
   const store = await caches.open(STORE);
   await keepPage(store);
-  const waiting = [...addresses];
+  // The last ones first: the documents can wait.
+  const waiting = [...documentAddresses, ...addresses];
   const keepEach = async () => {
-    for (let address = waiting.pop(); address !== undefined; address = waiting.pop()) await keep(store, address);
+    for (let address = waiting.pop(); address !== undefined; address = waiting.pop()) {
+      await (documentAddresses.has(address) ? keepDocument(store, address) : keep(store, address));
+    }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, keepEach));
 }
@@ -59,8 +67,19 @@ async function keepPage(store: Cache): Promise<void> {
   const response = await fetch(scope, { cache: 'no-cache' });
   const text = await response.text();
   if (!response.ok || !text.includes(page)) throw new Error('The server has another build of the page by now.');
-  // Without the mark of a redirection, with which a browser would refuse it as a page.
-  await store.put(scope, new Response(text, { headers: response.headers }));
+  await store.put(scope, unredirected(text, response));
+}
+
+/** Under the name that it has in every build. */
+async function keepDocument(store: Cache, address: string): Promise<void> {
+  const response = await fetch(address, { cache: 'no-cache' });
+  if (!response.ok) throw new Error(`${address} cannot be kept: status ${response.status}.`);
+  await store.put(address, unredirected(await response.blob(), response));
+}
+
+/** Without the mark of a redirection, with which a browser would refuse it as a page. */
+function unredirected(content: BodyInit, { headers }: Response): Response {
+  return new Response(content, { headers });
 }
 
 /** Also of the page that is open, of this build too: what it has not asked for yet is here. */
@@ -76,14 +95,19 @@ async function kept(request: Request): Promise<Response> {
   return (await store.match(request.url)) ?? fetch(request);
 }
 
-/** The page as the server has it now, else as it is kept. */
-async function newestPage(request: Request): Promise<Response> {
+/** What the server has now, else what is kept of that address. */
+async function newest(request: Request, address: string): Promise<Response> {
   const late = new Promise<null>((resolve) => setTimeout(() => resolve(null), PATIENCE_MS));
   const asked = fetch(request);
   const answer = await Promise.race([asked, late]).catch(() => null);
   if (answer && (answer.ok || answer.type === 'opaqueredirect')) return answer;
   const store = await caches.open(STORE);
-  return (await store.match(scope)) ?? asked;
+  return (await store.match(address)) ?? asked;
+}
+
+/** The address of the document that is meant: hosts serve `index.html` where a folder is asked for. */
+function documentAt({ origin, pathname }: URL): string {
+  return origin + (pathname.endsWith('/') ? `${pathname}index.html` : pathname);
 }
 
 function isPage({ origin, pathname }: URL): boolean {

@@ -11,6 +11,8 @@ const SLOW_FRAMES = 4;
 const FAST_FRAMES = 30;
 /** Frames with fewer pixels have to take at most this share of the time; else it is not the pixels that take it. */
 const WORTH = 0.85;
+/** Frames after which fewer pixels are tried again where they gained nothing, then twice as many, and so on. */
+const RETRY_FRAMES = 60;
 /** After so long without a frame, the picture at rest is drawn with all pixels; milliseconds. */
 const REST_MS = 200;
 
@@ -22,6 +24,9 @@ export class Resolution {
   #level = 0;
   /** Fewer pixels than at this one gain nothing. */
   #last = SHARES.length - 1;
+  /** Frames until that is tried again. */
+  #retry = RETRY_FRAMES;
+  #sinceGain = 0;
   /** How long a frame took at the level before. */
   #before = Number.POSITIVE_INFINITY;
   /** How long each frame took since the level was last looked at. */
@@ -47,6 +52,7 @@ export class Resolution {
     if (this.#rests && this.#drawnInARow < MOVING_FRAMES) return;
     this.#rests = false;
     this.#frames.push(passed);
+    this.#sinceGain += 1;
     if (this.#frames.length >= SLOW_FRAMES) this.#judge();
   }
 
@@ -57,7 +63,13 @@ export class Resolution {
   }
 
   #lower(took: number): void {
-    if (this.#level > 0 && took > WORTH * this.#before) this.#last = this.#level - 1;
+    if (this.#level > 0 && took > WORTH * this.#before) {
+      this.#last = this.#level - 1;
+      this.#sinceGain = 0;
+    } else if (this.#last < SHARES.length - 1 && this.#sinceGain > this.#retry) {
+      this.#last = SHARES.length - 1;
+      this.#retry *= 2;
+    }
     if (this.#level < this.#last) this.#before = took;
     this.#turn(Math.min(this.#last, this.#level + 1));
   }
