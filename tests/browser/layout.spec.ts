@@ -97,14 +97,14 @@ test('a window of another shape shows as much of the model', async ({ heatwalk, 
 test('where frames are slow, fewer pixels are drawn while something moves, and all of them at rest', async ({
   page,
 }) => {
-  // A device that takes 1 ms for 3,000 pixels, and so draws half of them along an edge.
+  // A device so slow that with all pixels what moves waits between two frames.
   await page.addInitScript(() => {
     const next = requestAnimationFrame.bind(globalThis);
     globalThis.requestAnimationFrame = (callback) =>
       next((now) => {
         callback(now);
         const { width = 0, height = 0 } = document.querySelector('canvas') ?? {};
-        const end = performance.now() + (width * height) / 3000;
+        const end = performance.now() + (width * height) / 1500;
         while (performance.now() < end);
       });
   });

@@ -19,6 +19,8 @@ export class Frames {
   #last = performance.now();
   /** Whether the last frame was drawn. */
   #drew = false;
+  /** Whether what moves by itself waited in the last frame. */
+  #waited = false;
   /** Until when what moves by itself waits, and since when it has. */
   #rests = 0;
   #moved = performance.now();
@@ -65,10 +67,12 @@ export class Frames {
       this.#session.animate(seconds);
       this.#moved = now;
     }
-    // So do frames of fields that a drag asks for faster than they can be drawn.
-    const waits = now < this.#rests && this.#session.dragging;
     this.#last = now;
-    this.#resolution.follow(now, this.#drew, passed);
+    // What waited is not at rest.
+    if (this.#drew || !this.#waited) this.#resolution.follow(now, this.#drew, passed);
+    this.#waited = now < this.#rests;
+    // So do frames of fields that a drag asks for faster than they can be drawn.
+    const waits = this.#waited && this.#session.dragging;
     this.#session.view.adapt(this.#resolution.share);
     this.#drew = !waits && this.#session.view.render(step(passed));
     if (this.#drew) this.#drawn();
