@@ -1,5 +1,6 @@
 mod content;
 mod frame;
+mod halves;
 mod inside;
 mod tint;
 
@@ -65,6 +66,10 @@ pub struct Renderer {
     /// The largest value of the field, at the ramps' end; above 0.
     max: f64,
     surface: Option<(Mesh, FieldBuffers)>,
+    /// The field on the right of the split, where there is one.
+    other: Option<FieldBuffers>,
+    /// Where that begins; share of the view's width from the left.
+    split: f32,
     /// Of the surface alone, where it was given.
     shade: Option<Shade>,
     scenery: Vec<Mesh>,
@@ -105,6 +110,8 @@ impl Renderer {
             style: Style::default(),
             max: 1.0,
             surface: None,
+            other: None,
+            split: 0.5,
             shade: None,
             scenery: Vec::new(),
             inside: Inside::default(),

@@ -162,6 +162,15 @@ impl FieldBuffers {
         }
     }
 
+    /// For another field of the same mesh.
+    pub(crate) fn alike(&self, context: &Context) -> Result<Self, Error> {
+        if self.corners.is_empty() {
+            Self::new(context, self.values.len())
+        } else {
+            Self::of_corners(context, self.corners.clone(), self.given.0.len())
+        }
+    }
+
     pub(crate) fn clear(&mut self) {
         self.has_field = false;
     }

@@ -29,6 +29,7 @@ impl Renderer {
             Some(mesh) => Some((mesh, FieldBuffers::new(&self.context, vertex_count)?)),
             None => None,
         };
+        self.other = None;
         self.shade = shade;
         self.pins.set(&self.context, &[], &[], None);
         self.curve.set_points(&self.context, &[]);

@@ -43,7 +43,7 @@ impl Renderer {
         self.sort_blended(self.camera.eye());
         let encoder = self.prepare(&self.camera);
         if let Some(canvas) = &self.canvas {
-            canvas.present(&self.context, frame, encoder, |pass| self.draw(pass, self.camera.eye(), false));
+            canvas.present(&self.context, frame, encoder, |pass| self.draw(pass, &self.camera, false));
         }
         (self.dirty, self.shadows_dirty) = (false, false);
         self.context.take_error().map_or(Ok(true), Err)
@@ -63,8 +63,7 @@ impl Renderer {
         self.occlude();
         self.sort_blended(camera.eye());
         let encoder = self.prepare(&camera);
-        let capture =
-            Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, camera.eye(), is_clear));
+        let capture = Capture::new(&self.context, (width, height), encoder, |pass| self.draw(pass, &camera, is_clear));
         self.shadows_dirty = false;
         // The frame's uniform is now that of the picture.
         self.dirty = true;
@@ -119,18 +118,22 @@ impl Renderer {
         encoder
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye: Eye, is_clear: bool) {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, camera: &Camera, is_clear: bool) {
+        let eye = camera.eye();
         pass.set_bind_group(0, &self.shared.camera_group, &[]);
         pass.set_bind_group(1, &self.shared.lighting.group, &[]);
         if !is_clear {
             self.background.draw(pass);
         }
         self.ground.draw(pass, eye.position.y as f32);
-        if let Some((mesh, field)) = self.seen_surface()
-            && !self.draw_model(pass, mesh, Some(field), Pass::Solid)
-            && !self.draw_cut(pass, mesh, field, Part::Body)
-        {
-            self.surfaces.draw(pass, &mesh.buffers, field);
+        if let Some((mesh, field)) = self.seen_surface() {
+            self.in_halves(pass, field, camera.size(), |pass, field| {
+                if !self.draw_model(pass, mesh, Some(field), Pass::Solid)
+                    && !self.draw_cut(pass, mesh, field, Part::Body)
+                {
+                    self.surfaces.draw(pass, &mesh.buffers, field);
+                }
+            });
         }
         if let (Some(sections), Some(section)) = (&self.inside.sections, &self.inside.section) {
             sections.draw(pass, section, &self.surfaces);
@@ -143,14 +146,23 @@ impl Renderer {
         self.walkers.draw(pass);
         self.pins.draw(pass);
         if let Some((mesh, field)) = self.seen_surface() {
-            self.draw_cut(pass, mesh, field, Part::Rim);
+            self.in_halves(pass, field, camera.size(), |pass, field| {
+                self.draw_cut(pass, mesh, field, Part::Rim);
+            });
         }
         let surface = self.seen_surface().into_iter().map(|(mesh, field)| (mesh, Some(field)));
         let mut meshes: Vec<_> = surface.chain(self.scenery.iter().map(|mesh| (mesh, None))).collect();
         let depth = |mesh: &Mesh| line_of_sight(eye).dot(mesh.bounds.center);
         meshes.sort_by(|(one, _), (other, _)| depth(other).total_cmp(&depth(one)));
         for (mesh, field) in meshes {
-            self.draw_model(pass, mesh, field, Pass::Blended);
+            match field {
+                Some(field) => self.in_halves(pass, field, camera.size(), |pass, field| {
+                    self.draw_model(pass, mesh, Some(field), Pass::Blended);
+                }),
+                None => {
+                    self.draw_model(pass, mesh, None, Pass::Blended);
+                }
+            }
         }
         if !self.inside.hides_surface {
             self.arrows.draw(pass);

@@ -10,7 +10,7 @@ use crate::surface::FieldBuffers;
 
 impl Renderer {
     /// Tints the faces of the surface: linear RGBA, an alpha of 255 for walls. The first time, `appearance` gives that which the
-    /// surface was set with, and the field has to be set anew.
+    /// surface was set with, and the fields have to be set anew.
     ///
     /// # Errors
     /// When there is not one tint a face, or the device refuses the buffers; what is shown then stays.
@@ -31,6 +31,7 @@ impl Renderer {
             let parted = FieldBuffers::of_corners(&self.context, corners, mesh.normals.len())?;
             mesh.part_corners(&self.context, appearance)?;
             *field = parted;
+            self.other = None;
         }
         if let Some(tints) = &mut mesh.buffers.tints {
             tints.write(&self.context, faces);

@@ -122,11 +122,7 @@ impl Viewer {
         max: f64,
         by_corner: bool,
     ) -> Result<(), JsError> {
-        let count = values.length() as usize;
-        let found = tangents.length() as usize;
-        if found != 4 * count {
-            return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found }.into());
-        }
+        let count = value_count(values, tangents)?;
         let fill = |distances: &mut [f32], directions: &mut [i8]| {
             values.copy_to(distances);
             tangents.copy_to(directions);
@@ -135,6 +131,30 @@ impl Viewer {
             return Ok(self.renderer.set_corner_field(count, max, fill)?);
         }
         Ok(self.renderer.set_field(count, max, fill)?)
+    }
+
+    /// Another field of the same surface, on the right of the split, in colors up to the `max` of the first, which is to be set
+    /// before; empty = none.
+    ///
+    /// # Errors
+    /// Throws when the numbers of values are not those of the surface's vertices.
+    pub fn set_other_field(
+        &mut self,
+        values: &Float32Array,
+        tangents: &Int8Array,
+        by_corner: bool,
+    ) -> Result<(), JsError> {
+        let count = value_count(values, tangents)?;
+        let fill = |distances: &mut [f32], directions: &mut [i8]| {
+            values.copy_to(distances);
+            tangents.copy_to(directions);
+        };
+        Ok(self.renderer.set_other_field(count, by_corner, fill)?)
+    }
+
+    /// Where the right of two fields begins: share of the view's width from the left.
+    pub fn set_split(&mut self, split: f32) {
+        self.renderer.set_split(split);
     }
 
     /// Tints the triangles of the surface, which `mesh` was set as: `#F × 4` bytes, linear RGB and opacity, 255 for walls.
@@ -294,4 +314,13 @@ impl Viewer {
     fn change_style(&mut self, change: impl FnOnce(Style) -> Style) {
         self.renderer.set_style(change(self.renderer.style()));
     }
+}
+
+/// How many values come, each with its direction.
+fn value_count(values: &Float32Array, tangents: &Int8Array) -> Result<usize, Error> {
+    let (count, found) = (values.length() as usize, tangents.length() as usize);
+    if found != 4 * count {
+        return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found });
+    }
+    Ok(count)
 }

@@ -4,6 +4,7 @@
 //! there is none the tests are ignored and say so, unless `HEATWALK_REQUIRE_GPU=1` makes that a failure.
 //! `WRITE_REFERENCES=1` writes the reference images anew.
 
+mod halves;
 mod image;
 mod inside;
 mod materials;
@@ -37,13 +38,15 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 13] = [
+    let others: [(_, Test); 15] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
         ("a_leaning_normal_map_leans_the_surface", materials::a_leaning_normal_map_leans_the_surface),
         ("panes_are_blended_from_back_to_front", materials::panes_are_blended_from_back_to_front),
         ("lights_of_a_file_follow_their_laws", materials::lights_of_a_file_follow_their_laws),
         ("unlit_colors_are_those_of_the_file", materials::unlit_colors_are_those_of_the_file),
+        ("each_half_has_its_field", halves::each_half_has_its_field),
+        ("a_refused_second_field_changes_nothing", halves::a_refused_second_field_changes_nothing),
         ("picks_go_through_the_cut", inside::picks_go_through_the_cut),
         ("what_was_inside_goes", inside::what_was_inside_goes),
         ("a_section_follows_the_field", inside::a_section_follows_the_field),

@@ -1,0 +1,75 @@
+//! Two fields of a sphere side by side.
+
+use std::f32::consts::PI;
+
+use heatwalk_viewer::{Context, Error, MeshArrays, Renderer};
+use libtest_mimic::Failed;
+
+use crate::image::{HEIGHT, Image, WIDTH};
+use crate::scenes::{self, BANDS};
+use crate::{picture, shown};
+
+/// Distance from the north pole, a multiple of it, and its direction from nowhere.
+fn fill(arrays: &MeshArrays, times: f32) -> impl FnOnce(&mut [f32], &mut [i8]) + use<> {
+    let polar: Vec<f32> = arrays.positions.iter().map(|place| times * place.y.clamp(-1.0, 1.0).acos()).collect();
+    move |values, directions| {
+        values.copy_from_slice(&polar);
+        directions.fill(0);
+    }
+}
+
+fn show(renderer: &mut Renderer, times: f32) -> Result<(), Error> {
+    let arrays = scenes::sphere().arrays();
+    let (count, fill) = (arrays.positions.len(), fill(&arrays, times));
+    scenes::show_mesh(renderer, arrays, BANDS)?;
+    renderer.set_field(count, f64::from(2.0 * PI), fill)
+}
+
+fn show_beside(renderer: &mut Renderer, times: f32) -> Result<(), Error> {
+    let arrays = scenes::sphere().arrays();
+    renderer.set_other_field(arrays.positions.len(), false, fill(&arrays, times))
+}
+
+/// Every pixel as in one picture left of a column, and as in another one from it on.
+fn assert_joined(drawn: &Image, left: &Image, right: &Image, middle: u32) {
+    for y in 0..HEIGHT {
+        for x in 0..WIDTH {
+            let expected = if x < middle { left } else { right };
+            assert_eq!(drawn.pixel(x, y), expected.pixel(x, y), "pixel {x}, {y} with the split at {middle}");
+        }
+    }
+}
+
+/// Each half is that of the picture of its field alone, wherever the split is.
+pub fn each_half_has_its_field(device: &Context) -> Result<(), Failed> {
+    let one = picture(&mut shown(device, |renderer| show(renderer, 1.0))?)?;
+    let other = picture(&mut shown(device, |renderer| show(renderer, 2.0))?)?;
+    assert_ne!(one.difference(&other).pixels, 0);
+    let mut renderer = shown(device, |renderer| {
+        show(renderer, 1.0)?;
+        show_beside(renderer, 2.0)
+    })?;
+    for (split, middle) in [(0.5, WIDTH / 2), (0.25, WIDTH / 4), (0.0, 0), (1.0, WIDTH), (-3.0, 0)] {
+        renderer.set_split(split);
+        assert_joined(&picture(&mut renderer)?, &one, &other, middle);
+    }
+    renderer.set_other_field(0, false, |_, _| {})?;
+    assert_joined(&picture(&mut renderer)?, &one, &other, WIDTH);
+    Ok(())
+}
+
+/// What does not fit is refused, and another surface has no second field.
+pub fn a_refused_second_field_changes_nothing(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, |renderer| {
+        show(renderer, 1.0)?;
+        show_beside(renderer, 2.0)
+    })?;
+    let before = picture(&mut renderer)?;
+    assert!(renderer.set_other_field(7, false, |_, _| {}).is_err(), "too few");
+    assert!(renderer.set_other_field(7, true, |_, _| {}).is_err(), "corners of a surface without tints");
+    assert_eq!(picture(&mut renderer)?.difference(&before).pixels, 0);
+    show(&mut renderer, 1.0)?;
+    let alone = picture(&mut shown(device, |renderer| show(renderer, 1.0))?)?;
+    assert_eq!(picture(&mut renderer)?.difference(&alone).pixels, 0);
+    Ok(())
+}
