@@ -107,6 +107,12 @@ impl Camera {
         0.5 * DVec2::new(self.insets.left - self.insets.right, self.insets.top - self.insets.bottom)
     }
 
+    /// The column of pixels that is so far right of the middle of what is free, a share of the width; within the canvas.
+    pub(crate) fn column(&self, offset: f32) -> u32 {
+        let column = (0.5 + f64::from(offset)) * self.size.x + self.center_offset().x;
+        column.round().clamp(0.0, self.size.x) as u32
+    }
+
     /// Physical pixels across and down.
     #[must_use]
     pub fn size(&self) -> (u32, u32) {

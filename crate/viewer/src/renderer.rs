@@ -68,7 +68,7 @@ pub struct Renderer {
     surface: Option<(Mesh, FieldBuffers)>,
     /// The field on the right of the split, where there is one.
     other: Option<FieldBuffers>,
-    /// Where that begins; share of the view's width from the left.
+    /// Where that begins, from the middle of what the insets leave free; share of the view's width.
     split: f32,
     /// Of the surface alone, where it was given.
     shade: Option<Shade>,
@@ -111,7 +111,7 @@ impl Renderer {
             max: 1.0,
             surface: None,
             other: None,
-            split: 0.5,
+            split: 0.0,
             shade: None,
             scenery: Vec::new(),
             inside: Inside::default(),

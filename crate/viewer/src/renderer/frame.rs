@@ -127,7 +127,7 @@ impl Renderer {
         }
         self.ground.draw(pass, eye.position.y as f32);
         if let Some((mesh, field)) = self.seen_surface() {
-            self.in_halves(pass, field, camera.size(), |pass, field| {
+            self.in_halves(pass, field, camera, |pass, field| {
                 if !self.draw_model(pass, mesh, Some(field), Pass::Solid)
                     && !self.draw_cut(pass, mesh, field, Part::Body)
                 {
@@ -146,7 +146,7 @@ impl Renderer {
         self.walkers.draw(pass);
         self.pins.draw(pass);
         if let Some((mesh, field)) = self.seen_surface() {
-            self.in_halves(pass, field, camera.size(), |pass, field| {
+            self.in_halves(pass, field, camera, |pass, field| {
                 self.draw_cut(pass, mesh, field, Part::Rim);
             });
         }
@@ -156,7 +156,7 @@ impl Renderer {
         meshes.sort_by(|(one, _), (other, _)| depth(other).total_cmp(&depth(one)));
         for (mesh, field) in meshes {
             match field {
-                Some(field) => self.in_halves(pass, field, camera.size(), |pass, field| {
+                Some(field) => self.in_halves(pass, field, camera, |pass, field| {
                     self.draw_model(pass, mesh, Some(field), Pass::Blended);
                 }),
                 None => {

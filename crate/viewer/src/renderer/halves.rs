@@ -1,6 +1,7 @@
 //! Two fields of the surface side by side.
 
 use super::Renderer;
+use crate::camera::Camera;
 use crate::error::Error;
 use crate::surface::FieldBuffers;
 
@@ -34,23 +35,22 @@ impl Renderer {
         Ok(())
     }
 
-    /// Where the right of the two fields begins: share of the view's width from the left, within 0 and 1.
+    /// Where the right of the two fields begins: so far right of the middle of what the insets leave free, a share of the view's width.
     pub fn set_split(&mut self, split: f32) {
-        self.split = if split.is_finite() { split.clamp(0.0, 1.0) } else { 0.5 };
+        self.split = if split.is_finite() { split } else { 0.0 };
         self.dirty |= self.other.is_some();
     }
 
-    /// Draws the surface with its field; where there are two of them, each on its side of the split. `width` and `height`: of what
-    /// is drawn on, in pixels.
+    /// Draws the surface with its field; where there are two of them, each on its side of the split.
     pub(super) fn in_halves(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         field: &FieldBuffers,
-        (width, height): (u32, u32),
+        camera: &Camera,
         mut draw: impl FnMut(&mut wgpu::RenderPass<'_>, &FieldBuffers),
     ) {
         let Some(other) = &self.other else { return draw(pass, field) };
-        let middle = (f64::from(self.split) * f64::from(width)).round() as u32;
+        let ((width, height), middle) = (camera.size(), camera.column(self.split));
         for (field, from, to) in [(field, 0, middle), (other, middle, width)] {
             if from < to {
                 pass.set_scissor_rect(from, 0, to - from, height);

@@ -152,7 +152,7 @@ impl Viewer {
         Ok(self.renderer.set_other_field(count, by_corner, fill)?)
     }
 
-    /// Where the right of two fields begins: share of the view's width from the left.
+    /// Where the right of two fields begins: so far right of the middle of what the insets leave free, a share of the view's width.
     pub fn set_split(&mut self, split: f32) {
         self.renderer.set_split(split);
     }

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use heatwalk_viewer::{Context, Error, MeshArrays, Renderer};
+use heatwalk_viewer::{Context, Error, Insets, MeshArrays, Renderer};
 use libtest_mimic::Failed;
 
 use crate::image::{HEIGHT, Image, WIDTH};
@@ -49,10 +49,15 @@ pub fn each_half_has_its_field(device: &Context) -> Result<(), Failed> {
         show(renderer, 1.0)?;
         show_beside(renderer, 2.0)
     })?;
-    for (split, middle) in [(0.5, WIDTH / 2), (0.25, WIDTH / 4), (0.0, 0), (1.0, WIDTH), (-3.0, 0)] {
+    for (split, middle) in [(0.0, WIDTH / 2), (-0.25, WIDTH / 4), (-0.5, 0), (0.5, WIDTH), (-3.0, 0)] {
         renderer.set_split(split);
         assert_joined(&picture(&mut renderer)?, &one, &other, middle);
     }
+    // Insets move the middle on the canvas; a picture has none.
+    renderer.set_insets(Insets { right: 40.0, ..Insets::default() });
+    renderer.set_split(0.0);
+    assert_joined(&picture(&mut renderer)?, &one, &other, WIDTH / 2);
+    renderer.set_insets(Insets::default());
     renderer.set_other_field(0, false, |_, _| {})?;
     assert_joined(&picture(&mut renderer)?, &one, &other, WIDTH);
     Ok(())
