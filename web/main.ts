@@ -43,6 +43,7 @@ import { displaySection } from './ui/panel/display';
 import { groundSection } from './ui/panel/ground';
 import { insideSection } from './ui/panel/inside';
 import { chartsSection } from './ui/panel/charts';
+import { CompareSection } from './ui/panel/compare';
 import { MeasureSection } from './ui/panel/measure';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
@@ -79,8 +80,10 @@ const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session);
 const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
+const comparing = new CompareSection(session);
 const frames = new Frames(session, crowd, () => {
   handle.follow();
+  comparing.follow();
   measuring.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
@@ -117,6 +120,7 @@ followLaunches(openGiven);
 
 const bar = toolbar(session, tool);
 page.append(
+  comparing.layer,
   heading(session, help),
   h('section', { class: 'foot', 'aria-label': 'Tools' }, hint.element, bar),
   messages.element,
@@ -146,6 +150,7 @@ if (!address.kiosk) {
     { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
     { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
     { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
+    { id: 'compare', title: 'Compare', element: () => comparing.element(), open: false },
     { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
     { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
     { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
@@ -197,6 +202,7 @@ expose(
     await overlays.settled();
     await crowd.settled();
     await measuring.settled();
+    await comparing.settled();
   },
   () => measuring.told,
 );

@@ -98,6 +98,21 @@ test('every change survives the link', () => {
     links: 3,
     pathKind: 'descent',
     refine: false,
+    compared: {
+      method: 'heat',
+      windows: 1,
+      parameters: {
+        operator: 'relocate',
+        solver: 'cholesky',
+        timeStep: AUTOMATIC,
+        boundary: 'dirichlet',
+        sources: 'exact',
+        exactRadius: AUTOMATIC,
+        memory: AUTOMATIC,
+      },
+      refine: true,
+      split: 0.375,
+    },
     camera: [0.5, -0.25, 3, 0.125, 0, -1],
     lights: 'file',
     animation: { clip: 2, seconds: 1.25, plays: true, speed: 0.5, loops: false, live: true },
@@ -122,8 +137,8 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&bridge=0.0125&links=3&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg' +
-      '&way=descent&refine=0',
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg&refine=0' +
+      '&bridge=0.0125&links=3&way=descent&vs=method:heat,windows:1,t:auto,b:dirichlet,multi:exact,near:auto,memory:auto,op:relocate,solver:cholesky,refine:1,at:0.375',
   );
 });
 
@@ -181,7 +196,7 @@ test('a preset with other settings can be set back to the defaults', () => {
     refine: false,
   };
   const link = encodeLink(START, start);
-  expect(link).toBe('v=1&m=bunny&t=auto&near=auto&way=straight&refine=1');
+  expect(link).toBe('v=1&m=bunny&t=auto&near=auto&refine=1&way=straight');
   expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [], unknown: [] });
 });
 

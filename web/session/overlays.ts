@@ -93,7 +93,7 @@ export class Overlays {
 }
 
 /** What is wanted, without what only the heat method has. */
-function available({ overlays, colorBy }: SceneState, method: Method): Pick<SceneState, 'overlays' | 'colorBy'> {
+export function available({ overlays, colorBy }: SceneState, method: Method): Pick<SceneState, 'overlays' | 'colorBy'> {
   if (method === 'heat') return { overlays, colorBy };
   return {
     overlays: overlays.filter((overlay) => !OF_HEAT.overlays.includes(overlay)),
@@ -110,7 +110,7 @@ async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Ed
 }
 
 /** The field that is shown instead of the distance. */
-async function instead(
+export async function instead(
   engine: Engine,
   colorBy: VertexField,
   { distance, tangents, byCorner }: DistanceField,

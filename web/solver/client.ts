@@ -25,14 +25,12 @@ export interface Wanted {
 }
 
 export class SolverClient {
-  /** All workers share one, and with it the code that the browser has optimised so far. */
-  #module: Promise<WebAssembly.Module> | null = null;
   #spare: SolverWorker | null = null;
   #opening: SolverWorker | null = null;
 
   constructor() {
     // The module is on its way while the page is still being built.
-    void this.#compiled().catch(() => undefined);
+    void compiled().catch(() => undefined);
   }
 
   /**
@@ -46,7 +44,7 @@ export class SolverClient {
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
     this.cancel();
-    const worker = this.#spare ?? new SolverWorker(this.#compiled());
+    const worker = this.#spare ?? new SolverWorker(compiled());
     this.#spare = null;
     this.#opening = worker;
     try {
@@ -75,7 +73,7 @@ export class SolverClient {
   /** Starts the worker of the next mesh ahead of time; to be called when the page is idle. */
   warmUp(): void {
     if (this.#spare) return;
-    const spare = new SolverWorker(this.#compiled());
+    const spare = new SolverWorker(compiled());
     this.#spare = spare;
     // The worker that opens the next mesh says what is wrong, should it be wrong again.
     const forget = () => {
@@ -85,15 +83,18 @@ export class SolverClient {
     void spare.lost.then(forget);
     spare.call(spare.api.warmUp()).catch(forget);
   }
+}
 
-  #compiled(): Promise<WebAssembly.Module> {
-    this.#module ??= compile().catch((error: unknown) => {
-      // The next opening tries again.
-      this.#module = null;
-      throw error;
-    });
-    return this.#module;
-  }
+/** All workers share one, and with it the code that the browser has optimised so far. */
+let module: Promise<WebAssembly.Module> | null = null;
+
+function compiled(): Promise<WebAssembly.Module> {
+  module ??= compile().catch((error: unknown) => {
+    // The next opening tries again.
+    module = null;
+    throw error;
+  });
+  return module;
 }
 
 async function compile(): Promise<WebAssembly.Module> {

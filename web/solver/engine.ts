@@ -22,10 +22,11 @@ import type {
   TracedPath,
   PathRequest,
 } from '../protocol';
-import { type Bridge, CROWD_HEIGHT, mayBeJoined, type Windows } from '../state/scene';
+import { type Bridge, CROWD_HEIGHT, mayBeJoined } from '../state/scene';
 import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
 import { innerCutOf, type Inside, WHOLE } from '../state/inside';
 import { type Box, boxAround } from '../state/places';
+import type { Windows } from '../state/settings';
 import type { Method } from '../wasm/contract';
 import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
 

@@ -1,21 +1,6 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
 import type { Source, MeshPoint } from '../protocol';
-import {
-  AUTOMATIC,
-  BOUNDARY,
-  type Choice,
-  EXACT_RADIUS_EDGES,
-  LINEAR_SOLVER,
-  MEMORY_LIMIT_MEBIBYTES,
-  METHOD,
-  MULTI_SOURCE,
-  OPERATOR,
-  PATH_KIND,
-  TIME_STEP_FACTORS,
-  UP,
-  VERTEX_FIELD,
-  WINDOWS,
-} from '../wasm/contract';
+import { PATH_KIND, UP, VERTEX_FIELD } from '../wasm/contract';
 import { addressIn } from '../files/address';
 import { COSTS, decodeGround, encodeGround, type Ground } from './ground';
 import { CUTS, FILLS, type Inside, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
@@ -42,12 +27,13 @@ import {
   SPEEDS,
   TRIANGLES,
   UNITS,
-  type Windows,
 } from './scene';
+import { decodeCompared, encodeCompared } from './compared';
 import { decodeSets, encodeSets } from './sets';
+import { encodeSettings, parserOf, SETTINGS } from './settings';
 import { withOffset } from './sources';
 import { decodeTapes, encodeTapes, SCALES } from './tapes';
-import { amount, parseAmount } from './text';
+import { amount, automaticOr, choiceOf, flag, number, oneOf, parseAmount, within } from './text';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -92,20 +78,12 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   for (const key of INSIDE_NUMBERS) add(key, number(inside[key]), number(start.inside[key]));
   add('whole', flag(inside.whole), flag(start.inside.whole));
   add('arrows', flag(inside.arrows), flag(start.inside.arrows));
-  add('method', state.method, start.method);
-  add('windows', number(state.windows), number(start.windows));
+  const [settings, initial] = [encodeSettings(state), encodeSettings(start)];
+  for (const key of SETTINGS) add(key, settings[key], initial[key]);
   add('bridge', bridge(state.bridge), bridge(start.bridge));
   add('links', number(state.links), number(start.links));
-  const { parameters } = state;
-  add('t', option(parameters.timeStep), option(start.parameters.timeStep));
-  add('b', parameters.boundary, start.parameters.boundary);
-  add('multi', parameters.sources, start.parameters.sources);
-  add('near', option(parameters.exactRadius), option(start.parameters.exactRadius));
-  add('memory', option(parameters.memory), option(start.parameters.memory));
-  add('op', parameters.operator, start.parameters.operator);
-  add('solver', parameters.solver, start.parameters.solver);
   add('way', state.pathKind, start.pathKind);
-  add('refine', flag(state.refine), flag(start.refine));
+  add('vs', encodeCompared(state.compared, state), encodeCompared(start.compared, start));
   if (state.camera) add('cam', state.camera.map(number).join(','), start.camera?.map(number).join(',') ?? '');
   add('lights', state.lights, start.lights);
   const { animation } = state;
@@ -148,7 +126,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push('This link was made by another version of the page; some of it may be ignored.');
   }
-  const state = { ...start, parameters: { ...start.parameters } };
+  const state = { ...start };
   const known = new Set(OF_ADDRESS);
   const read = <T>(key: string, parse: (text: string) => T | null, apply: (value: T) => void) => {
     known.add(key);
@@ -182,20 +160,12 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   }
   read('whole', oneOf(['0', '1']), (whole) => look({ whole: whole === '1' }));
   read('arrows', oneOf(['0', '1']), (arrows) => look({ arrows: arrows === '1' }));
-  read('method', choiceOf(METHOD), (method) => (state.method = method));
-  read('windows', parseWindows, (windows) => (state.windows = windows));
+  for (const key of SETTINGS) read(key, parserOf(key), (apply) => Object.assign(state, apply(state)));
   read('bridge', parseBridge, (rule) => (state.bridge = rule));
   read('links', parseLinks, (links) => (state.links = links));
-  const { parameters } = state;
-  read('t', automaticOr(within(...TIME_STEP_FACTORS)), (factor) => (parameters.timeStep = factor));
-  read('b', choiceOf(BOUNDARY), (boundary) => (parameters.boundary = boundary));
-  read('multi', choiceOf(MULTI_SOURCE), (sources) => (parameters.sources = sources));
-  read('near', automaticOr(within(...EXACT_RADIUS_EDGES)), (radius) => (parameters.exactRadius = radius));
-  read('memory', automaticOr(within(...MEMORY_LIMIT_MEBIBYTES)), (most) => (parameters.memory = most));
-  read('op', choiceOf(OPERATOR), (operator) => (parameters.operator = operator));
-  read('solver', choiceOf(LINEAR_SOLVER), (solver) => (parameters.solver = solver));
   read('way', choiceOf(PATH_KIND), (pathKind) => (state.pathKind = pathKind));
-  read('refine', oneOf(['0', '1']), (refine) => (state.refine = refine === '1'));
+  const comparedOf = (text: string) => decodeCompared(text, state);
+  read('vs', comparedOf, ([compared]) => (state.compared = compared ?? null));
   read('cam', parseCamera, (camera) => (state.camera = camera));
   read('lights', oneOf(LIGHTS), (lights) => (state.lights = lights));
   const animate = (part: Partial<Animation>) => (state.animation = { ...state.animation, ...part });
@@ -275,14 +245,6 @@ function baseStyle(name: string, start: Style): Style {
   return name === start.name ? start : (findStyle(name) ?? start);
 }
 
-function number(value: number): string {
-  return String(Number(value.toFixed(4)));
-}
-
-function option(value: number | typeof AUTOMATIC): string {
-  return value === AUTOMATIC ? value : number(value);
-}
-
 function bridge(rule: Bridge): string {
   return typeof rule === 'number' ? amount(rule) : rule;
 }
@@ -306,10 +268,6 @@ function clipNumber(index: number | null): string {
 
 function parseLinks(text: string): number | null {
   return /^\d{1,9}$/.test(text) ? Number(text) : null;
-}
-
-function flag(value: boolean): string {
-  return value ? '1' : '0';
 }
 
 function encodePoints(points: readonly Source[]): string {
@@ -405,32 +363,7 @@ function parseIndices(text: string): number[] | null {
   return /^\d{1,6}(,\d{1,6})*$/.test(text) ? text.split(',').map(Number) : null;
 }
 
-function oneOf<T extends string>(words: readonly T[]): (text: string) => T | null {
-  return (text) => words.find((word) => word === text) ?? null;
-}
-
-/** Links of before hold former names. */
-function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string) => T | null {
-  const named = oneOf(names);
-  return (text) => named(text) ?? (Object.hasOwn(former, text) ? former[text] : null);
-}
-
-function automaticOr<T>(parse: (text: string) => T | null): (text: string) => T | typeof AUTOMATIC | null {
-  return (text) => (text === AUTOMATIC ? text : parse(text));
-}
-
-function parseWindows(text: string): Windows | null {
-  return WINDOWS.find((count) => String(count) === text) ?? null;
-}
-
 function parseCamera(text: string): number[] | null {
   const values = text.split(',').map(Number);
   return values.length === 6 && values.every(Number.isFinite) && values[2] > 0 ? values : null;
-}
-
-function within(low: number, high: number): (text: string) => number | null {
-  return (text) => {
-    const value = Number(text);
-    return text.trim() !== '' && value >= low && value <= high ? value : null;
-  };
 }

@@ -1,18 +1,18 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
-import type { OpenedMesh, Parameters, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
+import type { OpenedMesh, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
 import {
   AUTOMATIC,
   DEFAULT_PARAMETERS,
   DEFAULT_WINDOWS,
-  type Method,
   PATH_KIND,
   type Up,
   VERTEX_FIELD,
   type VertexField,
-  type WINDOWS,
 } from '../wasm/contract';
 import { type Ground, LEVEL } from './ground';
 import { type Inside, WHOLE } from './inside';
+import type { Compared } from './compared';
+import type { Settings } from './settings';
 import { tellEach } from './signal';
 import type { SourceSet } from './sources';
 import type { Tape } from './tapes';
@@ -46,9 +46,6 @@ export const OF_HEAT: { readonly overlays: readonly Overlay[]; readonly colorBy:
   overlays: ['operator', 'heat'],
   colorBy: ['heat'],
 };
-
-/** Windows of each half-edge, as many as propagation keeps. */
-export type Windows = (typeof WINDOWS)[number];
 
 /**
  * Which components are joined, so that distance and paths lead from one to the other: those that pierce or nearly touch each
@@ -121,9 +118,11 @@ export interface Places {
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
   inside: Inside;
+  /** What the scene is compared with; null: with nothing. */
+  compared: Compared | null;
 }
 
-export interface SceneState extends Places {
+export interface SceneState extends Places, Settings {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
@@ -131,17 +130,9 @@ export interface SceneState extends Places {
   triangles: number | null;
   /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
   fill: number | null;
-  /** How distance is found. */
-  method: Method;
-  /** Of methods other than heat. */
-  windows: Windows;
-  /** Of the heat method. */
-  parameters: Parameters;
   bridge: Bridge;
   /** The kind of path that the walker takes. */
   pathKind: PathKind;
-  /** Whether a field at rest is made exact, where the method leaves it open. */
-  refine: boolean;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
   /** Whose lights are on. */
@@ -176,6 +167,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     tapes: [],
     ground: LEVEL,
     inside: WHOLE,
+    compared: null,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
     parameters: DEFAULT_PARAMETERS,
@@ -311,8 +303,20 @@ export class Scene {
 }
 
 /** What undo goes back over, of a state. */
-export function placesOf({ sources, sets, walker, links, up, unit, scale, tapes, ground, inside }: SceneState): Places {
-  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside };
+export function placesOf({
+  sources,
+  sets,
+  walker,
+  links,
+  up,
+  unit,
+  scale,
+  tapes,
+  ground,
+  inside,
+  compared,
+}: SceneState): Places {
+  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside, compared };
 }
 
 function withValidSelection(state: SceneState): SceneState {

@@ -1,5 +1,6 @@
 /** How numbers and bytes are written in a link. */
 import { deflateSync, Inflate } from 'fflate';
+import { AUTOMATIC, type Choice } from '../wasm/contract';
 
 /** What may be unpacked. */
 const MOST_BYTES = 2 ** 23;
@@ -14,6 +15,39 @@ export function amount(value: number): string {
 /** A number as `amount` writes it, not negative; null for other text. */
 export function parseAmount(text: string): number | null {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : null;
+}
+
+export function number(value: number): string {
+  return String(Number(value.toFixed(4)));
+}
+
+export function option(value: number | typeof AUTOMATIC): string {
+  return value === AUTOMATIC ? value : number(value);
+}
+
+export function flag(value: boolean): string {
+  return value ? '1' : '0';
+}
+
+export function oneOf<T extends string>(words: readonly T[]): (text: string) => T | null {
+  return (text) => words.find((word) => word === text) ?? null;
+}
+
+/** Links of before hold former names. */
+export function choiceOf<T extends string>({ names, former }: Choice<T>): (text: string) => T | null {
+  const named = oneOf(names);
+  return (text) => named(text) ?? (Object.hasOwn(former, text) ? former[text] : null);
+}
+
+export function automaticOr<T>(parse: (text: string) => T | null): (text: string) => T | typeof AUTOMATIC | null {
+  return (text) => (text === AUTOMATIC ? text : parse(text));
+}
+
+export function within(low: number, high: number): (text: string) => number | null {
+  return (text) => {
+    const value = Number(text);
+    return text.trim() !== '' && value >= low && value <= high ? value : null;
+  };
 }
 
 /** Bytes by deflate in base64url. */

@@ -14,10 +14,10 @@ export interface Edges {
 
 export const THIN = 1.2;
 
-/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, tapes. */
-export const EDGE_GROUPS = ['overlays', 'lines', 'tapes'] as const;
+/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, the other path, tapes. */
+export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'tapes'] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
-export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], tapes: [] };
+export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], path: [], tapes: [] };
 
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [
@@ -57,12 +57,20 @@ export const CLEARED_BY_SURFACE: readonly Layer[] = [
 /** What a preview has from the scene that it stands before. */
 export const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 
+export interface Fields {
+  field: ShownField | null;
+  other: ShownField | null;
+}
+export const NO_FIELDS: Fields = { field: null, other: null };
+
 /** All that is shown together. */
 export interface Picture {
   layers: Map<Layer, (viewer: Viewer) => void>;
   /** Drawn length of a unit of the path. */
   stride: number;
   edges: Readonly<Record<EdgeGroup, readonly Edges[]>>;
+  /** The field, and the one that it is compared with. */
+  fields: Readonly<Fields>;
   /** What is seen of the inside of tetrahedra. */
   inside: InnerView | null;
 }
@@ -96,5 +104,5 @@ export const NO_INSIDE: InnerView = {
   arrowVectors: new Float32Array(),
 };
 export function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, edges: NO_EDGES, inside: null };
+  return { layers: new Map(), stride: 1, edges: NO_EDGES, fields: NO_FIELDS, inside: null };
 }

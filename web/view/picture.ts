@@ -7,20 +7,20 @@ export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTM
 const FRAMES_A_SECOND = 60;
 const BITS_A_SECOND = 12_000_000;
 
-/** A PNG of the view with its overprint, `scale` times as large as on the screen. */
+/** A PNG of the view with its overprints, `scale` times as large as on the screen. */
 export async function png(view: View, scale: number, clear: boolean): Promise<Blob> {
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
   if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
   context.putImageData(picture, 0, 0);
-  if (view.overprint) {
+  if (view.overprints.length > 0) {
     const { left, top, width, height } = view.stage.getBoundingClientRect();
     const [x, y] = view.centre;
     context.scale(picture.width / width, picture.height / height);
     // Pictures have no panel beside the model.
     context.translate(left + width / 2 - x, top + height / 2 - y);
-    view.overprint(context);
+    for (const print of view.overprints) print(context);
   }
   return canvas.convertToBlob({ type: 'image/png' });
 }

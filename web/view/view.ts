@@ -12,10 +12,12 @@ import {
   type EdgeGroup,
   type Edges,
   emptyPicture,
+  type Fields,
   type Layer,
   NO_APPEARANCE,
   NO_EDGES,
   NO_FIELD,
+  NO_FIELDS,
   NO_INSIDE,
   NO_MESH,
   ORDER,
@@ -70,12 +72,14 @@ export class View {
   /** Pixels that are drawn for one CSS pixel. */
   #ratio = 1;
   #insets: Insets = NO_INSETS;
+  /** Of two fields: see `split`. */
+  #split = 0.5;
   /** When the renderer failed last. */
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
   /** What saved pictures have over the model, in CSS pixels of the stage. */
-  overprint: ((context: OffscreenCanvasRenderingContext2D) => void) | null = null;
+  readonly overprints: ((context: OffscreenCanvasRenderingContext2D) => void)[] = [];
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<string | null>(null);
   /** What went wrong while drawing goes on. */
@@ -201,7 +205,7 @@ export class View {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.edges, picture.inside] = [NO_EDGES, null];
+      [picture.edges, picture.fields, picture.inside] = [NO_EDGES, NO_FIELDS, null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -265,8 +269,40 @@ export class View {
 
   /** Null where there is none. */
   setField(field: ShownField | null): void {
-    const { distance, tangents, maxDistance, byCorner } = field ?? NO_FIELD;
-    this.#show('field', (viewer) => viewer.set_field(distance, tangents, maxDistance, byCorner));
+    this.#showFields({ ...this.#picture.fields, field });
+  }
+
+  /** Another field of the same mesh, right of the split; null: none. */
+  setOtherField(other: ShownField | null): void {
+    if (other !== this.#picture.fields.other) this.#showFields({ ...this.#picture.fields, other });
+  }
+
+  /** Both in colors up to the larger of their largest values. */
+  #showFields(fields: Fields): void {
+    this.#picture.fields = fields;
+    const field = fields.field ?? NO_FIELD;
+    const other = (fields.field && fields.other) ?? NO_FIELD;
+    const most = Math.max(field.maxDistance, other.maxDistance);
+    this.#show('field', (viewer) => {
+      viewer.set_field(field.distance, field.tangents, most, field.byCorner);
+      viewer.set_other_field(other.distance, other.tangents, other.byCorner);
+    });
+  }
+
+  /** Where the other field begins: share of the width that insets leave free, from the left. */
+  set split(split: number) {
+    this.#split = split;
+    this.#use((viewer) => viewer.set_split(this.#splitOffset));
+  }
+
+  /** From the middle of what is free, as a share of the stage's width. */
+  get #splitOffset(): number {
+    return ((this.#split - 0.5) * this.free) / this.#stage.cssWidth;
+  }
+
+  /** Width that the insets leave free; CSS pixels. */
+  get free(): number {
+    return Math.max(0, this.#stage.cssWidth - this.#insets.left - this.#insets.right);
   }
 
   /** What is seen of the inside of tetrahedra, where planes of four numbers each cut them open; null: nothing. */
@@ -552,6 +588,7 @@ export class View {
     const { left, top, right, bottom } = this.#insets;
     viewer.resize(width, height);
     viewer.set_insets(left * ratio, top * ratio, right * ratio, bottom * ratio);
+    viewer.set_split(this.#splitOffset);
   }
 }
 

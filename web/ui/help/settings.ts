@@ -16,6 +16,7 @@ export const SECTIONS: Record<string, string> = {
   ground: 'page#ground',
   inside: 'page#inside',
   solver: 'page#methods',
+  compare: 'page#comparing',
   style: 'gallery',
   measure: 'page#tapes',
   charts: 'page#charts',
@@ -105,6 +106,15 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
       'method#conjugate-gradients',
     ),
     Windows: about('Windows kept of each half-edge: more are closer to exact and slower.', 'method#propagation'),
+  },
+  compare: {
+    Method: about('How distance is found right of the divider.', 'page#comparing'),
+    Windows: about('Windows that each half-edge keeps there.', 'page#comparing'),
+    'Refine to exact': about('Whether the field there is made exact at rest.', 'page#comparing'),
+    'Time factor m': about('How long heat flows there: t = m h².', 'page#comparing'),
+    Boundary: about('What boundaries of the surface do to heat there.', 'page#comparing'),
+    Operator: about('What triangles the Laplacian there is of.', 'page#comparing'),
+    'Linear solver': about('How linear systems are solved there.', 'page#comparing'),
   },
   style: {
     Pattern: about('Bands, thin lines, or only the colors of the surface.', 'gallery'),

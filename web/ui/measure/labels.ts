@@ -49,7 +49,7 @@ export class TapeLabels {
     this.#session = session;
     this.#tapes = tapes;
     this.#input = input;
-    session.view.overprint = (context) => this.#print(context);
+    session.view.overprints.push((context) => this.#print(context));
     tapes.measured.watch(() => this.#show());
     session.pose.watch(() => this.#show());
     session.scene.subscribe((state, previous) => {

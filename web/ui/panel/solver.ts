@@ -22,7 +22,7 @@ import {
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
 import { count, linksSentence, refiningSentence } from '../words';
 
-const METHODS: Record<Method, string> = {
+export const METHODS: Record<Method, string> = {
   auto: 'Automatic',
   propagation: 'Propagation',
   heat: 'Heat method',
@@ -49,21 +49,21 @@ const BRIDGES: readonly (readonly [Bridge, string])[] = [
   [0, 'Touching'],
   ['off', 'None'],
 ];
-const BOUNDARIES: Record<Boundary, string> = {
+export const BOUNDARIES: Record<Boundary, string> = {
   neumann: 'Insulated (Neumann)',
   dirichlet: 'Cold (Dirichlet)',
   average: 'Average of both',
 };
-const MULTI_SOURCES: Record<MultiSource, string> = {
+export const MULTI_SOURCES: Record<MultiSource, string> = {
   exact: 'Exact',
   summed: 'Summed',
 };
-const OPERATORS: Record<Operator, string> = {
+export const OPERATORS: Record<Operator, string> = {
   delaunay: 'Intrinsic Delaunay',
   plain: 'As in the file',
   relocate: 'Relocated vertices',
 };
-const SOLVERS: Record<LinearSolver, string> = {
+export const SOLVERS: Record<LinearSolver, string> = {
   cholesky: 'Cholesky',
   cg: 'Conjugate gradients',
 };
@@ -225,6 +225,6 @@ function refiningStatus(session: Session): HTMLElement {
   return status;
 }
 
-function fromLogarithm(value: number): number {
+export function fromLogarithm(value: number): number {
   return Number((10 ** value).toPrecision(2));
 }

@@ -1,0 +1,102 @@
+/** Two settings side by side. */
+import type { PNG } from 'pngjs';
+import { grid, off } from '../fixtures';
+import { expect, type HeatwalkPage, test } from '../page';
+
+/** A sheet, whose boundary makes Neumann and Dirichlet differ. */
+const SHEET = off(grid(32));
+const SCENE = 'up=z&cam=0,1.5,2.6,0,0,0&s=528&w=none&method=heat&near=0&refine=0';
+
+/** Mean difference of two pictures, 0 to 255, in the columns between two shares of the width. */
+function apart(one: PNG, other: PNG, [from, to]: readonly [number, number]): number {
+  let [sum, count] = [0, 0];
+  for (let y = 0; y < one.height; y++) {
+    for (let x = Math.round(from * one.width); x < to * one.width; x++) {
+      for (let channel = 0; channel < 3; channel++) {
+        const at = 4 * (y * one.width + x) + channel;
+        sum += Math.abs(one.data[at] - other.data[at]);
+        count += 1;
+      }
+    }
+  }
+  return sum / count;
+}
+
+const LEFT = [0.2, 0.4] as const;
+const RIGHT = [0.6, 0.8] as const;
+/** What is the same, but for colors up to the larger of both largest distances; and what is not. */
+const SAME = 5;
+const OTHER = 30;
+
+const drawn = (heatwalk: HeatwalkPage) => heatwalk.drawing(1, true);
+
+test('two settings share a picture; the line between them moves, and is in the link', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await heatwalk.openFile('sheet.off', SHEET, `${SCENE}&b=dirichlet`);
+  const dirichlet = await drawn(heatwalk);
+  await page.locator('#section-solver > summary').click();
+  await page.getByRole('combobox', { name: 'Boundary' }).selectOption('neumann');
+  await heatwalk.settled();
+  const neumann = await drawn(heatwalk);
+  expect(apart(neumann, dirichlet, LEFT)).toBeGreaterThan(OTHER);
+  expect(apart(neumann, dirichlet, RIGHT)).toBeGreaterThan(OTHER);
+
+  await page.locator('#section-compare > summary').click();
+  const section = page.locator('#section-compare');
+  await section.getByRole('button', { name: 'Neumann and Dirichlet' }).click();
+  await expect(section.locator('thead')).toHaveText('Insulated (Neumann)Cold (Dirichlet)');
+  await expect.poll(() => page.url()).toContain('&vs=b:dirichlet,at:0.5');
+  const both = await drawn(heatwalk);
+  expect(apart(both, neumann, LEFT)).toBeLessThan(SAME);
+  expect(apart(both, dirichlet, RIGHT)).toBeLessThan(SAME);
+  const largest = section.getByRole('row', { name: 'Maximum distance' }).getByRole('cell');
+  expect(await largest.first().textContent()).not.toBe(await largest.last().textContent());
+
+  const line = page.getByRole('slider', { name: 'Divider between the two settings' });
+  await line.press('Home');
+  await expect.poll(() => page.url()).toContain('at:0&');
+  expect(apart(await drawn(heatwalk), dirichlet, LEFT)).toBeLessThan(SAME);
+  await page.keyboard.press('Control+z');
+  const box = await line.boundingBox();
+  if (!box) throw new Error('The line is not seen.');
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 600, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  expect((await heatwalk.scene()).compared?.split).toBe(1);
+  expect(apart(await drawn(heatwalk), neumann, RIGHT)).toBeLessThan(SAME);
+  await page.keyboard.press('Control+z');
+  expect((await heatwalk.scene()).compared?.split).toBe(0.5);
+
+  await section.getByRole('button', { name: 'Swap sides' }).click();
+  const swapped = await drawn(heatwalk);
+  expect(apart(swapped, dirichlet, LEFT)).toBeLessThan(SAME);
+  expect(apart(swapped, neumann, RIGHT)).toBeLessThan(SAME);
+  // Both sides follow the source.
+  const [x, y] = await heatwalk.pixelOf({ vertex: 672 });
+  await page.mouse.click(x, y);
+  const moved = await drawn(heatwalk);
+  expect(apart(moved, swapped, LEFT)).toBeGreaterThan(OTHER);
+  expect(apart(moved, swapped, RIGHT)).toBeGreaterThan(OTHER);
+
+  await section.getByRole('combobox', { name: 'Method' }).selectOption('exact');
+  await expect(section.locator('thead')).toHaveText('Heat methodExact');
+  await expect.poll(() => page.url()).toContain('&vs=method:exact,');
+  await section.getByRole('button', { name: 'Stop comparing' }).click();
+  await expect(line).toBeHidden();
+  await expect.poll(() => page.url()).not.toContain('vs=');
+  await expect(page.locator('.message.error')).toHaveCount(0);
+});
+
+test('a link opens both sides', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny&method=heat&near=0&t=1&refine=0&vs=t:1000,at:0.3');
+  await drawn(heatwalk);
+  const scene = await heatwalk.scene();
+  expect(scene.parameters.timeStep).toBe(1);
+  expect(scene.compared?.parameters.timeStep).toBe(1000);
+  const line = page.getByRole('slider', { name: 'Divider between the two settings' });
+  await expect(line).toHaveAttribute('aria-valuetext', '30 % m = 1');
+  await heatwalk.open('#v=1&m=bunny&vs=nonsense');
+  await expect(page.getByText('vs=nonsense is invalid')).toBeVisible();
+  await expect(line).toBeHidden();
+});

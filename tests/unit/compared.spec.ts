@@ -1,0 +1,51 @@
+import { expect, test } from '@playwright/test';
+import { type Compared, decodeCompared, differing, encodeCompared, MIDDLE, STUDIED } from '../../web/state/compared';
+import { FIRST_PRESET } from '../../web/state/presets';
+import { Scene } from '../../web/state/scene';
+import { difference } from '../../web/ui/compare/difference';
+
+const OWN = FIRST_PRESET.start;
+
+test('a link holds only what differs from the settings of the scene, and the split', () => {
+  for (const [left, right] of Object.values(STUDIED)) {
+    const compared: Compared = { ...right, split: 0.25 };
+    const text = encodeCompared(compared, left);
+    expect(decodeCompared(text, left)).toEqual([compared]);
+    expect(text.split(',')).toHaveLength(differing(left, right).length + 1);
+  }
+  const [left, right] = STUDIED['time-step'];
+  expect(encodeCompared({ ...right, split: MIDDLE }, left)).toBe('t:1000,at:0.5');
+  expect(encodeCompared(null, OWN)).toBe('none');
+  expect(decodeCompared('none', OWN)).toEqual([]);
+});
+
+test('text that is no comparison is refused as a whole', () => {
+  for (const text of ['', 'at', 'at:2', 'at:-0.1', 't:1000:3', 't:fast', 'q:1', 'method:magic,at:0.5', 'at:0.5,']) {
+    expect(decodeCompared(text, OWN), text).toBeNull();
+  }
+});
+
+test('undo goes back over comparisons; a drag of the line is one step', () => {
+  const scene = new Scene(OWN);
+  const compared: Compared = { ...STUDIED.solver[1], split: MIDDLE };
+  scene.place({ compared });
+  const drag = {};
+  for (const split of [0.6, 0.7, 0.8]) scene.place({ compared: { ...compared, split } }, drag);
+  scene.undo();
+  expect(scene.state.compared?.split).toBe(MIDDLE);
+  scene.undo();
+  expect(scene.state.compared).toBeNull();
+  scene.redo();
+  expect(scene.state.compared).toEqual(compared);
+});
+
+test('the difference of two fields is over the vertices that both reach, a share of the largest on the left', () => {
+  const field = (...values: number[]) => ({
+    distance: Float32Array.from(values),
+    maxDistance: Math.max(...values.filter(Number.isFinite)),
+  });
+  const apart = difference(field(0, 1, 2, 4, Infinity), field(0, 1.5, 1, Infinity, 3));
+  expect(apart).toEqual({ mean: 0.125, most: 0.25 });
+  expect(difference(field(0, 0), field(0, 0))).toBeNull();
+  expect(difference(field(0, 1), field(0, 1, 2))).toBeNull();
+});

@@ -1,0 +1,63 @@
+/** Two settings of the solver side by side. */
+import { DEFAULT_PARAMETERS, DEFAULT_WINDOWS } from '../wasm/contract';
+import { encodeSettings, parserOf, type SettingKey, SETTINGS, type Settings } from './settings';
+import { number, within } from './text';
+
+/** What the scene is compared with. */
+export interface Compared extends Settings {
+  /** Where the half of these settings begins: share of the width that panels leave free, from the left. */
+  split: number;
+}
+
+/** Where the split can be. */
+export const SPLITS = [0, 1] as const;
+export const MIDDLE = 0.5;
+
+/** The settings alone. */
+export function settingsOf({ method, windows, parameters, refine }: Settings): Settings {
+  return { method, windows, parameters, refine };
+}
+
+/** The keys of the settings in which two differ. */
+export function differing(one: Settings, other: Settings): SettingKey[] {
+  const [ofOne, ofOther] = [encodeSettings(one), encodeSettings(other)];
+  return SETTINGS.filter((key) => ofOne[key] !== ofOther[key]);
+}
+
+/** What differs from the scene's own settings, and the split; `none` where nothing is compared. */
+export function encodeCompared(compared: Compared | null, own: Settings): string {
+  if (!compared) return 'none';
+  const texts = encodeSettings(compared);
+  return [...differing(own, compared).map((key) => `${key}:${texts[key]}`), `at:${number(compared.split)}`].join();
+}
+
+/** What `encodeCompared` has written for the same settings, in a list, or an empty one; null for other text. */
+export function decodeCompared(text: string, own: Settings): Compared[] | null {
+  if (text === 'none') return [];
+  const compared: Compared = { ...settingsOf(own), split: MIDDLE };
+  for (const entry of text.split(',')) {
+    const [key, value = '', ...more] = entry.split(':');
+    const split = key === 'at' ? within(...SPLITS)(value) : null;
+    const known = SETTINGS.find((name) => name === key);
+    const change = split === null ? known && parserOf(known)(value)?.(compared) : { split };
+    if (!change || more.length > 0) return null;
+    Object.assign(compared, change);
+  }
+  return [compared];
+}
+
+const BY_HEAT: Settings = { method: 'heat', windows: DEFAULT_WINDOWS, parameters: DEFAULT_PARAMETERS, refine: false };
+
+/** The comparisons of the study by He and Hung, left and right. Nothing is refined: exact fields would not differ. */
+export const STUDIED = {
+  'time-step': [byHeat({ timeStep: 1 }), byHeat({ timeStep: 1000 })],
+  solver: [byHeat({ solver: 'cholesky' }), byHeat({ solver: 'cg' })],
+  boundary: [byHeat({ boundary: 'neumann' }), byHeat({ boundary: 'dirichlet' })],
+  exact: [BY_HEAT, { ...BY_HEAT, method: 'exact', refine: true }],
+} as const satisfies Record<string, readonly [Settings, Settings]>;
+export type Studied = keyof typeof STUDIED;
+
+/** With no exact region about the sources, which would be the same on both sides. */
+function byHeat(parameters: Partial<Settings['parameters']>): Settings {
+  return { ...BY_HEAT, parameters: { ...DEFAULT_PARAMETERS, exactRadius: 0, ...parameters } };
+}

@@ -1,0 +1,18 @@
+/** How far two fields of one mesh are apart. */
+import type { DistanceField } from '../../protocol';
+
+type Values = Pick<DistanceField, 'distance' | 'maxDistance'>;
+
+/** Over the drawn vertices that both reach; shares of the largest distance on the left. Null where there is none. */
+export function difference(left: Values, right: Values): { mean: number; most: number } | null {
+  if (left.distance.length !== right.distance.length || left.maxDistance === 0) return null;
+  let [sum, most, vertices] = [0, 0, 0];
+  left.distance.forEach((one, i) => {
+    const apart = Math.abs(one - right.distance[i]);
+    if (!Number.isFinite(apart)) return;
+    sum += apart;
+    most = Math.max(most, apart);
+    vertices += 1;
+  });
+  return vertices > 0 ? { mean: sum / vertices / left.maxDistance, most: most / left.maxDistance } : null;
+}

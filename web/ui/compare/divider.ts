@@ -1,0 +1,133 @@
+/** The line between two settings: dragged, or moved by arrow keys; with what is on either side of it. */
+import type { Comparison } from '../../session/comparison';
+import type { Session } from '../../session/session';
+import { differing, MIDDLE, SPLITS } from '../../state/compared';
+import { h, icon } from '../dom';
+import { percent } from '../words';
+import { told } from './words';
+
+const NAME = 'Divider between the two settings';
+const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
+/** How far an arrow key moves it, as a share of the width. */
+const STEP = 0.02;
+const KEYS: Record<string, (split: number) => number> = {
+  ArrowLeft: (split) => split - STEP,
+  ArrowDown: (split) => split - STEP,
+  ArrowRight: (split) => split + STEP,
+  ArrowUp: (split) => split + STEP,
+  Home: () => SPLITS[0],
+  End: () => SPLITS[1],
+};
+
+export class Divider {
+  readonly #left = h('span', { class: 'compare-left' });
+  readonly #right = h('span', { class: 'compare-right' });
+  readonly #grip = h('div', { class: 'compare-grip', role: 'slider', tabindex: 0, 'aria-label': NAME }, icon(ARROWS));
+  readonly element = h('div', { class: 'compare', hidden: true }, this.#left, this.#right, this.#grip);
+  readonly #session: Session;
+  readonly #comparison: Comparison;
+  /** From the pointer to the line, while that is dragged. */
+  #drag: { offset: number; gesture: object } | null = null;
+  /** Keys in a row are one step of undo. */
+  #keys: object | null = null;
+
+  constructor(session: Session, comparison: Comparison) {
+    this.#session = session;
+    this.#comparison = comparison;
+    const [least, most] = SPLITS;
+    this.#grip.setAttribute('aria-valuemin', String(least));
+    this.#grip.setAttribute('aria-valuemax', String(most));
+    this.#grip.addEventListener('pointerdown', (event) => this.#take(event));
+    this.#grip.addEventListener('pointermove', ({ clientX }) => {
+      if (this.#drag) this.#put((clientX + this.#drag.offset - this.#start) / session.view.free, this.#drag.gesture);
+    });
+    for (const end of ['pointerup', 'pointercancel'] as const) {
+      this.#grip.addEventListener(end, () => (this.#drag = null));
+    }
+    this.#grip.addEventListener('dblclick', () => this.#put(MIDDLE, {}));
+    this.#grip.addEventListener('keydown', (event) => this.#key(event));
+    this.#grip.addEventListener('keyup', () => (this.#keys = null));
+    session.view.overprints.push((context) => this.#print(context));
+    session.scene.subscribe(() => this.#show());
+    comparison.answer.watch(() => this.#show());
+    comparison.working.watch((working) => this.element.toggleAttribute('data-working', working));
+    this.#show();
+  }
+
+  /** Goes to where the halves meet. */
+  follow(): void {
+    const { compared } = this.#session.scene.state;
+    if (!compared || this.element.hidden) return;
+    const { left, top, height } = this.#session.view.stage.getBoundingClientRect();
+    const x = this.#start + compared.split * this.#session.view.free;
+    this.element.style.transform = `translate(${Math.round(x - left) + left}px, ${top}px)`;
+    this.element.style.height = `${height}px`;
+  }
+
+  /** Where the width that panels leave free begins. */
+  get #start(): number {
+    const { view } = this.#session;
+    return view.centre[0] - view.free / 2;
+  }
+
+  #show(): void {
+    const { compared, ...own } = this.#session.scene.state;
+    this.element.hidden = !compared || this.#comparison.answer.value === null;
+    if (!compared) return;
+    const keys = differing(own, compared);
+    this.#left.textContent = told(own, keys);
+    this.#right.textContent = told(compared, keys);
+    this.#grip.setAttribute('aria-valuenow', compared.split.toFixed(2));
+    this.#grip.setAttribute('aria-valuetext', `${percent(compared.split)} ${this.#left.textContent}`);
+    this.follow();
+  }
+
+  #take(event: PointerEvent): void {
+    const { compared } = this.#session.scene.state;
+    if (!compared) return;
+    event.preventDefault();
+    this.#grip.focus({ preventScroll: true });
+    this.#grip.setPointerCapture(event.pointerId);
+    this.#drag = { offset: this.#start + compared.split * this.#session.view.free - event.clientX, gesture: {} };
+  }
+
+  #key(event: KeyboardEvent): void {
+    const { compared } = this.#session.scene.state;
+    const move = KEYS[event.key];
+    if (!compared || !move || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#keys ??= {};
+    this.#put(move(compared.split), this.#keys);
+  }
+
+  #put(split: number, gesture: object): void {
+    const { scene } = this.#session;
+    const { compared } = scene.state;
+    const [least, most] = SPLITS;
+    if (compared) scene.place({ compared: { ...compared, split: Math.min(most, Math.max(least, split)) } }, gesture);
+  }
+
+  /** The line and its words, in a saved picture. */
+  #print(context: OffscreenCanvasRenderingContext2D): void {
+    if (this.element.hidden) return;
+    const stage = this.#session.view.stage.getBoundingClientRect();
+    const line = this.element.getBoundingClientRect();
+    context.fillStyle = '#fff';
+    // Pictures are moved by less than their height.
+    context.fillRect(line.left - stage.left, -stage.height, 2, 3 * stage.height);
+    for (const label of [this.#left, this.#right]) {
+      const { left, top, width, height } = label.getBoundingClientRect();
+      const { backgroundColor, color, font } = getComputedStyle(label);
+      context.beginPath();
+      context.roundRect(left - stage.left, top - stage.top, width, height, 4);
+      context.fillStyle = backgroundColor;
+      context.fill();
+      context.font = font;
+      context.fillStyle = color;
+      context.textAlign = 'center';
+      context.textBaseline = 'middle';
+      context.fillText(label.textContent ?? '', left - stage.left + width / 2, top - stage.top + height / 2);
+    }
+  }
+}

@@ -1,0 +1,194 @@
+/** The section of comparisons: with what, and the figures of both sides. */
+import type { PathKind, SurfacePath } from '../../protocol';
+import type { Comparison } from '../../session/comparison';
+import type { Session } from '../../session/session';
+import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } from '../../state/compared';
+import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
+import type { Settings } from '../../state/settings';
+import {
+  AUTOMATIC,
+  BOUNDARY,
+  LINEAR_SOLVER,
+  METHOD,
+  OPERATOR,
+  type Parameters,
+  TIME_STEP_FACTORS,
+  WINDOWS,
+} from '../../wasm/contract';
+import { automaticSlider, h, labelled, select, toggle } from '../dom';
+import { BOUNDARIES, fromLogarithm, METHODS, OPERATORS, SOLVERS } from '../panel/solver';
+import { count, finePercent, length, measure, milliseconds } from '../words';
+import { difference } from './difference';
+import { told } from './words';
+
+const CHOICES: Record<Studied, string> = {
+  'time-step': 'm = 1 and m = 1000',
+  solver: 'Cholesky and conjugate gradients',
+  boundary: 'Neumann and Dirichlet',
+  exact: 'Heat and exact',
+};
+const INTRODUCTION = 'Two settings on one model: the settings of the section Solver on the left, others on the right.';
+const OF_SURFACES = 'Only surfaces can be compared, not the inside of a model.';
+
+export function compareSection(session: Session, comparison: Comparison): HTMLElement {
+  const { scene } = session;
+  const put = (compared: Compared | null, gesture: object | null = null) => scene.place({ compared }, gesture);
+  /** Changes of one slider in a row are one step of undo. */
+  const sliding = {};
+  const change = (part: Partial<Settings>, gesture: object | null = null) => {
+    const { compared } = scene.state;
+    if (compared) put({ ...compared, ...part }, gesture);
+  };
+  const changeHeat = (part: Partial<Parameters>, gesture: object | null = null) => {
+    const { compared } = scene.state;
+    if (compared) change({ parameters: { ...compared.parameters, ...part } }, gesture);
+  };
+
+  const studied = Object.entries(STUDIED).map(([name, [left, right]]) =>
+    button(CHOICES[name as Studied], () => {
+      scene.set(left);
+      put({ ...right, split: scene.state.compared?.split ?? MIDDLE });
+    }),
+  );
+  const begin = button('Other settings', () => put({ ...settingsOf(scene.state), split: MIDDLE }));
+  const swap = button('Swap sides', () => {
+    const { compared } = scene.state;
+    if (!compared) return;
+    const own = settingsOf(scene.state);
+    scene.set(settingsOf(compared));
+    put({ ...own, split: compared.split });
+  });
+  const end = button('Stop comparing', () => put(null));
+
+  const method = select('Method', labelled(METHOD.names, METHODS), (value) => change({ method: value }));
+  const windows = select(
+    'Windows',
+    WINDOWS.map((number) => [number, count(number)] as const),
+    (value) => change({ windows: value }),
+  );
+  const refine = toggle('Refine to exact', (on) => change({ refine: on }));
+  const [low, high] = TIME_STEP_FACTORS;
+  const factor = automaticSlider({
+    label: 'Time factor m',
+    min: Math.log10(low),
+    max: Math.log10(high),
+    step: 0.05,
+    describe: (value) => `${fromLogarithm(value)}`,
+    change: (value) => changeHeat({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, sliding),
+  });
+  const boundary = select('Boundary', labelled(BOUNDARY.names, BOUNDARIES), (value) => changeHeat({ boundary: value }));
+  const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => changeHeat({ operator: value }));
+  const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) =>
+    changeHeat({ solver: value }),
+  );
+  const status = h('p', { class: 'quiet' });
+  const figures = h('table', { class: 'compare-figures' });
+  const settings = [method, windows, refine, factor, boundary, operator, solver];
+  const side = h(
+    'fieldset',
+    { class: 'stack' },
+    h('legend', {}, 'Right side'),
+    ...settings.map(({ element }) => element),
+  );
+
+  const show = () => {
+    const { compared } = scene.state;
+    const { shown } = session;
+    const isInside = (shown.value?.opened.interior ?? null) !== null;
+    for (const each of [...studied, begin]) each.hidden = isInside;
+    begin.hidden ||= compared !== null;
+    for (const each of [swap, end]) each.hidden = compared === null;
+    status.textContent = isInside ? OF_SURFACES : comparison.working.value ? 'Working on the right side…' : '';
+    status.hidden = status.textContent === '';
+    const isByHeat = compared?.method === 'heat';
+    side.hidden = figures.hidden = compared === null;
+    if (!compared) return;
+    windows.element.hidden = isByHeat;
+    refine.element.hidden = !isByHeat && compared.method !== 'auto';
+    for (const { element } of [factor, boundary, operator, solver]) element.hidden = !isByHeat;
+    const { timeStep } = compared.parameters;
+    method.show(compared.method);
+    windows.show(compared.windows);
+    refine.show(compared.refine);
+    const chosen = comparison.answer.value?.field?.timeFactor ?? 1;
+    factor.show(timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(timeStep), Math.log10(chosen));
+    boundary.show(compared.parameters.boundary);
+    operator.show(compared.parameters.operator);
+    solver.show(compared.parameters.solver);
+    if (shown.value) figures.replaceChildren(...table(unitOf(scene.state, shown.value.opened)));
+  };
+
+  const table = (unit: LengthUnit): HTMLElement[] => {
+    const { compared, ...own } = scene.state;
+    const [left, right] = [session.shown.value?.answer, comparison.answer.value];
+    if (!compared || !left) return [];
+    const keys = differing(own, compared);
+    const both = (tell: (answer: NonNullable<typeof left>) => string) => [left, right].map((one) => one && tell(one));
+    const rows: [string, ...(string | null | undefined)[]][] = [
+      ['Factor', ...both(({ factoring }) => timeOf(factoring.timings.precomputeMs))],
+      ['Solve', ...both(({ field }) => (field ? milliseconds(field.solveMs) : '–'))],
+      ['Maximum distance', ...both(({ field }) => (field ? measure(field.maxDistance, unit) : '–'))],
+      ['Path', ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
+    ];
+    const apart = left.field && right?.field ? difference(left.field, right.field) : null;
+    const head = h('tr', {}, h('td'), ...[own, compared].map((one) => h('th', { scope: 'col' }, told(one, keys))));
+    return [
+      h('thead', {}, head),
+      h(
+        'tbody',
+        {},
+        ...rows.map(([name, ...cells]) =>
+          h('tr', {}, h('th', { scope: 'row' }, name), ...cells.map((cell) => h('td', {}, cell ?? '–'))),
+        ),
+        differenceRow('Mean difference', apart?.mean),
+        differenceRow('Largest difference', apart?.most),
+      ),
+    ];
+  };
+
+  scene.subscribe((state, previous) => {
+    const isOther = settingsDiffer(state, previous) || state.compared !== previous.compared;
+    if (isOther || !isSameUnit(state, previous)) show();
+  });
+  session.shown.watch(show);
+  comparison.answer.watch(show);
+  comparison.working.watch(show);
+  return h(
+    'div',
+    { class: 'stack' },
+    h('p', { class: 'quiet' }, INTRODUCTION),
+    ...studied,
+    begin,
+    side,
+    status,
+    figures,
+    swap,
+    end,
+  );
+}
+
+function button(text: string, click: () => void): HTMLElement {
+  return h('button', { class: 'wide', onclick: click }, text);
+}
+
+function settingsDiffer(one: Settings, other: Settings): boolean {
+  return (
+    one.method !== other.method ||
+    one.windows !== other.windows ||
+    one.parameters !== other.parameters ||
+    one.refine !== other.refine
+  );
+}
+
+function timeOf(ms: number): string {
+  return ms > 0 ? milliseconds(ms) : '–';
+}
+
+function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): string {
+  return path ? `${measure(path.length, unit)}${kind === 'exact' ? ', exact' : ''}` : '–';
+}
+
+function differenceRow(name: string, share: number | undefined): HTMLElement {
+  const words = share === undefined ? '–' : share === 0 ? length(0) : finePercent(share);
+  return h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, words));
+}

@@ -1,0 +1,30 @@
+/** Settings in words. */
+import type { SettingKey, Settings } from '../../state/settings';
+import { AUTOMATIC } from '../../wasm/contract';
+import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../panel/solver';
+import { counted, length } from '../words';
+
+const WORDS: Record<SettingKey, (settings: Settings) => string> = {
+  method: ({ method }) => METHODS[method],
+  windows: ({ windows }) => counted(windows, 'window'),
+  t: ({ parameters: { timeStep } }) => `m ${timeStep === AUTOMATIC ? 'automatic' : `= ${length(timeStep)}`}`,
+  b: ({ parameters }) => BOUNDARIES[parameters.boundary],
+  multi: ({ parameters }) => `${MULTI_SOURCES[parameters.sources]} sources`,
+  near: ({ parameters: { exactRadius } }) =>
+    exactRadius === AUTOMATIC ? 'Exact region automatic' : `Exact region ${exactRadius} edges`,
+  memory: ({ parameters: { memory } }) => `Memory ${memory === AUTOMATIC ? 'automatic' : `${memory} MiB`}`,
+  op: ({ parameters }) => OPERATORS[parameters.operator],
+  solver: ({ parameters }) => SOLVERS[parameters.solver],
+  refine: ({ refine }) => (refine ? 'Refined' : 'Not refined'),
+};
+
+/** Settings of the heat method alone, and those of the others alone. */
+const OF_HEAT: readonly SettingKey[] = ['t', 'b', 'multi', 'near', 'memory', 'op', 'solver'];
+const OF_WINDOWS: readonly SettingKey[] = ['windows'];
+
+/** What settings are told apart by: of two methods, by these. */
+export function told(settings: Settings, keys: readonly SettingKey[]): string {
+  const others = settings.method === 'heat' ? OF_WINDOWS : OF_HEAT;
+  const meant = keys.includes('method') ? ['method' as const] : keys.filter((key) => !others.includes(key));
+  return meant.map((key) => WORDS[key](settings)).join(', ') || METHODS[settings.method];
+}
