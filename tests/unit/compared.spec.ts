@@ -39,11 +39,12 @@ test('undo goes back over comparisons; a drag of the line is one step', () => {
   expect(scene.state.compared).toEqual(compared);
 });
 
+const field = (...values: number[]) => ({
+  distance: Float32Array.from(values),
+  maxDistance: Math.max(...values.filter(Number.isFinite)),
+});
+
 test('the difference of two fields is over the vertices that both reach, a share of the largest on the left', () => {
-  const field = (...values: number[]) => ({
-    distance: Float32Array.from(values),
-    maxDistance: Math.max(...values.filter(Number.isFinite)),
-  });
   const apart = difference(field(0, 1, 2, 4, Infinity), field(0, 1.5, 1, Infinity, 3));
   expect(apart).toEqual({ mean: 0.125, most: 0.25 });
   expect(difference(field(0, 0), field(0, 0))).toBeNull();

@@ -16,7 +16,7 @@ import {
   WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
-import { BOUNDARIES, fromLogarithm, METHODS, OPERATORS, SOLVERS } from '../panel/solver';
+import { BOUNDARIES, fromLogarithm, METHODS, OPERATORS, SOLVERS } from '../settings';
 import { count, finePercent, length, measure, milliseconds } from '../words';
 import { difference } from './difference';
 import { told } from './words';

@@ -1,7 +1,7 @@
 /** Settings in words. */
 import type { SettingKey, Settings } from '../../state/settings';
 import { AUTOMATIC } from '../../wasm/contract';
-import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../panel/solver';
+import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
 import { counted, length } from '../words';
 
 const WORDS: Record<SettingKey, (settings: Settings) => string> = {

@@ -3,16 +3,12 @@ import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   AUTOMATIC,
   BOUNDARY,
-  type Boundary,
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
-  type LinearSolver,
   METHOD,
   type Method,
   MULTI_SOURCE,
-  type MultiSource,
   OPERATOR,
-  type Operator,
   type Parameters,
   PATH_KIND,
   type PathKind,
@@ -20,14 +16,9 @@ import {
   WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
+import { BOUNDARIES, fromLogarithm, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
 import { count, linksSentence, refiningSentence } from '../words';
 
-export const METHODS: Record<Method, string> = {
-  auto: 'Automatic',
-  propagation: 'Propagation',
-  heat: 'Heat method',
-  exact: 'Exact',
-};
 const METHOD_HINTS: Record<Method, string> = {
   auto: 'Propagation at once, then refined to exact. Nothing is factored.',
   propagation: 'By a few windows of each half-edge; never below the exact distance. Nothing is factored.',
@@ -49,24 +40,6 @@ const BRIDGES: readonly (readonly [Bridge, string])[] = [
   [0, 'Touching'],
   ['off', 'None'],
 ];
-export const BOUNDARIES: Record<Boundary, string> = {
-  neumann: 'Insulated (Neumann)',
-  dirichlet: 'Cold (Dirichlet)',
-  average: 'Average of both',
-};
-export const MULTI_SOURCES: Record<MultiSource, string> = {
-  exact: 'Exact',
-  summed: 'Summed',
-};
-export const OPERATORS: Record<Operator, string> = {
-  delaunay: 'Intrinsic Delaunay',
-  plain: 'As in the file',
-  relocate: 'Relocated vertices',
-};
-export const SOLVERS: Record<LinearSolver, string> = {
-  cholesky: 'Cholesky',
-  cg: 'Conjugate gradients',
-};
 
 /** Method, exactness and path first, then the settings of the method; the less common ones are collapsed. */
 export function solverSection(session: Session): HTMLElement {
@@ -223,8 +196,4 @@ function refiningStatus(session: Session): HTMLElement {
   session.shown.watch(show);
   session.refiner.phase.watch(show);
   return status;
-}
-
-export function fromLogarithm(value: number): number {
-  return Number((10 ** value).toPrecision(2));
 }
