@@ -18,7 +18,7 @@ async function violations(page: Page): Promise<string[]> {
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ heatwalk, page }) => {
     await page.emulateMedia({ colorScheme });
-    await heatwalk.open('#v=1&m=hemisphere&tape=10,200,400!');
+    await heatwalk.open('#v=1&m=hemisphere&tape=10,200,400!&vs=b:dirichlet,at:0.4');
     await heatwalk.settled();
     expect(await violations(page)).toEqual([]);
     await page.evaluate(() => {
@@ -27,6 +27,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
     // Fetched when they are seen first.
     await page.locator('#section-charts').scrollIntoViewIfNeeded();
     await expect(page.locator('#section-charts svg').first()).toBeVisible();
+    await page.locator('#section-compare').scrollIntoViewIfNeeded();
+    await expect(page.getByRole('button', { name: 'Swap sides' })).toBeVisible();
     await page.locator('#section-export').scrollIntoViewIfNeeded();
     await expect(page.getByLabel('Isolines at')).toBeVisible();
     expect(await violations(page)).toEqual([]);

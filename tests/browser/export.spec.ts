@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
+import { complaints } from '../gltf';
 import { expect, test } from '../page';
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
@@ -36,6 +37,13 @@ test('isolines are drawn, measured and saved, and distances with the materials o
     expect(Math.abs(Math.hypot(Math.hypot(x, z) - 1, y) / 0.4 - 1)).toBeLessThan(0.05);
   }
 
+  await curves.selectOption('glb');
+  expect(await complaints((await saved(page, 'Save isolines')).bytes)).toEqual([]);
+  await section.getByLabel('Path').selectOption('glb');
+  const path = await saved(page, 'Save path');
+  expect(path.name).toBe('torus.path.glb');
+  expect(await complaints(path.bytes)).toEqual([]);
+
   await curves.selectOption('unrolled.svg');
   await page.getByRole('button', { name: 'Save isolines' }).click();
   await expect(section.getByRole('status')).toContainText('cannot be unrolled');
@@ -51,6 +59,7 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   // What is saved is opened again.
   await distances.selectOption('glb');
   const scene = await saved(page, 'Save distances');
+  expect(await complaints(scene.bytes)).toEqual([]);
   await heatwalk.dropAndOpen([['again.glb', scene.bytes]]);
   expect(await page.evaluate(() => window.heatwalk.mesh?.triangles)).toBe(17_280);
 });

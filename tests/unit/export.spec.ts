@@ -3,6 +3,7 @@ import type { SurfacePath } from '../../web/protocol';
 import { pathFile, pathPoints, towardEye, wishOf } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
+import { complaints } from '../gltf';
 
 const REPORT = { degenerateFaces: 0, duplicateFaces: 0, flippedFaces: 0 } as Measured['opened']['report'];
 const STATE = { ...emptyScene({ kind: 'preset', id: 'torus' }), sources: [{ vertex: 7 }] };
@@ -67,6 +68,31 @@ test('paths are written in the unit of the file', () => {
       [0, 3, 4],
     ]),
   ).toBe('length,x,y,z\n0,0,0,0\n5,0,3,4\n');
+});
+
+test('a path as glTF is valid, and holds its points', async () => {
+  const points: [number, number, number][] = [
+    [0, 0.1, 0],
+    [1e-3, 3, 4],
+    [-2, 7, 0.3],
+  ];
+  const glb = pathFile('glb', points) as Uint8Array<ArrayBuffer>;
+  expect(await complaints(glb)).toEqual([]);
+  expect(new Float32Array(glb.slice(-36).buffer)).toEqual(Float32Array.from(points.flat()));
+  // What the validator finds is told.
+  expect(await complaints(glb.with(glb.length - 25, 0x7f).with(glb.length - 26, 0xc0))).not.toEqual([]);
+});
+
+test('sets of sources are sources of the command line, with their initial distances', () => {
+  const set = {
+    shape: { kind: 'list', name: 'a.csv' } as const,
+    points: [{ vertex: 3 }, { vertex: 5, offset: 1 }],
+    offset: 2,
+  };
+  const state = { ...STATE, sets: [set] };
+  expect(commandLine({ ...MEASURED, state })).toContain('--source 7 --source 3@2 --source 5@3 --method');
+  const many = { ...set, points: Array.from({ length: 3000 }, (_, vertex) => ({ vertex })) };
+  expect(() => commandLine({ ...MEASURED, state: { ...STATE, sets: [many] } })).toThrow('room for 2000 sources');
 });
 
 test('the eye is where yaw and pitch say', () => {

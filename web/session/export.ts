@@ -5,6 +5,9 @@ import type { Session } from './session';
 
 type Vector = [number, number, number];
 
+/** Kinds of files of a path. */
+export type PathFile = 'csv' | 'obj' | 'glb';
+
 /** The spacing of isolines that lie where the stripes do, in the unit of the file. */
 export function stripeSpacing({ scene, shown }: Session): number {
   return scene.state.style.period * (shown.value?.places.diameter ?? 0);
@@ -54,14 +57,19 @@ export function pathPoints({ points }: SurfacePath, { center, scale, up }: DrawT
   });
 }
 
-/** A path as rows of a table, with the length walked so far, or as a line. */
-export function pathFile(kind: 'csv' | 'obj', points: readonly Vector[]): string {
-  if (kind === 'obj') {
-    const line = points.map((_, index) => index + 1).join(' ');
-    return ['# path on a surface by Heatwalk', ...points.map((point) => `v ${point.join(' ')}`), `l ${line}`, ''].join(
-      '\n',
-    );
+/** A path as rows of a table, with the length walked so far, as a line, or as one of glTF. */
+export function pathFile(kind: PathFile, points: readonly Vector[]): string | Uint8Array<ArrayBuffer> {
+  switch (kind) {
+    case 'csv':
+      return pathTable(points);
+    case 'obj':
+      return pathObj(points);
+    case 'glb':
+      return pathGlb(points);
   }
+}
+
+function pathTable(points: readonly Vector[]): string {
   let walked = 0;
   const rows = points.map((point, index) => {
     const before = points[Math.max(0, index - 1)];
@@ -69,4 +77,49 @@ export function pathFile(kind: 'csv' | 'obj', points: readonly Vector[]): string
     return [walked, ...point].join(',');
   });
   return ['length,x,y,z', ...rows, ''].join('\n');
+}
+
+function pathObj(points: readonly Vector[]): string {
+  const line = points.map((_, index) => index + 1).join(' ');
+  const vertices = points.map((point) => `v ${point.join(' ')}`);
+  return ['# path on a surface by Heatwalk', ...vertices, `l ${line}`, ''].join('\n');
+}
+
+/** Of glTF 2.0: a primitive that is one line, numbers in single precision, a buffer of vertices. */
+const [LINE_STRIP, FLOAT, ARRAY_BUFFER] = [3, 5126, 34962];
+/** Of its binary form: the file, its chunks, and the four characters that JSON is filled up with. */
+const [GLTF, VERSION, JSON_CHUNK, BIN_CHUNK, SPACE] = [0x46546c67, 2, 0x4e4f534a, 0x004e4942, 0x20];
+
+/** A line strip, with its ends first to last (glTF 2.0, 3.7.2 and 4.4). */
+function pathGlb(points: readonly Vector[]): Uint8Array<ArrayBuffer> {
+  const positions = Float32Array.from(points.flat());
+  const along = [0, 1, 2].map((axis) => Array.from(points, (_, index) => positions[3 * index + axis]));
+  const accessor = {
+    bufferView: 0,
+    componentType: FLOAT,
+    count: points.length,
+    type: 'VEC3',
+    min: along.map((values) => values.reduce((one, other) => Math.min(one, other), Infinity)),
+    max: along.map((values) => values.reduce((one, other) => Math.max(one, other), -Infinity)),
+  };
+  const root = {
+    asset: { version: '2.0', generator: 'Heatwalk' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'path', mesh: 0 }],
+    meshes: [{ primitives: [{ mode: LINE_STRIP, attributes: { POSITION: 0 } }] }],
+    accessors: [accessor],
+    bufferViews: [{ buffer: 0, byteLength: positions.byteLength, target: ARRAY_BUFFER }],
+    buffers: [{ byteLength: positions.byteLength }],
+  };
+  const text = new TextEncoder().encode(JSON.stringify(root));
+  const described = 4 * Math.ceil(text.length / 4);
+  const bytes = new Uint8Array(12 + 8 + described + 8 + positions.byteLength);
+  const header = new DataView(bytes.buffer);
+  const put = (at: number, ...words: number[]) => words.forEach((word, i) => header.setUint32(at + 4 * i, word, true));
+  put(0, GLTF, VERSION, bytes.length, described, JSON_CHUNK);
+  bytes.fill(SPACE, 20, 20 + described).set(text, 20);
+  put(20 + described, positions.byteLength, BIN_CHUNK);
+  bytes.set(new Uint8Array(positions.buffer), 28 + described);
+  return bytes;
 }

@@ -3,6 +3,10 @@ import type { DistanceField, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
 import type { SceneState } from './scene';
+import { allSources } from './sources';
+
+/** Sources that a command line holds: Windows allows 32,767 characters. */
+const MOST_SOURCES = 2000;
 
 /** What is measured: of the scene, the mesh that it has, and the field that is shown. */
 export interface Measured {
@@ -28,7 +32,10 @@ export function commandLine({ state, mesh, opened, field }: Measured): string {
   if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
   const { clip, seconds, live } = state.animation;
   if (live && clip !== null) words.push(`--animation ${clip} --time ${seconds}`);
-  words.push(...state.sources.map((source) => `--source ${sourceWord(source, opened)}`));
+  const sources = allSources(state);
+  if (sources.length > MOST_SOURCES)
+    throw new Error(`A command line has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+  words.push(...sources.map((source) => `--source ${sourceWord(source, opened)}`));
   if (state.bridge !== AUTOMATIC) words.push(`--bridge ${state.bridge}`);
   if (state.links > 0) words.push(`--link ${state.links}`);
   words.push(...methodWords(state, field), '--output distances.csv');

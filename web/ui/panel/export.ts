@@ -28,6 +28,7 @@ const DISTANCES: readonly (readonly [DistanceFile, string])[] = [
 const PATHS = [
   ['csv', 'CSV'],
   ['obj', 'OBJ'],
+  ['glb', 'GLB'],
 ] as const;
 const LINES = [
   ['command', 'Command line'],
