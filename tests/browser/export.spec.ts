@@ -19,6 +19,7 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   await section.scrollIntoViewIfNeeded();
 
   await page.getByLabel('Isolines at').fill('0.5, 1');
+  await expect.poll(() => page.url()).toContain('&iso=0.5,1');
   await page.getByRole('button', { name: 'Measure isolines' }).click();
   const cells = section.locator('tbody tr').first().locator('td');
   await expect(cells.first()).toHaveText('0.5');

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import type { SurfacePath } from '../../web/protocol';
-import { pathFile, pathPoints, towardEye, wishOf } from '../../web/session/export';
+import { pathFile, pathPoints, towardEye } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
 import { complaints } from '../gltf';
@@ -20,14 +20,6 @@ const MEASURED: Measured = {
   },
   field: { exactBelow: Infinity, windows: undefined },
 };
-
-test('isolines are at a spacing, at values, or where the stripes are', () => {
-  expect(wishOf('', 0.3)).toEqual({ values: [], spacing: 0.3 });
-  expect(wishOf(' 0.5 ', 0.3)).toEqual({ values: [], spacing: 0.5 });
-  expect(wishOf('0.5,', 0.3)).toEqual({ values: [0.5], spacing: 0 });
-  expect(wishOf('0.5, 1e0;2', 0.3)).toEqual({ values: [0.5, 1, 2], spacing: 0 });
-  expect(() => wishOf('0.5, far', 0.3)).toThrow('far is no distance');
-});
 
 test('the command line names the mesh, the sources and what found the distances', () => {
   expect(commandLine(MEASURED)).toBe('heatwalk distance shape:torus --source 7 --method exact --output distances.csv');

@@ -98,6 +98,7 @@ test('every change survives the link', () => {
     links: 3,
     pathKind: 'descent',
     refine: false,
+    isolines: { values: [0.5, 1.25], spacing: 0 },
     compared: {
       method: 'heat',
       windows: 1,

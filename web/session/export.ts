@@ -9,27 +9,22 @@ type Vector = [number, number, number];
 export type PathFile = 'csv' | 'obj' | 'glb';
 
 /** The spacing of isolines that lie where the stripes do, in the unit of the file. */
-export function stripeSpacing({ scene, shown }: Session): number {
+function stripeSpacing({ scene, shown }: Session): number {
   return scene.state.style.period * (shown.value?.places.diameter ?? 0);
 }
 
-/** The isolines at the stripes; null where there is none, or no surface. */
-export function stripeWish(session: Session): IsolineWish | null {
-  const { opened, answer } = session.shown.value ?? {};
-  const spacing = stripeSpacing(session);
-  const isThere = answer?.field && !opened?.interior && spacing > 0 && spacing < answer.field.maxDistance;
-  return isThere ? { values: [], spacing } : null;
+/** The isolines that are wanted; where nothing else is said, at the stripes. */
+export function isolineWish(session: Session): IsolineWish {
+  return session.scene.state.isolines ?? { values: [], spacing: stripeSpacing(session) };
 }
 
-/** Reads `0.5` as a spacing, and `0.5, 1` as values; nothing as the spacing of the stripes. */
-export function wishOf(text: string, spacing: number): IsolineWish {
-  const words = text.split(/[\s,;]+/).filter((word) => word !== '');
-  const numbers = words.map(Number);
-  const bad = words.find((_, index) => !Number.isFinite(numbers[index]));
-  if (bad !== undefined) throw new Error(`${bad} is no distance. Give a spacing, or values with commas between them.`);
-  if (numbers.length === 0) return { values: [], spacing };
-  const isList = numbers.length > 1 || /[,;]/.test(text);
-  return isList ? { values: numbers, spacing: 0 } : { values: [], spacing: numbers[0] };
+/** The same where there are some to draw; null where there is none, or no surface. */
+export function drawnIsolines(session: Session): IsolineWish | null {
+  const { opened, answer } = session.shown.value ?? {};
+  const wish = isolineWish(session);
+  const most = answer?.field?.maxDistance ?? 0;
+  const isThere = wish.values.some((value) => value < most) || (wish.spacing > 0 && wish.spacing < most);
+  return isThere && !opened?.interior ? wish : null;
 }
 
 /** From the target to the eye as it is drawn, by the numbers of a camera. */

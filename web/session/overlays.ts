@@ -4,7 +4,7 @@ import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
 import type { Edges } from '../view/layers';
-import { stripeWish } from './export';
+import { drawnIsolines } from './export';
 import type { Session } from './session';
 
 /** In the order in which they are drawn, so that the rarer ones stay on top. */
@@ -41,7 +41,8 @@ export class Overlays {
   follow(): void {
     const session = this.#session;
     session.scene.subscribe((state, previous) => {
-      const isSpaced = state.overlays.includes('isolines') && state.style.period !== previous.style.period;
+      const isElsewhere = state.style.period !== previous.style.period || state.isolines !== previous.isolines;
+      const isSpaced = state.overlays.includes('isolines') && isElsewhere;
       const isOther = state.overlays !== previous.overlays || state.colorBy !== previous.colorBy;
       if (isSpaced || isOther) this.#latest = this.#update(true);
     });
@@ -73,7 +74,7 @@ export class Overlays {
     const { overlays, colorBy } = available(session.scene.state, method);
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
-      const isolines = edges && overlays.includes('isolines') ? stripeWish(session) : null;
+      const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
       if (isolines) edges?.push({ ...ISOLINES, ends: (await engine.isolines(isolines)).ends });
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();

@@ -29,6 +29,7 @@ import {
   UNITS,
 } from './scene';
 import { decodeCompared, encodeCompared } from './compared';
+import { decodeIsolines, encodeIsolines } from './isolines';
 import { decodeSets, encodeSets } from './sets';
 import { encodeSettings, parserOf, SETTINGS } from './settings';
 import { withOffset } from './sources';
@@ -97,6 +98,7 @@ export function encodeLink(state: SceneState, start: SceneState): string {
   const style = baseStyle(state.style.name, start.style);
   add('paint', state.colorBy, start.colorBy);
   add('show', state.overlays.join(',') || 'none', start.overlays.join(',') || 'none');
+  add('iso', encodeIsolines(state.isolines), encodeIsolines(start.isolines));
   add('crowd', number(state.crowd), number(start.crowd));
   add('ramp', state.style.ramp, style.ramp);
   add('stripe', state.style.stripe.replace('#', ''), style.stripe.replace('#', ''));
@@ -182,6 +184,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   );
   read('paint', choiceOf(VERTEX_FIELD), (colorBy) => (state.colorBy = colorBy));
   read('show', listOf(oneOf(OVERLAYS)), (overlays) => (state.overlays = overlays));
+  read('iso', decodeIsolines, ([wish]) => (state.isolines = wish ?? null));
   read('crowd', within(0, LARGEST_CROWD), (crowd) => (state.crowd = Math.round(crowd)));
   const change = (part: Partial<Style>) => (state.style = { ...state.style, ...part });
   read(

@@ -1,5 +1,5 @@
 /** The state of the page. The panel, the link, undo and the renderer all derive from it. */
-import type { OpenedMesh, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
+import type { IsolineWish, OpenedMesh, PathKind, SceneryPart, Source, MeshPoint } from '../protocol';
 import {
   AUTOMATIC,
   DEFAULT_PARAMETERS,
@@ -118,6 +118,8 @@ export interface Places {
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
   inside: Inside;
+  /** At which distances isolines are drawn and measured; null: at the stripes. */
+  isolines: IsolineWish | null;
   /** What the scene is compared with; null: with nothing. */
   compared: Compared | null;
 }
@@ -167,6 +169,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     tapes: [],
     ground: LEVEL,
     inside: WHOLE,
+    isolines: null,
     compared: null,
     method: 'heat',
     windows: DEFAULT_WINDOWS,
@@ -314,9 +317,10 @@ export function placesOf({
   tapes,
   ground,
   inside,
+  isolines,
   compared,
 }: SceneState): Places {
-  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside, compared };
+  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside, isolines, compared };
 }
 
 function withValidSelection(state: SceneState): SceneState {

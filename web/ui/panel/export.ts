@@ -1,8 +1,9 @@
 import type { CurveFile, DistanceFile, Isolines } from '../../protocol';
-import { pathFile, pathPoints, stripeSpacing, towardEye, wishOf } from '../../session/export';
+import { isolineWish, pathFile, pathPoints, towardEye } from '../../session/export';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLine, type Measured, pythonLines } from '../../state/reproduce';
+import { isolinesText, parseIsolines } from '../../state/isolines';
 import { unitOf } from '../../state/scene';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
@@ -77,7 +78,27 @@ function measured(session: Session): Engine {
 function curveControls(session: Session, action: Action): HTMLElement[] {
   const at = h('input', { type: 'text', inputMode: 'decimal', placeholder: 'as the stripes', id: 'isolines-at' });
   const table = h('div', { class: 'scroll' });
-  const wish = () => wishOf(at.value, stripeSpacing(session));
+  /** What is typed in a row is one step of undo. */
+  const typing = {};
+  const wish = () => {
+    // What cannot be read is told by what was asked for.
+    parseIsolines(at.value);
+    return isolineWish(session);
+  };
+  at.addEventListener('input', () => {
+    try {
+      session.scene.place({ isolines: parseIsolines(at.value) }, typing);
+    } catch {
+      // It may be half typed.
+    }
+  });
+  const show = () => {
+    if (document.activeElement !== at) at.value = isolinesText(session.scene.state.isolines);
+  };
+  session.scene.subscribe((state, previous) => {
+    if (state.isolines !== previous.isolines) show();
+  });
+  show();
   const measure = async () => {
     const isolines = await measured(session).isolines(wish());
     const { scene, shown } = session;

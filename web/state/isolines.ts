@@ -1,0 +1,43 @@
+/** At which distances isolines are, and how a link writes it. */
+import type { IsolineWish } from '../protocol';
+import { amount, parseAmount } from './text';
+
+/** As many as a table has rows for. */
+const MOST = 1000;
+
+/** As a person types it: one number is a spacing, several are values, and so is one with a comma; nothing is null. */
+export function parseIsolines(text: string): IsolineWish | null {
+  const words = text.split(/[\s,;]+/).filter((word) => word !== '');
+  const numbers = words.map(Number);
+  const bad = words.find((_, index) => !Number.isFinite(numbers[index]) || numbers[index] < 0);
+  if (bad !== undefined) throw new Error(`${bad} is no distance. Give a spacing, or values with commas between them.`);
+  if (numbers.length === 0) return null;
+  if (numbers.length > MOST)
+    throw new Error(`${numbers.length} values are too many; give at most ${MOST}, or a spacing.`);
+  const isList = numbers.length > 1 || /[,;]/.test(text);
+  if (!isList && numbers[0] === 0) throw new Error('A spacing of 0 has no end of isolines. Give a larger one.');
+  return isList ? { values: numbers, spacing: 0 } : { values: [], spacing: numbers[0] };
+}
+
+/** What `parseIsolines` reads as the same. */
+export function isolinesText(wish: IsolineWish | null): string {
+  if (!wish) return '';
+  if (wish.values.length === 0) return amount(wish.spacing);
+  return wish.values.length === 1 ? `${amount(wish.values[0])},` : wish.values.map(amount).join();
+}
+
+/** In a link; `stripes` where isolines are at the period of these. */
+export function encodeIsolines(wish: IsolineWish | null): string {
+  return isolinesText(wish) || 'stripes';
+}
+
+/** What `encodeIsolines` wrote, in a list, or an empty one; null for other text. */
+export function decodeIsolines(text: string): IsolineWish[] | null {
+  if (text === 'stripes') return [];
+  const [first, ...more] = text.split(',');
+  const words = more.length === 1 && more[0] === '' ? [first] : [first, ...more];
+  const numbers = words.map(parseAmount).filter((value) => value !== null);
+  if (numbers.length < words.length || numbers.length > MOST) return null;
+  if (more.length === 0) return numbers[0] > 0 ? [{ values: [], spacing: numbers[0] }] : null;
+  return [{ values: numbers, spacing: 0 }];
+}
