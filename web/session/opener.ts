@@ -1,8 +1,9 @@
 /** Decides what to open: a preset, files from the user, or what a link names. */
-import { collect, type Collection, NoMesh } from '../files/collection';
+import { collect, collectArchive, type Collection, NoMesh } from '../files/collection';
 import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
-import { fileName, isTable } from '../files/paths';
+import { fileName, isArchive, isTable } from '../files/paths';
+import type { SceneFile } from '../files/scene';
 import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -110,6 +111,7 @@ export class Opener {
       await this.#table(only);
       return;
     }
+    if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;
     const collected = async () => collect(await files);
     await this.#gather(title, collected, (collection) => {
       if (wanted) return this.#from(given(collection), collection.meshes[0], wanted);
@@ -119,6 +121,32 @@ export class Opener {
       const origin = given(collection);
       return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
     });
+  }
+
+  /** Opens a scene that was saved as a file; false where an archive holds none. */
+  async #scene(title: string, content: Blob): Promise<boolean> {
+    let scene: SceneFile | null;
+    try {
+      const { sceneIn } = await import('../files/scene');
+      scene = await sceneIn(content);
+    } catch (error) {
+      const { message, stack } = toError(error);
+      this.#voice.fail(`${title} was not opened: ${message}`, stack ?? message);
+      return true;
+    }
+    if (!scene) return false;
+    const { mesh } = scene;
+    const { state, notices } = decodeLink(scene.link, startOf);
+    for (const notice of notices) this.#voice.notice(notice);
+    if (state?.mesh.kind === 'preset') await this.preset(state.mesh.id, state);
+    else if (state && mesh !== null)
+      await this.#gather(
+        title,
+        () => collectArchive(content),
+        (collection) => this.#from(given(collection), mesh, state),
+      );
+    else this.#voice.fail(`${title} was not opened: it names no mesh; save the scene again`, scene.link);
+    return true;
   }
 
   /** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
@@ -161,11 +189,11 @@ export class Opener {
     };
     await this.#gather(nameOf(address), fetched, (collection) => {
       const [first] = collection.meshes;
-      const isArchive = collection.input(first).kind === 'archive';
+      const isPacked = collection.input(first).kind === 'archive';
       const reference = (mesh: string): MeshReference => ({
         kind: 'address',
         address,
-        path: isArchive ? mesh : '',
+        path: isPacked ? mesh : '',
         hash: '',
       });
       const path = awaited?.mesh.kind === 'address' ? awaited.mesh.path : '';

@@ -15,16 +15,16 @@ const WRITTEN = new WeakMap<readonly SourceSet[], string>();
 
 /** Text for a link; empty where there are none, and where they are too many for one. */
 export function encodeSets(sets: readonly SourceSet[]): string {
-  const text = written(sets);
-  return text.length > MOST_LETTERS ? '' : text;
+  return fitLink(sets) ? encodeAllSets(sets) : '';
 }
 
 /** Whether a link can hold them. */
 export function fitLink(sets: readonly SourceSet[]): boolean {
-  return written(sets).length <= MOST_LETTERS;
+  return encodeAllSets(sets).length <= MOST_LETTERS;
 }
 
-function written(sets: readonly SourceSet[]): string {
+/** The same text, however long. */
+export function encodeAllSets(sets: readonly SourceSet[]): string {
   let text = WRITTEN.get(sets);
   if (text === undefined) {
     const plain = sets.map(encodeSet).join(',');

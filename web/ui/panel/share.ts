@@ -17,6 +17,7 @@ export function shareSection(session: Session, link: () => string): HTMLElement 
     'div',
     { class: 'stack' },
     ...linkControls(session, link),
+    ...sceneControls(session),
     ...imageControls(session),
     ...(canRecord ? videoControls(session) : []),
   );
@@ -74,6 +75,17 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
       'The link contains the scene but not your file. Whoever opens it is asked for the file.',
     ),
   ];
+}
+
+function sceneControls(session: Session): HTMLElement[] {
+  const { button, run } = worker('Save scene', 'An archive of the scene and its mesh, to be opened here again');
+  const file = async () => {
+    const { sceneFile } = await import('../../session/scene');
+    save(await sceneFile(session), `${nameOf(session)}.heatwalk.zip`);
+  };
+  button.addEventListener('click', () => run(session, file));
+  const words = 'The file holds the scene and the mesh. Open it here as any mesh; all is then as it was.';
+  return [button, h('p', { class: 'quiet' }, words)];
 }
 
 function imageControls(session: Session): HTMLElement[] {

@@ -1,0 +1,104 @@
+/** A scene in a file: an archive of its link, its mesh, and the files that the mesh refers to. */
+import { strToU8, zipSync } from 'fflate';
+import type { GivenFile, MeshInput } from '../protocol';
+import { percentDecoded } from './address';
+import { resolve } from './paths';
+import { gltfReferences, librariesOf, mapsOf } from './references';
+import { Archive } from './zip';
+
+/** What tells a scene from any other archive. */
+const SCENE = 'heatwalk.json';
+const VERSION = 1;
+
+export interface SceneFile {
+  /** The fragment of its link. */
+  link: string;
+  /** Path of the mesh in the archive; null for one that every page has. */
+  mesh: string | null;
+}
+
+/** `input`: that of the mesh; null for one that every page has. */
+export async function packScene(link: string, input: MeshInput | null): Promise<Blob> {
+  const mesh = input && 'mesh' in input ? input.mesh : null;
+  const told = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
+  const files = input ? await filesOf(input) : {};
+  // Most of it is compressed already, or soon.
+  return new Blob([zipSync({ [SCENE]: told, ...files }, { level: 1 })], { type: 'application/zip' });
+}
+
+/**
+ * The scene in an archive; null for an archive that holds none.
+ *
+ * @throws where there is one that cannot be read.
+ */
+export async function sceneIn(content: Blob): Promise<SceneFile | null> {
+  const archive = await Archive.of(content);
+  if (!archive.paths.includes(SCENE)) return null;
+  const told = parsed(new TextDecoder().decode(archive.read(SCENE)));
+  if (!told || typeof told.link !== 'string' || !(told.mesh === null || typeof told.mesh === 'string'))
+    throw new Error(`its ${SCENE} is damaged; save the scene again`);
+  if (told.heatwalk !== VERSION)
+    throw new Error(`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
+  if (told.mesh !== null && !archive.paths.includes(told.mesh))
+    throw new Error(`its mesh ${told.mesh} is not in the archive; save the scene again`);
+  return { link: told.link, mesh: told.mesh };
+}
+
+function parsed(text: string): { heatwalk?: unknown; link?: unknown; mesh?: unknown } | null {
+  try {
+    const told: unknown = JSON.parse(text);
+    return typeof told === 'object' ? told : null;
+  } catch {
+    return null;
+  }
+}
+
+type Contents = Record<string, Uint8Array>;
+
+async function filesOf(input: MeshInput): Promise<Contents> {
+  switch (input.kind) {
+    case 'files': {
+      const contents = new Map(input.files.map(({ path, content }: GivenFile) => [path, content]));
+      const read = async (path: string) => new Uint8Array(await (contents.get(path) ?? new Blob()).arrayBuffer());
+      return belonging(input.mesh, [...contents.keys()], read);
+    }
+    case 'archive': {
+      const archive = await Archive.of(input.archive);
+      return belonging(input.mesh, archive.paths, (path) => Promise.resolve(archive.read(path)));
+    }
+    case 'shape':
+    case 'tetrahedra':
+    case 'arrays':
+      return {};
+  }
+}
+
+/** A mesh and what it refers to, of files that were given together. */
+async function belonging(
+  mesh: string,
+  paths: readonly string[],
+  read: (path: string) => Promise<Uint8Array>,
+): Promise<Contents> {
+  const found: Contents = { [mesh]: await read(mesh) };
+  const take = async (uri: string): Promise<string | null> => {
+    const path = resolve(mesh, uri, paths);
+    if (path === undefined) return null;
+    found[path] ??= await read(path);
+    return path;
+  };
+  const text = () => new TextDecoder().decode(found[mesh]);
+  if (/\.gltf$/i.test(mesh)) {
+    for (const { uri } of gltfReferences(mesh, text())) await take(percentDecoded(uri));
+  } else if (/\.obj$/i.test(mesh)) {
+    for (const { uri } of librariesOf(mesh, text())) {
+      const library = await take(percentDecoded(uri));
+      const maps = library === null ? [] : mapsOf(mesh, library, new TextDecoder().decode(found[library]));
+      for (const map of maps) await take(percentDecoded(map.uri));
+    }
+  } else if (/\.(node|ele)$/i.test(mesh)) {
+    const name = mesh.slice(mesh.lastIndexOf('/') + 1).replace(/\.(node|ele)$/i, '');
+    await take(`${name}.node`);
+    await take(`${name}.ele`);
+  }
+  return found;
+}

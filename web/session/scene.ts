@@ -1,0 +1,15 @@
+/** The scene on screen as a file. */
+import { packScene } from '../files/scene';
+import { encodeLink } from '../state/link';
+import { encodeAllSets, fitLink } from '../state/sets';
+import { startOf } from './opener';
+import type { Session } from './session';
+
+/** An archive with all that a link says, also what is too much for one, and with the mesh. */
+export async function sceneFile({ scene, request }: Session): Promise<Blob> {
+  if (!request) throw new Error('There is no scene yet. Open a mesh first.');
+  const { state } = scene;
+  const link = encodeLink(state, startOf(state.mesh) ?? state);
+  const whole = fitLink(state.sets) ? link : `${link}&sets=${encodeAllSets(state.sets)}`;
+  return packScene(whole, state.mesh.kind === 'preset' ? null : await request.load());
+}
