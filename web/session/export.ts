@@ -1,31 +1,11 @@
-/** What leaves the page: curves, distances and paths as files. */
-import type { DrawTransform, IsolineWish, SurfacePath } from '../protocol';
+/** What leaves the page: the direction that curves are seen from, and paths as files. */
+import type { DrawTransform, SurfacePath } from '../protocol';
 import type { Up } from '../wasm/contract';
-import type { Session } from './session';
 
 type Vector = [number, number, number];
 
 /** Kinds of files of a path. */
 export type PathFile = 'csv' | 'obj' | 'glb';
-
-/** The spacing of isolines that lie where the stripes do, in the unit of the file. */
-function stripeSpacing({ scene, shown }: Session): number {
-  return scene.state.style.period * (shown.value?.places.diameter ?? 0);
-}
-
-/** The isolines that are wanted; where nothing else is said, at the stripes. */
-export function isolineWish(session: Session): IsolineWish {
-  return session.scene.state.isolines ?? { values: [], spacing: stripeSpacing(session) };
-}
-
-/** The same where there are some to draw; null where there is none, or no surface. */
-export function drawnIsolines(session: Session): IsolineWish | null {
-  const { opened, answer } = session.shown.value ?? {};
-  const wish = isolineWish(session);
-  const most = answer?.field?.maxDistance ?? 0;
-  const isThere = wish.values.some((value) => value < most) || (wish.spacing > 0 && wish.spacing < most);
-  return isThere && !opened?.interior ? wish : null;
-}
 
 /** From the target to the eye as it is drawn, by the numbers of a camera. */
 export function towardEye(camera: readonly number[] | null): Vector {

@@ -4,7 +4,7 @@ import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
 import type { Edges } from '../view/layers';
-import { drawnIsolines } from './export';
+import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
 /** In the order in which they are drawn, so that the rarer ones stay on top. */

@@ -1,5 +1,6 @@
 import type { CurveFile, DistanceFile, Isolines } from '../../protocol';
-import { isolineWish, pathFile, pathPoints, towardEye } from '../../session/export';
+import { pathFile, pathPoints, towardEye } from '../../session/export';
+import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLine, type Measured, pythonLines } from '../../state/reproduce';
