@@ -25,6 +25,7 @@ import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
+import { announcer } from './ui/overlay/announcer';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
@@ -129,6 +130,7 @@ page.append(
   measuring.labels,
   readout.element,
   keys.reticle,
+  announcer(session),
   dropTarget(openGiven, (dragged) => void opener.address(dragged)),
   dialogue.element,
   folders.element,

@@ -183,14 +183,13 @@ function quiet(text: string): HTMLElement {
   return h('p', { class: 'quiet' }, text);
 }
 
-/** How the distance was found and how exact it is, in a sentence. Screen readers announce only the end of refinement, not each step. */
+/** How the distance was found and how exact it is, in a sentence. The page announces it once it has come to rest. */
 function refiningStatus(session: Session): HTMLElement {
-  const status = h('p', { class: 'quiet', role: 'status' });
+  const status = h('p', { class: 'quiet', role: 'status', 'aria-live': 'off' });
   const show = () => {
-    const { phase, settled } = session.refiner;
+    const { phase } = session.refiner;
     const field = session.shown.value?.answer.field;
     const sentence = field ? refiningSentence(phase.value, field, session.scene.state) : '';
-    status.setAttribute('aria-live', settled ? 'polite' : 'off');
     if (status.textContent !== sentence) status.textContent = sentence;
   };
   session.shown.watch(show);

@@ -1,0 +1,37 @@
+/** Tells screen readers what is shown once it has come to rest: how exact distances are, how far they reach, how long the path is. */
+import type { Session } from '../../session/session';
+import { unitOf } from '../../state/scene';
+import { h } from '../dom';
+import { measure, refiningSentence } from '../words';
+
+/** A drag or a key that repeats comes back within. */
+const REST_MS = 700;
+
+export function announcer(session: Session): HTMLElement {
+  const element = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const tell = () => {
+    if (!session.settled || session.dragging) return;
+    const sentence = announcement(session);
+    if (element.textContent !== sentence) element.textContent = sentence;
+  };
+  const wait = () => {
+    clearTimeout(timer);
+    timer = setTimeout(tell, REST_MS);
+  };
+  session.shown.watch(wait);
+  session.refiner.phase.watch(wait);
+  return element;
+}
+
+function announcement({ scene, shown, refiner }: Session): string {
+  const { opened, answer } = shown.value ?? {};
+  if (!opened || !answer?.field) return '';
+  const unit = unitOf(scene.state, opened);
+  const told = [
+    refiningSentence(refiner.phase.value, answer.field, scene.state),
+    `Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
+  ];
+  if (answer.path) told.push(`Path ${measure(answer.path.length, unit)}.`);
+  return told.join(' ');
+}
