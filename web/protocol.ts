@@ -85,6 +85,7 @@ export type SurfacePath = Plain<wasm.SurfacePath>;
 /** A path between two places, which can be drawn in any pose. */
 export type Leg = Plain<wasm.Leg>;
 export type Enclosure = Plain<wasm.Enclosure>;
+export type Convergence = Plain<wasm.Convergence>;
 
 /** A moment of an animation: its number, and seconds from its beginning. */
 export interface Moment {
@@ -392,6 +393,10 @@ export interface SolverApi {
   edges(kind: EdgeKind): Promise<Float32Array>;
   /** One value a drawn vertex, or a corner as in the field: relative error of the last field before it was made exact; null until it is. */
   errors(): Promise<Float32Array | null>;
+  /** Residuals of both linear solvers in the systems of the last field, which is by heat. */
+  convergence(): Promise<Convergence>;
+  /** #P × 2, points of the path traced last: the length up to each, and the last field there, in the unit of the file; null without a path. */
+  pathProfile(): Promise<Float64Array | null>;
   /** Isolines of the last field. */
   isolines(wish: IsolineWish): Promise<Isolines>;
   /** A file of isolines of the last field, in the unit of the file. */

@@ -1,5 +1,6 @@
 /** Questions to an open mesh and their answers. */
 import type {
+  Convergence,
   CurveFile,
   DistanceField,
   DistanceFile,
@@ -235,6 +236,14 @@ export class Engine {
 
   errors(): Promise<Float32Array | null> {
     return this.#worker.call(this.#worker.api.errors());
+  }
+
+  convergence(): Promise<Convergence> {
+    return this.#between(() => this.#worker.api.convergence());
+  }
+
+  pathProfile(): Promise<Float64Array | null> {
+    return this.#worker.call(this.#worker.api.pathProfile());
   }
 
   isolines(wish: IsolineWish): Promise<Isolines> {

@@ -34,19 +34,24 @@ impl ConjugateGradients {
     /// # Errors
     /// [`Error::NotConverged`].
     pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
-        self.solve_counting(right).map(|(solution, _)| solution)
+        self.solve_recording(right).map(|(solution, _)| solution)
     }
 
-    /// The solution, and the steps that it took.
-    pub fn solve_counting(&self, right: &[f64]) -> Result<(Vec<f64>, usize)> {
+    /// The solution, and the residual as a share of the right side (both in the Euclidean norm) before the first step and
+    /// after each. A right side of 0 takes no step and has the residual 0.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn solve_recording(&self, right: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
         let size = right.len();
         // Heat comes near the largest float, whose square would overflow.
         let scale = right.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         if scale == 0.0 {
-            return Ok((vec![0.0; size], 0));
+            return Ok((vec![0.0; size], vec![0.0]));
         }
         let mut residual: Vec<f64> = right.iter().map(|value| value / scale).collect();
-        let goal = TOLERANCE * TOLERANCE * dot(&residual, &residual);
+        let whole = dot(&residual, &residual).sqrt();
+        let mut residuals = Vec::new();
         let mut scratch = self.multigrid.scratch();
         let mut solution = vec![0.0; size];
         let mut guess = vec![0.0; size];
@@ -56,9 +61,11 @@ impl ConjugateGradients {
         let mut curvature = f64::INFINITY;
         // In exact arithmetic as many steps as unknowns are enough; rounding may take a few times more.
         let most = 10 * size + 100;
-        for steps in 0..most {
-            if dot(&residual, &residual) <= goal {
-                return Ok((solution.into_iter().map(|value| value * scale).collect(), steps));
+        for _ in 0..most {
+            let share = dot(&residual, &residual).sqrt() / whole;
+            residuals.push(share);
+            if share <= TOLERANCE {
+                return Ok((solution.into_iter().map(|value| value * scale).collect(), residuals));
             }
             self.multigrid.precondition(&residual, &mut guess, &mut scratch);
             let share = dot(&guess, &image) / curvature;

@@ -1,6 +1,6 @@
 //! What moves: the animations of a file, and scenery.
 
-use heatwalk::{Path, Soup, Surface, surface::motion};
+use heatwalk::{Soup, Surface, surface::motion};
 use heatwalk_bindings::Result;
 use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
@@ -39,13 +39,6 @@ impl Clip {
 /// A moment of an animation, its number given: none is the pose of the file.
 pub fn moment(clip: Option<u32>, seconds: f64) -> Option<(usize, f64)> {
     clip.map(|clip| (clip as usize, seconds))
-}
-
-/// What a surface that moves has besides.
-pub struct Moving {
-    pub posing: Posing,
-    /// The last path that was traced, where distances are measured.
-    pub path: Option<Path>,
 }
 
 /// Triangles that nobody walks on.

@@ -1,5 +1,6 @@
 //! A surface that answers questions, the field solved last, and who walks on it.
 
+mod convergence;
 mod ground;
 mod pose;
 mod tape;
@@ -12,7 +13,7 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, PathKind, PathSearch, Propagation,
+    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch, Propagation,
     PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract, straighten,
 };
 use heatwalk_bindings::{Failure, Result, parameters};
@@ -25,7 +26,6 @@ use crate::field::{Field, Origin};
 use crate::ground::Ground;
 use crate::joined::Joined;
 use crate::measuring::Measuring;
-use crate::motion::Moving;
 use crate::results::SurfacePath;
 use crate::solved::{Solved, factored};
 
@@ -56,7 +56,9 @@ pub struct Solver {
     shown: Arc<Surface>,
     /// Of the surface in the pose of the file.
     joined: Joined,
-    moving: Option<Moving>,
+    posing: Option<Posing>,
+    /// The path that was traced last.
+    path: Option<Path>,
     /// What is factored, if anything.
     heat: Option<HeatSolver>,
     /// Whether that is for another ground.
@@ -97,7 +99,8 @@ impl Solver {
             ground: Ground::new(&surface, drawn),
             parted: Arc::clone(&surface),
             in_walls: 0,
-            moving: posing.map(|posing| Moving { posing, path: None }),
+            posing,
+            path: None,
             shown: surface,
             joined: Joined::default(),
             heat,

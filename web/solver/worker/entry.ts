@@ -1,6 +1,7 @@
 /** The worker: the solver's wasm module behind the interface of protocol.ts. */
 import { expose, transfer } from 'comlink';
 import type {
+  Convergence,
   DistanceField,
   DrawMesh,
   DrawTransform,
@@ -336,6 +337,14 @@ const api: SolverApi = {
   errors(): Promise<Float32Array | null> {
     const errors = openMesh().surface?.errors();
     return Promise.resolve(errors ? transfer(errors, [errors.buffer]) : null);
+  },
+
+  convergence(): Promise<Convergence> {
+    return Promise.resolve(plain(openSurface().convergence()));
+  },
+
+  pathProfile(): Promise<Float64Array | null> {
+    return Promise.resolve(openSurface().path_profile() ?? null);
   },
 
   async isolines(wish) {

@@ -1,9 +1,10 @@
 /** Charts of the field that is shown: loaded when their section is first expanded. */
 import '../../style/charts.css';
-import type { MeshPoint } from '../../protocol';
+import type { Convergence, MeshPoint } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
+import { isSameField, type Question } from '../../solver/engine';
 import type { Places } from '../../state/places';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
 import { type LengthUnit, unitOf } from '../../state/scene';
@@ -11,7 +12,8 @@ import { save } from '../../view/picture';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { percent } from '../words';
-import { type Chart, csvOf, plot, svgFile, THEMED } from './plot';
+import { type Chart, csvOf, plot, type Series, svgFile, THEMED } from './plot';
+import { table1 } from './table1';
 
 const BINS = 40;
 /** Fields follow one another faster than charts are read. */
@@ -24,10 +26,16 @@ export class Charts {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** Counts what was asked for: what comes late is dropped. */
   #wish = 0;
+  readonly #charts = h('div', { class: 'stack' });
+  readonly #compare = h('button', { class: 'wide' }, 'Compare linear solvers');
+  /** Residuals of both linear solvers, and of which question. */
+  #compared: { question: Question; convergence: Convergence } | null = null;
 
   constructor(session: Session, tapes: () => readonly MeasuredTape[]) {
     this.#session = session;
     this.#tapes = tapes;
+    this.#compare.addEventListener('click', () => void this.#compareSolvers());
+    this.element.append(this.#charts, this.#compare, table1());
   }
 
   /** Draws what is shown now, soon. */
@@ -41,13 +49,18 @@ export class Charts {
     const { shown, scene, engine } = this.#session;
     if (!shown.value) return;
     const { answer, opened } = shown.value;
+    this.#compare.hidden = !answer.field || answer.question.method !== 'heat' || opened.interior !== null;
     try {
       const errors = engine && answer.field?.error ? await engine.errors() : null;
+      const walk = engine && answer.path && !opened.interior ? await engine.pathProfile() : null;
       if (wish !== this.#wish) return;
       const unit = unitOf(scene.state, opened);
-      const { charts, notes } = chartsOf(shown.value, this.#tapes(), errors, unit);
+      const { charts, notes } = chartsOf(shown.value, this.#tapes(), { errors, walk }, unit);
+      const { question, convergence } = this.#compared ?? {};
+      if (convergence && question && isSameField(question, answer.question))
+        charts.push(...residualCharts(convergence));
       const name = opened.name.replace(/\.\w+$/, '');
-      this.element.replaceChildren(
+      this.#charts.replaceChildren(
         ...charts.map((chart) => figure(chart, name)),
         ...notes.map((note) => h('p', { class: 'quiet' }, note)),
       );
@@ -55,13 +68,43 @@ export class Charts {
       this.#session.fail(error);
     }
   }
+
+  async #compareSolvers(): Promise<void> {
+    const { shown, engine } = this.#session;
+    const question = shown.value?.answer.question;
+    if (!engine || !question) return;
+    this.#compare.disabled = true;
+    try {
+      this.#compared = { question, convergence: await engine.convergence() };
+      this.update();
+    } catch (error) {
+      this.#session.fail(error);
+    } finally {
+      this.#compare.disabled = false;
+    }
+  }
+}
+
+/** Residuals of both systems of the heat method. */
+function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Convergence): Chart[] {
+  return [residualChart('Heat system', heat, heatFactored), residualChart('Poisson system', poisson, poissonFactored)];
+}
+
+/** Over the steps of conjugate gradients, with that of the one Cholesky solve beside them. */
+function residualChart(title: string, iterated: Float64Array, factored: number): Chart {
+  const x = Array.from(iterated, (_, step) => step);
+  const series: Series[] = [
+    { name: 'Conjugate gradients', kind: 'line', x, y: iterated },
+    { name: 'Cholesky', kind: 'line', x, y: x.map(() => factored) },
+  ];
+  return { title, xLabel: 'Steps', yLabel: 'Residual', logarithmic: true, series };
 }
 
 /** What can be drawn, and sentences for what cannot. */
 function chartsOf(
   { opened, places, answer }: Shown,
   tapes: readonly MeasuredTape[],
-  errors: Float32Array | null,
+  { errors, walk }: { errors: Float32Array | null; walk: Float64Array | null },
   unit: LengthUnit,
 ): { charts: Chart[]; notes: string[] } {
   const { field, question } = answer;
@@ -87,6 +130,13 @@ function chartsOf(
   ];
   const notes: string[] = [];
   if (unreached > 0) notes.push(`No source reaches ${percent(unreached)} of the area, which is left out.`);
+  if (walk) {
+    const [x, y] = [0, 1].map((column) =>
+      Array.from({ length: walk.length / 2 }, (_, i) => scale * walk[2 * i + column]),
+    );
+    const series = [{ name: xLabel, kind: 'line' as const, x, y }];
+    charts.push({ title: 'Distance along the path', xLabel: inUnit('Along the path'), yLabel: xLabel, series });
+  }
   tapes.forEach((tape, index) => {
     const profile = profileOf(tape, places, (point) => places.valueAt(point, field), scale);
     if (!profile) return;

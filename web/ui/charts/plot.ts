@@ -12,6 +12,8 @@ export interface Chart {
   title: string;
   xLabel: string;
   yLabel: string;
+  /** Powers of ten at equal steps upwards; values of 0 lie on the lowest one. */
+  logarithmic?: true;
   series: readonly Series[];
 }
 
@@ -56,12 +58,41 @@ export function ticksTo(most: number, count = TICKS): number[] {
   );
 }
 
-export function plot({ title, xLabel, yLabel, series }: Chart, palette: Palette): SVGSVGElement {
+interface Axis {
+  /** Where a value is, from 0 at the origin to 1 at the end. */
+  place: (value: number) => number;
+  ticks: readonly { value: number; label: string }[];
+}
+
+function linearAxis(most: number): Axis {
+  const ticks = ticksTo(most).map((value) => ({ value, label: String(value) }));
+  return { place: (value) => (most > 0 ? value / most : 0), ticks };
+}
+
+/** From the power of ten below the least positive value to that above the most. */
+export function logarithmicAxis(values: readonly number[]): Axis {
+  const exponents = values.filter((value) => value > 0).map(Math.log10);
+  const low = Math.floor(Math.min(...exponents, 0));
+  const high = Math.ceil(Math.max(...exponents, low + 1));
+  const step = Math.ceil((high - low) / TICKS);
+  const ticks = Array.from({ length: Math.floor((high - low) / step) + 1 }, (_, index) => high - index * step);
+  return {
+    place: (value) => Math.max(0, (Math.log10(value) - low) / (high - low)),
+    ticks: ticks.map((exponent) => ({ value: 10 ** exponent, label: `10${superscript(exponent)}` })),
+  };
+}
+
+function superscript(whole: number): string {
+  return [...String(whole)].map((sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)])).join('');
+}
+
+export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, palette: Palette): SVGSVGElement {
   const mostX = Math.max(...series.map(({ x }) => x[x.length - 1] ?? 0), 0);
-  const mostY = Math.max(...series.flatMap(({ y }) => Array.from(y).filter(Number.isFinite)), 0);
+  const values = series.flatMap(({ y }) => Array.from(y).filter(Number.isFinite));
+  const up = logarithmic ? logarithmicAxis(values) : linearAxis(Math.max(...values, 0));
   const [right, bottom] = [WIDTH - MARGIN.right, HEIGHT - MARGIN.bottom];
   const px = (x: number) => MARGIN.left + (mostX > 0 ? x / mostX : 0) * (right - MARGIN.left);
-  const py = (y: number) => bottom - (mostY > 0 ? y / mostY : 0) * (bottom - MARGIN.top);
+  const py = (y: number) => bottom - up.place(y) * (bottom - MARGIN.top);
   const root = svg('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     role: 'img',
@@ -71,10 +102,10 @@ export function plot({ title, xLabel, yLabel, series }: Chart, palette: Palette)
   });
   root.append(svg('rect', { width: WIDTH, height: HEIGHT, fill: palette.paper }));
   root.append(text(title, { x: MARGIN.left, y: 14, fill: palette.text, 'font-weight': 600, 'font-size': 12 }));
-  for (const tick of ticksTo(mostY)) {
-    const y = py(tick).toFixed(1);
+  for (const { value, label } of up.ticks) {
+    const y = py(value).toFixed(1);
     root.append(svg('path', { d: `M${MARGIN.left} ${y}H${right}`, stroke: palette.grid }));
-    root.append(text(String(tick), { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
+    root.append(text(label, { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
   }
   for (const tick of ticksTo(mostX)) {
     root.append(

@@ -138,7 +138,7 @@ function tableOf({ rows }: Isolines, unit: string): HTMLElement {
   const title = `${lengths} ${lengths === 1 ? 'isoline' : 'isolines'}${unit === '' ? '' : `, ${unit}`}`;
   return h(
     'table',
-    { class: 'isolines' },
+    { class: 'rows' },
     h('caption', { class: 'quiet' }, title),
     h('thead', {}, cells('th', ['Distance', 'Length', 'Area nearer', 'Closed'])),
     h(

@@ -92,6 +92,13 @@ impl Factorization {
         Ok(Question { sources, multi_source: query.multi_source, heat: values, is_active })
     }
 
+    /// The right side of the Poisson equation without an exact region.
+    pub(super) fn divergence(&self, query: &Query) -> Result<Vec<f64>> {
+        let heat = VertexData::from(self.question(query)?.heat);
+        let (divergence, _) = divergence(&self.operators().elements, heat.as_slice(), &ExactRegion::none(&heat));
+        Ok(divergence)
+    }
+
     /// Distance where that of a region is exact.
     fn answer(&self, question: &Question, region: &ExactRegion<'_>) -> Result<Distance> {
         let surface = &**self.surface();

@@ -104,6 +104,11 @@ impl<'a> ExactRegion<'a> {
         Self { distances: front.values(), reached: front.reached(), radius }
     }
 
+    /// A region without vertices; `distances` (`#V`) are not looked at.
+    pub(super) fn none(distances: &'a VertexData<f64>) -> Self {
+        Self { distances, reached: Cow::Borrowed(&[]), radius: f64::NEG_INFINITY }
+    }
+
     /// The region of this radius around the sources that a wavefront starts from.
     pub(super) fn within(radius: ExactRadius, front: &'a mut impl Outward, sources: &[Source], mean_edge: f64) -> Self {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);

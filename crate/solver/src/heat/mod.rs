@@ -10,6 +10,7 @@
 
 mod answer;
 mod constraint;
+mod convergence;
 mod exact_region;
 mod factorization;
 mod flow;
@@ -24,6 +25,7 @@ mod unit_field;
 
 pub use answer::Refinement;
 pub use constraint::Constraint;
+pub use convergence::{Convergence, Residuals};
 pub use factorization::Factorization;
 pub use flow::{Condition, HeatFlow};
 pub use pair::factor_pair;

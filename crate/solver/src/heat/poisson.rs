@@ -95,6 +95,11 @@ impl<D: Discretization> Poisson<D> {
         self.shifted(divergence, &prescribed, &free)
     }
 
+    /// The right side of the factored system.
+    pub(super) fn grounded_right(&self, divergence: &[f64]) -> Vec<f64> {
+        self.lifted(divergence, &self.ground())
+    }
+
     /// The solution of the factored system plus the constant that meets the constraints in their mean.
     fn shifted(&self, divergence: &[f64], prescribed: &Prescribed, free: &FreeConstraints) -> Result<Vec<f64>> {
         let mut values = self.system.system.solve(&self.lifted(divergence, prescribed))?;

@@ -54,13 +54,11 @@ impl Solver {
         } else {
             Arc::new(Drawn::by_corner(&ground.drawn, &parted))
         };
-        let posing = self.moving.as_ref().filter(|_| is_posed).map(|moving| moving.posing.positions(&parted));
+        let posing = self.posing.as_ref().filter(|_| is_posed).map(|posing| posing.positions(&parted));
         self.shown = posing.map_or_else(|| Arc::clone(&parted), |positions| Arc::new(parted.posed(positions)));
         self.in_walls = if ground.walls.is_empty() { 0 } else { Ground::vertices_in_walls(&parted) };
         self.parted = parted;
-        if let Some(moving) = &mut self.moving {
-            moving.path = None;
-        }
+        self.path = None;
         if let Some(crowd) = &self.crowd {
             let (count, height) = (crowd.count(), crowd.height());
             self.crowd = Some(Crowd::new(Arc::clone(&self.shown), count, height, CROWD_SEED)?);

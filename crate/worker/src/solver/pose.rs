@@ -22,9 +22,7 @@ impl Solver {
     pub(super) fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
         let shown = path.carried(self.geometry.surface(), &self.shown)?;
         let drawn = self.drawn_path(&path, &shown);
-        if let Some(moving) = &mut self.moving {
-            moving.path = Some(path);
-        }
+        self.path = Some(path);
         Ok(drawn)
     }
 
@@ -64,12 +62,12 @@ impl Solver {
     /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
     pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
         let of_file = self.of_file();
-        let Some(moving) = &mut self.moving else { return Ok(None) };
-        moving.posing.take(moment(clip, seconds))?;
-        let posed = DrawPose::new(moving.posing.draw(&self.drawn.transform));
+        let Some(posing) = &mut self.posing else { return Ok(None) };
+        posing.take(moment(clip, seconds))?;
+        let posed = DrawPose::new(posing.draw(&self.drawn.transform));
         self.shown = match clip {
             None => Arc::clone(&of_file),
-            Some(_) => Arc::new(of_file.posed(moving.posing.positions(&of_file))),
+            Some(_) => Arc::new(of_file.posed(posing.positions(&of_file))),
         };
         let metric = if measured { Arc::clone(&self.shown) } else { of_file };
         self.measure_on(&metric)?;
@@ -82,7 +80,7 @@ impl Solver {
 
     /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
     pub fn posed_path(&self) -> Option<SurfacePath> {
-        let path = self.moving.as_ref()?.path.as_ref()?;
+        let path = self.path.as_ref()?;
         let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
         Some(self.drawn_path(path, &shown))
     }

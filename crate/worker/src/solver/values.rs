@@ -27,6 +27,22 @@ impl Solver {
         Ok(values.as_slice().into())
     }
 
+    /// `#P × 2`, points of the path that was traced last: the length up to each, and the last field there, both in the file's
+    /// unit; none without a path.
+    pub fn path_profile(&self) -> Result<Option<Float64Array>> {
+        let Some(path) = &self.path else { return Ok(None) };
+        let (surface, distance) = (self.geometry.surface(), &self.solved()?.distance);
+        let mut length = 0.0;
+        let mut numbers = Vec::with_capacity(2 * path.points.len());
+        let mut before = None;
+        for point in &path.points {
+            length += before.map_or(0.0, |before| point.position.distance(before));
+            before = Some(point.position);
+            numbers.extend([length, distance.at(surface, point.location)?]);
+        }
+        Ok(Some(numbers.as_slice().into()))
+    }
+
     /// Of each vertex of the input the vertex that it became; 2³² − 1 where no triangle uses it.
     pub fn vertices_of_inputs(&self) -> Uint32Array {
         let inputs = (0..self.shown.report().input_vertices as u32).map(InputVertex);

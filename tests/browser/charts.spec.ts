@@ -1,0 +1,85 @@
+import { readFile } from 'node:fs/promises';
+import type { Locator, Page } from '@playwright/test';
+import { grid, off } from '../fixtures';
+import { expect, test } from '../page';
+
+const N = 24;
+const CORNER = (N + 1) ** 2 - 1;
+
+async function chartsOf(page: Page): Promise<Locator> {
+  const charts = page.locator('#section-charts');
+  await charts.locator('summary').click();
+  return charts;
+}
+
+/** Rows of numbers of a file that a button saves. */
+async function numbers(page: Page, button: Locator): Promise<number[][]> {
+  const downloading = page.waitForEvent('download');
+  await button.click();
+  const text = await readFile(await (await downloading).path(), 'utf8');
+  const [, ...rows] = text.trim().split('\r\n');
+  return rows.map((row) => row.split(',').map(Number));
+}
+
+test('distance along the path falls by what is walked', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('square.off', off(grid(N)), `s=0&w=${CORNER}&method=exact`);
+  await heatwalk.settled();
+  const charts = await chartsOf(page);
+  const rows = await numbers(page, charts.getByRole('button', { name: 'Save Distance along the path as CSV' }));
+  expect(rows.length).toBeGreaterThan(2);
+  expect(rows[0][0]).toBe(0);
+  expect(rows[0][1]).toBeCloseTo(Math.SQRT2, 9);
+  expect(rows.at(-1)?.[0]).toBeCloseTo(Math.SQRT2, 9);
+  // Along the diagonal distance is linear in every triangle.
+  for (const [walked, left] of rows) expect(walked + left).toBeCloseTo(Math.SQRT2, 9);
+});
+
+test('residuals of both linear solvers are charted for fields by heat', async ({ heatwalk, page }) => {
+  await heatwalk.open('#m=torus');
+  await heatwalk.settled();
+  const charts = await chartsOf(page);
+  const compare = charts.getByRole('button', { name: 'Compare linear solvers' });
+  await compare.click();
+  for (const system of ['Heat system', 'Poisson system']) {
+    const rows = await numbers(page, charts.getByRole('button', { name: `Save ${system} as CSV` }));
+    expect(rows[0].slice(0, 2)).toEqual([0, 1]);
+    expect(rows.at(-1)?.[1]).toBeLessThanOrEqual(1e-12);
+    expect(rows[0][2]).toBeLessThan(1e-11);
+  }
+  await expect(charts.getByRole('img', { name: /^Heat system/ })).toContainText('10⁻');
+
+  // They are of that field alone.
+  await page.evaluate(() => window.heatwalk.setSources([{ vertex: 5 }]));
+  await heatwalk.settled();
+  await expect(charts.getByRole('img', { name: /^Heat system/ })).toHaveCount(0);
+});
+
+test('Table 1 of the report is measured, copied, saved, and cancelled', async ({ context, heatwalk, page }) => {
+  test.slow();
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await heatwalk.open();
+  await heatwalk.settled();
+  const table = (await chartsOf(page)).getByRole('region', { name: 'Table 1 of the report' });
+  await table.getByRole('button', { name: 'Measure Table 1' }).click();
+  await table.getByRole('button', { name: 'Cancel' }).click();
+  await expect(table.getByRole('status')).toHaveText('Cancelled.');
+
+  await table.getByRole('button', { name: 'Measure Table 1' }).click();
+  await expect(table.getByRole('status')).toContainText('2 of 11', { timeout: 60_000 });
+  await expect(table.getByRole('status')).toContainText('Done.', { timeout: 120_000 });
+  await expect(table.locator('tbody tr')).toHaveCount(11);
+  const rows = await numbers(page, table.getByRole('button', { name: 'Save as CSV' }));
+  const report = [3328, 5304, 5804, 5660, 9024, 6912, 3456, 12200, 5120, 39996, 20388];
+  rows.forEach(([, triangles, ...times], index) => {
+    // No more than the report has.
+    expect(triangles).toBeLessThanOrEqual(report[index]);
+    expect(triangles).toBeGreaterThan(0.5 * report[index]);
+    expect(Math.min(...times)).toBeGreaterThan(0);
+    // Factors answer faster than what iterates, which nothing on a busy machine undoes.
+    expect(times[3]).toBeLessThan(times[1]);
+  });
+  await table.getByRole('button', { name: 'Copy as Markdown' }).click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/^\| Model \| Triangles \|/);
+  expect(copied.split('\n').filter((line) => line.startsWith('| '))).toHaveLength(13);
+});

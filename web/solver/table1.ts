@@ -1,0 +1,103 @@
+/** Table 1 of the report on this device: each model in a worker of its own, beside the scene on screen. */
+import type { MeshInput, OpenedMesh, Parameters, Room, Source } from '../protocol';
+import { LEVEL } from '../state/ground';
+import { WHOLE } from '../state/inside';
+import { findPreset } from '../state/presets';
+import { median, type ModelOfReport, parametersOfReport, REPORT, type Row, type Times } from '../state/table1';
+import { AUTOMATIC, DEFAULT_WINDOWS } from '../wasm/contract';
+import { SolverClient, type Wanted } from './client';
+import type { Engine, Question } from './engine';
+
+const ROOM: Room = { windows: 0, memory: AUTOMATIC };
+/** Of all that is asked. */
+const QUESTION: Omit<Question, 'parameters' | 'sources'> = {
+  method: 'heat',
+  windows: DEFAULT_WINDOWS,
+  bridge: 'off',
+  links: 0,
+  ground: LEVEL,
+  moment: null,
+  inside: WHOLE,
+  from: null,
+  pathKind: 'descent',
+  quick: false,
+};
+
+/** Sources whose solves are timed; conjugate gradients take longer. */
+const SOURCES = { cg: 3, cholesky: 9 } as const;
+
+export interface TableProgress {
+  /** How many models are done. */
+  done: number;
+  /** The model that is being measured. */
+  title: string;
+}
+
+/**
+ * Measures all models of the report, one after another; `told` before each, `measured` after it. Ends with a rejection where
+ * `signal` is aborted, or where a model cannot be measured.
+ */
+export async function measureTable(
+  signal: AbortSignal,
+  told: (progress: TableProgress) => void,
+  measured: (row: Row) => void,
+): Promise<void> {
+  // Browsers optimise code while it runs: the first factors of a page take several times as long as later ones.
+  told({ done: 0, title: REPORT[0].title });
+  await measureModel(REPORT[0], signal);
+  for (const [done, model] of REPORT.entries()) {
+    told({ done, title: model.title });
+    measured(await measureModel(model, signal));
+  }
+}
+
+async function measureModel({ title, model, triangles }: ModelOfReport, signal: AbortSignal): Promise<Row> {
+  signal.throwIfAborted();
+  const client = new SolverClient();
+  let engine: Engine | null = null;
+  const end = () => {
+    client.cancel();
+    engine?.dispose();
+  };
+  signal.addEventListener('abort', end);
+  try {
+    const parameters = parametersOfReport('cg');
+    const { load, parts } = modelOf(model);
+    const wanted: Wanted = { parts, parameters, room: ROOM, up: AUTOMATIC, triangles, fill: null };
+    engine = await client.open(load, wanted, () => undefined);
+    const { opened } = engine;
+    const iterated = await timesOf(engine, parameters, SOURCES.cg);
+    const factored = await timesOf(engine, parametersOfReport('cholesky'), SOURCES.cholesky);
+    return { title, triangles: opened.surface.triangles.length / 3, iterated, factored };
+  } finally {
+    signal.removeEventListener('abort', end);
+    end();
+  }
+}
+
+async function timesOf(engine: Engine, parameters: Parameters, count: number): Promise<Times> {
+  let precompute = 0;
+  const solves: number[] = [];
+  for (const source of sample(engine.opened, count)) {
+    const answer = await engine.ask({ ...QUESTION, parameters, sources: [source] });
+    if (!answer?.field) throw new Error('A question was not answered.');
+    const { buildMs, precomputeMs } = answer.factoring.timings;
+    precompute = buildMs + precomputeMs;
+    solves.push(answer.field.solveMs);
+  }
+  return { precompute, solve: median(solves) };
+}
+
+function modelOf(model: ModelOfReport['model']): { load: () => Promise<MeshInput>; parts: readonly number[] } {
+  if ('shape' in model) return { load: () => Promise.resolve({ kind: 'shape', shape: model.shape }), parts: [] };
+  const preset = findPreset(model.preset);
+  if (!preset) throw new Error(`There is no preset "${model.preset}".`);
+  return { load: preset.load, parts: preset.start.parts };
+}
+
+/** So many vertices, evenly spread over the numbers of those that are drawn. */
+function sample({ inputVertices }: OpenedMesh, count: number): Source[] {
+  return Array.from({ length: count }, (_, index) => ({
+    vertex: inputVertices[Math.floor((index * inputVertices.length) / count)],
+  }));
+}

@@ -1,0 +1,101 @@
+/** Table 1 of the report: conjugate gradients beside Cholesky factors on eleven models. */
+import type { Parameters } from '../protocol';
+import { DEFAULT_PARAMETERS } from '../wasm/contract';
+
+/** Milliseconds. */
+export interface Times {
+  precompute: number;
+  solve: number;
+}
+
+export interface ModelOfReport {
+  title: string;
+  /** The preset that stands for it, or a shape that is in none. */
+  model: { preset: string } | { shape: string };
+  triangles: number;
+  iterated: Times;
+  factored: Times;
+}
+
+/** What is measured of a model. */
+export interface Row {
+  title: string;
+  triangles: number;
+  iterated: Times;
+  factored: Times;
+}
+
+/** The report's models with its times, by ALGLIB in C# on a laptop of 2015. */
+export const REPORT: readonly ModelOfReport[] = [
+  reported('High Genus', { preset: 'high_genus' }, 3328, [34, 27], [64, 8.9]),
+  reported('Bague', { preset: 'ring' }, 5304, [55, 60], [109, 17]),
+  reported('Cow', { preset: 'animal' }, 5804, [62, 109], [335, 16]),
+  reported('Triceratops', { preset: 'triceratops' }, 5660, [59, 105], [306, 15]),
+  reported('Sphere 1', { shape: 'uv_sphere' }, 9024, [94, 99], [236, 21]),
+  reported('Sphere 3', { preset: 'icosphere' }, 6912, [65, 59], [327, 18]),
+  reported('Hemisphere', { preset: 'hemisphere' }, 3456, [51, 34], [131, 10]),
+  reported('Skull', { preset: 'skull' }, 12200, [183, 338], [989, 38]),
+  reported('Maze', { preset: 'maze' }, 5120, [63, 94], [134, 12]),
+  reported('Horse', { preset: 'horse' }, 39996, [447, 1355], [2047, 113]),
+  reported('Dragon', { preset: 'dragon' }, 20388, [188, 1291], [1787, 58]),
+];
+
+function reported(
+  title: string,
+  model: ModelOfReport['model'],
+  triangles: number,
+  [iteratedFirst, iteratedThen]: readonly [number, number],
+  [factoredFirst, factoredThen]: readonly [number, number],
+): ModelOfReport {
+  const iterated = { precompute: iteratedFirst, solve: iteratedThen };
+  return { title, model, triangles, iterated, factored: { precompute: factoredFirst, solve: factoredThen } };
+}
+
+/** The method of the report: t = h², the operator of the triangles as they are, no exact region. */
+export function parametersOfReport(solver: Parameters['solver']): Parameters {
+  return { ...DEFAULT_PARAMETERS, operator: 'plain', timeStep: 1, exactRadius: 0, solver };
+}
+
+export const HEAD = [
+  'Model',
+  'Triangles',
+  'CG precompute (ms)',
+  'CG solve (ms)',
+  'Cholesky precompute (ms)',
+  'Cholesky solve (ms)',
+] as const;
+
+/** What a row of the table has under `HEAD`, as numbers. */
+export function cellsOf({ title, triangles, iterated, factored }: Row): (string | number)[] {
+  return [title, triangles, iterated.precompute, iterated.solve, factored.precompute, factored.solve];
+}
+
+/** Three digits, all of a whole number. */
+export function milliseconds(time: number): string {
+  return time >= 100 ? time.toFixed(0) : time.toPrecision(3);
+}
+
+export function wordsOf(row: Row): string[] {
+  return cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell)));
+}
+
+function line(cells: readonly string[]): string {
+  return `| ${cells.join(' | ')} |`;
+}
+
+/** A table in Markdown; `device` is told below it. */
+export function markdownOf(rows: readonly Row[], device: string): string {
+  const lines = [line(HEAD), line(HEAD.map((_, index) => (index === 0 ? '---' : '---:')))];
+  return [...lines, ...rows.map((row) => line(wordsOf(row))), '', `Measured by Heatwalk in ${device}.`, ''].join('\n');
+}
+
+export function csvOf(rows: readonly Row[]): string {
+  return [HEAD, ...rows.map(cellsOf)].map((cells) => `${cells.join(',')}\r\n`).join('');
+}
+
+/** The middle one, or the mean of the middle two. */
+export function median(values: readonly number[]): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  const middle = sorted.length / 2;
+  return (sorted[Math.ceil(middle) - 1] + sorted[Math.floor(middle)]) / 2;
+}

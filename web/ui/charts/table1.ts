@@ -1,0 +1,80 @@
+/** Table 1 of the report, measured on this device when it is asked for. */
+import { Cancelled } from '../../solver/remote';
+import { measureTable } from '../../solver/table1';
+import { csvOf, HEAD, markdownOf, REPORT, type Row, wordsOf } from '../../state/table1';
+import { save } from '../../view/picture';
+import { h } from '../dom';
+
+export function table1(): HTMLElement {
+  const rows: Row[] = [];
+  let running: AbortController | null = null;
+  const said = h('p', { class: 'quiet', role: 'status' });
+  const progress = h('progress', { max: REPORT.length, value: 0, hidden: true, 'aria-label': 'Models measured' });
+  const body = h('tbody', {});
+  const table = h('table', { class: 'rows', hidden: true }, h('thead', {}, cells('th', HEAD)), body);
+  const run = h('button', { class: 'wide' }, 'Measure Table 1');
+  const copy = h('button', { class: 'small' }, 'Copy as Markdown');
+  const saveCsv = h('button', { class: 'small' }, 'Save as CSV');
+  const saving = h('div', { hidden: true }, copy, saveCsv);
+
+  const measure = async () => {
+    running = new AbortController();
+    rows.length = 0;
+    body.replaceChildren();
+    [table.hidden, saving.hidden, progress.hidden] = [false, true, false];
+    run.textContent = 'Cancel';
+    try {
+      await measureTable(
+        running.signal,
+        ({ done, title }) => {
+          progress.value = done;
+          said.textContent = `Measuring ${title}, ${done + 1} of ${REPORT.length}.`;
+        },
+        (row) => {
+          rows.push(row);
+          body.append(cells('td', wordsOf(row)));
+        },
+      );
+      said.textContent = 'Done. Other work on this device makes times longer.';
+    } catch (error) {
+      const isCancelled = error instanceof Cancelled || running.signal.aborted;
+      said.textContent = isCancelled ? 'Cancelled.' : error instanceof Error ? error.message : String(error);
+    } finally {
+      running = null;
+      run.textContent = 'Measure Table 1';
+      progress.hidden = true;
+      saving.hidden = rows.length === 0;
+      table.hidden = rows.length === 0;
+    }
+  };
+  run.addEventListener('click', () => {
+    if (running) running.abort();
+    else void measure();
+  });
+  copy.addEventListener('click', () => {
+    navigator.clipboard.writeText(markdownOf(rows, navigator.userAgent)).then(
+      () => (said.textContent = 'Copied.'),
+      () => (said.textContent = 'The clipboard is not available. Save the table as CSV.'),
+    );
+  });
+  saveCsv.addEventListener('click', () => save(new Blob([csvOf(rows)], { type: 'text/csv' }), 'table1.csv'));
+  return h(
+    'section',
+    { class: 'stack', 'aria-label': 'Table 1 of the report' },
+    h('h3', {}, 'Table 1 of the report'),
+    h(
+      'p',
+      { class: 'quiet' },
+      'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles.',
+    ),
+    run,
+    progress,
+    said,
+    h('div', { class: 'scroll', tabIndex: 0, role: 'region', 'aria-label': 'Times' }, table),
+    saving,
+  );
+}
+
+function cells(tag: 'th' | 'td', words: readonly string[]): HTMLElement {
+  return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
+}
