@@ -49,7 +49,7 @@ test('residuals of both linear solvers are charted for fields by heat', async ({
   await expect(charts.getByRole('img', { name: /^Heat system/ })).toContainText('10⁻');
 
   // They are of that field alone.
-  await page.evaluate(() => window.heatwalk.setSources([{ vertex: 5 }]));
+  await page.evaluate(() => (location.hash = '#m=torus&s=5'));
   await heatwalk.settled();
   await expect(charts.getByRole('img', { name: /^Heat system/ })).toHaveCount(0);
 });
@@ -65,7 +65,7 @@ test('Table 1 of the report is measured, copied, saved, and cancelled', async ({
   await expect(table.getByRole('status')).toHaveText('Cancelled.');
 
   await table.getByRole('button', { name: 'Measure Table 1' }).click();
-  await expect(table.getByRole('status')).toContainText('2 of 11', { timeout: 60_000 });
+  await expect(table.getByRole('status')).toContainText('of 11');
   await expect(table.getByRole('status')).toContainText('Done.', { timeout: 120_000 });
   await expect(table.locator('tbody tr')).toHaveCount(11);
   const rows = await numbers(page, table.getByRole('button', { name: 'Save as CSV' }));

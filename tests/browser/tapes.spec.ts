@@ -117,7 +117,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   // Charts of the distance and of the tape, in the same scale.
   const charts = page.locator('#section-charts');
   await charts.locator('summary').click();
-  await expect(charts.getByRole('img')).toHaveCount(3);
+  await expect(charts.getByRole('img')).toHaveCount(4);
   await expect(charts).toContainText('Along the tape (cm)');
   const chart = page.waitForEvent('download');
   await charts.getByRole('button', { name: 'Save Area within a distance as SVG' }).click();

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { distributionOf, errorsByDistance } from '../../web/state/distribution';
-import { csvOf, ticksTo } from '../../web/ui/charts/plot';
+import { csvOf, logarithmicAxis, ticksTo } from '../../web/ui/charts/plot';
 import { grid } from '../fixtures';
 
 const N = 12;
@@ -75,4 +75,13 @@ test('a chart as CSV has a line a value', () => {
   const series = [{ name: 'Area (%)', kind: 'bars' as const, x: [0, 1, 2], y: [40, 60] }];
   const csv = csvOf({ title: 'Area', xLabel: 'Distance (m)', yLabel: 'Area (%)', series });
   expect(csv).toBe('"Distance (m)","Area (%)"\r\n0,40\r\n1,60\r\n');
+});
+
+test('powers of ten stand at equal steps, and 0 on the lowest', () => {
+  const { place, ticks } = logarithmicAxis([1, 3e-9, 0]);
+  expect(place(1)).toBe(1);
+  expect(place(1e-9)).toBe(0);
+  expect(place(0)).toBe(0);
+  expect(place(1e-6)).toBeCloseTo(1 / 3, 12);
+  expect(ticks.map(({ label }) => label)).toEqual(['10⁰', '10⁻²', '10⁻⁴', '10⁻⁶', '10⁻⁸']);
 });

@@ -70,13 +70,9 @@ export function cellsOf({ title, triangles, iterated, factored }: Row): (string 
   return [title, triangles, iterated.precompute, iterated.solve, factored.precompute, factored.solve];
 }
 
-/** Three digits, all of a whole number. */
+/** To a tenth, which is what browsers measure to. */
 export function milliseconds(time: number): string {
-  return time >= 100 ? time.toFixed(0) : time.toPrecision(3);
-}
-
-export function wordsOf(row: Row): string[] {
-  return cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell)));
+  return time >= 100 ? time.toFixed(0) : time.toFixed(1);
 }
 
 function line(cells: readonly string[]): string {
@@ -86,7 +82,17 @@ function line(cells: readonly string[]): string {
 /** A table in Markdown; `device` is told below it. */
 export function markdownOf(rows: readonly Row[], device: string): string {
   const lines = [line(HEAD), line(HEAD.map((_, index) => (index === 0 ? '---' : '---:')))];
-  return [...lines, ...rows.map((row) => line(wordsOf(row))), '', `Measured by Heatwalk in ${device}.`, ''].join('\n');
+  return [
+    ...lines,
+    ...rows.map((row) =>
+      line(
+        cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
+      ),
+    ),
+    '',
+    `Measured by Heatwalk in ${device}.`,
+    '',
+  ].join('\n');
 }
 
 export function csvOf(rows: readonly Row[]): string {
