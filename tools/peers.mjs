@@ -11,6 +11,10 @@ export const LIBIGL = 'libigl==2.6.3';
 export const SCIPY = 'scipy==1.17.1';
 export const SCIKIT_SPARSE = 'scikit-sparse==0.4.16';
 
+export const NUMPY = 'numpy==2.4.6';
+export const TRIMESH = 'trimesh==5.2.0';
+export const EZDXF = 'ezdxf==1.4.5';
+
 const SINGLE_THREADED = Object.fromEntries(
   ['OMP', 'OPENBLAS', 'MKL', 'BLIS', 'RAYON'].map((library) => [`${library}_NUM_THREADS`, '1']),
 );
@@ -20,12 +24,7 @@ export function pythonWith(...packages) {
   const environment = join(root, 'target', 'bench', 'python');
   const program = join(environment, 'bin', 'python');
   if (!existsSync(program)) {
-    run(
-      'Making a Python environment for the peers',
-      'python3',
-      ['-m', 'venv', environment],
-      'Install Python 3 with venv.',
-    );
+    run('Making a Python environment', 'python3', ['-m', 'venv', environment], 'Install Python 3 with venv.');
   }
   run(
     `Installing ${packages.join(', ')}`,
@@ -34,6 +33,16 @@ export function pythonWith(...packages) {
     'Is the Python package index reachable?',
   );
   return program;
+}
+
+/** A Python with readers of the files that the page saves; empty where the tests with them are skipped. */
+export function findReaders() {
+  const remedy = 'Install Python 3 with venv.';
+  if (spawnSync('python3', ['-c', 'import ensurepip, venv'], { stdio: 'ignore' }).status === 0) {
+    return pythonWith(NUMPY, TRIMESH, EZDXF);
+  }
+  console.log(`\nThe tests with trimesh and ezdxf are skipped: there is no Python with venv. ${remedy}`);
+  return '';
 }
 
 /** Whether a package that builds on libraries of the system could be installed. */

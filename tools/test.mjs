@@ -1,5 +1,6 @@
 // npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium, Firefox and WebKit.
 
+import { findReaders } from './peers.mjs';
 import {
   cargo,
   findFirefox,
@@ -18,6 +19,7 @@ prepare();
 const chromium = requireChromium();
 const firefox = findFirefox();
 findWebKit();
+const readers = findReaders();
 const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 run('Checking format, lint and types', process.execPath, [`${root}tools/check.mjs`], 'npm run check repeats it.');
 // Tests that need large meshes are ignored where the folder of these is not known.
@@ -27,5 +29,5 @@ cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
 run('Building the page', process.execPath, [`${root}tools/build.mjs`], 'npm run build repeats it.');
 const single = [`${root}tools/build.mjs`, '--single'];
 run('Building the page in one file', process.execPath, single, 'npm run build:single repeats it.');
-const browsers = { CHROMIUM: chromium, FIREFOX: firefox };
+const browsers = { CHROMIUM: chromium, FIREFOX: firefox, HEATWALK_PYTHON: readers };
 npmProgram('Running the page in Chromium, Firefox and WebKit', '@playwright/test/cli.js', ['test'], named, browsers);

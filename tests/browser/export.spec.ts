@@ -1,4 +1,6 @@
-import { readFile } from 'node:fs/promises';
+import { execFileSync } from 'node:child_process';
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { complaints } from '../gltf';
 import { expect, test } from '../page';
@@ -63,4 +65,63 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   expect(await complaints(scene.bytes)).toEqual([]);
   await heatwalk.dropAndOpen([['again.glb', scene.bytes]]);
   expect(await page.evaluate(() => window.heatwalk.mesh?.triangles)).toBe(17_280);
+});
+
+interface Found {
+  ply: { vertices: number; triangles: number; farthest: number };
+  colors: number;
+  glb: { triangles: number; farthest: number };
+  npy: [number, number];
+  dxf: { curves: number; closed: number; length: number };
+  strips: number;
+  path: number;
+}
+
+test('numpy, trimesh and ezdxf read what is saved', async ({ heatwalk, page }, info) => {
+  const python = process.env['HEATWALK_PYTHON'] ?? '';
+  test.skip(python === '', 'HEATWALK_PYTHON names no Python with them');
+  await heatwalk.open('#m=torus&iso=0.5,1,1.5');
+  await heatwalk.settled();
+  const section = page.locator('#section-export');
+  await section.locator('summary').click();
+  const folder = info.outputPath('saved');
+  await mkdir(folder);
+  const save = async (list: string, kinds: readonly string[], button: string) => {
+    for (const kind of kinds) {
+      await section.getByRole('combobox', { name: list, exact: true }).selectOption(kind);
+      const { name, bytes } = await saved(page, button);
+      await writeFile(join(folder, name), bytes);
+    }
+  };
+  await save('Distances', ['ply', 'weights.ply', 'glb', 'npy'], 'Save distances');
+  await save('File', ['dxf', 'strips.obj'], 'Save isolines');
+  await save('Path', ['glb'], 'Save path');
+  await page.getByRole('button', { name: 'Measure isolines' }).click();
+  await expect(section.locator('tbody tr')).toHaveCount(3);
+  const cells = await section
+    .locator('tbody tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent ?? '')));
+
+  const output = execFileSync(python, ['tests/readers.py', folder], { encoding: 'utf8' });
+  const found = JSON.parse(output) as Found;
+  const { vertices, triangles, farthest, walked } = await page.evaluate(() => ({
+    vertices: window.heatwalk.mesh?.vertices ?? 0,
+    triangles: window.heatwalk.mesh?.triangles ?? 0,
+    farthest: window.heatwalk.field?.maxDistance ?? 0,
+    walked: window.heatwalk.walker?.length ?? 0,
+  }));
+  expect(found.ply).toEqual({ vertices, triangles, farthest: expect.closeTo(farthest, 5) });
+  expect(found.colors).toBeGreaterThan(100);
+  // glTF has single precision.
+  expect(found.glb).toEqual({ triangles, farthest: expect.closeTo(farthest, 5) });
+  expect(found.npy).toEqual([vertices, expect.closeTo(farthest, 5)]);
+  expect(found.dxf.curves).toBe(cells.reduce((sum, row) => sum + Number(row[3].split(' of ')[1]), 0));
+  expect(found.dxf.closed).toBe(cells.reduce((sum, row) => sum + Number(row[3].split(' of ')[0]), 0));
+  const total = cells.reduce((sum, row) => sum + Number(row[1]), 0);
+  // The table has three digits.
+  expect(Math.abs(found.dxf.length / total - 1)).toBeLessThan(0.005);
+  // A torus of radii 1 and 0.4, of triangles inside of it.
+  expect(found.strips / (4 * Math.PI ** 2 * 0.4)).toBeGreaterThan(0.99);
+  expect(found.strips / (4 * Math.PI ** 2 * 0.4)).toBeLessThan(1);
+  expect(found.path).toBeCloseTo(walked, 4);
 });

@@ -60,19 +60,21 @@ function pathObj(points: readonly Vector[]): string {
   return ['# path on a surface by Heatwalk', ...vertices, `l ${line}`, ''].join('\n');
 }
 
-/** Of glTF 2.0: a primitive that is one line, numbers in single precision, a buffer of vertices. */
-const [LINE_STRIP, FLOAT, ARRAY_BUFFER] = [3, 5126, 34962];
+/** Of glTF 2.0: a primitive that is pairs of vertices, numbers in single precision, a buffer of vertices. */
+const [LINES, FLOAT, ARRAY_BUFFER] = [1, 5126, 34962];
 /** Of its binary form: the file, its chunks, and the four characters that JSON is filled up with. */
 const [GLTF, VERSION, JSON_CHUNK, BIN_CHUNK, SPACE] = [0x46546c67, 2, 0x4e4f534a, 0x004e4942, 0x20];
 
-/** A line strip, with its ends first to last (glTF 2.0, 3.7.2 and 4.4). */
+/** Segments from the first to the last (glTF 2.0, 3.7.2 and 4.4); line strips are not read by every program. */
 function pathGlb(points: readonly Vector[]): Uint8Array<ArrayBuffer> {
-  const positions = Float32Array.from(points.flat());
-  const along = [0, 1, 2].map((axis) => Array.from(points, (_, index) => positions[3 * index + axis]));
+  const starts = points.slice(0, Math.max(1, points.length - 1));
+  const ends = starts.flatMap((start, index) => [start, points[index + 1] ?? start]);
+  const positions = Float32Array.from(ends.flat());
+  const along = [0, 1, 2].map((axis) => Array.from(ends, (_, index) => positions[3 * index + axis]));
   const accessor = {
     bufferView: 0,
     componentType: FLOAT,
-    count: points.length,
+    count: ends.length,
     type: 'VEC3',
     min: along.map((values) => values.reduce((one, other) => Math.min(one, other), Infinity)),
     max: along.map((values) => values.reduce((one, other) => Math.max(one, other), -Infinity)),
@@ -82,7 +84,7 @@ function pathGlb(points: readonly Vector[]): Uint8Array<ArrayBuffer> {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ name: 'path', mesh: 0 }],
-    meshes: [{ primitives: [{ mode: LINE_STRIP, attributes: { POSITION: 0 } }] }],
+    meshes: [{ primitives: [{ mode: LINES, attributes: { POSITION: 0 } }] }],
     accessors: [accessor],
     bufferViews: [{ buffer: 0, byteLength: positions.byteLength, target: ARRAY_BUFFER }],
     buffers: [{ byteLength: positions.byteLength }],
