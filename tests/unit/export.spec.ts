@@ -1,8 +1,10 @@
+import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
 import type { SurfacePath } from '../../web/protocol';
 import { pathFile, pathPoints, towardEye } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
+import { rustLines } from '../../web/state/rust';
 import { complaints } from '../gltf';
 
 const REPORT = { degenerateFaces: 0, duplicateFaces: 0, flippedFaces: 0 } as Measured['opened']['report'];
@@ -92,4 +94,33 @@ test('sets of sources are sources of the command line, with their initial distan
 test('the eye is where yaw and pitch say', () => {
   expect(towardEye([0, 0])).toEqual([0, 0, 1]);
   expect(towardEye([0, Math.PI / 2])[1]).toBe(1);
+});
+
+/** The examples are compiled with the crate's tests. */
+const example = (name: string) => readFile(new URL(`../../crate/solver/examples/${name}.rs`, import.meta.url), 'utf8');
+
+test('the lines of Rust are examples of the crate', async () => {
+  const parameters = {
+    ...STATE.parameters,
+    operator: 'plain' as const,
+    timeStep: 10,
+    exactRadius: Infinity,
+    boundary: 'average' as const,
+    sources: 'summed' as const,
+  };
+  const byHeat = { ...STATE, parameters, method: 'heat' as const, bridge: 'off' as const };
+  expect(rustLines({ ...MEASURED, state: byHeat, field: { exactBelow: 0, windows: undefined } })).toBe(
+    await example('distances_of_shape'),
+  );
+
+  const sources = [
+    { vertex: 7 },
+    { face: 3, weights: [0.25, 0.25, 0.5] as [number, number, number], offset: 2 },
+    { vertex: 8, offset: 0.125 },
+  ];
+  const animation = { ...STATE.animation, clip: 1, seconds: 0.5, live: true };
+  const state = { ...STATE, sources, animation, bridge: 0.01, links: 2 };
+  const opened = { ...MEASURED.opened, active: [1], parts: [...MEASURED.opened.parts, ...MEASURED.opened.parts] };
+  const asked = { ...MEASURED, state, opened, mesh: 'a "cow".glb', field: { exactBelow: 1, windows: 4 } };
+  expect(rustLines(asked)).toBe(await example('distances_of_file'));
 });

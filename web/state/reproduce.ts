@@ -1,5 +1,5 @@
 /** The lines that reproduce the numbers of a scene with the program `heatwalk`. */
-import type { DistanceField, OpenedMesh, Source } from '../protocol';
+import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
 import type { SceneState } from './scene';
@@ -7,6 +7,9 @@ import { allSources } from './sources';
 
 /** Sources that a command line holds: Windows allows 32,767 characters. */
 const MOST_SOURCES = 2000;
+
+/** A source that is on a surface. */
+export type SurfaceSource = Exclude<Source, InnerPoint>;
 
 /** What is measured: of the scene, the mesh that it has, and the field that is shown. */
 export interface Measured {
@@ -22,24 +25,44 @@ export interface Measured {
  *
  * @throws Error where the program cannot be asked for the same, with the reason.
  */
-export function commandLine({ state, mesh, opened, field }: Measured): string {
-  if (opened.interior) throw new Error('Distances inside of tetrahedra made on this page have no command line.');
-  if (opened.simplified) throw new Error('The mesh was simplified on this page; save it, and open the saved mesh.');
-  const { slope, highest } = state.ground;
-  if (isPainted(state.ground) || slope || highest !== 1)
-    throw new Error('Paint, walls and slopes of this page have no command line.');
+export function commandLine(measured: Measured): string {
+  const { state, mesh, opened, field } = measured;
+  const sources = reproducedSources(measured, 'A command line');
   const words = ['heatwalk', 'distance', quoted(mesh)];
   if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
   const { clip, seconds, live } = state.animation;
   if (live && clip !== null) words.push(`--animation ${clip} --time ${seconds}`);
-  const sources = allSources(state);
-  if (sources.length > MOST_SOURCES)
-    throw new Error(`A command line has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
-  words.push(...sources.map((source) => `--source ${sourceWord(source, opened)}`));
+  words.push(...sources.map((source) => `--source ${sourceWord(source)}`));
   if (state.bridge !== AUTOMATIC) words.push(`--bridge ${state.bridge}`);
   if (state.links > 0) words.push(`--link ${state.links}`);
   words.push(...methodWords(state, field), '--output distances.csv');
   return words.join(' ');
+}
+
+/**
+ * The sources of what is measured, where the program and the crate can be asked for the same. `place`: what holds them, in
+ * words.
+ *
+ * @throws Error with the reason.
+ */
+export function reproducedSources({ state, opened }: Measured, place: string): SurfaceSource[] {
+  if (opened.interior) throw new Error('Distances inside of tetrahedra made on this page have no lines.');
+  if (opened.simplified) throw new Error('The mesh was simplified on this page; save it, and open the saved mesh.');
+  const { slope, highest } = state.ground;
+  if (isPainted(state.ground) || slope || highest !== 1)
+    throw new Error('Paint, walls and slopes of this page have no lines.');
+  const sources = allSources(state);
+  if (sources.length > MOST_SOURCES)
+    throw new Error(`${place} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+  // The page counts the triangles that were kept, with the corners that they have since.
+  const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
+  const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
+  return sources.map((source) => {
+    if ('tetrahedron' in source) throw new Error('A source inside of tetrahedra has no place on a surface.');
+    if ('face' in source && !isAsInFile)
+      throw new Error('Triangles of the file were left out or flipped, so sources are only found again at vertices.');
+    return source;
+  });
 }
 
 /** The same from Python, by the program, as an array of NumPy. */
@@ -72,15 +95,9 @@ function methodWords({ method, parameters, windows }: SceneState, field: Measure
   return words;
 }
 
-function sourceWord(source: Source, { report }: Pick<OpenedMesh, 'report'>): string {
+function sourceWord(source: SurfaceSource): string {
   const from = source.offset ? `@${source.offset}` : '';
-  if ('vertex' in source) return `${source.vertex}${from}`;
-  if (!('face' in source)) throw new Error('A source inside of tetrahedra has no place on a surface.');
-  // The page counts the triangles that were kept, with the corners that they have since.
-  if (report.degenerateFaces + report.duplicateFaces + report.flippedFaces > 0) {
-    throw new Error('Triangles of the file were left out or flipped, so sources are only found again at vertices.');
-  }
-  return `${source.face}:${source.weights.join(',')}${from}`;
+  return 'vertex' in source ? `${source.vertex}${from}` : `${source.face}:${source.weights.join(',')}${from}`;
 }
 
 function quoted(name: string): string {

@@ -5,6 +5,7 @@ import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLine, type Measured, pythonLines } from '../../state/reproduce';
 import { isolinesText, parseIsolines } from '../../state/isolines';
+import { rustLines } from '../../state/rust';
 import { unitOf } from '../../state/scene';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
@@ -35,7 +36,9 @@ const PATHS = [
 const LINES = [
   ['command', 'Command line'],
   ['python', 'Python'],
+  ['rust', 'Rust'],
 ] as const;
+const TEXT_OF = { command: commandLine, python: pythonLines, rust: rustLines };
 
 /** Isolines in numbers, and files of curves, distances and paths. */
 export function exportSection(session: Session): HTMLElement {
@@ -184,7 +187,7 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
   });
   const work = async () => {
     const asked = await measuredBy(session);
-    field.value = kind === 'command' ? commandLine(asked) : pythonLines(asked);
+    field.value = TEXT_OF[kind](asked);
     field.hidden = false;
     try {
       await navigator.clipboard.writeText(field.value);
