@@ -51,12 +51,13 @@ import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
+import { t } from './texts';
 
 const page = document.body;
 const stage = h('main', {
   class: 'stage',
   tabindex: 0,
-  'aria-label': 'Model. Arrow keys orbit, Enter sets the source at the center.',
+  'aria-label': t('Model. Arrow keys orbit, Enter sets the source at the center.'),
 });
 page.append(stage);
 
@@ -123,7 +124,7 @@ const bar = toolbar(session, tool);
 page.append(
   comparing.layer,
   heading(session, help),
-  h('section', { class: 'foot', 'aria-label': 'Tools' }, hint.element, bar),
+  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
   messages.element,
   loadingBar(session),
   handle.element,
@@ -142,28 +143,28 @@ if (!address.kiosk) {
   const sections = [
     {
       id: 'scene',
-      title: 'Scene',
+      title: t('Scene'),
       element: sceneSection(session, opener, dialogue.choose, folders.choose, first.promise),
       open: true,
     },
-    { id: 'animation', title: 'Animation', element: animationSection(session), open: true, hidden: true as const },
-    { id: 'sources', title: 'Sources', element: sourcesSection(session, tool, first.promise), open: true },
-    { id: 'measure', title: 'Measure', element: measuring.element, open: false },
-    { id: 'ground', title: 'Ground', element: groundSection(session, ground), open: false },
-    { id: 'inside', title: 'Inside', element: insideSection(session, opener), open: false },
-    { id: 'solver', title: 'Solver', element: solverSection(session), open: false },
-    { id: 'compare', title: 'Compare', element: () => comparing.element(), open: false },
-    { id: 'style', formerId: 'look', title: 'Style', element: styleSection(session), open: true },
-    { id: 'display', formerId: 'show', title: 'Display', element: displaySection(session), open: false },
-    { id: 'charts', title: 'Charts', element: chartsSection(session, measuring.measured), open: false },
-    { id: 'numbers', title: 'Numbers', element: numbersSection(session), open: false },
+    { id: 'animation', title: t('Animation'), element: animationSection(session), open: true, hidden: true as const },
+    { id: 'sources', title: t('Sources'), element: sourcesSection(session, tool, first.promise), open: true },
+    { id: 'measure', title: t('Measure'), element: measuring.element, open: false },
+    { id: 'ground', title: t('Ground'), element: groundSection(session, ground), open: false },
+    { id: 'inside', title: t('Inside'), element: insideSection(session, opener), open: false },
+    { id: 'solver', title: t('Solver'), element: solverSection(session), open: false },
+    { id: 'compare', title: t('Compare'), element: () => comparing.element(), open: false },
+    { id: 'style', formerId: 'look', title: t('Style'), element: styleSection(session), open: true },
+    { id: 'display', formerId: 'show', title: t('Display'), element: displaySection(session), open: false },
+    { id: 'charts', title: t('Charts'), element: chartsSection(session, measuring.measured), open: false },
+    { id: 'numbers', title: t('Numbers'), element: numbersSection(session), open: false },
     {
       id: 'export',
-      title: 'Curves and data',
+      title: t('Curves and data'),
       element: () => import('./ui/panel/export').then(({ exportSection }) => exportSection(session)),
       open: false,
     },
-    { id: 'share', title: 'Share and export', element: shareSection(session, () => address.link()), open: false },
+    { id: 'share', title: t('Share and export'), element: shareSection(session, () => address.link()), open: false },
   ];
   panel = buildPanel(sections);
   page.append(panel);
@@ -186,7 +187,7 @@ session.failure.watch((failure) => {
 
 /** What nobody has caught: a handler has failed, and the page goes on. */
 const unforeseen = (error: unknown) => {
-  if (error instanceof Error) messages.fail(`Something went wrong: ${error.message}`, error.stack ?? '');
+  if (error instanceof Error) messages.fail(t`Something went wrong: ${error.message}`, error.stack ?? '');
 };
 addEventListener('error', ({ error }) => unforeseen(error));
 addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));

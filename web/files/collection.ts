@@ -1,6 +1,7 @@
 /** What was given together: files, or an archive of them. */
 import type { GivenFile, MeshInput } from '../protocol';
 import { FORMATS, fileName, isArchive, meshesAmong } from './paths';
+import { t } from '../texts';
 
 export interface Collection {
   /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
@@ -31,18 +32,19 @@ const NAMED = 5;
 
 /** Formats that no reader for a page reads well: converters do. */
 const CONVERTED = /\.(fbx|dae)$/i;
-const CONVERT =
-  'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.';
+const CONVERT = t(
+  'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.',
+);
 
 /** Nothing of what was given is a mesh. */
 export class NoMesh extends Error {
   constructor(paths: readonly string[]) {
     const names = paths.slice(0, NAMED).map(fileName).join(', ');
-    const more = paths.length > NAMED ? ` and ${paths.length - NAMED} more files` : '';
+    const more = paths.length > NAMED ? t` and ${paths.length - NAMED} more files` : '';
     super(
       paths.some((path) => CONVERTED.test(path))
         ? CONVERT
-        : `No mesh found in ${names ? `${names}${more}` : 'what was given'}. Supported formats: ${FORMATS}.`,
+        : t`No mesh found in ${names ? `${names}${more}` : t('what was given')}. Supported formats: ${FORMATS}.`,
     );
   }
 }

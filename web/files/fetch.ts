@@ -4,6 +4,7 @@ import { type Collection, collectArchive } from './collection';
 import { isMesh } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
 import type { GivenFile } from '../protocol';
+import { t } from '../texts';
 
 /** Of a mesh and what it refers to. */
 const MOST_BYTES = 2 ** 29;
@@ -34,7 +35,8 @@ export async function fetchCollection(
   const { content, base } = await fetcher.fetch(new URL(address));
   const head = await content.slice(0, HEAD_BYTES).text();
   if (head.startsWith(ARCHIVE) && !isMesh(pathOf(address))) return collectArchive(content);
-  if (PAGE.test(head)) throw new Error('the address gives a web page, not a mesh; use the address of the file itself');
+  if (PAGE.test(head))
+    throw new Error(t('the address gives a web page, not a mesh; use the address of the file itself'));
   const mesh = pathOf(address) || 'mesh';
   const document = JSON_DOCUMENT.test(head) ? await content.text() : '';
   const companions = document ? await fetcher.companions(gltfReferences(mesh, document), base) : [];
@@ -63,7 +65,7 @@ class Fetcher {
   /** `base`: where it was found in the end. */
   async fetch(url: URL): Promise<{ content: Blob; base: URL }> {
     const response = await this.#answer(url);
-    if (!response.ok) throw new Error(`${url.host} answered with status ${response.status}`);
+    if (!response.ok) throw new Error(t`${url.host} answered with status ${response.status}`);
     const length = Number(response.headers.get('Content-Length'));
     if (this.#bytes + length > MOST_BYTES) throw tooLarge();
     const chunks: Uint8Array<ArrayBuffer>[] = [];
@@ -86,14 +88,14 @@ class Fetcher {
   async companions(references: readonly Reference[], base: URL): Promise<GivenFile[]> {
     this.#files += references.length;
     if (this.#files > MOST_FILES)
-      throw new Error(`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
+      throw new Error(t`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
     const found: GivenFile[] = [];
     for (const { uri, path, isNeeded } of references) {
       try {
         found.push({ path, content: await this.#companion(uri, base) });
       } catch (error) {
         this.#signal.throwIfAborted();
-        if (isNeeded) throw new Error(`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
+        if (isNeeded) throw new Error(t`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
       }
     }
     return found;
@@ -102,7 +104,7 @@ class Fetcher {
   async #companion(uri: string, base: URL): Promise<Blob> {
     const url = URL.canParse(uri, base) ? new URL(uri, base) : null;
     if (url?.origin !== base.origin)
-      throw new Error(`only files of ${base.host} are fetched for it; download both and drop them here`);
+      throw new Error(t`only files of ${base.host} are fetched for it; download both and drop them here`);
     return (await this.fetch(url)).content;
   }
 
@@ -117,21 +119,21 @@ class Fetcher {
 
   /** A fetch does not say why it failed. */
   async #reason(url: URL): Promise<string> {
-    if (!navigator.onLine) return 'there is no connection to the network';
+    if (!navigator.onLine) return t('there is no connection to the network');
     if (location.protocol === 'https:' && url.protocol === 'http:')
-      return `a page served over https cannot read from http://${url.host}; ${DOWNLOAD}`;
+      return t`a page served over https cannot read from http://${url.host}; ${DOWNLOAD}`;
     const isThere = await fetch(url, { ...ANONYMOUS, method: 'HEAD', mode: 'no-cors', signal: this.#signal }).then(
       () => true,
       () => false,
     );
     return isThere
-      ? `${url.host} does not allow other pages to read it (CORS); ${DOWNLOAD}`
-      : `${url.host} could not be reached; check the address and the connection`;
+      ? t`${url.host} does not allow other pages to read it (CORS); ${DOWNLOAD}`
+      : t`${url.host} could not be reached; check the address and the connection`;
   }
 
   #lost(url: URL, error: unknown): never {
     this.#signal.throwIfAborted();
-    throw new Error(`the connection to ${url.host} was lost; try again`, { cause: error });
+    throw new Error(t`the connection to ${url.host} was lost; try again`, { cause: error });
   }
 
   #tell(fraction: number | null): void {
@@ -142,9 +144,9 @@ class Fetcher {
   }
 }
 
-const DOWNLOAD = 'download the file and drop it here';
+const DOWNLOAD = t('download the file and drop it here');
 const ANONYMOUS = { credentials: 'omit', referrerPolicy: 'no-referrer' } as const;
 
 function tooLarge(): Error {
-  return new Error(`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
+  return new Error(t`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
 }

@@ -5,6 +5,7 @@ import { percentDecoded } from './address';
 import { resolve } from './paths';
 import { gltfReferences, librariesOf, mapsOf } from './references';
 import { Archive } from './zip';
+import { t } from '../texts';
 
 /** What tells a scene from any other archive. */
 const SCENE = 'heatwalk.json';
@@ -36,11 +37,11 @@ export async function sceneIn(content: Blob): Promise<SceneFile | null> {
   if (!archive.paths.includes(SCENE)) return null;
   const told = parsed(new TextDecoder().decode(archive.read(SCENE)));
   if (!told || typeof told.link !== 'string' || !(told.mesh === null || typeof told.mesh === 'string'))
-    throw new Error(`its ${SCENE} is damaged; save the scene again`);
+    throw new Error(t`its ${SCENE} is damaged; save the scene again`);
   if (told.heatwalk !== VERSION)
-    throw new Error(`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
+    throw new Error(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
   if (told.mesh !== null && !archive.paths.includes(told.mesh))
-    throw new Error(`its mesh ${told.mesh} is not in the archive; save the scene again`);
+    throw new Error(t`its mesh ${told.mesh} is not in the archive; save the scene again`);
   return { link: told.link, mesh: told.mesh };
 }
 

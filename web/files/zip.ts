@@ -1,5 +1,6 @@
 /** Archives as of the ZIP File Format Specification (PKWARE APPNOTE.TXT 6.3), unpacked by fflate one file at a time. */
 import { unzipSync } from 'fflate';
+import { t } from '../texts';
 
 const MOST_FILES = 10_000;
 /** Of an archive, and of all that is unpacked from it. */
@@ -34,7 +35,8 @@ export class Archive {
   }
 
   static async of(content: Blob): Promise<Archive> {
-    if (content.size > MOST_BYTES) throw new Error('an archive may have 2 GiB at most; unpack it and open the files');
+    if (content.size > MOST_BYTES)
+      throw new Error(t('an archive may have 2 GiB at most; unpack it and open the files'));
     return new Archive(new Uint8Array(await content.arrayBuffer()));
   }
 
@@ -45,14 +47,14 @@ export class Archive {
   /** Unpacks a file. Throws a sentence where that is not possible, and before anything is unpacked that is too large. */
   read(path: string): Uint8Array<ArrayBuffer> {
     const entry = this.#entries.get(path);
-    if (!entry) throw new Error(`${path} is not in the archive`);
+    if (!entry) throw new Error(t`${path} is not in the archive`);
     const { name, packed, size, method, isEncrypted } = entry;
-    if (isEncrypted) throw new Error(`${path} is encrypted; unpack the archive and open the files`);
+    if (isEncrypted) throw new Error(t`${path} is encrypted; unpack the archive and open the files`);
     if (method !== STORED && method !== DEFLATED)
-      throw new Error(`${path} is packed by method ${method}, which is not supported; pack it again as a plain .zip`);
-    if (size > this.#left) throw new Error(`${path} and what is with it take more than 2 GiB unpacked`);
+      throw new Error(t`${path} is packed by method ${method}, which is not supported; pack it again as a plain .zip`);
+    if (size > this.#left) throw new Error(t`${path} and what is with it take more than 2 GiB unpacked`);
     if (size > SMALL_BYTES && size > MOST_RATIO * packed)
-      throw new Error(`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
+      throw new Error(t`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
     const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: (other) => other.name === name })[name]);
     if (bytes.length !== size) throw new Error(DAMAGED);
     this.#left -= size;
@@ -60,7 +62,7 @@ export class Archive {
   }
 }
 
-const DAMAGED = 'the archive is damaged or cut short; copy it again';
+const DAMAGED = t('the archive is damaged or cut short; copy it again');
 
 function entriesOf(bytes: Uint8Array): Map<string, Entry> {
   const flags = flagsOf(bytes);
@@ -93,7 +95,7 @@ function flagsOf(bytes: Uint8Array): number[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const { count, offset } = orDamaged(() => directoryOf(view));
   if (count > MOST_FILES)
-    throw new Error(`the archive holds ${count} files, more than ${MOST_FILES}; unpack it and open the files`);
+    throw new Error(t`the archive holds ${count} files, more than ${MOST_FILES}; unpack it and open the files`);
   return orDamaged(() => {
     const flags: number[] = [];
     for (let at = offset; flags.length < count;) {

@@ -11,6 +11,7 @@ import type { Edges } from '../view/layers';
 import { available, instead } from './overlays';
 import { wantedOf } from './prepare';
 import type { Session } from './session';
+import { t } from '../texts';
 
 /** Of the other path; that of the scene is green. */
 export const OTHER_PATH = { colour: '#1f7fff', width: 4 } as const;
@@ -100,7 +101,7 @@ export class Comparison {
   /** The scene stays; what it cannot be compared with goes. */
   #giveUp(error: unknown): void {
     const reason = error instanceof Error ? error.message : String(error);
-    this.#session.fail(new Error(`The other settings cannot be shown: ${reason}`, { cause: error }));
+    this.#session.fail(new Error(t`The other settings cannot be shown: ${reason}`, { cause: error }));
     this.#session.scene.place({ compared: null });
   }
 

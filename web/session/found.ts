@@ -5,6 +5,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import type { Places } from '../state/places';
 import { MOST_POINTS, type SetShape, type SourceSet } from '../state/sources';
 import { boundaryThrough, componentOf, type Outlined, verticesOfPart } from './outlines';
+import { t } from '../texts';
 
 /** A mesh that can be asked. */
 export interface Mesh {
@@ -45,7 +46,7 @@ export async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Sour
 
 export function atVertices(vertices: readonly number[]): Source[] {
   if (vertices.length > MOST_POINTS) {
-    throw new Error(`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
+    throw new Error(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
   }
   return vertices.map((vertex) => ({ vertex }));
 }

@@ -17,6 +17,7 @@ import type { Vector } from '../state/places';
 import { Signal } from '../state/signal';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
+import { t } from '../texts';
 
 /** Pixels around a wall along edges within which it is meant. */
 const GRIP_PX = 9;
@@ -133,7 +134,7 @@ export class GroundEditor {
   /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
   paintRows(name: string, text: string): void {
     if (this.#session.shown.value?.opened.interior)
-      throw new Error(`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
+      throw new Error(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
     this.#repaint(codesOfRows(name, text, this.#triangles));
   }
 

@@ -4,6 +4,7 @@ import type { Signal } from '../state/signal';
 
 export interface Loading {
   title: string;
+  /** In English, as workers tell it. */
   stage: string;
   /** 0 to 1; null where it is not known. */
   fraction: number | null;

@@ -19,6 +19,7 @@ import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
 import { type OpenRequest, relativePlaces, type Shown } from './prepare';
 import type { Session } from './session';
+import { language, t } from '../texts';
 
 export interface Action {
   name: string;
@@ -66,8 +67,8 @@ interface Origin extends Collection {
   reference: (mesh: string) => MeshReference;
 }
 
-const USE_CONJUGATE_GRADIENTS = 'Use conjugate gradients';
-const USE_ONE_WINDOW = 'Use one window';
+const USE_CONJUGATE_GRADIENTS = t('Use conjugate gradients');
+const USE_ONE_WINDOW = t('Use one window');
 
 /** Triangles of a simplified model at most, where memory allows as many: more than a screen shows. */
 const MOST_SIMPLIFIED = 2_000_000;
@@ -131,7 +132,7 @@ export class Opener {
       scene = await sceneIn(content);
     } catch (error) {
       const { message, stack } = toError(error);
-      this.#voice.fail(`${title} was not opened: ${message}`, stack ?? message);
+      this.#voice.fail(t`${title} was not opened: ${message}`, stack ?? message);
       return true;
     }
     if (!scene) return false;
@@ -145,7 +146,7 @@ export class Opener {
         () => collectArchive(content),
         (collection) => this.#from(given(collection), mesh, state),
       );
-    else this.#voice.fail(`${title} was not opened: it names no mesh; save the scene again`, scene.link);
+    else this.#voice.fail(t`${title} was not opened: it names no mesh; save the scene again`, scene.link);
     return true;
   }
 
@@ -160,7 +161,7 @@ export class Opener {
   /** Adds what is pasted to the mesh on screen, if it is a list of sources. */
   async pastedList(text: string): Promise<void> {
     const { isList } = await import('../state/list');
-    if (isList(text)) await this.#list('List', text);
+    if (isList(text)) await this.#list(t('List'), text);
   }
 
   /** Adds rows of text as sources of the mesh on screen. */
@@ -214,7 +215,7 @@ export class Opener {
       this.#forget();
       if (wanted && wanted !== opened.hash) {
         this.#voice.notice(
-          `This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
+          t`This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
         );
       }
       if (origin.meshes.length > 1) {
@@ -238,7 +239,7 @@ export class Opener {
     } catch (error) {
       if (error instanceof Cancelled) return;
       const { message, stack } = toError(error);
-      this.#voice.fail(error instanceof NoMesh ? message : `${title} was not opened: ${message}`, stack ?? message);
+      this.#voice.fail(error instanceof NoMesh ? message : t`${title} was not opened: ${message}`, stack ?? message);
     }
   }
 
@@ -282,7 +283,7 @@ export class Opener {
     const lighter = lighterOf(state, failure);
     if (lighter) return { name: lighter.name, run: () => void this.#again(lighter.state) };
     if (failure instanceof WorkerLost && !this.#session.engine)
-      return { name: 'Open the mesh again', run: () => void this.#again(state) };
+      return { name: t('Open the mesh again'), run: () => void this.#again(state) };
     return undefined;
   }
 
@@ -297,10 +298,10 @@ export class Opener {
     try {
       const shown = await this.#session.open(request);
       if (hasLost(request.state, this.#session.scene.state)) {
-        this.#voice.notice('Some sources of the link are not on this mesh and were removed.');
+        this.#voice.notice(t('Some sources of the link are not on this mesh and were removed.'));
       }
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
-        this.#voice.notice('The ground of the link is of another mesh and was removed.');
+        this.#voice.notice(t('The ground of the link is of another mesh and was removed.'));
       }
       this.#voice.opened(shown, unitOf(this.#session.scene.state, shown.opened));
       done(shown);
@@ -313,7 +314,7 @@ export class Opener {
           name: lighter.name,
           run: () => void this.#open({ ...request, state: lighter.state }, done),
         };
-        this.#voice.fail(`${request.title} was not opened: ${message}`, stack ?? message, remedy);
+        this.#voice.fail(t`${request.title} was not opened: ${message}`, stack ?? message, remedy);
       }
     }
   }
@@ -342,7 +343,7 @@ function simplifiedOf(state: SceneState): { name: string; state: SceneState } | 
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const name = `Simplify to ${triangles.toLocaleString('en')} triangles`;
+  const name = t`Simplify to ${triangles.toLocaleString(language)} triangles`;
   return { name, state: { ...state, ...NO_PLACES, triangles, windows: DEFAULT_WINDOWS } };
 }
 

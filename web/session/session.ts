@@ -15,6 +15,7 @@ import { Animator } from './animator';
 import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, suited, wantedOf } from './prepare';
 import { Presenter } from './presenter';
+import { t } from '../texts';
 
 /** A path that takes longer is traced only when the pointer rests. */
 const LIVE_PATH_MS = 8;
@@ -333,7 +334,7 @@ export class Session {
     }
     if (await this.#solve()) {
       const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.message;
-      this.failure.value = new Error(`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
+      this.failure.value = new Error(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
     }
   }
 
@@ -492,7 +493,7 @@ function asText({
 
 /** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
 function outOfMemory(exactBelow: number): string {
-  return `Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
+  return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
 }
 
 function toError(thrown: unknown): Error {

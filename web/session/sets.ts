@@ -9,6 +9,7 @@ import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found'
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
+import { language, t } from '../texts';
 
 /** Letters of the name of a list. */
 const LONGEST_NAME = 60;
@@ -85,7 +86,7 @@ export async function addBoundary(session: Session, point: MeshPoint): Promise<v
     const vertex = place
       ? boundaryNear({ ...on, surface: { ...on.surface, positions: mesh.places.positions } }, place)
       : null;
-    if (vertex === null) throw new Error('This surface is closed: it has no boundary that could be a source.');
+    if (vertex === null) throw new Error(t('This surface is closed: it has no boundary that could be a source.'));
     return { kind: 'boundary', vertex };
   });
 }
@@ -113,22 +114,22 @@ async function addFound(session: Session, shapeOn: (mesh: Mesh) => Promise<SetSh
  */
 export function addList(session: Session, name: string, text: string): string {
   const mesh = meshOf(session);
-  if (!mesh) throw new Error('There is no mesh yet.');
+  if (!mesh) throw new Error(t('There is no mesh yet.'));
   const { scene } = session;
   const { opened } = mesh;
   const placed = rowsOf(name, text).map((row) => placedOf(row, mesh));
   const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
-  const far = `${Number(farthest.toPrecision(3))} ${unitOf(scene.state, opened).symbol || 'units'}`;
+  const far = `${Number(farthest.toPrecision(3))} ${unitOf(scene.state, opened).symbol || t('units')}`;
   const [first] = placed;
   if (placed.length === 1) {
     addSource(scene, first.source);
-    return 'coordinates' in first.row.place ? `Added, ${far} away from there.` : 'Added.';
+    return 'coordinates' in first.row.place ? t`Added, ${far} away from there.` : t('Added.');
   }
   const points = inOrder(placed.map(({ source }) => source));
   const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
   addSet(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
   const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
-  return `${points.length.toLocaleString('en')} sources added${isByPlace ? `, at most ${far} away from where they were given` : ''}.`;
+  return t`${points.length.toLocaleString(language)} sources added${isByPlace ? t`, at most ${far} away from where they were given` : ''}.`;
 }
 
 interface Placed {
@@ -146,8 +147,8 @@ function placedOf(row: Row, { opened, places }: Mesh): Placed {
       const isThere = place.vertex < inputVertices;
       throw new Error(
         isThere
-          ? `${at}: no triangle has vertex ${place.vertex}.`
-          : `${at}: there is no vertex ${place.vertex}; the mesh has ${inputVertices}, counted from 0.`,
+          ? t`${at}: no triangle has vertex ${place.vertex}.`
+          : t`${at}: there is no vertex ${place.vertex}; the mesh has ${inputVertices}, counted from 0.`,
       );
     }
     return { row, source: withOffset(place, offset), away: 0 };

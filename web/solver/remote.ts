@@ -4,17 +4,18 @@ import type { SolverApi } from '../protocol';
 import { OUT_OF_MEMORY } from '../wasm/contract';
 import { spawn } from './spawn';
 import { isOutOfMemory, isTrap } from './trap';
+import { t } from '../texts';
 
 export class Cancelled extends Error {
   constructor() {
-    super('Cancelled.');
+    super(t('Cancelled.'));
   }
 }
 
 /** The worker is gone: out of memory, or a defect. Its mesh must be opened again in another one. */
 export class WorkerLost extends Error {}
 
-const NOT_STARTED = 'The solver could not be started.';
+const NOT_STARTED = t('The solver could not be started.');
 
 /** One worker and the calls to it. */
 export class SolverWorker {
@@ -68,7 +69,7 @@ function toError(thrown: unknown): Error {
 function lostTo(trap: Error): WorkerLost {
   if (!isOutOfMemory(trap)) return stopped(trap.message, trap);
   const error = new WorkerLost(
-    'The mesh needs more memory than the browser gives; use one with fewer triangles, or the native program.',
+    t('The mesh needs more memory than the browser gives; use one with fewer triangles, or the native program.'),
     { cause: trap },
   );
   error.name = OUT_OF_MEMORY;
@@ -76,5 +77,5 @@ function lostTo(trap: Error): WorkerLost {
 }
 
 function stopped(reason: string, cause: unknown): WorkerLost {
-  return new WorkerLost(`The solver stopped unexpectedly (${reason}).`, { cause });
+  return new WorkerLost(t`The solver stopped unexpectedly (${reason}).`, { cause });
 }

@@ -1,5 +1,6 @@
 /** Costs that a file gives: rows of a CSV file, or numbers of vertices. */
 import { codeOf, COSTS, WALL } from './ground';
+import { t } from '../texts';
 
 /**
  * The codes of triangles by the rows of a CSV file: `triangle,cost`, a triangle alone or with the cost `inf` for a wall. Triangles are counted
@@ -11,15 +12,15 @@ export function codesOfRows(name: string, text: string, triangles: number): Uint
   const codes = new Uint8Array(triangles);
   text.split(/\r?\n/).forEach((row, index) => {
     if (row.trim() === '') return;
-    const at = `${name}, line ${index + 1}`;
+    const at = t`${name}, line ${index + 1}`;
     const cells = row.split(',').map((cell) => cell.trim());
     const [triangle, cost = Infinity] = cells.map(numberOf);
     if (Number.isNaN(triangle) && index === 0) return;
     if (cells.length > 2 || Number.isNaN(triangle) || Number.isNaN(cost)) {
-      throw new Error(`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
+      throw new Error(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
     }
     if (!(Number.isInteger(triangle) && triangle >= 0 && triangle < triangles)) {
-      throw new Error(`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
+      throw new Error(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
     }
     codes[triangle] = checkedCode(cost, at);
   });
@@ -35,7 +36,7 @@ export function codesOfVertices(name: string, values: Float32Array, corners: Uin
   return Uint8Array.from({ length: corners.length / 3 }, (_, triangle) => {
     const mean =
       (values[corners[3 * triangle]] + values[corners[3 * triangle + 1]] + values[corners[3 * triangle + 2]]) / 3;
-    return checkedCode(mean, `The cost by ${name} at triangle ${triangle}`);
+    return checkedCode(mean, t`The cost by ${name} at triangle ${triangle}`);
   });
 }
 
@@ -48,7 +49,7 @@ function checkedCode(cost: number, at: string): number {
   if (cost === Infinity) return WALL;
   // Written so that not a number is refused.
   if (!(cost >= COSTS[0] && cost <= COSTS[1])) {
-    throw new Error(`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
+    throw new Error(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
   }
   return codeOf(cost);
 }

@@ -35,6 +35,7 @@ import { encodeSettings, parserOf, SETTINGS } from './settings';
 import { withOffset } from './sources';
 import { decodeTapes, encodeTapes, SCALES } from './tapes';
 import { amount, automaticOr, choiceOf, flag, number, oneOf, parseAmount, within } from './text';
+import { t } from '../texts';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -122,11 +123,11 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   if (mesh === null || typeof mesh === 'string') return { state: null, notices, unknown: [] };
   const start = startOf(mesh);
   if (!start) {
-    notices.push('The preset of this link does not exist; the first preset is shown.');
+    notices.push(t('The preset of this link does not exist; the first preset is shown.'));
     return { state: null, notices, unknown: [] };
   }
   if ((entries.get('v') ?? VERSION) !== VERSION) {
-    notices.push('This link was made by another version of the page; some of it may be ignored.');
+    notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
   const state = { ...start };
   const known = new Set(OF_ADDRESS);
@@ -135,7 +136,7 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     const text = entries.get(key);
     if (text === null) return;
     const value = parse(text);
-    if (value === null) notices.push(`The link's ${key}=${text.slice(0, 40)} is invalid; the default is used.`);
+    if (value === null) notices.push(t`The link's ${key}=${text.slice(0, 40)} is invalid; the default is used.`);
     else apply(value);
   };
   read('p', parseIndices, (parts) => (state.parts = parts));
@@ -237,7 +238,7 @@ function parseMesh(entries: URLSearchParams): MeshReference | string | null {
     // Who writes a link by hand leaves the address as it is.
     const address = addressIn(model.replaceAll(' ', '%20'));
     if (address) return { kind: 'address', address, path: name, hash };
-    return `The link's model=${model.slice(0, 40)} is no http or https address; the first preset is shown.`;
+    return t`The link's model=${model.slice(0, 40)} is no http or https address; the first preset is shown.`;
   }
   if (m === null) return null;
   return m === 'file' ? { kind: 'file', name, hash } : { kind: 'preset', id: m };

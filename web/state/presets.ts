@@ -8,6 +8,7 @@ import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract
 import { nameOf } from '../files/address';
 import { fileName } from '../files/paths';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
+import { t } from '../texts';
 
 export interface Preset {
   id: string;
@@ -50,7 +51,7 @@ function preset(id: string, outline: Outline): Preset {
   return {
     id,
     title,
-    credit: credit ?? 'made by Heatwalk',
+    credit: credit ?? t('made by Heatwalk'),
     load: load ?? (() => Promise.resolve({ kind: 'shape', shape: id })),
     view: view ?? LANDING_VIEW,
     start: {
@@ -70,8 +71,8 @@ function preset(id: string, outline: Outline): Preset {
 
 export const PRESETS: readonly Preset[] = [
   preset('bunny', {
-    title: 'Bunny',
-    credit: 'Stanford Computer Graphics Laboratory; reduced, public domain',
+    title: t('Bunny'),
+    credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),
     load: async () => plainMesh('bunny', (await import('bunny')).default),
     sources: [at(746)],
     walker: at(896),
@@ -79,7 +80,7 @@ export const PRESETS: readonly Preset[] = [
     style: 'zebra',
   }),
   preset('robot', {
-    title: 'Robot',
+    title: t('Robot'),
     sources: [at(7407)],
     walker: at(13758),
     view: [0.55, 0.15],
@@ -87,22 +88,22 @@ export const PRESETS: readonly Preset[] = [
     method: 'auto',
   }),
   preset('horse', {
-    title: 'Horse',
+    title: t('Horse'),
     sources: [at(6286)],
     walker: at(7959),
     view: [2.45, 0.15],
     style: 'zebra',
   }),
-  preset('animal', { title: 'Cow', sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], style: 'gold' }),
+  preset('animal', { title: t('Cow'), sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], style: 'gold' }),
   preset('triceratops', {
-    title: 'Triceratops',
+    title: t('Triceratops'),
     sources: [at(13535)],
     walker: at(11760),
     view: [0.55, 0.25],
     style: 'lava',
   }),
   preset('skull', {
-    title: 'Skull',
+    title: t('Skull'),
     sources: [at(13241)],
     walker: at(4799),
     view: [1.8, 0.2],
@@ -110,8 +111,8 @@ export const PRESETS: readonly Preset[] = [
     parts: [0],
   }),
   preset('dragon', {
-    title: 'Dragon',
-    credit: 'Stanford Computer Graphics Laboratory',
+    title: t('Dragon'),
+    credit: t('Stanford Computer Graphics Laboratory'),
     load: loadDragon,
     sources: [at(19706)],
     walker: at(11215),
@@ -119,8 +120,8 @@ export const PRESETS: readonly Preset[] = [
     style: 'ember',
   }),
   preset('teapot', {
-    title: 'Teapot',
-    credit: 'Martin Newell, public domain',
+    title: t('Teapot'),
+    credit: t('Martin Newell, public domain'),
     load: loadTeapot,
     // Body, lid and spout do not touch: each has a source of its own.
     sources: [at(420), at(598), at(568)],
@@ -129,7 +130,7 @@ export const PRESETS: readonly Preset[] = [
     style: 'porcelain',
   }),
   preset('maze', {
-    title: 'Maze',
+    title: t('Maze'),
     sources: [at(139)],
     walker: at(0),
     view: [0.45, 0.9],
@@ -137,15 +138,15 @@ export const PRESETS: readonly Preset[] = [
     parts: [0],
   }),
   preset('high_genus', {
-    title: 'Handles',
+    title: t('Handles'),
     sources: [at(12823)],
     walker: at(6105),
     view: [1.75, 0.3],
     style: 'jade',
   }),
-  preset('ring', { title: 'Ring', sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], style: 'amethyst' }),
+  preset('ring', { title: t('Ring'), sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], style: 'amethyst' }),
   preset('hemisphere', {
-    title: 'Hemisphere',
+    title: t('Hemisphere'),
     sources: [at(2499)],
     walker: at(4577),
     view: [1.15, 0.45],
@@ -153,9 +154,9 @@ export const PRESETS: readonly Preset[] = [
     parts: [0],
     boundary: 'average',
   }),
-  preset('terrain', { title: 'Terrain', sources: [at(13814)], walker: at(128), view: [0.5, 0.6], style: 'contour' }),
+  preset('terrain', { title: t('Terrain'), sources: [at(13814)], walker: at(128), view: [0.5, 0.6], style: 'contour' }),
   preset('hike', {
-    title: 'Hike',
+    title: t('Hike'),
     load: () => Promise.resolve({ kind: 'shape', shape: 'terrain' }),
     sources: [at(14851)],
     walker: at(1795),
@@ -165,7 +166,7 @@ export const PRESETS: readonly Preset[] = [
     ground: decodeGround(HIKE) ?? {},
   }),
   preset('village', {
-    title: 'Village',
+    title: t('Village'),
     sources: [at(4066)],
     walker: at(12600),
     view: [0.35, 0.75],
@@ -174,8 +175,8 @@ export const PRESETS: readonly Preset[] = [
     ground: decodeGround(VILLAGE) ?? {},
   }),
   preset('inside', {
-    title: 'Teapot inside',
-    credit: 'Martin Newell, public domain; filled',
+    title: t('Teapot inside'),
+    credit: t('Martin Newell, public domain; filled'),
     load: loadTeapot,
     sources: [within(45096, [0.0444, 0.0444, 0.2905, 0.6207])],
     walker: within(50650, [0.0142, 0.0142, 0.2196, 0.752]),
@@ -186,7 +187,7 @@ export const PRESETS: readonly Preset[] = [
     inside: { cut: 'plane' },
   }),
   preset('pipe', {
-    title: 'Pipe',
+    title: t('Pipe'),
     load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'pipe' }),
     sources: [within(2260, [0.1153, 0.7516, 0.0888, 0.0443])],
     walker: within(47086, [0.7025, 0.0801, 0.171, 0.0464]),
@@ -196,7 +197,7 @@ export const PRESETS: readonly Preset[] = [
     inside: { cut: 'plane' },
   }),
   preset('cave', {
-    title: 'Cave',
+    title: t('Cave'),
     load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'cave' }),
     sources: [within(28356, [0.0246, 0.3378, 0.3412, 0.2964])],
     walker: within(25810, [0.4582, 0.0666, 0.3292, 0.146]),
@@ -205,8 +206,14 @@ export const PRESETS: readonly Preset[] = [
     method: 'auto',
     inside: { cut: 'wedge' },
   }),
-  preset('torus', { title: 'Torus', sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
-  preset('icosphere', { title: 'Sphere', sources: [at(2889)], walker: at(10217), view: [1.3, 0.55], style: 'citrus' }),
+  preset('torus', { title: t('Torus'), sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
+  preset('icosphere', {
+    title: t('Sphere'),
+    sources: [at(2889)],
+    walker: at(10217),
+    view: [1.3, 0.55],
+    style: 'citrus',
+  }),
 ];
 
 export const FIRST_PRESET = PRESETS[0];
@@ -253,7 +260,7 @@ async function loadDragon(): Promise<MeshInput> {
   const response = await fetch(address);
   if (!response.ok)
     throw new Error(
-      `The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
+      t`The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
     );
   const packed = new Uint8Array(await response.arrayBuffer());
   const content = new Blob([isGzip(packed) ? await unzip(packed) : packed]);

@@ -4,6 +4,7 @@ import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
+import { t } from '../texts';
 
 /** Sources that a command line holds: Windows allows 32,767 characters. */
 const MOST_SOURCES = 2000;
@@ -27,7 +28,7 @@ export interface Measured {
  */
 export function commandLine(measured: Measured): string {
   const { state, mesh, opened, field } = measured;
-  const sources = reproducedSources(measured, 'A command line');
+  const sources = reproducedSources(measured, t('A command line'));
   const words = ['heatwalk', 'distance', quoted(mesh)];
   if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
   const { clip, seconds, live } = state.animation;
@@ -46,21 +47,23 @@ export function commandLine(measured: Measured): string {
  * @throws Error with the reason.
  */
 export function reproducedSources({ state, opened }: Measured, place: string): SurfaceSource[] {
-  if (opened.interior) throw new Error('Distances inside of tetrahedra made on this page have no lines.');
-  if (opened.simplified) throw new Error('The mesh was simplified on this page; save it, and open the saved mesh.');
+  if (opened.interior) throw new Error(t('Distances inside of tetrahedra made on this page have no lines.'));
+  if (opened.simplified) throw new Error(t('The mesh was simplified on this page; save it, and open the saved mesh.'));
   const { slope, highest } = state.ground;
   if (isPainted(state.ground) || slope || highest !== 1)
-    throw new Error('Paint, walls and slopes of this page have no lines.');
+    throw new Error(t('Paint, walls and slopes of this page have no lines.'));
   const sources = allSources(state);
   if (sources.length > MOST_SOURCES)
-    throw new Error(`${place} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+    throw new Error(t`${place} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
   const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
   return sources.map((source) => {
-    if ('tetrahedron' in source) throw new Error('A source inside of tetrahedra has no place on a surface.');
+    if ('tetrahedron' in source) throw new Error(t('A source inside of tetrahedra has no place on a surface.'));
     if ('face' in source && !isAsInFile)
-      throw new Error('Triangles of the file were left out or flipped, so sources are only found again at vertices.');
+      throw new Error(
+        t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
+      );
     return source;
   });
 }

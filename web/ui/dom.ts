@@ -1,4 +1,5 @@
 /** A very small DOM helper: attributes by name, `on…` for listeners, properties of the element as they are. */
+import { t } from '../texts';
 type Child = Node | string | null;
 type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
 
@@ -135,11 +136,11 @@ export function automaticSlider({ change, describe, ...options }: AutomaticSlide
     'button',
     {
       class: 'small',
-      'aria-label': `${options.label}, automatic`,
-      title: 'Let the solver choose',
+      'aria-label': t`${options.label}, automatic`,
+      title: t('Let the solver choose'),
       onclick: () => change(automatic ? taken : 'auto'),
     },
-    'Auto',
+    t('Auto'),
   );
   element.classList.add('automatic');
   element.querySelector('.value')?.after(button);

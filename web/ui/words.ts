@@ -3,19 +3,28 @@ import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } fr
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import type { LengthUnit, SceneState } from '../state/scene';
 import type { SourceSet } from '../state/sources';
+import { language, t } from '../texts';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
 
-const GROUPED = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
-const THREE_DIGITS = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false });
+const GROUPED = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
+const THREE_DIGITS = new Intl.NumberFormat(language, { maximumSignificantDigits: 3, useGrouping: false });
+
+const PLURALS = new Intl.PluralRules(language);
 
 export function count(value: number): string {
   return GROUPED.format(value);
 }
 
 export function counted(value: number, noun: string, plural = `${noun}s`): string {
-  return `${count(value)} ${value === 1 ? noun : plural}`;
+  return `${count(value)} ${t(PLURALS.select(value) === 'one' ? noun : plural)}`;
+}
+
+/** With so many digits after the point. */
+export function fixed(value: number, digits: number): string {
+  const all = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false };
+  return value.toLocaleString(language, all);
 }
 
 export function length(value: number): string {
@@ -29,19 +38,19 @@ export function measure(value: number, unit: LengthUnit): string {
 
 /** A unit, and that it is assumed where it is. */
 export function unitWords({ symbol, assumed }: LengthUnit): string {
-  return `${symbol || 'units'}${assumed ? ' (assumed)' : ''}`;
+  return `${symbol || t('units')}${assumed ? t(' (assumed)') : ''}`;
 }
 
 /** A volume in the unit of the mesh, cubed. */
 export function volume(value: number, { symbol, assumed, scale }: LengthUnit): string {
   const told = length(value * scale ** 3);
-  return symbol ? `${told} ${symbol}³${assumed ? ' (assumed)' : ''}` : `${told} cubic units`;
+  return symbol ? `${told} ${symbol}³${assumed ? t(' (assumed)') : ''}` : t`${told} cubic units`;
 }
 
 /** An area in the unit of the mesh, squared. */
 export function area(value: number, { symbol, assumed, scale }: LengthUnit): string {
   const told = length(value * scale ** 2);
-  return symbol ? `${told} ${symbol}²${assumed ? ' (assumed)' : ''}` : `${told} square units`;
+  return symbol ? `${told} ${symbol}²${assumed ? t(' (assumed)') : ''}` : t`${told} square units`;
 }
 
 export function percent(share: number): string {
@@ -60,25 +69,27 @@ const PLAIN_SHARE = 1e-3;
 /** Errors are small: one digit after the point where the share is under 10 %, and more where that would be 0. */
 export function finePercent(share: number): string {
   if (share >= 0.1) return percent(share);
-  if (share >= PLAIN_SHARE || share === 0) return `${(100 * share).toFixed(1)} %`;
-  return share < LEAST_SHARE ? 'below 0.001 %' : `${Number((100 * share).toPrecision(1))} %`;
+  if (share >= PLAIN_SHARE || share === 0) return `${fixed(100 * share, 1)} %`;
+  return share < LEAST_SHARE
+    ? t('below 0.001 %')
+    : `${(100 * share).toLocaleString(language, { maximumSignificantDigits: 1 })} %`;
 }
 
 export function milliseconds(value: number): string {
   return value < 10
-    ? `${value.toFixed(1)} ms`
+    ? `${fixed(value, 1)} ms`
     : value < 10_000
       ? `${Math.round(value)} ms`
-      : `${(value / 1000).toFixed(1)} s`;
+      : `${fixed(value / 1000, 1)} s`;
 }
 
 /** A time that is seldom a moment, of so many milliseconds. */
 export function seconds(value: number): string {
-  return `${(value / 1000).toFixed(value < 950 ? 2 : 1)} s`;
+  return `${fixed(value / 1000, value < 950 ? 2 : 1)} s`;
 }
 
 export function bytes(value: number): string {
-  return `${(value / 2 ** 20).toFixed(value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
+  return t`${fixed(value / 2 ** 20, value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
 }
 
 /** Share of exact vertices that is worth telling. */
@@ -86,7 +97,7 @@ const LEAST_EXACT = 0.01;
 
 /** How large a mesh is. */
 export function sizeWords({ report, interior }: OpenedMesh): string {
-  return interior ? `${count(interior.report.tetrahedra)} tetrahedra` : `${count(report.faces)} triangles`;
+  return interior ? t`${count(interior.report.tetrahedra)} tetrahedra` : t`${count(report.faces)} triangles`;
 }
 
 /** What was done to the triangles of a file, in one sentence. */
@@ -112,8 +123,8 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: 
 export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): string | null {
   if (!opened.simplified) return null;
   const { triangles, error, diagonal } = opened.simplified;
-  const off = `${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal`;
-  return `This is a simplified model of ${counted(triangles, 'triangle')}; it differs by about ${off}.`;
+  const off = t`${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal`;
+  return t`This is a simplified model of ${counted(triangles, 'triangle')}; it differs by about ${off}.`;
 }
 
 const NAMED = 4;
@@ -121,20 +132,18 @@ const NAMED = 4;
 /** What keeps a file from looking as it should; null if nothing does. */
 export function absentSentence({ name, missing, undecoded }: OpenedMesh): string | null {
   const sentences: string[] = [];
-  if (missing.length > 0) sentences.push(`${name} refers to ${listed(missing)}, which ${were(missing)} not given.`);
-  if (undecoded.length > 0) sentences.push(`The browser cannot show ${listed(undecoded)}.`);
+  if (missing.length === 1) sentences.push(t`${name} refers to ${listed(missing)}, which was not given.`);
+  if (missing.length > 1) sentences.push(t`${name} refers to ${listed(missing)}, which were not given.`);
+  if (undecoded.length > 0) sentences.push(t`The browser cannot show ${listed(undecoded)}.`);
   return sentences.length > 0 ? sentences.join(' ') : null;
-}
-
-function were(names: readonly string[]): string {
-  return names.length === 1 ? 'was' : 'were';
 }
 
 /** Names, of many the first ones. */
 function listed(names: readonly string[]): string {
   const rest = names.length - NAMED;
-  const shown = rest > 0 ? [...names.slice(0, NAMED), `${count(rest)} more`] : names.map((name) => name || 'an image');
-  return shown.length === 1 ? shown[0] : `${shown.slice(0, -1).join(', ')} and ${shown.at(-1)}`;
+  const shown =
+    rest > 0 ? [...names.slice(0, NAMED), t`${count(rest)} more`] : names.map((name) => name || t('an image'));
+  return shown.length === 1 ? shown[0] : t`${shown.slice(0, -1).join(', ')} and ${shown.at(-1) ?? ''}`;
 }
 
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */
@@ -147,14 +156,14 @@ function componentWords({ components }: BuildReport, { groups, contacts, links }
 }
 
 function groupWords(groups: number): string {
-  return groups === 1 ? 'one group' : counted(groups, 'group');
+  return groups === 1 ? t('one group') : counted(groups, 'group');
 }
 
 /** How many links there are between groups and how far they reach; null without any. */
 export function linksSentence({ groups, links, linkedGap }: Factoring): string | null {
   if (links === 0) return null;
-  const over = links === 1 ? 'a gap of' : 'gaps of up to';
-  return `${counted(links, 'link')} over ${over} ${length(linkedGap)} units; ${groupWords(groups)}.`;
+  const over = links === 1 ? t('a gap of') : t('gaps of up to');
+  return t`${counted(links, 'link')} over ${over} ${length(linkedGap)} units; ${groupWords(groups)}.`;
 }
 
 function repairs(report: BuildReport): string[] {
@@ -162,54 +171,55 @@ function repairs(report: BuildReport): string[] {
   const say = (verb: string, value: number, noun: string, plural?: string) => {
     if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
   };
-  say('welded', report.weldedVertices - report.crackVertices, 'seam vertex', 'seam vertices');
+  say(t('welded'), report.weldedVertices - report.crackVertices, 'seam vertex', 'seam vertices');
   if (report.crackVertices > 0) {
     const cracks = counted(report.crackVertices, 'crack vertex', 'crack vertices');
-    done.push(`welded ${cracks} within ${report.crackWidth.toPrecision(2)} units`);
+    done.push(t`welded ${cracks} within ${report.crackWidth.toPrecision(2)} units`);
   }
-  say('removed', report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
-  say('removed', report.degenerateFaces, 'degenerate triangle');
-  say('removed', report.duplicateFaces, 'duplicate triangle');
-  say('flipped', report.flippedFaces, 'triangle');
-  say('cut along', report.nonManifoldEdges, 'non-manifold edge');
+  say(t('removed'), report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
+  say(t('removed'), report.degenerateFaces, 'degenerate triangle');
+  say(t('removed'), report.duplicateFaces, 'duplicate triangle');
+  say(t('flipped'), report.flippedFaces, 'triangle');
+  say(t('cut along'), report.nonManifoldEdges, 'non-manifold edge');
   return done;
 }
 
 /** What was solved, as people say it. */
 function methodWords({ windows, inner, timeFactor }: DistanceField): string {
-  if (inner && timeFactor === undefined) return 'waves through the tetrahedra';
-  return windows === undefined ? 'the heat method' : `propagation with ${counted(windows, 'window')}`;
+  if (inner && timeFactor === undefined) return t('waves through the tetrahedra');
+  return windows === undefined ? t('the heat method') : t`propagation with ${counted(windows, 'window')}`;
 }
 
 /** How a field was found and how much of it is exact, in as few words as the heading has room for. */
 export function exactnessWords(field: DistanceField): string {
   const { exactBelow, exactShare, windows, inner, timeFactor } = field;
-  if (exactBelow === Infinity) return 'exact';
-  if (inner && timeFactor === undefined) return `waves, ${percentDown(exactShare)} straight`;
-  const method = windows === undefined ? 'heat method' : 'propagation';
-  return exactShare >= LEAST_EXACT ? `${method}, ${percentDown(exactShare)} exact` : method;
+  if (exactBelow === Infinity) return t('exact');
+  if (inner && timeFactor === undefined) return t`waves, ${percentDown(exactShare)} straight`;
+  const method = windows === undefined ? t('heat method') : t('propagation');
+  return exactShare >= LEAST_EXACT ? t`${method}, ${percentDown(exactShare)} exact` : method;
 }
 
 /** How a field was found, and how far it is exact, in a sentence. */
 export function fieldSentence(field: DistanceField): string {
   const { exactBelow, exactShare, windows, error, inner, timeFactor } = field;
   if (inner && timeFactor === undefined) {
-    const straight = `Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact`;
+    const straight = t`Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact`;
     return exactBelow === Infinity
-      ? 'Exact: straight lines lead from everywhere to a source.'
-      : `By waves. ${straight}.`;
+      ? t('Exact: straight lines lead from everywhere to a source.')
+      : t`By waves. ${straight}.`;
   }
-  if (exactBelow === Infinity) return error ? `Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : 'Exact.';
-  const beyond = windows === undefined ? '' : ', an upper bound beyond';
+  if (exactBelow === Infinity)
+    return error ? t`Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : t('Exact.');
+  const beyond = windows === undefined ? '' : t(', an upper bound beyond');
   const exact =
     exactShare >= LEAST_EXACT
-      ? `: exact below ${length(exactBelow)} units (${percentDown(exactShare)} of vertices)${beyond}`
+      ? t`: exact below ${length(exactBelow)} units (${percentDown(exactShare)} of vertices)${beyond}`
       : '';
-  return `By ${methodWords(field)}${exact}.`;
+  return t`By ${methodWords(field)}${exact}.`;
 }
 
 export function errorWords({ mean, max }: FieldError): string {
-  return `mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
+  return t`mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
 }
 
 /** What a set is, with how many places it has. */
@@ -217,15 +227,15 @@ export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): stri
   const vertices = counted(points.length, 'vertex', 'vertices');
   switch (shape.kind) {
     case 'line':
-      return `${shape.closed ? 'Closed line' : 'Line'} of ${vertices}`;
+      return t`${shape.closed ? t('Closed line') : t('Line')} of ${vertices}`;
     case 'stroke':
-      return `${shape.closed ? 'Closed curve' : 'Stroke'} of ${counted(points.length, 'point')}`;
+      return t`${shape.closed ? t('Closed curve') : t('Stroke')} of ${counted(points.length, 'point')}`;
     case 'boundary':
-      return `Boundary of ${vertices}`;
+      return t`Boundary of ${vertices}`;
     case 'component':
-      return `Component of ${vertices}`;
+      return t`Component of ${vertices}`;
     case 'part':
-      return `${opened?.parts.at(shape.part)?.name || `Part ${shape.part + 1}`}, ${vertices}`;
+      return `${opened?.parts.at(shape.part)?.name || t`Part ${shape.part + 1}`}, ${vertices}`;
     case 'list':
       return `${shape.name}: ${count(points.length)}`;
   }
@@ -236,19 +246,19 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
   const soFar = fieldSentence(field);
   switch (phase) {
     case 'memory': {
-      const instead = pathKind === 'exact' ? ' The path is straightened where no exact one was found.' : '';
-      return `${soFar} Refinement stopped because memory ran out.${instead}`;
+      const instead = pathKind === 'exact' ? t(' The path is straightened where no exact one was found.') : '';
+      return t`${soFar} Refinement stopped because memory ran out.${instead}`;
     }
     case 'late':
-      return `${soFar} Refinement stopped after ${MOST_SECONDS} seconds.`;
+      return t`${soFar} Refinement stopped after ${MOST_SECONDS} seconds.`;
     case 'stuck':
-      return `${soFar} Refinement stopped because it made no progress.`;
+      return t`${soFar} Refinement stopped because it made no progress.`;
     case 'off':
-      return method === 'propagation' ? soFar : `${soFar} Refinement is off.`;
+      return method === 'propagation' ? soFar : t`${soFar} Refinement is off.`;
     case 'inside':
       return soFar;
     case 'costs':
-      return `${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
+      return t`${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
     case 'exact':
     case 'solving':
     case 'resting':
@@ -264,13 +274,13 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
   const all = (opened.interior?.report ?? opened.report).vertices;
-  const share = `${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(all)}`;
+  const share = t`${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(all)}`;
   if (field.byCorner && opened.report.components === 1) {
-    return `Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
+    return t`Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
   }
   const names = unreachedParts(opened, field);
-  const what = names.length > 0 ? `${names.join(', ')} (${share})` : `A component (${share})`;
-  return `${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
+  const what = names.length > 0 ? `${names.join(', ')} (${share})` : t`A component (${share})`;
+  return t`${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
 
 /** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */

@@ -1,5 +1,6 @@
 /** Saves images and videos of the scene. */
 import type { View } from './view';
+import { t } from '../texts';
 
 /** Whether the browser can record a canvas. */
 export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTMLCanvasElement.prototype;
@@ -12,7 +13,7 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser cannot write the image into a file. Try another browser.');
+  if (!context) throw new Error(t('This browser cannot write the image into a file. Try another browser.'));
   context.putImageData(picture, 0, 0);
   if (view.overprints.length > 0) {
     const { left, top, width, height } = view.stage.getBoundingClientRect();
@@ -47,7 +48,7 @@ async function record(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise
     recorder.addEventListener('dataavailable', ({ data }) => chunks.push(data));
     recorder.addEventListener('stop', () => resolve());
     recorder.addEventListener('error', () =>
-      reject(new Error('The browser stopped recording. Try again, or try another browser.')),
+      reject(new Error(t('The browser stopped recording. Try again, or try another browser.'))),
     );
   });
   recorder.start();

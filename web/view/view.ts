@@ -28,6 +28,7 @@ import {
 import { type Build, hasWebGpu, WEBGL2, WEBGPU } from './builds';
 import { Traps } from './traps';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
+import { t } from '../texts';
 
 export interface PointHit {
   point: MeshPoint;
@@ -167,8 +168,8 @@ export class View {
       const error = asError(cause);
       if (!isUnusable(error)) throw error;
       if (this.#recovers()) void this.start();
-      else this.#giveUp(`The renderer failed repeatedly: ${error.message}`);
-      throw new Error('The renderer failed and was restarted; the scene is unchanged.', { cause });
+      else this.#giveUp(t`The renderer failed repeatedly: ${error.message}`);
+      throw new Error(t('The renderer failed and was restarted; the scene is unchanged.'), { cause });
     }
   }
 
@@ -530,11 +531,11 @@ export class View {
   async capture(scale: number, clear: boolean): Promise<ImageData> {
     this.resolution.value = 1;
     const picture = this.#use((viewer) => viewer.capture(scale, clear));
-    if (!picture) throw new Error('There is no scene to save as an image yet.');
+    if (!picture) throw new Error(t('There is no scene to save as an image yet.'));
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
       if (performance.now() - since > CAPTURE_MS)
-        throw new Error('The graphics device could not read the image back. Try a smaller one.');
+        throw new Error(t('The graphics device could not read the image back. Try a smaller one.'));
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
     return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);

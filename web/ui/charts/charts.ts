@@ -14,6 +14,7 @@ import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { percent } from '../words';
 import { type Chart, csvOf, plot, type Series, svgFile, THEMED } from './plot';
 import { table1 } from './table1';
+import { t } from '../../texts';
 
 const BINS = 40;
 /** Fields follow one another faster than charts are read. */
@@ -27,7 +28,7 @@ export class Charts {
   /** Counts what was asked for: what comes late is dropped. */
   #wish = 0;
   readonly #charts = h('div', { class: 'stack' });
-  readonly #compare = h('button', { class: 'wide' }, 'Compare linear solvers');
+  readonly #compare = h('button', { class: 'wide' }, t('Compare linear solvers'));
   /** Residuals of both linear solvers, and of which question. */
   #compared: { question: Question; convergence: Convergence } | null = null;
 
@@ -87,17 +88,20 @@ export class Charts {
 
 /** Residuals of both systems of the heat method. */
 function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Convergence): Chart[] {
-  return [residualChart('Heat system', heat, heatFactored), residualChart('Poisson system', poisson, poissonFactored)];
+  return [
+    residualChart(t('Heat system'), heat, heatFactored),
+    residualChart(t('Poisson system'), poisson, poissonFactored),
+  ];
 }
 
 /** Over the steps of conjugate gradients, with that of the one Cholesky solve beside them. */
 function residualChart(title: string, iterated: Float64Array, factored: number): Chart {
   const x = Array.from(iterated, (_, step) => step);
   const series: Series[] = [
-    { name: 'Conjugate gradients', kind: 'line', x, y: iterated },
-    { name: 'Cholesky', kind: 'line', x, y: x.map(() => factored) },
+    { name: t('Conjugate gradients'), kind: 'line', x, y: iterated },
+    { name: t('Cholesky'), kind: 'line', x, y: x.map(() => factored) },
   ];
-  return { title, xLabel: 'Steps', yLabel: 'Residual', logarithmic: true, series };
+  return { title, xLabel: t('Steps'), yLabel: t('Residual'), logarithmic: true, series };
 }
 
 /** What can be drawn, and sentences for what cannot. */
@@ -108,56 +112,56 @@ function chartsOf(
   unit: LengthUnit,
 ): { charts: Chart[]; notes: string[] } {
   const { field, question } = answer;
-  if (!field) return { charts: [], notes: ['Set a source to see how distance is distributed.'] };
+  if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
   const { scale, symbol } = unit;
   const inUnit = (name: string) => (symbol ? `${name} (${symbol})` : name);
-  const xLabel = inUnit('Distance');
+  const xLabel = inUnit(t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
   const told = edges.map((edge) => edge * scale);
   const shares = below.map((share) => 100 * share);
   const bars = shares.slice(1).map((share, index) => share - shares[index]);
-  const area = 'Area (%)';
+  const area = t('Area (%)');
   const charts: Chart[] = [
-    { title: 'Area by distance', xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: told, y: bars }] },
+    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: told, y: bars }] },
     {
-      title: 'Area within a distance',
+      title: t('Area within a distance'),
       xLabel,
       yLabel: area,
       series: [{ name: area, kind: 'line', x: told, y: shares }],
     },
   ];
   const notes: string[] = [];
-  if (unreached > 0) notes.push(`No source reaches ${percent(unreached)} of the area, which is left out.`);
+  if (unreached > 0) notes.push(t`No source reaches ${percent(unreached)} of the area, which is left out.`);
   if (walk) {
     const [x, y] = [0, 1].map((column) =>
       Array.from({ length: walk.length / 2 }, (_, i) => scale * walk[2 * i + column]),
     );
     const series = [{ name: xLabel, kind: 'line' as const, x, y }];
-    charts.push({ title: 'Distance along the path', xLabel: inUnit('Along the path'), yLabel: xLabel, series });
+    charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
   tapes.forEach((tape, index) => {
     const profile = profileOf(tape, places, (point) => places.valueAt(point, field), scale);
     if (!profile) return;
     const series = [{ name: xLabel, kind: 'line' as const, ...profile }];
     charts.push({
-      title: `Distance along tape ${index + 1}`,
-      xLabel: inUnit('Along the tape'),
+      title: t`Distance along tape ${index + 1}`,
+      xLabel: inUnit(t('Along the tape')),
       yLabel: xLabel,
       series,
     });
   });
-  if (tapes.length === 0) notes.push('Lay a tape (M) to see the distance along it.');
+  if (tapes.length === 0) notes.push(t('Lay a tape (M) to see the distance along it.'));
   if (errors && !field.byCorner) {
     const { distance, mean, most } = errorsByDistance(errors, field.distance, BINS);
     const x = distance.map((value) => value * scale);
     const series = [
-      { name: 'Maximum', kind: 'line' as const, x, y: inPercent(most) },
-      { name: 'Mean', kind: 'line' as const, x, y: inPercent(mean) },
+      { name: t('Maximum'), kind: 'line' as const, x, y: inPercent(most) },
+      { name: t('Mean'), kind: 'line' as const, x, y: inPercent(mean) },
     ];
-    charts.push({ title: 'Error before refinement', xLabel, yLabel: 'Error (%)', series });
-  } else notes.push('The error is known once all distances have been made exact from another method.');
+    charts.push({ title: t('Error before refinement'), xLabel, yLabel: t('Error (%)'), series });
+  } else notes.push(t('The error is known once all distances have been made exact from another method.'));
   return { charts, notes };
 }
 
@@ -197,7 +201,7 @@ function figure(chart: Chart, name: string): HTMLElement {
       'button',
       {
         class: 'small',
-        'aria-label': `Save ${chart.title} as ${kind}`,
+        'aria-label': t`Save ${chart.title} as ${kind}`,
         onclick: () => save(blob(), `${file}.${kind.toLowerCase()}`),
       },
       kind,

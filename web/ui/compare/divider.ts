@@ -5,8 +5,9 @@ import { differing, MIDDLE, SPLITS } from '../../state/compared';
 import { h, icon } from '../dom';
 import { percent } from '../words';
 import { told } from './words';
+import { t } from '../../texts';
 
-const NAME = 'Divider between the two settings';
+const NAME = t('Divider between the two settings');
 const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
 /** How far an arrow key moves it, as a share of the width. */
 const STEP = 0.02;

@@ -20,15 +20,18 @@ import { BOUNDARIES, fromLogarithm, METHODS, OPERATORS, SOLVERS } from '../setti
 import { count, finePercent, length, measure, milliseconds } from '../words';
 import { difference } from './difference';
 import { told } from './words';
+import { t } from '../../texts';
 
 const CHOICES: Record<Studied, string> = {
-  'time-step': 'm = 1 and m = 1000',
-  solver: 'Cholesky and conjugate gradients',
-  boundary: 'Neumann and Dirichlet',
-  exact: 'Heat and exact',
+  'time-step': t('m = 1 and m = 1000'),
+  solver: t('Cholesky and conjugate gradients'),
+  boundary: t('Neumann and Dirichlet'),
+  exact: t('Heat and exact'),
 };
-const INTRODUCTION = 'Two settings on one model: the settings of the section Solver on the left, others on the right.';
-const OF_SURFACES = 'Only surfaces can be compared, not the inside of a model.';
+const INTRODUCTION = t(
+  'Two settings on one model: the settings of the section Solver on the left, others on the right.',
+);
+const OF_SURFACES = t('Only surfaces can be compared, not the inside of a model.');
 
 export function compareSection(session: Session, comparison: Comparison): HTMLElement {
   const { scene } = session;
@@ -50,35 +53,39 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
       put({ ...right, split: scene.state.compared?.split ?? MIDDLE });
     }),
   );
-  const begin = button('Other settings', () => put({ ...settingsOf(scene.state), split: MIDDLE }));
-  const swap = button('Swap sides', () => {
+  const begin = button(t('Other settings'), () => put({ ...settingsOf(scene.state), split: MIDDLE }));
+  const swap = button(t('Swap sides'), () => {
     const { compared } = scene.state;
     if (!compared) return;
     const own = settingsOf(scene.state);
     scene.set(settingsOf(compared));
     put({ ...own, split: compared.split });
   });
-  const end = button('Stop comparing', () => put(null));
+  const end = button(t('Stop comparing'), () => put(null));
 
-  const method = select('Method', labelled(METHOD.names, METHODS), (value) => change({ method: value }));
+  const method = select(t('Method'), labelled(METHOD.names, METHODS), (value) => change({ method: value }));
   const windows = select(
-    'Windows',
+    t('Windows'),
     WINDOWS.map((number) => [number, count(number)] as const),
     (value) => change({ windows: value }),
   );
-  const refine = toggle('Refine to exact', (on) => change({ refine: on }));
+  const refine = toggle(t('Refine to exact'), (on) => change({ refine: on }));
   const [low, high] = TIME_STEP_FACTORS;
   const factor = automaticSlider({
-    label: 'Time factor m',
+    label: t('Time factor m'),
     min: Math.log10(low),
     max: Math.log10(high),
     step: 0.05,
     describe: (value) => `${fromLogarithm(value)}`,
     change: (value) => changeHeat({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, sliding),
   });
-  const boundary = select('Boundary', labelled(BOUNDARY.names, BOUNDARIES), (value) => changeHeat({ boundary: value }));
-  const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => changeHeat({ operator: value }));
-  const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) =>
+  const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) =>
+    changeHeat({ boundary: value }),
+  );
+  const operator = select(t('Operator'), labelled(OPERATOR.names, OPERATORS), (value) =>
+    changeHeat({ operator: value }),
+  );
+  const solver = select(t('Linear solver'), labelled(LINEAR_SOLVER.names, SOLVERS), (value) =>
     changeHeat({ solver: value }),
   );
   const status = h('p', { class: 'quiet' });
@@ -87,7 +94,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
   const side = h(
     'fieldset',
     { class: 'stack' },
-    h('legend', {}, 'Right side'),
+    h('legend', {}, t('Right side')),
     ...settings.map(({ element }) => element),
   );
 
@@ -98,7 +105,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     for (const each of [...studied, begin]) each.hidden = isInside;
     begin.hidden ||= compared !== null;
     for (const each of [swap, end]) each.hidden = compared === null;
-    status.textContent = isInside ? OF_SURFACES : comparison.working.value ? 'Working on the right side…' : '';
+    status.textContent = isInside ? OF_SURFACES : comparison.working.value ? t('Working on the right side…') : '';
     status.hidden = status.textContent === '';
     const isByHeat = compared?.method === 'heat';
     side.hidden = figures.hidden = compared === null;
@@ -125,10 +132,10 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     const keys = differing(own, compared);
     const both = (tell: (answer: NonNullable<typeof left>) => string) => [left, right].map((one) => one && tell(one));
     const rows: [string, ...(string | null | undefined)[]][] = [
-      ['Factor', ...both(({ factoring }) => timeOf(factoring.timings.precomputeMs))],
-      ['Solve', ...both(({ field }) => (field ? milliseconds(field.solveMs) : '–'))],
-      ['Maximum distance', ...both(({ field }) => (field ? measure(field.maxDistance, unit) : '–'))],
-      ['Path', ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
+      [t('Factor'), ...both(({ factoring }) => timeOf(factoring.timings.precomputeMs))],
+      [t('Solve'), ...both(({ field }) => (field ? milliseconds(field.solveMs) : '–'))],
+      [t('Maximum distance'), ...both(({ field }) => (field ? measure(field.maxDistance, unit) : '–'))],
+      [t('Path'), ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
     ];
     const apart = left.field && right?.field ? difference(left.field, right.field) : null;
     const head = h('tr', {}, h('td'), ...[own, compared].map((one) => h('th', { scope: 'col' }, told(one, keys))));
@@ -140,8 +147,8 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
         ...rows.map(([name, ...cells]) =>
           h('tr', {}, h('th', { scope: 'row' }, name), ...cells.map((cell) => h('td', {}, cell ?? '–'))),
         ),
-        differenceRow('Mean difference', apart?.mean),
-        differenceRow('Largest difference', apart?.most),
+        differenceRow(t('Mean difference'), apart?.mean),
+        differenceRow(t('Largest difference'), apart?.most),
       ),
     ];
   };
@@ -185,7 +192,7 @@ function timeOf(ms: number): string {
 }
 
 function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): string {
-  return path ? `${measure(path.length, unit)}${kind === 'exact' ? ', exact' : ''}` : '–';
+  return path ? `${measure(path.length, unit)}${kind === 'exact' ? t(', exact') : ''}` : '–';
 }
 
 function differenceRow(name: string, share: number | undefined): HTMLElement {

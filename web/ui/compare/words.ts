@@ -3,19 +3,20 @@ import type { SettingKey, Settings } from '../../state/settings';
 import { AUTOMATIC } from '../../wasm/contract';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
 import { counted, length } from '../words';
+import { t } from '../../texts';
 
 const WORDS: Record<SettingKey, (settings: Settings) => string> = {
   method: ({ method }) => METHODS[method],
   windows: ({ windows }) => counted(windows, 'window'),
-  t: ({ parameters: { timeStep } }) => `m ${timeStep === AUTOMATIC ? 'automatic' : `= ${length(timeStep)}`}`,
+  t: ({ parameters: { timeStep } }) => `m ${timeStep === AUTOMATIC ? t('automatic') : `= ${length(timeStep)}`}`,
   b: ({ parameters }) => BOUNDARIES[parameters.boundary],
-  multi: ({ parameters }) => `${MULTI_SOURCES[parameters.sources]} sources`,
+  multi: ({ parameters }) => t`${MULTI_SOURCES[parameters.sources]} sources`,
   near: ({ parameters: { exactRadius } }) =>
-    exactRadius === AUTOMATIC ? 'Exact region automatic' : `Exact region ${exactRadius} edges`,
-  memory: ({ parameters: { memory } }) => `Memory ${memory === AUTOMATIC ? 'automatic' : `${memory} MiB`}`,
+    exactRadius === AUTOMATIC ? t('Exact region automatic') : t`Exact region ${exactRadius} edges`,
+  memory: ({ parameters: { memory } }) => t`Memory ${memory === AUTOMATIC ? t('automatic') : t`${memory} MiB`}`,
   op: ({ parameters }) => OPERATORS[parameters.operator],
   solver: ({ parameters }) => SOLVERS[parameters.solver],
-  refine: ({ refine }) => (refine ? 'Refined' : 'Not refined'),
+  refine: ({ refine }) => (refine ? t('Refined') : t('Not refined')),
 };
 
 /** Settings of the heat method alone, and those of the others alone. */

@@ -3,6 +3,7 @@ import '../../style/help.css';
 import { h, toggle } from '../dom';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
+import { t } from '../../texts';
 
 const EXPLAINED = 'explains';
 
@@ -16,14 +17,14 @@ const arrivals = new MutationObserver((changes) => {
 
 /** Opens the help. `panel`: whose settings can be explained; null where there is none. */
 export function openHelp(panel: HTMLElement | null): void {
-  const close = h('button', { class: 'small', 'aria-label': 'Close the help', onclick: () => dialog.close() }, '×');
+  const close = h('button', { class: 'small', 'aria-label': t('Close the help'), onclick: () => dialog.close() }, '×');
   const dialog = h(
     'dialog',
-    { class: 'help', 'aria-label': 'Help' },
-    h('div', { class: 'help-head' }, h('h2', {}, 'Help'), close),
+    { class: 'help', 'aria-label': t('Help') },
+    h('div', { class: 'help-head' }, h('h2', {}, t('Help')), close),
     ...(panel ? [explaining(panel)] : []),
     gestures(),
-    h('p', {}, h('a', { href: './docs/', target: '_blank', rel: 'noopener' }, 'All documents, with a search'), '.'),
+    h('p', {}, h('a', { href: './docs/', target: '_blank', rel: 'noopener' }, t('All documents, with a search')), '.'),
   );
   dialog.addEventListener('close', () => dialog.remove());
   dialog.addEventListener('click', ({ target }) => {
@@ -40,7 +41,7 @@ function gestures(): HTMLElement {
   const head = h(
     'tr',
     {},
-    ...['Action', byTouch ? 'Touch' : 'Mouse', 'Keyboard'].map((text) => h('th', { scope: 'col' }, text)),
+    ...[t('Action'), byTouch ? t('Touch') : t('Mouse'), t('Keyboard')].map((text) => h('th', { scope: 'col' }, text)),
   );
   const rows = GESTURES.map(({ what, mouse, touch, keys }) =>
     h('tr', {}, h('th', { scope: 'row' }, what), h('td', {}, (byTouch ? touch : mouse) ?? '–'), keyCell(keys)),
@@ -61,7 +62,7 @@ function keyCell(keys: string | null): HTMLElement {
 
 function explaining(panel: HTMLElement): HTMLElement {
   const page = document.documentElement;
-  const { element, show } = toggle('Explain every setting of the panel', (on) => {
+  const { element, show } = toggle(t('Explain every setting of the panel'), (on) => {
     page.classList.toggle(EXPLAINED, on);
     arrivals.disconnect();
     if (!on) return;

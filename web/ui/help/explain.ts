@@ -1,6 +1,7 @@
 /** Lines on the settings of the panel, below each of them. */
 import { h } from '../dom';
-import { addressOf, SECTIONS, SETTINGS } from './settings';
+import { addressOf, explanationOf, SECTIONS } from './settings';
+import { t } from '../../texts';
 
 /** The name that a setting has in the panel. */
 function nameOf(field: Element): string {
@@ -17,17 +18,17 @@ export function explain(panel: HTMLElement): void {
     const id = section.id.replace('section-', '');
     const summary = section.querySelector('summary');
     if (summary && id in SECTIONS && !isExplained(summary)) {
-      summary.after(h('p', { class: 'explanation' }, link(SECTIONS[id], `More about ${summary.textContent}`)));
+      summary.after(h('p', { class: 'explanation' }, link(SECTIONS[id], t`More about ${summary.textContent}`)));
     }
     for (const field of section.querySelectorAll<HTMLElement>('.field')) {
       const name = nameOf(field);
-      const explanation = SETTINGS[id]?.[name];
+      const explanation = explanationOf(id, name);
       if (!explanation || isExplained(field)) continue;
       const line = h(
         'p',
         { class: 'explanation' },
         `${explanation.line} `,
-        link(explanation.see, `More about ${name}`),
+        link(explanation.see, t`More about ${name}`),
       );
       line.hidden = field.hidden;
       field.after(line);
@@ -41,6 +42,6 @@ function link(see: string, name: string): HTMLElement {
   return h(
     'a',
     { class: 'about', href: addressOf(see), target: '_blank', rel: 'noopener', 'aria-label': name },
-    'more',
+    t('more'),
   );
 }

@@ -3,13 +3,14 @@ import { FORMATS } from '../../files/paths';
 import type { Given } from '../../session/opener';
 import { h } from '../dom';
 import { draggedAddress, givenFiles, givenItems } from './given';
+import { t } from '../../texts';
 
 /** The quiet frame over the whole canvas while something to open is dragged over the window. */
 export function dropTarget(open: (given: Given) => void, fetch: (address: string) => void): HTMLElement {
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
-    h('div', {}, h('p', {}, 'Drop a mesh'), h('small', {}, FORMATS)),
+    h('div', {}, h('p', {}, t('Drop a mesh')), h('small', {}, FORMATS)),
   );
   // dragenter and dragleave come in pairs for every element that is crossed.
   let depth = 0;
@@ -52,11 +53,11 @@ export interface Dialogue {
 export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
   const accept =
     '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.mesh,.meshb,.msh,.node,.ele,.csv,.png,.jpg,.jpeg,.webp,.zip';
-  return dialogue({ multiple: true, accept, 'aria-label': 'Open mesh files' }, open);
+  return dialogue({ multiple: true, accept, 'aria-label': t('Open mesh files') }, open);
 }
 
 export function folderDialogue(open: (given: Given) => void): Dialogue {
-  const { element, choose } = dialogue({ webkitdirectory: true, 'aria-label': 'Open a folder' }, open);
+  const { element, choose } = dialogue({ webkitdirectory: true, 'aria-label': t('Open a folder') }, open);
   return { element, choose: 'webkitdirectory' in element ? choose : null };
 }
 

@@ -3,6 +3,7 @@ import { addressIn } from '../../files/address';
 import { isArchive, isMesh } from '../../files/paths';
 import type { GivenFile } from '../../protocol';
 import type { Given } from '../../session/opener';
+import { t } from '../../texts';
 
 /** A folder with more is not the folder of a mesh. */
 const MOST_FILES = 10_000;
@@ -80,5 +81,5 @@ async function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemE
 }
 
 function tooMany(title: string): Error {
-  return new Error(`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
+  return new Error(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
 }

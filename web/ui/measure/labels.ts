@@ -8,6 +8,7 @@ import { h } from '../dom';
 import type { MeasureInput } from './input';
 import { away, middleOf, pointsOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
+import { t } from '../../texts';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
 const RIM = { colour: '#101418', width: 5 };
@@ -34,7 +35,7 @@ interface Anchored {
 export class TapeLabels {
   readonly #labelLayer = h('div', { class: 'tapes' });
   readonly #placeLayer = h('div', { class: 'tapes' });
-  readonly element = h('div', { role: 'group', 'aria-label': 'Tapes' }, this.#labelLayer, this.#placeLayer);
+  readonly element = h('div', { role: 'group', 'aria-label': t('Tapes') }, this.#labelLayer, this.#placeLayer);
   readonly #session: Session;
   readonly #tapes: Tapes;
   readonly #input: MeasureInput;
@@ -115,8 +116,8 @@ export class TapeLabels {
   #place(tape: number, place: number): HTMLElement {
     const button = h('button', {
       class: 'tape-place',
-      'aria-label': `Tape ${tape + 1}, place ${place + 1}`,
-      title: 'Drag to move, Delete to remove',
+      'aria-label': t`Tape ${tape + 1}, place ${place + 1}`,
+      title: t('Drag to move, Delete to remove'),
     });
     let drag: { x: number; y: number; isMoving: boolean; gesture: object } | null = null;
     button.addEventListener('pointerdown', (event) => {

@@ -6,6 +6,7 @@ import { SCALES } from '../../state/tapes';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
 import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
+import { t } from '../../texts';
 
 export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const { scene, shown } = session;
@@ -16,9 +17,9 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(csv());
-      said.textContent = 'Copied.';
+      said.textContent = t('Copied.');
     } catch {
-      said.textContent = 'The clipboard is not available. Save the file instead.';
+      said.textContent = t('The clipboard is not available. Save the file instead.');
     }
   };
   const name = () => (shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
@@ -26,9 +27,13 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const buttons = h(
     'div',
     { class: 'openers' },
-    h('button', { class: 'small', title: 'Copy all lengths as CSV', onclick: () => void copy() }, 'Copy CSV'),
-    h('button', { class: 'small', title: 'Save all lengths as a CSV file', onclick: saveFile }, 'Save CSV'),
-    h('button', { class: 'small', title: 'Delete all tapes', onclick: () => scene.place({ tapes: [] }) }, 'Delete all'),
+    h('button', { class: 'small', title: t('Copy all lengths as CSV'), onclick: () => void copy() }, t('Copy CSV')),
+    h('button', { class: 'small', title: t('Save all lengths as a CSV file'), onclick: saveFile }, t('Save CSV')),
+    h(
+      'button',
+      { class: 'small', title: t('Delete all tapes'), onclick: () => scene.place({ tapes: [] }) },
+      t('Delete all'),
+    ),
   );
   let cards: Card[] = [];
   const show = () => {
@@ -55,7 +60,7 @@ interface Card {
 
 function card(session: Session, index: number): Card {
   const { scene } = session;
-  const title = `Tape ${index + 1}`;
+  const title = t`Tape ${index + 1}`;
   const total = h('span', { class: 'value' });
   const body = h('tbody');
   const note = h('p', { class: 'quiet', hidden: true });
@@ -67,7 +72,7 @@ function card(session: Session, index: number): Card {
     total,
     h(
       'button',
-      { class: 'small', title: 'Delete this tape', 'aria-label': `Delete tape ${index + 1}`, onclick: remove },
+      { class: 'small', title: t('Delete this tape'), 'aria-label': t`Delete tape ${index + 1}`, onclick: remove },
       '×',
     ),
   );
@@ -79,10 +84,10 @@ function card(session: Session, index: number): Card {
     show: (measured, unit) => {
       const { legs } = measured;
       const sum = lengthOf(measured);
-      total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : 'one place so far';
+      total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : t('one place so far');
       table.hidden = legs.length === 0;
       const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
-      const names = ['Leg', inUnit('Surface'), inUnit('Straight'), 'Ratio'];
+      const names = [t('Leg'), inUnit(t('Surface')), inUnit(t('Straight')), t('Ratio')];
       titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
       const rows = legs.map(({ leg, state, straight }, k) =>
         row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
@@ -127,9 +132,9 @@ function knownLength(
   const { scene } = session;
   let measured = NaN;
   let chosen: UnitChoice = 'm';
-  const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': `Known length of tape ${index + 1}` });
+  const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': t`Known length of tape ${index + 1}` });
   const unit = select(
-    'Unit of the known length',
+    t('Unit of the known length'),
     UNITS.map((name) => [name, name === 'none' ? 'units' : name] as const),
     (value) => (chosen = value),
   );
@@ -137,27 +142,27 @@ function knownLength(
     'button',
     {
       class: 'small',
-      title: 'Tells all lengths in the scale in which this tape has that length',
+      title: t('Tells all lengths in the scale in which this tape has that length'),
       onclick: () => {
         const scale = field.valueAsNumber / measured;
         if (scale >= SCALES[0] && scale <= SCALES[1]) scene.place({ scale, unit: chosen });
       },
     },
-    'Set scale',
+    t('Set scale'),
   );
   const reset = h(
     'button',
     {
       class: 'small',
-      title: 'Tells lengths as the file has them',
+      title: t('Tells lengths as the file has them'),
       onclick: () => scene.place({ scale: 1, unit: 'auto' }),
     },
-    'Reset',
+    t('Reset'),
   );
   const element = h(
     'div',
     { class: 'known' },
-    h('span', { class: 'quiet' }, 'Known length'),
+    h('span', { class: 'quiet' }, t('Known length')),
     field,
     unit.element,
     set,

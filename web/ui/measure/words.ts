@@ -3,16 +3,17 @@ import type { MeshPoint } from '../../protocol';
 import { type LegState, lengthOf, type MeasuredTape, stateOf, straightOf } from '../../session/tapes';
 import type { LengthUnit } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
-import { area, length } from '../words';
+import { area, fixed, length } from '../words';
+import { t } from '../../texts';
 
 export const STATE_WORDS: Record<LegState, string> = {
-  measuring: 'measuring…',
-  estimated: 'approximate so far',
-  exact: 'exact',
-  approximate: 'approximate',
-  cost: 'least cost, approximate',
-  straight: 'straight line',
-  none: 'not connected',
+  measuring: t('measuring…'),
+  estimated: t('approximate so far'),
+  exact: t('exact'),
+  approximate: t('approximate'),
+  cost: t('least cost, approximate'),
+  straight: t('straight line'),
+  none: t('not connected'),
 };
 
 /** Digits that a table has of a number: more than single precision gives. */
@@ -27,19 +28,19 @@ export function lengthNumber(value: number, state: LegState, { scale }: LengthUn
 
 /** The same with the unit, where there is one. */
 export function lengthWords(value: number, state: LegState, unit: LengthUnit): string {
-  if (!Number.isFinite(value)) return state === 'none' ? 'not connected' : '…';
+  if (!Number.isFinite(value)) return state === 'none' ? t('not connected') : '…';
   return `${lengthNumber(value, state, unit)} ${unit.symbol}`.trim();
 }
 
 /** The area within a closed tape on its label; empty where there is none. */
 export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): string {
   if (enclosure?.kind !== 'sides') return '';
-  return `area ${length(enclosure.area * scale ** 2)} ${symbol && `${symbol}²`}`.trim();
+  return t`area ${length(enclosure.area * scale ** 2)} ${symbol && `${symbol}²`}`.trim();
 }
 
 /** Straight length as a share of that on the surface. */
 export function ratioWords(straight: number, surface: number): string {
-  return surface > 0 ? (straight / surface).toFixed(3) : '–';
+  return surface > 0 ? fixed(straight / surface, 3) : '–';
 }
 
 /** The area within a closed tape, or why there is none; null for an open one, and while it is not known. */
@@ -47,20 +48,20 @@ export function enclosureWords({ tape, enclosure }: MeasuredTape, unit: LengthUn
   if (!tape.closed || !enclosure) return null;
   switch (enclosure.kind) {
     case 'sides':
-      return `Area enclosed: ${area(enclosure.area, unit)}.`;
+      return t`Area enclosed: ${area(enclosure.area, unit)}.`;
     case 'whole':
-      return 'This tape does not part the surface in two, so it encloses no area.';
+      return t('This tape does not part the surface in two, so it encloses no area.');
     case 'crossed':
-      return 'This tape crosses itself, so it encloses no area.';
+      return t('This tape crosses itself, so it encloses no area.');
     case 'sideless':
-      return 'The surface has no two sides of this tape, so it encloses no area.';
+      return t('The surface has no two sides of this tape, so it encloses no area.');
   }
 }
 
 export function placeName(point: MeshPoint): string {
-  if ('vertex' in point) return `vertex ${point.vertex}`;
+  if ('vertex' in point) return t`vertex ${point.vertex}`;
   const weights = point.weights.map((weight) => Number(weight.toFixed(4))).join(' ');
-  return 'face' in point ? `triangle ${point.face}: ${weights}` : `tetrahedron ${point.tetrahedron}: ${weights}`;
+  return 'face' in point ? t`triangle ${point.face}: ${weights}` : t`tetrahedron ${point.tetrahedron}: ${weights}`;
 }
 
 /** A line a leg, then one with the sums and the area of each tape. Lengths in the unit that they are told in. */

@@ -3,6 +3,7 @@ import type { Session } from '../../session/session';
 import { unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { measure, refiningSentence } from '../words';
+import { t } from '../../texts';
 
 /** A drag or a key that repeats comes back within. */
 const REST_MS = 700;
@@ -30,8 +31,8 @@ function announcement({ scene, shown, refiner }: Session): string {
   const unit = unitOf(scene.state, opened);
   const told = [
     refiningSentence(refiner.phase.value, answer.field, scene.state),
-    `Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
+    t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
   ];
-  if (answer.path) told.push(`Path ${measure(answer.path.length, unit)}.`);
+  if (answer.path) told.push(t`Path ${measure(answer.path.length, unit)}.`);
   return told.join(' ');
 }

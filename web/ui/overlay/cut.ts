@@ -5,6 +5,7 @@ import { directionOf, INSIDE_RANGES, middleOf, reachOf } from '../../state/insid
 import type { Vector } from '../../state/places';
 import { h, icon } from '../dom';
 import { percent } from '../words';
+import { t } from '../../texts';
 
 const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
 
@@ -18,7 +19,7 @@ const LEAST_PIXELS = 8;
 export class CutHandle {
   readonly element = h(
     'div',
-    { class: 'cut-handle', role: 'slider', tabindex: 0, 'aria-label': 'Position of the cut', hidden: true },
+    { class: 'cut-handle', role: 'slider', tabindex: 0, 'aria-label': t('Position of the cut'), hidden: true },
     icon(ARROWS),
   );
   readonly #session: Session;
@@ -53,7 +54,7 @@ export class CutHandle {
     const angle = Math.atan2(ahead[1] - middle[1], ahead[0] - middle[0]);
     this.element.style.transform = `translate(${Math.round(middle[0])}px, ${Math.round(middle[1])}px) rotate(${angle.toFixed(3)}rad)`;
     this.element.setAttribute('aria-valuenow', inside.place.toFixed(2));
-    this.element.setAttribute('aria-valuetext', inside.place === 0 ? 'middle' : percent(inside.place));
+    this.element.setAttribute('aria-valuetext', inside.place === 0 ? t('middle') : percent(inside.place));
   }
 
   /** Where the middle of the cut is drawn, and where it would be at the end of its way; null where there is none. */

@@ -2,6 +2,7 @@ import type { Session } from '../../session/session';
 import { titleOf } from '../../state/presets';
 import { h } from '../dom';
 import { exactnessWords, sizeWords } from '../words';
+import { t } from '../../texts';
 
 /** Top left: the name, the scene's title, the size of the mesh and how much of the distance is exact; and help. */
 export function heading(session: Session, help: () => void): HTMLElement {
@@ -24,7 +25,7 @@ export function heading(session: Session, help: () => void): HTMLElement {
   });
   const ask = h(
     'button',
-    { class: 'small', title: 'Keys, gestures, documents (?)', 'aria-label': 'Help', onclick: help },
+    { class: 'small', title: t('Keys, gestures, documents (?)'), 'aria-label': t('Help'), onclick: help },
     '?',
   );
   return h('header', { class: 'heading' }, h('h1', {}, 'Heatwalk'), title, size, exactness, ask);

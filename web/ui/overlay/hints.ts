@@ -2,6 +2,7 @@
 import type { Session } from '../../session/session';
 import type { SceneState } from '../../state/scene';
 import { h } from '../dom';
+import { t } from '../../texts';
 
 const MEMORY = 'heatwalk.hints';
 
@@ -14,18 +15,18 @@ interface Hint {
 
 const HINTS: readonly Hint[] = [
   {
-    mouse: 'Click the surface',
-    touch: 'Tap the surface',
+    mouse: t('Click the surface'),
+    touch: t('Tap the surface'),
     isDone: (state, previous) => state.sources !== previous.sources,
   },
   {
-    mouse: 'Drag the pin: the stripes follow',
-    touch: 'Drag the pin: the stripes follow',
+    mouse: t('Drag the pin: the stripes follow'),
+    touch: t('Drag the pin: the stripes follow'),
     isDone: (state, previous, dragging) => dragging && state.sources !== previous.sources,
   },
   {
-    mouse: 'Alt + click sends the walker there',
-    touch: 'A long press sends the walker there',
+    mouse: t('Alt + click sends the walker there'),
+    touch: t('A long press sends the walker there'),
     isDone: (state, previous) => state.walker !== previous.walker && state.walker !== null,
   },
 ];
@@ -36,7 +37,7 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
   const text = h('span', { 'aria-live': 'polite' });
   const close = h(
     'button',
-    { class: 'small', 'aria-label': 'Show no more hints', onclick: () => turn(HINTS.length) },
+    { class: 'small', 'aria-label': t('Show no more hints'), onclick: () => turn(HINTS.length) },
     '×',
   );
   const element = h('div', { class: 'hint', hidden: true }, text, close);

@@ -1,15 +1,32 @@
 import type { Session } from '../../session/session';
 import { h } from '../dom';
 import { bytes, counted, percent } from '../words';
+import { t } from '../../texts';
+
+/** What is going on, by the names that workers tell. */
+const STAGES: Readonly<Record<string, string>> = {
+  Fetching: t('fetching'),
+  Reading: t('reading'),
+  Simplifying: t('simplifying'),
+  Filling: t('filling'),
+  Welding: t('welding'),
+  Drawing: t('drawing'),
+  Propagating: t('propagating'),
+  Marching: t('marching'),
+  Assembling: t('assembling'),
+  Ordering: t('ordering'),
+  Analysing: t('analysing'),
+  Factoring: t('factoring'),
+};
 
 /** Progress bar over the window: the stage, its progress, and Cancel. */
 export function loadingBar(session: Session): HTMLElement {
-  const bar = h('progress', { max: 1, 'aria-label': 'Opening' });
+  const bar = h('progress', { max: 1, 'aria-label': t('Opening') });
   const stage = h('span', { class: 'loading-stage', role: 'status' });
   const cancel = h(
     'button',
-    { class: 'small', title: 'Stop opening (Esc)', onclick: () => session.cancelOpening() },
-    'Cancel',
+    { class: 'small', title: t('Stop opening (Esc)'), onclick: () => session.cancelOpening() },
+    t('Cancel'),
   );
   const element = h('div', { class: 'loading', hidden: true }, bar, h('div', { class: 'loading-text' }, stage, cancel));
   session.loading.watch((loading) => {
@@ -21,7 +38,7 @@ export function loadingBar(session: Session): HTMLElement {
     const { title, fraction, vertices, bytes: fetched } = loading;
     if (fraction === null) bar.removeAttribute('value');
     else bar.value = fraction;
-    const words = [loading.stage.toLowerCase()];
+    const words = [STAGES[loading.stage] ?? loading.stage.toLowerCase()];
     if (vertices > 0) words.push(counted(vertices, 'vertex', 'vertices'));
     if (fetched !== undefined) words.push(bytes(fetched));
     if (fraction !== null) words.push(percent(fraction));

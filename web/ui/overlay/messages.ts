@@ -7,6 +7,7 @@ import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../state/scene';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
+import { t } from '../../texts';
 
 const SHOWN_MS = 8000;
 
@@ -42,10 +43,10 @@ export class Messages implements Voice {
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {
-    const text = `Opened ${fileName(shown)}, one of ${meshes.length} meshes.`;
+    const text = t`Opened ${fileName(shown)}, one of ${meshes.length} meshes.`;
     this.#chosen = this.#say(this.#polite, 'notice', text, []);
     const options = meshes.map((mesh) => h('option', { value: mesh, selected: mesh === shown }, mesh));
-    const select = h('select', { 'aria-label': 'Mesh to open', onchange: () => open(select.value) }, ...options);
+    const select = h('select', { 'aria-label': t('Mesh to open'), onchange: () => open(select.value) }, ...options);
     this.#chosen.append(h('div', { class: 'actions' }, select));
   }
 
@@ -59,10 +60,10 @@ export class Messages implements Voice {
     this.#blind?.remove();
     this.#blind = reason
       ? this.#error(
-          `The scene cannot be drawn, but the solver and the numbers still work. ${reason}`,
+          t`The scene cannot be drawn, but the solver and the numbers still work. ${reason}`,
           navigator.userAgent,
           {
-            name: 'Try again',
+            name: t('Try again'),
             run: tryAgain,
           },
         )
@@ -71,16 +72,16 @@ export class Messages implements Voice {
 
   askForFile(name: string): void {
     this.#asked?.remove();
-    const action = { name: 'Open the file…', run: this.#chooseFile };
-    this.#asked = this.#say(this.#polite, 'notice', `This link needs your file ${name}. Drop it here to open it.`, [
+    const action = { name: t('Open the file…'), run: this.#chooseFile };
+    this.#asked = this.#say(this.#polite, 'notice', t`This link needs your file ${name}. Drop it here to open it.`, [
       action,
     ]);
   }
 
   offer(address: string, open: () => void): void {
     this.#asked?.remove();
-    const text = `This link shows ${nameOf(address)} from ${hostOf(address)}. It is fetched from there, ${MOST_FETCHED} at most, once you open it.`;
-    this.#asked = this.#say(this.#polite, 'notice', text, [{ name: 'Open', run: open }]);
+    const text = t`This link shows ${nameOf(address)} from ${hostOf(address)}. It is fetched from there, ${MOST_FETCHED} at most, once you open it.`;
+    this.#asked = this.#say(this.#polite, 'notice', text, [{ name: t('Open'), run: open }]);
   }
 
   forget(): void {
@@ -97,7 +98,7 @@ export class Messages implements Voice {
   }
 
   #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
-    const copy: Action = { name: 'Copy details', run: () => void copyDetails(message, `${text}\n${details}`) };
+    const copy: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
     const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
     return message;
   }
@@ -111,7 +112,12 @@ export class Messages implements Voice {
     message.append(
       h(
         'button',
-        { class: 'close', 'aria-label': 'Close the message', title: 'Close (Esc)', onclick: () => message.remove() },
+        {
+          class: 'close',
+          'aria-label': t('Close the message'),
+          title: t('Close (Esc)'),
+          onclick: () => message.remove(),
+        },
         '×',
       ),
     );

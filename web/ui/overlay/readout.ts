@@ -3,6 +3,7 @@ import type { Session } from '../../session/session';
 import { unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { measure, percent } from '../words';
+import { t } from '../../texts';
 
 /** Distance and nearest input vertex under the pointer or the reticle. */
 export class Readout {
@@ -35,9 +36,9 @@ export class Readout {
 function readoutText({ scene, shown }: Session, point: MeshPoint): string | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
-  const vertex = `vertex ${places.nearestVertex(point)}`;
+  const vertex = t`vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
   const distance = places.valueAt(point, answer.field);
-  if (!Number.isFinite(distance)) return `unreachable · ${vertex}`;
-  return `${measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
+  return t`${measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

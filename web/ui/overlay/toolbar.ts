@@ -2,30 +2,31 @@ import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { h, icon } from '../dom';
+import { t } from '../../texts';
 
 const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
   {
     tool: 'source',
-    name: 'Source',
-    tip: 'Click sets the source (1)',
+    name: t('Source'),
+    tip: t('Click sets the source (1)'),
     path: 'M10 18s-5-5.2-5-9a5 5 0 0 1 10 0c0 3.800-5 9-5 9zM10 9.100v-.2',
   },
   {
     tool: 'add',
-    name: 'Add',
-    tip: 'Click adds a source (2); ctrl + click with any tool',
+    name: t('Add'),
+    tip: t('Click adds a source (2); ctrl + click with any tool'),
     path: 'M8 18s-5-5.200-5-9a5 5 0 0 1 8.500-3.600M14 9v6M11 12h6',
   },
   {
     tool: 'walker',
-    name: 'Walker',
-    tip: 'Click places the walker (3); alt + click with any tool',
+    name: t('Walker'),
+    tip: t('Click places the walker (3); alt + click with any tool'),
     path: 'M11 3.500v.1M10.500 7l-1 5 3 2 1 4M9.500 12l-3 6M6 10l2-3h3l2 3 2 .5',
   },
   {
     tool: 'measure',
-    name: 'Measure',
-    tip: 'Clicks measure between places (M); Esc ends a tape',
+    name: t('Measure'),
+    tip: t('Clicks measure between places (M); Esc ends a tape'),
     path: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
   },
 ];
@@ -47,8 +48,8 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
     tool.watch((value) => button.setAttribute('aria-pressed', String(value === which)));
     return button;
   });
-  const undo = plain('Undo', 'Undo (ctrl + Z)', UNDO, () => scene.undo());
-  const redo = plain('Redo', 'Redo (ctrl + shift + Z)', REDO, () => scene.redo());
+  const undo = plain(t('Undo'), t('Undo (ctrl + Z)'), UNDO, () => scene.undo());
+  const redo = plain(t('Redo'), t('Redo (ctrl + shift + Z)'), REDO, () => scene.redo());
   const showHistory = () => {
     undo.disabled = !scene.canUndo;
     redo.disabled = !scene.canRedo;
@@ -56,23 +57,23 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
   scene.subscribe(showHistory);
   showHistory();
 
-  const pause = plain('Pause', '', PAUSE, () => {
+  const pause = plain(t('Pause'), '', PAUSE, () => {
     paused.value = !paused.value;
   });
   paused.watch((value) => {
-    const name = value ? 'Resume' : 'Pause';
+    const name = value ? t('Resume') : t('Pause');
     pause.title = `${name} (P)`;
     pause.setAttribute('aria-label', name);
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
-  const frame = plain('Frame', 'Frame the model (F)', FRAME, () => view.frame());
-  const turn = plain('Turntable', 'Rotate the model (T)', TURN, () => {
+  const frame = plain(t('Frame'), t('Frame the model (F)'), FRAME, () => view.frame());
+  const turn = plain(t('Turntable'), t('Rotate the model (T)'), TURN, () => {
     session.turntable.value = !session.turntable.value;
   });
   session.turntable.watch((on) => turn.setAttribute('aria-pressed', String(on)));
   return h(
     'div',
-    { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' },
+    { class: 'toolbar', role: 'toolbar', 'aria-label': t('Tools') },
     ...tools,
     rule(),
     undo,

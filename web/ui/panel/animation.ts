@@ -2,6 +2,8 @@ import type { Clip } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type Animation, SPEEDS } from '../../state/scene';
 import { h, select, slider, toggle } from '../dom';
+import { t } from '../../texts';
+import { fixed } from '../words';
 
 const STEP_SECONDS = 0.01;
 
@@ -19,40 +21,40 @@ export function animationSection(session: Session): HTMLElement {
   });
   const play = h('button', {
     class: 'small',
-    title: 'Play or stop the animation (A)',
+    title: t('Play or stop the animation (A)'),
     onclick: () => animator.toggle(),
   });
   const time = slider({
-    label: 'Time',
+    label: t('Time'),
     min: 0,
     max: 1,
     step: STEP_SECONDS,
-    describe: (seconds) => `${seconds.toFixed(2)} s`,
+    describe: (seconds) => `${fixed(seconds, 2)} s`,
     change: (seconds) => change({ seconds, plays: false }),
   });
   time.element.classList.add('automatic');
   time.element.querySelector('.value')?.after(play);
   const speed = slider({
-    label: 'Speed',
+    label: t('Speed'),
     min: SPEEDS[0],
     max: SPEEDS[1],
     step: 0.1,
-    describe: (value) => `${value.toFixed(1)} ×`,
+    describe: (value) => `${fixed(value, 1)} ×`,
     change: (value) => change({ speed: value }),
   });
-  const loop = toggle('Loop', (loops) => change({ loops }));
+  const loop = toggle(t('Loop'), (loops) => change({ loops }));
   const measured = select<'file' | 'pose'>(
-    'Distance',
+    t('Distance'),
     [
-      ['file', 'Of the pose in the file'],
-      ['pose', 'Of each pose, live'],
+      ['file', t('Of the pose in the file')],
+      ['pose', t('Of each pose, live')],
     ],
     (where) => change({ live: where === 'pose' }),
   );
   const element = h(
     'div',
     { class: 'stack' },
-    h('label', { class: 'field' }, h('span', {}, 'Animation'), clips),
+    h('label', { class: 'field' }, h('span', {}, t('Animation')), clips),
     time.element,
     speed.element,
     loop.element,
@@ -61,17 +63,17 @@ export function animationSection(session: Session): HTMLElement {
 
   const fill = (choices: readonly Clip[]) => {
     clips.replaceChildren(
-      h('option', {}, 'None, as in the file'),
-      ...choices.map(({ name, seconds }) => h('option', {}, `${name}, ${seconds.toFixed(2)} s`)),
+      h('option', {}, t('None, as in the file')),
+      ...choices.map(({ name, seconds }) => h('option', {}, `${name}, ${fixed(seconds, 2)} s`)),
     );
     // There is nothing to choose in files that stand still.
     element.closest('details')?.toggleAttribute('hidden', choices.length === 0);
   };
   const show = ({ clip, plays, speed: times, loops, live }: Animation) => {
     clips.selectedIndex = (clip ?? -1) + 1;
-    const name = plays ? 'Stop' : 'Play';
+    const name = plays ? t('Stop') : t('Play');
     play.textContent = name;
-    play.setAttribute('aria-label', `${name} the animation`);
+    play.setAttribute('aria-label', t`${name} the animation`);
     play.disabled = clip === null;
     const input = time.element.querySelector('input');
     if (input) {

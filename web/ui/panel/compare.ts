@@ -3,10 +3,11 @@ import type { Session } from '../../session/session';
 import { until } from '../../state/signal';
 import type { Comparing } from '../compare/loaded';
 import { h } from '../dom';
+import { t } from '../../texts';
 
 export class CompareSection {
   /** Over the stage. */
-  readonly layer = h('section', { class: 'compare-layer', 'aria-label': 'Comparison' });
+  readonly layer = h('section', { class: 'compare-layer', 'aria-label': t('Comparison') });
   readonly #session: Session;
   #loading: Promise<Comparing> | null = null;
   #loaded: Comparing | null = null;

@@ -3,24 +3,25 @@ import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from 
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { count, finePercent } from '../words';
+import { t } from '../../texts';
 
 const OVERLAY_WORDS: Record<Overlay, string> = {
-  scenery: 'Inactive parts (scenery)',
-  edges: 'Mesh edges',
-  boundary: 'Boundary edges',
-  contacts: 'Contacts',
-  operator: 'Operator edges',
-  isolines: 'Isolines',
-  heat: 'Heat gradient',
-  distance: 'Distance gradient',
+  scenery: t('Inactive parts (scenery)'),
+  edges: t('Mesh edges'),
+  boundary: t('Boundary edges'),
+  contacts: t('Contacts'),
+  operator: t('Operator edges'),
+  isolines: t('Isolines'),
+  heat: t('Heat gradient'),
+  distance: t('Distance gradient'),
 };
 /** Both are drawn as arrows: one replaces the other. */
 const ARROWS: readonly Overlay[] = ['heat', 'distance'];
 
 const COLOR_BY_WORDS: Record<VertexField, string> = {
-  distance: 'distance',
-  heat: 'heat, log scale',
-  error: 'error before refinement',
+  distance: t('distance'),
+  heat: t('heat, log scale'),
+  error: t('error before refinement'),
 };
 
 const UP_WORDS: Record<Up, string> = { y: '+Y', z: '+Z', x: '+X', '-y': '−Y', '-z': '−Z', '-x': '−X' };
@@ -31,15 +32,17 @@ const CROWD_STEPS = 100;
 /** Which field the surface is colored by, which overlays are drawn, the size of the crowd, and which axis points up. */
 export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
-  const colorBy = select('Color by', labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
+  const colorBy = select(t('Color by'), labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
     scene.set({ colorBy: value }),
   );
-  const up = select<Up | typeof AUTOMATIC>('Up', [[AUTOMATIC, 'automatic'], ...labelled(UP.names, UP_WORDS)], (value) =>
-    scene.place({ up: value }),
+  const up = select<Up | typeof AUTOMATIC>(
+    t('Up'),
+    [[AUTOMATIC, t('automatic')], ...labelled(UP.names, UP_WORDS)],
+    (value) => scene.place({ up: value }),
   );
-  up.element.title = 'The axis of the file that points up (U: the next one)';
+  up.element.title = t('The axis of the file that points up (U: the next one)');
   const cameras = camerasControl(session);
-  const lights = toggle('Lights of the file', (on) => scene.set({ lights: on ? 'file' : 'style' }));
+  const lights = toggle(t('Lights of the file'), (on) => scene.set({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
     const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
@@ -50,12 +53,12 @@ export function displaySection(session: Session): HTMLElement {
     return { overlay, element, show, allow };
   });
   const crowd = slider({
-    label: 'Crowd',
+    label: t('Crowd'),
     min: 0,
     max: CROWD_STEPS,
     step: 1,
     // A link may ask for a number between two steps.
-    describe: () => (scene.state.crowd === 0 ? 'none' : count(scene.state.crowd)),
+    describe: () => (scene.state.crowd === 0 ? t('none') : count(scene.state.crowd)),
     change: (value) => scene.set({ crowd: walkersAt(value) }),
   });
   const showLegend = () => {
@@ -83,7 +86,7 @@ export function displaySection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     show();
     const automatic = up.element.querySelector('option');
-    if (shown && automatic) automatic.textContent = `automatic (${UP_WORDS[shown.opened.upright]})`;
+    if (shown && automatic) automatic.textContent = t`automatic (${UP_WORDS[shown.opened.upright]})`;
   });
   show();
   return h(
@@ -111,12 +114,12 @@ function camerasControl(session: Session): HTMLElement {
       scene.set({ camera: view.camera });
     },
   });
-  const element = h('label', { class: 'field' }, h('span', {}, 'Cameras of the file'), views);
+  const element = h('label', { class: 'field' }, h('span', {}, t('Cameras of the file')), views);
   session.shown.watch((shown, previous) => {
     if (shown && shown !== previous && shown.opened === previous?.opened) return;
     const cameras = shown?.opened.cameras ?? [];
     element.hidden = cameras.length === 0;
-    views.replaceChildren(h('option', {}, 'Go to…'), ...cameras.map(({ name }) => h('option', {}, name)));
+    views.replaceChildren(h('option', {}, t('Go to…')), ...cameras.map(({ name }) => h('option', {}, name)));
   });
   return element;
 }
@@ -128,9 +131,9 @@ function walkersAt(step: number): number {
 function legendOf(session: Session, { colorBy, method }: SceneState): string {
   const error = session.shown.value?.answer.field?.error;
   if (method !== 'heat' && OF_HEAT.colorBy.includes(colorBy))
-    return 'Only the heat method has heat; distance is shown.';
-  if (colorBy === 'heat') return 'Log scale, from the hottest vertex to the coldest.';
+    return t('Only the heat method has heat; distance is shown.');
+  if (colorBy === 'heat') return t('Log scale, from the hottest vertex to the coldest.');
   if (colorBy === 'distance') return '';
-  if (!error) return 'The error is known once all distances are exact.';
-  return `Relative error: mean ${finePercent(error.mean)}; the color scale ends at the maximum, ${finePercent(error.max)}.`;
+  if (!error) return t('The error is known once all distances are exact.');
+  return t`Relative error: mean ${finePercent(error.mean)}; the color scale ends at the maximum, ${finePercent(error.max)}.`;
 }

@@ -10,23 +10,24 @@ import { unitOf } from '../../state/scene';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
 import { length, unitWords } from '../words';
+import { t } from '../../texts';
 
 const CURVES: readonly (readonly [CurveFile['kind'], string])[] = [
-  ['obj', 'Curves, OBJ'],
-  ['dxf', 'Curves, DXF'],
-  ['svg', 'Curves as seen, SVG'],
-  ['csv', 'Curves, CSV'],
-  ['glb', 'Curves, GLB'],
-  ['strips.obj', 'Strips, OBJ'],
-  ['unrolled.svg', 'Strips unrolled, SVG'],
-  ['unrolled.dxf', 'Strips unrolled, DXF'],
+  ['obj', t('Curves, OBJ')],
+  ['dxf', t('Curves, DXF')],
+  ['svg', t('Curves as seen, SVG')],
+  ['csv', t('Curves, CSV')],
+  ['glb', t('Curves, GLB')],
+  ['strips.obj', t('Strips, OBJ')],
+  ['unrolled.svg', t('Strips unrolled, SVG')],
+  ['unrolled.dxf', t('Strips unrolled, DXF')],
 ];
 const DISTANCES: readonly (readonly [DistanceFile, string])[] = [
   ['csv', 'CSV'],
   ['npy', 'NumPy'],
-  ['ply', 'PLY, double'],
-  ['glb', 'GLB with materials'],
-  ['weights.ply', 'PLY, vertex colors'],
+  ['ply', t('PLY, double')],
+  ['glb', t('GLB with materials')],
+  ['weights.ply', t('PLY, vertex colors')],
 ];
 const PATHS = [
   ['csv', 'CSV'],
@@ -34,7 +35,7 @@ const PATHS = [
   ['glb', 'GLB'],
 ] as const;
 const LINES = [
-  ['command', 'Command line'],
+  ['command', t('Command line')],
   ['python', 'Python'],
   ['rust', 'Rust'],
 ] as const;
@@ -74,13 +75,13 @@ type Action = (name: string, title: string, work: () => Promise<string | void> |
 function measured(session: Session): Engine {
   const { opened, answer } = session.shown.value ?? {};
   if (!session.engine || !opened || !answer?.field)
-    throw new Error('There are no distances yet. Click the surface to place a source.');
-  if (opened.interior) throw new Error('This is for surfaces; the program writes distances inside of tetrahedra.');
+    throw new Error(t('There are no distances yet. Click the surface to place a source.'));
+  if (opened.interior) throw new Error(t('This is for surfaces; the program writes distances inside of tetrahedra.'));
   return session.engine;
 }
 
 function curveControls(session: Session, action: Action): HTMLElement[] {
-  const at = h('input', { type: 'text', inputMode: 'decimal', placeholder: 'as the stripes', id: 'isolines-at' });
+  const at = h('input', { type: 'text', inputMode: 'decimal', placeholder: t('as the stripes'), id: 'isolines-at' });
   const table = h('div', { class: 'scroll' });
   /** What is typed in a row is one step of undo. */
   const typing = {};
@@ -110,7 +111,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : ''));
   };
   let kind: CurveFile['kind'] = 'obj';
-  const file = select('File', CURVES, (value) => (kind = value));
+  const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
     const bytes = await measured(session).curveFile(wish(), { kind, towardEye: towardEye(session.view.camera) });
     save(new Blob([bytes]), `${nameOf(session)}.isolines.${kind}`);
@@ -121,14 +122,14 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   return [
     h(
       'label',
-      { class: 'field', title: 'A spacing, or values with commas between them; empty: the period of the stripes' },
-      h('span', {}, 'Isolines at'),
+      { class: 'field', title: t('A spacing, or values with commas between them; empty: the period of the stripes') },
+      h('span', {}, t('Isolines at')),
       at,
     ),
-    action('Measure isolines', 'Length of each isoline, and the area that is nearer', measure),
+    action(t('Measure isolines'), t('Length of each isoline, and the area that is nearer'), measure),
     table,
     file.element,
-    action('Save isolines', 'Curves of equal distance, or the surface cut along them', saveFile),
+    action(t('Save isolines'), t('Curves of equal distance, or the surface cut along them'), saveFile),
   ];
 }
 
@@ -143,12 +144,12 @@ function tableOf({ rows }: Isolines, unit: string): HTMLElement {
     'table',
     { class: 'rows' },
     h('caption', { class: 'quiet' }, title),
-    h('thead', {}, cells('th', ['Distance', 'Length', 'Area nearer', 'Closed'])),
+    h('thead', {}, cells('th', [t('Distance'), t('Length'), t('Area nearer'), t('Closed')])),
     h(
       'tbody',
       {},
       ...rows.map(({ value, length: long, area, curves, closed }) =>
-        cells('td', [length(value), length(long), length(area), `${closed} of ${curves}`]),
+        cells('td', [length(value), length(long), length(area), t`${closed} of ${curves}`]),
       ),
     ),
   );
@@ -156,34 +157,34 @@ function tableOf({ rows }: Isolines, unit: string): HTMLElement {
 
 function distanceControls(session: Session, action: Action): HTMLElement[] {
   let kind: DistanceFile = 'csv';
-  const file = select('Distances', DISTANCES, (value) => (kind = value));
+  const file = select(t('Distances'), DISTANCES, (value) => (kind = value));
   const work = async () => {
     const bytes = await measured(session).distanceFile(kind);
     save(new Blob([bytes]), `${nameOf(session)}.distances.${kind}`);
   };
-  return [file.element, action('Save distances', 'One for each vertex of the file, in its unit', work)];
+  return [file.element, action(t('Save distances'), t('One for each vertex of the file, in its unit'), work)];
 }
 
 function pathControls(session: Session, action: Action): HTMLElement[] {
   let kind: (typeof PATHS)[number][0] = 'csv';
-  const file = select('Path', PATHS, (value) => (kind = value));
+  const file = select(t('Path'), PATHS, (value) => (kind = value));
   const work = () => {
     const { opened, answer } = session.shown.value ?? {};
-    if (!opened || !answer?.path) throw new Error('There is no path. Alt + click the surface to place a walker.');
+    if (!opened || !answer?.path) throw new Error(t('There is no path. Alt + click the surface to place a walker.'));
     const points = pathPoints(answer.path, opened.drawTransform);
     save(new Blob([pathFile(kind, points)]), `${nameOf(session)}.path.${kind}`);
   };
-  return [file.element, action('Save path', 'The points of the path, in the unit of the file', work)];
+  return [file.element, action(t('Save path'), t('The points of the path, in the unit of the file'), work)];
 }
 
 function reproduceControls(session: Session, action: Action): HTMLElement[] {
   let kind: (typeof LINES)[number][0] = 'command';
-  const lines = select('Reproduce by', LINES, (value) => (kind = value));
+  const lines = select(t('Reproduce by'), LINES, (value) => (kind = value));
   const field = h('textarea', {
     readOnly: true,
     rows: 3,
     hidden: true,
-    'aria-label': 'Lines that reproduce the distances',
+    'aria-label': t('Lines that reproduce the distances'),
   });
   const work = async () => {
     const asked = await measuredBy(session);
@@ -191,20 +192,20 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
     field.hidden = false;
     try {
       await navigator.clipboard.writeText(field.value);
-      return 'Copied.';
+      return t('Copied.');
     } catch {
       field.select();
-      return 'The clipboard is not available. Copy the lines from the field.';
+      return t('The clipboard is not available. Copy the lines from the field.');
     }
   };
-  return [lines.element, action('Copy lines', 'Lines that give the present distances again', work), field];
+  return [lines.element, action(t('Copy lines'), t('Lines that give the present distances again'), work), field];
 }
 
 async function measuredBy(session: Session): Promise<Measured> {
   measured(session);
   const { shown, scene, request } = session;
   const { opened, answer } = shown.value ?? {};
-  if (!opened || !answer?.field || !request) throw new Error('There are no distances yet.');
+  if (!opened || !answer?.field || !request) throw new Error(t('There are no distances yet.'));
   const isPreset = scene.state.mesh.kind === 'preset';
   const input = isPreset ? await request.load() : null;
   const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;

@@ -6,32 +6,33 @@ import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground
 import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
+import { t } from '../../texts';
 
 /** Of the button that paints them. */
-const COSTS_OF_FILE = 'Costs of the file';
+const COSTS_OF_FILE = t('Costs of the file');
 
 const TOOL_WORDS: Record<GroundTool, string> = {
-  brush: 'brush',
-  fill: 'fill an area',
-  line: 'wall along edges',
-  toggle: 'open and close gates',
+  brush: t('brush'),
+  fill: t('fill an area'),
+  line: t('wall along edges'),
+  toggle: t('open and close gates'),
 };
 
 const TOOL_HINTS: Record<GroundTool, string> = {
-  brush: 'Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.',
-  fill: 'Click an area: all of it that costs the same is painted.',
-  line: 'Click one vertex after the other; Esc, or a click on the last one, ends the wall.',
-  toggle: 'Click a wall or a gate to open it, or to close it again.',
+  brush: t('Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.'),
+  fill: t('Click an area: all of it that costs the same is painted.'),
+  line: t('Click one vertex after the other; Esc, or a click on the last one, ends the wall.'),
+  toggle: t('Click a wall or a gate to open it, or to close it again.'),
 };
 
 const MATERIAL_WORDS: Record<Material, string> = {
-  mud: 'Mud',
-  sand: 'Sand',
-  road: 'Road',
-  custom: 'Custom',
-  wall: 'Wall',
-  gate: 'Gate',
-  eraser: 'Eraser',
+  mud: t('Mud'),
+  sand: t('Sand'),
+  road: t('Road'),
+  custom: t('Custom'),
+  wall: t('Wall'),
+  gate: t('Gate'),
+  eraser: t('Eraser'),
 };
 
 /** Steps of the sliders of costs for a factor of ten, of the size, and of the relief for a factor of two. */
@@ -42,9 +43,9 @@ const HEIGHT_POWERS = 5;
 /** The brush, what slopes and height cost, and what the path costs. */
 export function groundSection(session: Session, editor: GroundEditor): HTMLElement {
   const { scene } = session;
-  const brush = toggle('Brush', (on) => editor.set({ on }));
-  brush.element.title = 'The pointer paints the ground (B)';
-  const tool = select<GroundTool>('Tool', labelled(TOOLS, TOOL_WORDS), (value) =>
+  const brush = toggle(t('Brush'), (on) => editor.set({ on }));
+  brush.element.title = t('The pointer paints the ground (B)');
+  const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) =>
     editor.set({ on: true, tool: value }),
   );
   const hint = h('p', { class: 'quiet' });
@@ -60,55 +61,59 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   });
   const materials = h(
     'div',
-    { class: 'materials', role: 'group', 'aria-label': 'Material' },
+    { class: 'materials', role: 'group', 'aria-label': t('Material') },
     ...buttons.map(({ button }) => button),
   );
   const cost = slider({
-    label: 'Cost',
+    label: t('Cost'),
     min: COST_STEPS * Math.log10(COSTS[0]),
     max: COST_STEPS * Math.log10(COSTS[1]),
     step: 1,
-    describe: (step) => `${length(costAt(step))} × as dear`,
+    describe: (step) => t`${length(costAt(step))} × as dear`,
     change: (step) => editor.set({ on: true, material: 'custom', cost: costAt(step) }),
   });
   const size = slider({
-    label: 'Size',
+    label: t('Size'),
     min: 0,
     max: SIZE_STEPS,
     step: 1,
-    describe: (step) => `${length(100 * radiusAt(step))} % of the diameter`,
+    describe: (step) => t`${length(100 * radiusAt(step))} % of the diameter`,
     change: (step) => editor.set({ radius: radiusAt(step) }),
   });
-  size.element.title = '[ and ] change it';
+  size.element.title = t('[ and ] change it');
   const soft = slider({
-    label: 'Soft edge',
+    label: t('Soft edge'),
     min: 0,
     max: 1,
     step: 0.05,
     describe: percent,
     change: (value) => editor.set({ soft: value }),
   });
-  const fill = h('button', { class: 'small', title: 'Paints all of it', onclick: () => editor.fillAll() }, 'Fill all');
+  const fill = h(
+    'button',
+    { class: 'small', title: t('Paints all of it'), onclick: () => editor.fillAll() },
+    t('Fill all'),
+  );
   const clear = h(
     'button',
-    { class: 'small', title: 'Takes away all that is painted, and all walls', onclick: () => editor.clear() },
-    'Clear',
+    { class: 'small', title: t('Takes away all that is painted, and all walls'), onclick: () => editor.clear() },
+    t('Clear'),
   );
   const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
-  const slope = toggle('Slope', (on) => editor.setRelief({ slope: on }));
-  slope.element.title = 'Tobler’s hiking function';
+  const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
+  slope.element.title = t('Tobler’s hiking function');
   const slopeHint = h(
     'p',
     { class: 'quiet' },
-    'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.',
+    t('Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.'),
   );
   let gesture = {};
   const height = slider({
-    label: 'Height',
+    label: t('Height'),
     min: -HEIGHT_POWERS,
     max: HEIGHT_POWERS,
     step: 0.5,
-    describe: (power) => (power === 0 ? 'costs nothing' : `${length(2 ** power)} × at the top`),
+    describe: (power) => (power === 0 ? t('costs nothing') : t`${length(2 ** power)} × at the top`),
     change: (power) => editor.setRelief({ highest: 2 ** power }, gesture),
   });
   height.element.querySelector('input')?.addEventListener('change', () => {
@@ -121,7 +126,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     brush.show(on);
     tool.show(chosen);
     const isLine = editor.lineEnd.value !== null;
-    hint.textContent = isLine ? 'Click the next vertex; Esc ends the wall.' : TOOL_HINTS[chosen];
+    hint.textContent = isLine ? t('Click the next vertex; Esc ends the wall.') : TOOL_HINTS[chosen];
     hint.hidden = !on;
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));
@@ -151,9 +156,9 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     const path = shown?.answer.path;
     const walked =
       path && shown
-        ? `The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}. `
+        ? t`The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}. `
         : '';
-    const exactness = isWeighted(ground) ? 'Where costs differ, no distances are exact.' : '';
+    const exactness = isWeighted(ground) ? t('Where costs differ, no distances are exact.') : '';
     legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
   };
   scene.subscribe((state, previous) => {
@@ -202,17 +207,17 @@ function stepOf(radius: number): number {
 function titleOf(material: Material, custom: number): string {
   switch (material) {
     case 'wall':
-      return 'Nobody walks through';
+      return t('Nobody walks through');
     case 'gate':
-      return 'A wall that can be opened';
+      return t('A wall that can be opened');
     case 'eraser':
-      return 'Costs 1 again; also takes walls away';
+      return t('Costs 1 again; also takes walls away');
     case 'custom':
-      return `A unit costs ${length(custom)}`;
+      return t`A unit costs ${length(custom)}`;
     case 'mud':
     case 'sand':
     case 'road':
-      return `A unit costs ${length(MATERIAL_COSTS[material])}`;
+      return t`A unit costs ${length(MATERIAL_COSTS[material])}`;
   }
 }
 

@@ -5,9 +5,10 @@ import { lookInto } from '../../state/edit';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { count, counted, finePercent, percent, seconds, volume } from '../words';
+import { count, counted, finePercent, fixed, percent, seconds, volume } from '../words';
+import { t } from '../../texts';
 
-const CUT_WORDS: Record<Inside['cut'], string> = { none: 'nothing', plane: 'half', wedge: 'a wedge' };
+const CUT_WORDS: Record<Inside['cut'], string> = { none: t('nothing'), plane: t('half'), wedge: t('a wedge') };
 
 /** Steps of the slider of tetrahedra for a factor of ten. */
 const FILL_STEPS = 20;
@@ -16,7 +17,7 @@ const FILL_DIGITS = 2;
 /** Milliseconds that a tetrahedron takes to be made in a tab, before any has been. */
 const MS_PER_TETRAHEDRON = 0.01;
 
-const EMPTY = 'A closed surface can be filled: distance then leads through its inside.';
+const EMPTY = t('A closed surface can be filled: distance then leads through its inside.');
 
 /** Fills a surface with tetrahedra, and looks into them. */
 export function insideSection(session: Session, opener: Opener): HTMLElement {
@@ -24,17 +25,17 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   let pace = MS_PER_TETRAHEDRON;
   let wanted = DEFAULT_FILL;
   const amount = slider({
-    label: 'Tetrahedra',
+    label: t('Tetrahedra'),
     min: FILL_STEPS * Math.log10(FILLS[0]),
     max: FILL_STEPS * Math.log10(FILLS[1]),
     step: 1,
-    describe: (step) => `${count(fillAt(step))}, about ${seconds(pace * fillAt(step))}`,
+    describe: (step) => t`${count(fillAt(step))}, about ${seconds(pace * fillAt(step))}`,
     change: (step) => {
       wanted = fillAt(step);
     },
   });
-  const fill = h('button', { class: 'small', onclick: () => void opener.fill(wanted) }, 'Fill the inside');
-  const empty = h('button', { class: 'small', onclick: () => void opener.fill(null) }, 'Show the surface');
+  const fill = h('button', { class: 'small', onclick: () => void opener.fill(wanted) }, t('Fill the inside'));
+  const empty = h('button', { class: 'small', onclick: () => void opener.fill(null) }, t('Show the surface'));
   const report = h('p', { class: 'quiet', role: 'status' });
 
   let gesture = {};
@@ -54,39 +55,39 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     });
     return control;
   };
-  const cut = select<Inside['cut']>('Cut away', labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
+  const cut = select<Inside['cut']>(t('Cut away'), labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
   cut.element.title = 'I';
-  const place = number('place', 'Position', 0.01, (value) => (value === 0 ? 'middle' : percent(value)));
-  place.element.title = 'Comma and full stop move it';
-  const turn = number('turn', 'Turn', 1, (value) => `${value}°`);
-  const tilt = number('tilt', 'Tilt', 1, (value) => `${value}°`);
-  const opening = number('opening', 'Opening', 1, (value) => `${value}°`);
+  const place = number('place', t('Position'), 0.01, (value) => (value === 0 ? t('middle') : percent(value)));
+  place.element.title = t('Comma and full stop move it');
+  const turn = number('turn', t('Turn'), 1, (value) => `${value}°`);
+  const tilt = number('tilt', t('Tilt'), 1, (value) => `${value}°`);
+  const opening = number('opening', t('Opening'), 1, (value) => `${value}°`);
   const face = h(
     'button',
     {
       class: 'small',
-      title: 'Turns what is cut away towards the camera',
+      title: t('Turns what is cut away towards the camera'),
       onclick: () => {
         const [yaw, pitch] = view.camera ?? [0, 0];
         choose(anglesOf([Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)]));
       },
     },
-    'Face the camera',
+    t('Face the camera'),
   );
-  const whole = toggle('Whole tetrahedra', (on) => choose({ whole: on }));
-  const gap = number('gap', 'Pull apart', 0.05, (value) => (value === 0 ? 'together' : percent(value)));
+  const whole = toggle(t('Whole tetrahedra'), (on) => choose({ whole: on }));
+  const gap = number('gap', t('Pull apart'), 0.05, (value) => (value === 0 ? t('together') : percent(value)));
   const spacing = slider({
-    label: 'Shells',
+    label: t('Shells'),
     min: INSIDE_RANGES.spacing[0],
     max: INSIDE_RANGES.spacing[1],
     step: LEAST_SPACING,
-    describe: (value) => (value === 0 ? 'none' : `every ${percent(value)} of the largest distance`),
+    describe: (value) => (value === 0 ? t('none') : t`every ${percent(value)} of the largest distance`),
     change: (value) => change({ spacing: value }),
   });
   spacing.element.querySelector('input')?.addEventListener('change', () => {
     gesture = {};
   });
-  const arrows = toggle('Arrows inside', (on) => choose({ arrows: on }));
+  const arrows = toggle(t('Arrows inside'), (on) => choose({ arrows: on }));
   const looking = h(
     'div',
     { class: 'stack' },
@@ -134,7 +135,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     }
     showFill(scene.state);
     for (const element of [amount.element, fill]) element.hidden = interior !== null && !isFilled;
-    fill.textContent = isFilled ? 'Fill anew' : 'Fill the inside';
+    fill.textContent = isFilled ? t('Fill anew') : t('Fill the inside');
     empty.hidden = !isFilled;
     looking.hidden = !interior;
     report.textContent = reportOf(shown, unitOf(scene.state, shown.opened));
@@ -149,21 +150,21 @@ function reportOf({ opened, places }: Shown, unit: LengthUnit): string {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
   const sentences = [
-    `${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${report.leastAngle.toFixed(1)}° to ${report.largestAngle.toFixed(1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
+    t`${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${fixed(report.leastAngle, 1)}° to ${fixed(report.largestAngle, 1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
   ];
   if (report.isFilled) {
     sentences.push(
-      `Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`,
+      t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`,
     );
   }
   if (report.holes > 0)
-    sentences.push(`${counted(report.holes, 'hole')} of the surface ${report.holes === 1 ? 'was' : 'were'} closed.`);
+    sentences.push(`${counted(report.holes, 'hole of the surface was closed', 'holes of the surface were closed')}.`);
   if (report.leftOut > 0)
     sentences.push(
-      `${count(report.leftOut)} without volume or twice there ${report.leftOut === 1 ? 'was' : 'were'} left out.`,
+      `${counted(report.leftOut, 'without volume or twice there was left out', 'without volume or twice there were left out')}.`,
     );
   if (report.turned > 0)
-    sentences.push(`${count(report.turned)} inside out ${report.turned === 1 ? 'was' : 'were'} turned.`);
+    sentences.push(`${counted(report.turned, 'inside out was turned', 'inside out were turned')}.`);
   if (report.remark) sentences.push(`${report.remark}.`);
   return sentences.join(' ');
 }

@@ -6,11 +6,12 @@ import { h } from '../dom';
 import type { MeasureInput } from '../measure/input';
 import type { Measuring } from '../measure/loaded';
 import type { Tool } from '../../state/tool';
+import { t } from '../../texts';
 
 export class MeasureSection {
   readonly element: HTMLElement;
   /** Over the stage. */
-  readonly labels = h('section', { class: 'tape-layer', 'aria-label': 'Tapes' });
+  readonly labels = h('section', { class: 'tape-layer', 'aria-label': t('Tapes') });
   readonly #session: Session;
   readonly #input: MeasureInput;
   #loading: Promise<Measuring> | null = null;
@@ -20,7 +21,7 @@ export class MeasureSection {
   constructor(session: Session, input: MeasureInput, tool: Signal<Tool>) {
     this.#session = session;
     this.#input = input;
-    const choose = h('button', { class: 'wide', title: 'Click places to measure between them (M)' }, 'Measure');
+    const choose = h('button', { class: 'wide', title: t('Click places to measure between them (M)') }, t('Measure'));
     choose.addEventListener('click', () => {
       tool.value = tool.value === 'measure' ? 'source' : 'measure';
     });
@@ -28,7 +29,7 @@ export class MeasureSection {
     const help = h(
       'p',
       { class: 'quiet' },
-      'Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.',
+      t('Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.'),
     );
     this.element = h('div', { class: 'stack' }, choose, help);
     const isWanted = () => tool.value === 'measure' || session.scene.state.tapes.length > 0;

@@ -4,8 +4,13 @@ import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { bytes, count, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
+import { t } from '../../texts';
 
-const PATH_WORDS: Record<PathKind, string> = { descent: 'steepest descent', straight: 'straightened', exact: 'exact' };
+const PATH_WORDS: Record<PathKind, string> = {
+  descent: t('steepest descent'),
+  straight: t('straightened'),
+  exact: t('exact'),
+};
 
 /** Size of the mesh, accuracy, times and memory. */
 export function numbersSection(session: Session): HTMLElement {
@@ -29,8 +34,8 @@ export function numbersSection(session: Session): HTMLElement {
   session.scene.subscribe((state, previous) => {
     if (!isSameUnit(state, previous)) show();
   });
-  session.view.backend.watch((backend) => put('Renderer', backend ?? 'none'));
-  session.view.resolution.watch((share) => put('Pixels drawn', percent(share ** 2)));
+  session.view.backend.watch((backend) => put(t('Renderer'), backend ?? t('none')));
+  session.view.resolution.watch((share) => put(t('Pixels drawn'), percent(share ** 2)));
   return table;
 }
 
@@ -39,33 +44,33 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [string, 
   const { field, path, factoring } = answer;
   const { timings } = factoring;
   return [
-    ['Triangles', count(report.faces)],
-    ['Tetrahedra', opened.interior ? count(opened.interior.report.tetrahedra) : '–'],
-    ['Vertices', count((opened.interior?.report ?? report).vertices)],
-    ['Components', count(report.components)],
-    ['Contacts', factoring.groups > 0 ? count(factoring.contacts) : '–'],
-    ['Links between groups', factoring.groups > 0 ? count(factoring.links) : '–'],
-    ['Groups of components', factoring.groups > 0 ? count(factoring.groups) : '–'],
-    ['Boundaries', count(report.boundaryLoops)],
-    ['Euler characteristic', count(report.eulerCharacteristic)],
-    ['Mean edge', measure(opened.meanEdge, unit)],
-    ['Diameter', measure(places.diameter, unit)],
-    ['Maximum distance', field ? measure(field.maxDistance, unit) : '–'],
-    ['Exact vertices', field ? percentDown(field.exactShare) : '–'],
-    ['Mean error before refinement', field?.error ? finePercent(field.error.mean) : '–'],
-    ['Maximum error', field?.error ? finePercent(field.error.max) : '–'],
-    ['Path', path ? `${measure(path.length, unit)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
-    ['Cost of the path', path ? length(path.cost) : '–'],
-    ['Windows of a half-edge', field?.windows ? count(field.windows) : '–'],
-    ['Time factor m', field?.timeFactor ? length(field.timeFactor) : '–'],
-    ['Read', milliseconds(timings.readMs)],
-    ['Build', milliseconds(timings.buildMs)],
-    ['Draw', milliseconds(timings.drawMs)],
-    ['Join components', timings.joinMs > 0 ? milliseconds(timings.joinMs) : '–'],
-    ['Factor', timings.precomputeMs > 0 ? milliseconds(timings.precomputeMs) : '–'],
-    ['Solve', field ? milliseconds(field.solveMs) : '–'],
-    ['Refine', field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],
-    ['Factor nonzeros', factoring.factorNonzeros > 0 ? count(factoring.factorNonzeros) : '–'],
-    ['Memory', bytes(factoring.memoryBytes)],
+    [t('Triangles'), count(report.faces)],
+    [t('Tetrahedra'), opened.interior ? count(opened.interior.report.tetrahedra) : '–'],
+    [t('Vertices'), count((opened.interior?.report ?? report).vertices)],
+    [t('Components'), count(report.components)],
+    [t('Contacts'), factoring.groups > 0 ? count(factoring.contacts) : '–'],
+    [t('Links between groups'), factoring.groups > 0 ? count(factoring.links) : '–'],
+    [t('Groups of components'), factoring.groups > 0 ? count(factoring.groups) : '–'],
+    [t('Boundaries'), count(report.boundaryLoops)],
+    [t('Euler characteristic'), count(report.eulerCharacteristic)],
+    [t('Mean edge'), measure(opened.meanEdge, unit)],
+    [t('Diameter'), measure(places.diameter, unit)],
+    [t('Maximum distance'), field ? measure(field.maxDistance, unit) : '–'],
+    [t('Exact vertices'), field ? percentDown(field.exactShare) : '–'],
+    [t('Mean error before refinement'), field?.error ? finePercent(field.error.mean) : '–'],
+    [t('Maximum error'), field?.error ? finePercent(field.error.max) : '–'],
+    [t('Path'), path ? `${measure(path.length, unit)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
+    [t('Cost of the path'), path ? length(path.cost) : '–'],
+    [t('Windows of a half-edge'), field?.windows ? count(field.windows) : '–'],
+    [t('Time factor m'), field?.timeFactor ? length(field.timeFactor) : '–'],
+    [t('Read'), milliseconds(timings.readMs)],
+    [t('Build'), milliseconds(timings.buildMs)],
+    [t('Draw'), milliseconds(timings.drawMs)],
+    [t('Join components'), timings.joinMs > 0 ? milliseconds(timings.joinMs) : '–'],
+    [t('Factor'), timings.precomputeMs > 0 ? milliseconds(timings.precomputeMs) : '–'],
+    [t('Solve'), field ? milliseconds(field.solveMs) : '–'],
+    [t('Refine'), field && field.refineMs > 0 ? milliseconds(field.refineMs) : '–'],
+    [t('Factor nonzeros'), factoring.factorNonzeros > 0 ? count(factoring.factorNonzeros) : '–'],
+    [t('Memory'), bytes(factoring.memoryBytes)],
   ];
 }

@@ -1,5 +1,6 @@
 /** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
 import { h } from '../dom';
+import { t } from '../../texts';
 
 export interface Section {
   id: string;
@@ -30,7 +31,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
     details.addEventListener('toggle', () => remember(id, details.open));
     body.append(details);
   }
-  const panel = h('aside', { class: 'panel', 'aria-label': 'Panel' });
+  const panel = h('aside', { class: 'panel', 'aria-label': t('Panel') });
   const handle = h('button', {
     class: 'panel-handle',
     'aria-controls': 'panel-body',
@@ -39,7 +40,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
   const setOpen = (open: boolean) => {
     panel.dataset.open = String(open);
     handle.setAttribute('aria-expanded', String(open));
-    const name = open ? 'Collapse the panel' : 'Expand the panel';
+    const name = open ? t('Collapse the panel') : t('Expand the panel');
     handle.setAttribute('aria-label', name);
     handle.title = name;
     body.inert = !open;
@@ -60,7 +61,7 @@ function later(load: () => Promise<HTMLElement>): HTMLElement {
     load().then(
       (element) => place.replaceWith(element),
       () =>
-        (place.textContent = 'This part of the page could not be loaded. Check the connection and reload the page.'),
+        (place.textContent = t('This part of the page could not be loaded. Check the connection and reload the page.')),
     );
   }).observe(place);
   return place;

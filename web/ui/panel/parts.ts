@@ -3,6 +3,7 @@ import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { h } from '../dom';
 import { count, counted } from '../words';
+import { t } from '../../texts';
 
 interface Row {
   element: HTMLElement;
@@ -22,7 +23,7 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
     };
     rows = parts.map(({ name, triangles }, index) => {
       const isActive = active.includes(index);
-      const label = name || `Part ${index + 1}`;
+      const label = name || t`Part ${index + 1}`;
       const box = h('input', {
         type: 'checkbox',
         checked: isActive,
@@ -38,14 +39,14 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
       const eye = isActive ? null : h('button', { onclick: () => toggle(index) });
       const show = (hidden: readonly number[]) => {
         if (!eye) return;
-        eye.textContent = hidden.includes(index) ? 'Show' : 'Hide';
+        eye.textContent = hidden.includes(index) ? t('Show') : t('Hide');
         eye.setAttribute('aria-label', `${eye.textContent} ${label}`);
       };
       return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, label), size), eye), show };
     });
     list.hidden = parts.length < 2;
     list.replaceChildren(
-      h('legend', {}, `Active parts, ${active.length} of ${parts.length}`),
+      h('legend', {}, t`Active parts, ${active.length} of ${parts.length}`),
       ...rows.map(({ element }) => element),
     );
   };

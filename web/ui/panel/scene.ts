@@ -7,6 +7,7 @@ import { AUTOMATIC } from '../../wasm/contract';
 import { h, select } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
+import { t } from '../../texts';
 
 /** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
@@ -32,7 +33,7 @@ export function sceneSection(
   chooseFolder: (() => void) | null,
   drawn: Promise<void>,
 ): HTMLElement {
-  const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': 'Presets' });
+  const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': t('Presets') });
   const buttons = PRESETS.map((preset) => {
     const button = h(
       'button',
@@ -47,12 +48,13 @@ export function sceneSection(
 
   const simplified = h('p', { class: 'quiet', hidden: true });
   const units: [UnitChoice, string][] = [
-    [AUTOMATIC, 'automatic'],
+    [AUTOMATIC, t('automatic')],
     ...UNITS.map((name): [UnitChoice, string] => [name, name]),
   ];
-  const unit = select('Unit', units, (value) => session.scene.place({ unit: value, scale: 1 }));
-  unit.element.title =
-    'What the lengths of the file are told in; none is converted. A tape of known length sets another scale';
+  const unit = select(t('Unit'), units, (value) => session.scene.place({ unit: value, scale: 1 }));
+  unit.element.title = t(
+    'What the lengths of the file are told in; none is converted. A tape of known length sets another scale',
+  );
   const automatic = unit.element.querySelector('option');
   const showUnit = () => {
     const { scene, shown } = session;
@@ -62,7 +64,7 @@ export function sceneSection(
     simplified.hidden = !simplified.textContent;
     if (!opened || !automatic) return;
     const { symbol, assumed } = unitOf({ unit: AUTOMATIC, scale: 1 }, opened);
-    automatic.textContent = symbol ? `${symbol} (${assumed ? 'assumed' : 'of the file'})` : 'automatic (none)';
+    automatic.textContent = symbol ? `${symbol} (${assumed ? t('assumed') : t('of the file')})` : t('automatic (none)');
   };
   session.shown.watch(showUnit);
 
@@ -89,8 +91,9 @@ export function sceneSection(
     h(
       'div',
       { class: 'openers' },
-      h('button', { title: `Open a file (O): ${FORMATS}`, onclick: chooseFile }, 'Open a file…'),
-      chooseFolder && h('button', { title: 'Open the folder of a mesh', onclick: chooseFolder }, 'Open a folder…'),
+      h('button', { title: t`Open a file (O): ${FORMATS}`, onclick: chooseFile }, t('Open a file…')),
+      chooseFolder &&
+        h('button', { title: t('Open the folder of a mesh'), onclick: chooseFolder }, t('Open a folder…')),
     ),
     simplified,
     unit.element,

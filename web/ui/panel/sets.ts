@@ -8,35 +8,37 @@ import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
 import { h, select } from '../dom';
 import { DRAWING, type Tool } from '../../state/tool';
+import { t } from '../../texts';
 
 const NO_DRAWING = 'none';
 type Choice = typeof NO_DRAWING | (typeof DRAWING)[number];
 
 const WORDS: readonly (readonly [Choice, string])[] = [
-  [NO_DRAWING, 'single sources'],
-  ['line', 'line along edges (4)'],
-  ['stroke', 'stroke (5)'],
-  ['boundary', 'whole boundary (6)'],
-  ['part', 'whole part (7)'],
+  [NO_DRAWING, t('single sources')],
+  ['line', t('line along edges (4)')],
+  ['stroke', t('stroke (5)')],
+  ['boundary', t('whole boundary (6)')],
+  ['part', t('whole part (7)')],
 ];
 
 const HINTS: Record<Choice, string> = {
   none: matchMedia('(pointer: coarse)').matches
-    ? 'Choose what a tap draws.'
-    : 'Shift + click draws a line along edges from the last source.',
-  line: 'Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.',
-  stroke: 'Drag on the surface to draw. A stroke that ends where it began is closed.',
-  boundary: 'Click near a boundary: all of its vertices are sources.',
-  part: 'Click a part: all of its vertices are sources; of a model of one part, those of the component.',
+    ? t('Choose what a tap draws.')
+    : t('Shift + click draws a line along edges from the last source.'),
+  line: t('Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.'),
+  stroke: t('Drag on the surface to draw. A stroke that ends where it began is closed.'),
+  boundary: t('Click near a boundary: all of its vertices are sources.'),
+  part: t('Click a part: all of its vertices are sources; of a model of one part, those of the component.'),
 };
 
-const TOO_MANY =
-  'These sources are too many for a link, which leaves out those drawn and listed. Save them as a file: whoever drops it on the page has them again.';
+const TOO_MANY = t(
+  'These sources are too many for a link, which leaves out those drawn and listed. Save them as a file: whoever drops it on the page has them again.',
+);
 
 /** What draws sources, a field to type or paste them, and a file to save them in. */
 export function drawingControls(session: Session, tool: Signal<Tool>): HTMLElement[] {
   const { scene } = session;
-  const choice = select<Choice>('Draw', WORDS, (value) => {
+  const choice = select<Choice>(t('Draw'), WORDS, (value) => {
     tool.value = value === NO_DRAWING ? 'source' : value;
   });
   const hint = h('p', { class: 'quiet' });
@@ -55,7 +57,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     if (text.trim() === '') return;
     try {
       const { addList } = await import('../../session/sets');
-      tell(addList(session, 'List', text));
+      tell(addList(session, t('List'), text));
       field.value = '';
     } catch (error) {
       tell(error instanceof Error ? error.message : String(error));
@@ -63,9 +65,9 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   };
   const field = h('input', {
     type: 'text',
-    placeholder: 'Vertex, or x y z',
-    title: 'A vertex of the file, counted from 0, or coordinates in its unit; a list can be pasted',
-    'aria-label': 'Source to add: a vertex, or x y z',
+    placeholder: t('Vertex, or x y z'),
+    title: t('A vertex of the file, counted from 0, or coordinates in its unit; a list can be pasted'),
+    'aria-label': t('Source to add: a vertex, or x y z'),
     onkeydown: (event) => {
       if (event instanceof KeyboardEvent && event.key === 'Enter') void add(field.value);
     },
@@ -81,7 +83,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     'div',
     { class: 'linking' },
     field,
-    h('button', { class: 'small', onclick: () => void add(field.value) }, 'Add'),
+    h('button', { class: 'small', onclick: () => void add(field.value) }, t('Add')),
   );
 
   const tooMany = h('p', { class: 'warning', role: 'status', hidden: true });
@@ -89,32 +91,32 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     'button',
     {
       class: 'small',
-      title: 'All sources as a CSV file, which can be dropped on the page',
+      title: t('All sources as a CSV file, which can be dropped on the page'),
       onclick: () =>
         void (async () => {
           const { tableOf } = await import('../../session/sets');
           save(new Blob([tableOf(session)], { type: 'text/csv' }), 'sources.csv');
         })().catch((error: unknown) => session.fail(error)),
     },
-    'Save sources',
+    t('Save sources'),
   );
   const clear = h(
     'button',
     { class: 'small', onclick: () => scene.place({ sources: [], sets: [], selected: -1 }) },
-    'Delete all',
+    t('Delete all'),
   );
   const close = h(
     'button',
     {
       class: 'small',
-      title: 'Joins the end of the selected curve with its beginning',
+      title: t('Joins the end of the selected curve with its beginning'),
       onclick: () =>
         void (async () => {
           const curve = openCurve(scene);
           if (curve) await (await import('../../session/sets')).closeLine(session, curve);
         })().catch((error: unknown) => session.fail(error)),
     },
-    'Close curve',
+    t('Close curve'),
   );
   const keeping = h('div', { class: 'linking', hidden: true }, close, keep, clear);
   const showSets = () => {

@@ -2,12 +2,13 @@ import type { Session } from '../../session/session';
 import { fitLink } from '../../state/sets';
 import { canRecord, png, save, video } from '../../view/picture';
 import { h, select, toggle } from '../dom';
+import { t } from '../../texts';
 
 const SCALES = ['1', '2', '4'] as const;
 /** What a video can show. */
 const VIDEOS = [
-  ['turn', 'Turntable'],
-  ['walk', 'The walk'],
+  ['turn', t('Turntable')],
+  ['walk', t('The walk')],
 ] as const;
 const TURN_SECONDS = 8;
 
@@ -38,7 +39,7 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   const field = h('input', {
     type: 'text',
     readonly: true,
-    'aria-label': 'Link to this scene, or its frame',
+    'aria-label': t('Link to this scene, or its frame'),
     hidden: true,
   });
   const copy = async (text: string) => {
@@ -46,45 +47,49 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
       await navigator.clipboard.writeText(text);
       field.hidden = true;
       said.textContent = fitLink(scene.state.sets)
-        ? 'Copied.'
-        : 'Copied, without lists and curves of sources: they are too many for a link.';
+        ? t('Copied.')
+        : t('Copied, without lists and curves of sources: they are too many for a link.');
     } catch {
       // Without permission to use the clipboard the link is shown to be copied by hand.
       field.hidden = false;
       field.value = text;
       field.select();
-      said.textContent = 'The clipboard is not available. Copy it from the field.';
+      said.textContent = t('The clipboard is not available. Copy it from the field.');
     }
   };
   return [
-    h('button', { class: 'wide', title: 'Copy a link to this scene', onclick: () => void copy(link()) }, 'Copy link'),
+    h(
+      'button',
+      { class: 'wide', title: t('Copy a link to this scene'), onclick: () => void copy(link()) },
+      t('Copy link'),
+    ),
     h(
       'button',
       {
         class: 'wide',
-        title: 'Copy HTML that shows this scene in a frame of another page',
+        title: t('Copy HTML that shows this scene in a frame of another page'),
         onclick: () => void copy(frameOf(link())),
       },
-      'Copy frame',
+      t('Copy frame'),
     ),
     field,
     said,
     h(
       'p',
       { class: 'quiet' },
-      'The link contains the scene but not your file. Whoever opens it is asked for the file.',
+      t('The link contains the scene but not your file. Whoever opens it is asked for the file.'),
     ),
   ];
 }
 
 function sceneControls(session: Session): HTMLElement[] {
-  const { button, run } = worker('Save scene', 'An archive of the scene and its mesh, to be opened here again');
+  const { button, run } = worker(t('Save scene'), t('An archive of the scene and its mesh, to be opened here again'));
   const file = async () => {
     const { sceneFile } = await import('../../session/scene');
     save(await sceneFile(session), `${nameOf(session)}.heatwalk.zip`);
   };
   button.addEventListener('click', () => run(session, file));
-  const words = 'The file holds the scene and the mesh. Open it here as any mesh; all is then as it was.';
+  const words = t('The file holds the scene and the mesh. Open it here as any mesh; all is then as it was.');
   return [button, h('p', { class: 'quiet' }, words)];
 }
 
@@ -92,14 +97,14 @@ function imageControls(session: Session): HTMLElement[] {
   let scale: (typeof SCALES)[number] = '2';
   let background = true;
   const size = select(
-    'Image size',
-    SCALES.map((times) => [times, `${times} × the window`] as const),
+    t('Image size'),
+    SCALES.map((times) => [times, t`${times} × the window`] as const),
     (value) => (scale = value),
   );
   size.show(scale);
-  const behind = toggle('Background', (on) => (background = on));
+  const behind = toggle(t('Background'), (on) => (background = on));
   behind.show(background);
-  const { button, run } = worker('Save image', 'A PNG of the view');
+  const { button, run } = worker(t('Save image'), t('A PNG of the view'));
   button.addEventListener('click', () =>
     run(session, async () => save(await png(session.view, Number(scale), !background), `${nameOf(session)}.png`)),
   );
@@ -109,9 +114,9 @@ function imageControls(session: Session): HTMLElement[] {
 function videoControls(session: Session): HTMLElement[] {
   const { view, walk } = session;
   let shows: (typeof VIDEOS)[number][0] = 'turn';
-  const subject = select('Video', VIDEOS, (value) => (shows = value));
+  const subject = select(t('Video'), VIDEOS, (value) => (shows = value));
   subject.show(shows);
-  const { button, run } = worker('Save video', 'A WebM video of one turn around the model, or of the walk');
+  const { button, run } = worker(t('Save video'), t('A WebM video of one turn around the model, or of the walk'));
   const turn = async () => {
     view.spin = (2 * Math.PI) / TURN_SECONDS;
     try {
@@ -121,7 +126,7 @@ function videoControls(session: Session): HTMLElement[] {
     }
   };
   const walkVideo = () => {
-    if (walk.length === 0) throw new Error('There is no walker. Alt + click the surface to place one.');
+    if (walk.length === 0) throw new Error(t('There is no walker. Alt + click the surface to place one.'));
     return video(view, walk.perform());
   };
   const record = async () => save(await (shows === 'turn' ? turn() : walkVideo()), `${nameOf(session)}.webm`);

@@ -18,27 +18,29 @@ import {
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
 import { BOUNDARIES, fromLogarithm, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
 import { count, linksSentence, refiningSentence } from '../words';
+import { t } from '../../texts';
 
 const METHOD_HINTS: Record<Method, string> = {
-  auto: 'Propagation at once, then refined to exact. Nothing is factored.',
-  propagation: 'By a few windows of each half-edge; never below the exact distance. Nothing is factored.',
-  heat: 'Smooth distances from matrices that are factored once; refined to exact.',
-  exact: 'Propagation at once, then always refined to exact. Nothing is factored.',
+  auto: t('Propagation at once, then refined to exact. Nothing is factored.'),
+  propagation: t('By a few windows of each half-edge; never below the exact distance. Nothing is factored.'),
+  heat: t('Smooth distances from matrices that are factored once; refined to exact.'),
+  exact: t('Propagation at once, then always refined to exact. Nothing is factored.'),
 };
 /** Inside of tetrahedra there are two. */
 const INSIDE_METHODS: ReadonlySet<Method> = new Set<Method>(['auto', 'heat']);
-const INSIDE_HINT =
-  'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.';
+const INSIDE_HINT = t(
+  'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.',
+);
 const PATHS: Record<PathKind, string> = {
-  descent: 'Steepest descent',
-  straight: 'Straightened',
-  exact: 'Exact',
+  descent: t('Steepest descent'),
+  straight: t('Straightened'),
+  exact: t('Exact'),
 };
 /** Any other distance is given by the link. */
 const BRIDGES: readonly (readonly [Bridge, string])[] = [
-  ['auto', 'Touching or near'],
-  [0, 'Touching'],
-  ['off', 'None'],
+  ['auto', t('Touching or near')],
+  [0, t('Touching')],
+  ['off', t('None')],
 ];
 
 /** Method, exactness and path first, then the settings of the method; the less common ones are collapsed. */
@@ -47,62 +49,64 @@ export function solverSection(session: Session): HTMLElement {
   /** The radius in mean edges that the solver chose last. */
   let chosenNear = 0;
   const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
-  const method = select('Method', labelled(METHOD.names, METHODS), (value) => scene.set({ method: value }));
+  const method = select(t('Method'), labelled(METHOD.names, METHODS), (value) => scene.set({ method: value }));
   const hint = quiet('');
-  const refine = toggle('Refine to exact', (on) => scene.set({ refine: on }));
-  const path = select('Path', labelled(PATH_KIND.names, PATHS), (value) => scene.set({ pathKind: value }));
+  const refine = toggle(t('Refine to exact'), (on) => scene.set({ refine: on }));
+  const path = select(t('Path'), labelled(PATH_KIND.names, PATHS), (value) => scene.set({ pathKind: value }));
   const [low, high] = TIME_STEP_FACTORS;
   const factor = automaticSlider({
-    label: 'Time factor m',
+    label: t('Time factor m'),
     min: Math.log10(low),
     max: Math.log10(high),
     step: 0.05,
     describe: (value) => `${fromLogarithm(value)}`,
     change: (value) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }),
   });
-  const boundary = select('Boundary', labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
+  const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
   const [nearest, farthest] = EXACT_RADIUS_EDGES;
   const near = automaticSlider({
-    label: 'Exact region',
+    label: t('Exact region'),
     min: nearest,
     max: farthest,
     step: 1,
-    describe: (value, automatic) => (value === 0 ? 'off' : `${automatic ? '≈ ' : ''}${value} edges`),
+    describe: (value, automatic) => (value === 0 ? t('off') : `${automatic ? '≈ ' : ''}${t`${value} edges`}`),
     change: (value) => change({ exactRadius: value }),
   });
-  const multi = select('Multi-source', labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
+  const multi = select(t('Multi-source'), labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
     change({ sources: value }),
   );
-  const operator = select('Operator', labelled(OPERATOR.names, OPERATORS), (value) => change({ operator: value }));
-  const solver = select('Linear solver', labelled(LINEAR_SOLVER.names, SOLVERS), (value) => change({ solver: value }));
+  const operator = select(t('Operator'), labelled(OPERATOR.names, OPERATORS), (value) => change({ operator: value }));
+  const solver = select(t('Linear solver'), labelled(LINEAR_SOLVER.names, SOLVERS), (value) =>
+    change({ solver: value }),
+  );
   const windows = select(
-    'Windows',
+    t('Windows'),
     WINDOWS.map((number) => [number, count(number)] as const),
     (value) => scene.set({ windows: value }),
   );
-  const bridge = select('Join components', BRIDGES, (value) => scene.set({ bridge: value }));
+  const bridge = select(t('Join components'), BRIDGES, (value) => scene.set({ bridge: value }));
   const linked = quiet('');
   const unlink = h(
     'button',
-    { class: 'small', title: 'Takes away all links between groups', onclick: () => scene.place({ links: 0 }) },
-    'Unlink',
+    { class: 'small', title: t('Takes away all links between groups'), onclick: () => scene.place({ links: 0 }) },
+    t('Unlink'),
   );
   const links = h('div', { class: 'linking' }, linked, unlink);
   const ofHeat = [
     factor.element,
-    quiet('Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.'),
+    quiet(t('Heat flows for t = m h², where h is the mean edge length. A larger m gives a smoother distance.')),
     boundary.element,
   ];
   const moreOfHeat = [
     near.element,
-    quiet('Radius around the sources in which distances are exact at once, in mean edge lengths.'),
+    quiet(t('Radius around the sources in which distances are exact at once, in mean edge lengths.')),
     multi.element,
     operator.element,
     solver.element,
   ];
   const moreOfWindows = [
     windows.element,
-    quiet('Windows that each half-edge keeps. More are nearer to the exact distance, and slower.'),
+    quiet(t('Windows that each half-edge keeps. More are nearer to the exact distance, and slower.')),
   ];
 
   const show = () => {
@@ -173,7 +177,7 @@ export function solverSection(session: Session): HTMLElement {
     h(
       'details',
       { class: 'more' },
-      h('summary', {}, 'More solver settings'),
+      h('summary', {}, t('More solver settings')),
       h('div', { class: 'stack' }, ...moreOfHeat, ...moreOfWindows),
     ),
   );

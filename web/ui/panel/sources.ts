@@ -7,6 +7,7 @@ import type { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { Tool } from '../../state/tool';
 import { setName, unreachedSentence } from '../words';
+import { t } from '../../texts';
 
 /**
  * The list of sources: select, focus, initial distance, delete; what draws and adds them, fetched after the `first` picture; and the
@@ -20,8 +21,9 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     'button',
     {
       class: 'small',
-      title:
+      title: t(
         'Lets distance and paths cross to the nearest group of components that is not reached, where it is nearest',
+      ),
       onclick: () => {
         nearest.disabled = true;
         void linkNearest(session).finally(() => {
@@ -29,12 +31,12 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
         });
       },
     },
-    'Link nearest',
+    t('Link nearest'),
   );
   const all = h(
     'button',
-    { class: 'small', title: 'Links all groups of components', onclick: () => linkAll(session) },
-    'Link all',
+    { class: 'small', title: t('Links all groups of components'), onclick: () => linkAll(session) },
+    t('Link all'),
   );
   const linking = h('div', { class: 'linking', hidden: true }, nearest, all);
   let rows: HTMLElement[] = [];
@@ -43,12 +45,12 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     const { sources, sets } = scene.state;
     rows = [...sources, ...sets].map((_, index) => row(index));
     list.replaceChildren(...rows);
-    if (rows.length === 0) list.append(h('li', { class: 'quiet' }, 'No source: click the surface to set one.'));
+    if (rows.length === 0) list.append(h('li', { class: 'quiet' }, t('No source: click the surface to set one.')));
   };
   const row = (index: number) => {
     const name = h('button', {
       class: 'source-name',
-      title: 'Select; arrows move it, Delete removes it',
+      title: t('Select; arrows move it, Delete removes it'),
       onclick: () => {
         const selected = scene.state.selected === index ? -1 : index;
         scene.set({ selected });
@@ -60,8 +62,8 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       'button',
       {
         class: 'small',
-        title: 'Delete this source (Delete)',
-        'aria-label': `Delete source ${index + 1}`,
+        title: t('Delete this source (Delete)'),
+        'aria-label': t`Delete source ${index + 1}`,
         onclick: () => removeEntry(scene, index),
       },
       '×',
@@ -77,8 +79,8 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       type: 'number',
       min: 0,
       step: 'any',
-      title: 'Initial distance: the distance at this source, in units of the file',
-      'aria-label': `Initial distance of source ${index + 1}, in units`,
+      title: t('Initial distance: the distance at this source, in units of the file'),
+      'aria-label': t`Initial distance of source ${index + 1}, in units`,
       onfocus: () => {
         gesture = {};
       },
@@ -149,6 +151,6 @@ function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMe
 }
 
 function pointName(point: MeshPoint): string {
-  if ('vertex' in point) return `Vertex ${point.vertex}`;
-  return 'face' in point ? `Triangle ${point.face}` : `Tetrahedron ${point.tetrahedron}`;
+  if ('vertex' in point) return t`Vertex ${point.vertex}`;
+  return 'face' in point ? t`Triangle ${point.face}` : t`Tetrahedron ${point.tetrahedron}`;
 }

@@ -18,7 +18,8 @@ import {
 } from '../../state/styles';
 import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { measure, percent } from '../words';
+import { fixed, measure, percent } from '../words';
+import { t } from '../../texts';
 
 const SINGLE_COLOR = 'single color';
 const OF_FILE = "the file's materials";
@@ -56,11 +57,16 @@ export function styleSection(session: Session): HTMLElement {
 type Change = (part: Partial<Style>) => void;
 
 function gallery(choose: (style: Style) => void): Part {
-  const element = h('div', { class: 'styles', role: 'group', 'aria-label': 'Preset styles' });
+  const element = h('div', { class: 'styles', role: 'group', 'aria-label': t('Preset styles') });
   const buttons = STYLES.map((preset) => {
     const swatch = h('span', { class: 'swatch' });
     swatch.style.background = styleGradient(preset);
-    const button = h('button', { class: 'style', onclick: () => choose(preset) }, swatch, h('span', {}, preset.name));
+    const button = h(
+      'button',
+      { class: 'style', onclick: () => choose(preset) },
+      swatch,
+      h('span', {}, t(preset.name)),
+    );
     element.append(button);
     return button;
   });
@@ -74,12 +80,12 @@ function gallery(choose: (style: Style) => void): Part {
 function patternControls(session: Session, change: Change): Part {
   let lines = false;
   const pattern = select(
-    'Pattern',
-    PATTERNS.map((name) => [name, name] as const),
+    t('Pattern'),
+    PATTERNS.map((name) => [name, t(name)] as const),
     (value) => change({ pattern: value }),
   );
   const period = slider({
-    label: 'Period',
+    label: t('Period'),
     min: 0.005,
     max: 0.25,
     step: 0.005,
@@ -92,11 +98,11 @@ function patternControls(session: Session, change: Change): Part {
     change: (value) => change({ period: value }),
   });
   const width = slider({
-    label: 'Stripe width',
+    label: t('Stripe width'),
     min: 0,
     max: 1,
     step: 0.02,
-    describe: (value) => (lines ? `${(value * WIDEST_LINE).toFixed(1)} px` : percent(value)),
+    describe: (value) => (lines ? `${fixed(value * WIDEST_LINE, 1)} px` : percent(value)),
     change: (value) => change({ width: value }),
   });
   const number = (
@@ -109,10 +115,15 @@ function patternControls(session: Session, change: Change): Part {
     const { element, show } = slider({ label, min, max, step, describe, change: (value) => change({ [key]: value }) });
     return { key, element, show };
   };
-  const offset = number('Offset', 'offset', 0.02, percent);
-  const sharpness = number('Sharpness', 'sharpness', 0.05, percent);
-  const relief = number('Relief', 'relief', 0.01, (value) => (value < 0 ? 'groove ' : '') + percent(Math.abs(value)));
-  const flow = number('Flow', 'flow', 0.1, (value) => (value === 0 ? 'still' : `${value.toFixed(1)} / s`));
+  const offset = number(t('Offset'), 'offset', 0.02, percent);
+  const sharpness = number(t('Sharpness'), 'sharpness', 0.05, percent);
+  const relief = number(
+    t('Relief'),
+    'relief',
+    0.01,
+    (value) => (value < 0 ? t('groove ') : '') + percent(Math.abs(value)),
+  );
+  const flow = number(t('Flow'), 'flow', 0.1, (value) => (value === 0 ? t('still') : `${fixed(value, 1)} / s`));
   const bandsOnly = [sharpness.element, relief.element];
   const patterned = [period.element, width.element, offset.element, flow.element];
   return {
@@ -140,18 +151,18 @@ function patternControls(session: Session, change: Change): Part {
 
 function colours(session: Session, change: Change): Part {
   const surface = select<RampName | typeof OF_FILE>(
-    'Surface',
-    ([OF_FILE, ...RAMP_NAMES] as const).map((name) => [name, name] as const),
+    t('Surface'),
+    ([OF_FILE, ...RAMP_NAMES] as const).map((name) => [name, t(name)] as const),
     (value) => change(value === OF_FILE ? { surfaceOf: 'file' } : { surfaceOf: 'style', ramp: value }),
   );
-  const blend = select('Stripes lie', labelled(BLENDS, BLEND_WORDS), (value) => change({ blend: value }));
+  const blend = select(t('Stripes lie'), labelled(BLENDS, BLEND_WORDS), (value) => change({ blend: value }));
   const colour = h('input', { type: 'color', oninput: () => change({ stripe: colour.value }) });
   const stripes = select<string>(
-    'Stripes',
-    [SINGLE_COLOR, ...RAMP_NAMES].map((name) => [name, name] as const),
+    t('Stripes'),
+    [SINGLE_COLOR, ...RAMP_NAMES].map((name) => [name, t(name)] as const),
     (value) => change({ stripe: value === SINGLE_COLOR ? colour.value : value }),
   );
-  const own = h('label', { class: 'field' }, h('span', {}, 'Stripe color'), colour);
+  const own = h('label', { class: 'field' }, h('span', {}, t('Stripe color')), colour);
   return {
     element: h('div', { class: 'stack' }, surface.element, blend.element, stripes.element, own),
     show: ({ surfaceOf, blend: chosen, ramp, stripe }) => {
@@ -169,16 +180,16 @@ function colours(session: Session, change: Change): Part {
 }
 
 const BLEND_WORDS: Record<Blend, string> = {
-  contrast: 'over, standing out',
-  over: 'over the materials',
-  multiply: 'multiplied with them',
+  contrast: t('over, standing out'),
+  over: t('over the materials'),
+  multiply: t('multiplied with them'),
 };
 
 const MAP_WORDS: Record<MapName, string> = {
-  colour: 'Color',
-  normal: 'Normal',
-  emission: 'Emission',
-  specular: 'Specular (separate stripe material)',
+  colour: t('Color'),
+  normal: t('Normal'),
+  emission: t('Emission'),
+  specular: t('Specular (separate stripe material)'),
 };
 
 function materials(current: () => Style, change: Change): Part {
@@ -201,22 +212,22 @@ function materials(current: () => Style, change: Change): Part {
     return { element: control.element, show: (style: Style) => control.show(style[of][key]) };
   };
   const sliders = [
-    finish('surface', 'Surface metalness', 'metalness', 1),
-    finish('surface', 'Surface roughness', 'roughness', 1),
-    finish('surface', 'Surface emission', 'glow', 3),
-    finish('stripes', 'Stripe metalness', 'metalness', 1),
-    finish('stripes', 'Stripe roughness', 'roughness', 1),
-    finish('stripes', 'Stripe emission', 'glow', 3),
+    finish('surface', t('Surface metalness'), 'metalness', 1),
+    finish('surface', t('Surface roughness'), 'roughness', 1),
+    finish('surface', t('Surface emission'), 'glow', 3),
+    finish('stripes', t('Stripe metalness'), 'metalness', 1),
+    finish('stripes', t('Stripe roughness'), 'roughness', 1),
+    finish('stripes', t('Stripe emission'), 'glow', 3),
   ];
   return {
     element: h(
       'details',
       { class: 'more' },
-      h('summary', {}, 'Material'),
+      h('summary', {}, t('Material')),
       h(
         'div',
         { class: 'stack' },
-        h('p', { class: 'quiet' }, 'Stripes change:'),
+        h('p', { class: 'quiet' }, t('Stripes change:')),
         ...maps.map(({ element }) => element),
         ...sliders.map(({ element }) => element),
       ),
@@ -230,13 +241,13 @@ function materials(current: () => Style, change: Change): Part {
 
 function light(change: Change): Part {
   const around = select(
-    'Lighting',
-    SURROUNDINGS.map((name) => [name, name] as const),
+    t('Lighting'),
+    SURROUNDINGS.map((name) => [name, t(name)] as const),
     (value) => change({ surroundings: value }),
   );
   const [min, max] = STYLE_RANGES.light;
   const rotation = slider({
-    label: 'Rotate lighting',
+    label: t('Rotate lighting'),
     min,
     max,
     step: 5,
