@@ -1,5 +1,6 @@
 import { defineConfig } from 'vite';
 import { docs } from './tools/vite/docs.ts';
+import { english } from './tools/vite/english.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
@@ -11,7 +12,7 @@ const NAMED = new Set<string>([OFFLINE_WORKER, 'embed']);
 export default defineConfig({
   // Relative addresses, so that a build serves from any sub-path.
   base: './',
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [english(import.meta.dirname)] },
   assetsInclude: ['**/*.ply.gz'],
   plugins: [docs(import.meta.dirname), offline()],
   build: {
@@ -20,6 +21,8 @@ export default defineConfig({
     rolldownOptions: {
       input: { index: 'index.html', [OFFLINE_WORKER]: 'web/offline/worker.ts', embed: 'web/embed.ts' },
       output: {
+        // One file of what the first picture needs: the wait for texts would part it into many.
+        codeSplitting: { groups: [{ name: 'page', test: /\/web\/main\.ts$/ }] },
         entryFileNames: ({ name }) => (NAMED.has(name) ? '[name].js' : 'assets/[name]-[hash].js'),
       },
       // The last is a module for other pages.

@@ -1,5 +1,6 @@
 /** The page in one HTML file, which opens without a server. */
 import { defineConfig } from 'vite';
+import { english } from './tools/vite/english.ts';
 import { packedModules, singleFile } from './tools/vite/single.ts';
 import shared from './vite.config.ts';
 
@@ -12,7 +13,11 @@ export default defineConfig({
   assetsInclude: shared.assetsInclude ?? [],
   plugins: [packedModules(), singleFile()],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
-  worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
+  worker: {
+    format: 'iife',
+    plugins: () => [english(import.meta.dirname)],
+    rolldownOptions: { output: { codeSplitting: false } },
+  },
   build: {
     target: 'es2022',
     outDir: 'dist-single',

@@ -59,7 +59,11 @@ function wordsOf(node: Node): string | null {
 
 /** Whether it has words with a space between them, or one that begins with a capital. */
 function looksLikeText(words: string): boolean {
-  return /[a-z]{2} [a-z]/i.test(words) || /^[A-Z][a-z]+$/.test(words);
+  const own = words.replaceAll(/\{\d\}/g, '');
+  return (
+    (/[a-z]{2}/i.test(own) && /[a-z]{2} [a-z]/i.test(words.replaceAll(/\{\d\}/g, 'value'))) ||
+    /^[A-Z][a-z]+$/.test(words)
+  );
 }
 
 function visit(node: Node, said: Said): void {

@@ -9,6 +9,9 @@ import { t } from '../texts';
 /** Sources that a command line holds: Windows allows 32,767 characters. */
 const MOST_SOURCES = 2000;
 
+/** What holds sources. */
+const PLACES = { command: t('A command line'), program: t('A program') };
+
 /** A source that is on a surface. */
 export type SurfaceSource = Exclude<Source, InnerPoint>;
 
@@ -28,7 +31,7 @@ export interface Measured {
  */
 export function commandLine(measured: Measured): string {
   const { state, mesh, opened, field } = measured;
-  const sources = reproducedSources(measured, t('A command line'));
+  const sources = reproducedSources(measured, 'command');
   const words = ['heatwalk', 'distance', quoted(mesh)];
   if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
   const { clip, seconds, live } = state.animation;
@@ -41,12 +44,11 @@ export function commandLine(measured: Measured): string {
 }
 
 /**
- * The sources of what is measured, where the program and the crate can be asked for the same. `place`: what holds them, in
- * words.
+ * The sources of what is measured, where the program and the crate can be asked for the same. `place`: what holds them.
  *
  * @throws Error with the reason.
  */
-export function reproducedSources({ state, opened }: Measured, place: string): SurfaceSource[] {
+export function reproducedSources({ state, opened }: Measured, place: keyof typeof PLACES): SurfaceSource[] {
   if (opened.interior) throw new Error(t('Distances inside of tetrahedra made on this page have no lines.'));
   if (opened.simplified) throw new Error(t('The mesh was simplified on this page; save it, and open the saved mesh.'));
   const { slope, highest } = state.ground;
@@ -54,7 +56,7 @@ export function reproducedSources({ state, opened }: Measured, place: string): S
     throw new Error(t('Paint, walls and slopes of this page have no lines.'));
   const sources = allSources(state);
   if (sources.length > MOST_SOURCES)
-    throw new Error(t`${place} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+    throw new Error(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
   const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;

@@ -13,7 +13,7 @@ const WIDTH = 120;
  */
 export function rustLines(measured: Measured): string {
   const { state, mesh, opened, field } = measured;
-  const sources = reproducedSources(measured, 'A program');
+  const sources = reproducedSources(measured, 'program');
   const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
   const body = [readLine(mesh, use)];

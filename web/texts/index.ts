@@ -1,7 +1,9 @@
 /**
  * The language of the page. Texts are written in English where they are shown, inside `t`, and other languages have a file with
- * each of them: `fr.ts`.
+ * each of them in `fr/`. Workers speak English (`english.ts`).
  */
+
+import { filled, keyOf, type Value } from './template';
 
 export const LANGUAGES = { en: 'English', fr: 'Français' } as const;
 export type Language = keyof typeof LANGUAGES;
@@ -11,31 +13,29 @@ export type Texts = Readonly<Record<string, string>>;
 
 const KEY = 'heatwalk.language';
 
-/** That of the address (`?lang=fr`), else the one chosen before, else that of the browser. Workers and tests have English. */
+/** That of the address (`?lang=fr`), else the one chosen before, else that of the browser. Tests have English. */
 export const language: Language = typeof document === 'undefined' ? 'en' : preferred();
 
-const texts: Texts | null = language === 'en' ? null : (await import('./fr')).FRENCH;
+const texts: Texts | null = language === 'fr' ? (await import('./fr')).FRENCH : null;
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
 
 /** A text in the language of the page: a string, or a template, whose values stay as they are. */
-export function t(text: string | TemplateStringsArray, ...values: readonly (string | number)[]): string {
-  const key = typeof text === 'string' ? text : text.reduce((before, part, index) => `${before}{${index - 1}}${part}`);
-  const found = texts?.[key] ?? key;
-  return values.length === 0 ? found : found.replaceAll(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
+export function t(text: string | TemplateStringsArray, ...values: readonly Value[]): string {
+  const key = keyOf(text);
+  return filled(texts?.[key] ?? key, values);
 }
 
-/** Shows the page in another language, the scene as it is, from now on. */
+/** The page has this language from its next start on. Where storage is disabled, the address holds the choice. */
 export function choose(chosen: Language): void {
+  const address = new URL(location.href);
   try {
     localStorage.setItem(KEY, chosen);
+    address.searchParams.delete('lang');
   } catch {
-    // Storage may be disabled; then the address holds the choice.
+    address.searchParams.set('lang', chosen);
   }
-  const address = new URL(location.href);
-  address.searchParams.set('lang', chosen);
-  history.replaceState(null, '', address);
-  location.reload();
+  history.replaceState(history.state, '', address);
 }
 
 function preferred(): Language {

@@ -1,4 +1,5 @@
 /** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
+import { t } from '../../texts';
 
 export interface Series {
   name: string;
@@ -96,7 +97,7 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
   const root = svg('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     role: 'img',
-    'aria-label': `${title}: ${yLabel} by ${xLabel}`,
+    'aria-label': t`${title}: ${yLabel} by ${xLabel}`,
     'font-family': 'system-ui, sans-serif',
     'font-size': 11,
   });

@@ -68,7 +68,7 @@ export function table1(): HTMLElement {
   return h(
     'section',
     { class: 'stack table1', 'aria-label': t('Table 1 of the report') },
-    h('h3', {}, t('Table 1 of the report')),
+    h('h2', {}, t('Table 1 of the report')),
     h(
       'p',
       { class: 'quiet' },

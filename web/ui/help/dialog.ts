@@ -1,11 +1,12 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
-import { h, toggle } from '../dom';
+import { h, labelled, select, toggle } from '../dom';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
-import { t } from '../../texts';
+import { choose, language, type Language, LANGUAGES, t } from '../../texts';
 
 const EXPLAINED = 'explains';
+const codes = Object.keys(LANGUAGES) as Language[];
 
 /** Settings that arrive while settings are explained: those of a section that is fetched when it is expanded first. */
 const arrivals = new MutationObserver((changes) => {
@@ -23,6 +24,7 @@ export function openHelp(panel: HTMLElement | null): void {
     { class: 'help', 'aria-label': t('Help') },
     h('div', { class: 'help-head' }, h('h2', {}, t('Help')), close),
     ...(panel ? [explaining(panel)] : []),
+    ...languages(),
     gestures(),
     h('p', {}, h('a', { href: './docs/', target: '_blank', rel: 'noopener' }, t('All documents, with a search')), '.'),
   );
@@ -58,6 +60,19 @@ function keyCell(keys: string | null): HTMLElement {
     cell.append(...together, ' ');
   }
   return cell;
+}
+
+/** The choice takes effect with the next start of the page, which is left to the user: a dropped mesh would have to be dropped again. */
+function languages(): HTMLElement[] {
+  const reload = h('button', { class: 'small', onclick: () => location.reload() }, t('Reload the page'));
+  const note = h('p', { class: 'quiet', role: 'status', hidden: true });
+  const { element, show } = select(t('Language'), labelled(codes, LANGUAGES), (chosen) => {
+    choose(chosen);
+    note.hidden = chosen === language;
+    if (chosen !== language) note.replaceChildren(t('The page has this language once it is reloaded.'), ' ', reload);
+  });
+  show(language);
+  return [element, note];
 }
 
 function explaining(panel: HTMLElement): HTMLElement {

@@ -1,0 +1,65 @@
+/** The page in French, as the browser wants it, as the address has it, and as it is chosen. */
+import { violations } from '../axe';
+import { expect, test } from '../page';
+
+const titles = '.panel-body > details > summary';
+
+test.describe('in a browser that wants French', () => {
+  test.use({ locale: 'fr-FR' });
+
+  test('all of the page is in French, numbers too, and the address may have another language', async ({
+    heatwalk,
+    page,
+  }) => {
+    await heatwalk.open('#m=torus&method=auto');
+    await heatwalk.settled();
+    await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
+    await expect(page.locator(titles).first()).toHaveText('Scène');
+    await expect(page.getByRole('button', { name: 'Mesurer' }).first()).toBeVisible();
+    await page.locator('#section-numbers > summary').click();
+    const numbers = page.locator('#section-numbers');
+    await expect(numbers).toContainText('Distance maximale');
+    await expect(numbers).toContainText(/\d,\d+ unités/);
+    await expect(numbers).toContainText(/17\s280/);
+
+    await page.getByRole('button', { name: 'Aide', exact: true }).click();
+    await expect(page.getByRole('dialog')).toContainText('Tourner autour');
+    await page.getByLabel('Expliquer chaque réglage').check();
+    await page.keyboard.press('Escape');
+    // Every setting that there is has its line in French, too.
+    await page.evaluate(() => {
+      for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
+    });
+    for (const id of ['charts', 'compare', 'export']) await page.locator(`#section-${id}`).scrollIntoViewIfNeeded();
+    await expect(page.getByRole('textbox', { name: 'Isolignes à' })).toBeVisible();
+    const bare = () =>
+      page
+        .locator('.panel .field')
+        .evaluateAll((fields) =>
+          fields
+            .filter((field) => !field.nextElementSibling?.classList.contains('explanation'))
+            .map((field) => field.textContent),
+        );
+    await expect.poll(bare).toEqual([]);
+    expect(await violations(page)).toEqual([]);
+
+    // What is refused is told in French; the scene stays.
+    await heatwalk.drop([['leer.txt', 'nothing']]);
+    await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
+
+    await page.goto('./?lang=en#m=torus');
+    await expect(page.locator(titles).first()).toHaveText('Scene');
+  });
+});
+
+test('French is chosen in the help, and stays', async ({ heatwalk, page }) => {
+  await heatwalk.open('#m=torus');
+  await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+  await page.getByRole('button', { name: 'Help', exact: true }).click();
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('fr');
+  await page.getByRole('button', { name: 'Reload the page' }).click();
+  await expect(page.locator(titles).first()).toHaveText('Scène');
+  expect(page.url()).toContain('m=torus');
+  await page.reload();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
+});
