@@ -20,6 +20,8 @@ export class HeatwalkPage {
     const search = this.backend === 'WebGL2' ? '?resolution=full&gpu=webgl' : '?resolution=full';
     await this.page.goto('about:blank');
     await this.page.goto(`./${search}${fragment}`);
+    // In another language than English, modules wait for its texts.
+    await this.page.waitForFunction(() => 'heatwalk' in window);
     await this.page.evaluate(() => window.heatwalk.ready);
     expect(await this.page.evaluate(() => window.heatwalk.backend)).toBe(this.backend);
     await this.rest();

@@ -4,10 +4,12 @@ import { NAMES, saidBy, sources } from '../texts';
 
 /** Keys, classes, names of formats and programs, lines of programs, and errors that are caught. */
 const NO_TEXT =
-  /^(Enter|Delete|Backspace|Escape|Files|Heatwalk|Python|Rust|Fetching|(pin|initial|quiet|stack) \w+|\.initial input|<iframe .*|--.*|import \w+|# path on .*|(message|tape-label) \{0\}|\{0\} (ms|px|tapes\.csv)|too (large|long)|cut off|no (run|vertex))$/;
+  /^(Enter|Delete|Backspace|Escape|Files|Heatwalk|Python|Rust|Fetching|(pin|initial|quiet|stack) \w+|\.initial input|<iframe .*|--.*|import \w+|# path on .*|(message|tape-label) \{0\}|\{0\} (ms|px|tapes\.csv)|M\{0\}.*|too (large|long)|cut off|no (run|vertex))$/;
 /** Both languages write them alike. */
 const ALIKE =
   /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Sources?|Style|Auto|Propagation|Cholesky|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+V|Exact\.|.* exact)$/;
+
+const values = (text: string) => [...text.matchAll(/\{\d\}/g)].map(([value]) => value).toSorted();
 
 test('every text of the page is in French, and no other', async () => {
   const texts = new Set(NAMES);
@@ -18,7 +20,6 @@ test('every text of the page is in French, and no other', async () => {
 });
 
 test('texts in French have the values of those in English, differ from them, and are set as French is', () => {
-  const values = (text: string) => [...text.matchAll(/\{\d\}/g)].map(([value]) => value).toSorted();
   const texts = Object.entries(FRENCH);
   expect(texts.filter(([english, french]) => String(values(english)) !== String(values(french)))).toEqual([]);
   expect(texts.filter(([english, french]) => english === french && !ALIKE.test(english))).toEqual([]);

@@ -3,13 +3,10 @@
  * each of them in `fr/`. Workers speak English (`english.ts`).
  */
 
-import { filled, keyOf, type Value } from './template';
+import { filled, keyOf, type Texts, type Value } from './template';
 
 export const LANGUAGES = { en: 'English', fr: 'Français' } as const;
 export type Language = keyof typeof LANGUAGES;
-
-/** Texts by those in English, in which `{0}` is the first value that is put in. */
-export type Texts = Readonly<Record<string, string>>;
 
 const KEY = 'heatwalk.language';
 

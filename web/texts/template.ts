@@ -1,5 +1,8 @@
 /** Texts with values in them. */
 
+/** Texts by those in English, in which `{0}` is the first value that is put in. */
+export type Texts = Readonly<Record<string, string>>;
+
 export type Value = string | number;
 
 /** What stands for a text, or for a template: its words, and `{0}` in the place of the first value. */

@@ -105,7 +105,7 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: 
   const { name, report, interior } = opened;
   if (interior) {
     const { tetrahedra, components, remark } = interior.report;
-    const told = `${name}: ${counted(tetrahedra, 'tetrahedron', 'tetrahedra')}; ${counted(components, 'component')}.`;
+    const told = t`${name}: ${counted(tetrahedra, 'tetrahedron', 'tetrahedra')}; ${counted(components, 'component')}.`;
     return remark ? `${told} ${remark}.` : told;
   }
   const done = repairs(report);
@@ -114,8 +114,8 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: 
   const proxy = simplifiedSentence(opened, unit);
   const told =
     done.length > 0 && !proxy
-      ? `${name}: ${done.join(', ')}; ${shape}.`
-      : `${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
+      ? t`${name}: ${done.join(', ')}; ${shape}.`
+      : t`${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
   return proxy ? `${told} ${proxy}` : told;
 }
 
@@ -237,7 +237,7 @@ export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): stri
     case 'part':
       return `${opened?.parts.at(shape.part)?.name || t`Part ${shape.part + 1}`}, ${vertices}`;
     case 'list':
-      return `${shape.name}: ${count(points.length)}`;
+      return t`${shape.name}: ${count(points.length)}`;
   }
 }
 

@@ -1,5 +1,5 @@
 /** What stands beside the panel, messages, models and styles. */
-import type { Texts } from '..';
+import type { Texts } from '../template';
 
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',

@@ -1,7 +1,9 @@
 /** The panel, and words that several parts have. */
-import type { Texts } from '..';
+import type { Texts } from '../template';
 
 export const PANEL: Texts = {
+  '{0}: {1}': '{0} : {1}',
+  '{0}: {1}; {2}.': '{0} : {1} ; {2}.',
   'Model. Arrow keys orbit, Enter sets the source at the center.':
     'Modèle. Les flèches tournent autour, Entrée place la source au centre.',
   Tools: 'Outils',

@@ -42,7 +42,7 @@ export function loadingBar(session: Session): HTMLElement {
     if (vertices > 0) words.push(counted(vertices, 'vertex', 'vertices'));
     if (fetched !== undefined) words.push(bytes(fetched));
     if (fraction !== null) words.push(percent(fraction));
-    stage.textContent = `${title}: ${words.join(', ')}`;
+    stage.textContent = t`${title}: ${words.join(', ')}`;
   });
   return element;
 }

@@ -74,7 +74,7 @@ export function sceneSection(
       button.setAttribute('aria-pressed', String(mesh.kind === 'preset' && mesh.id === id));
     }
     const preset = mesh.kind === 'preset' ? PRESETS.find(({ id }) => id === mesh.id) : undefined;
-    credit.textContent = preset ? `${preset.title}: ${preset.credit}` : '';
+    credit.textContent = preset ? t`${preset.title}: ${preset.credit}` : '';
     credit.hidden = !preset;
   };
   session.scene.subscribe((state, previous) => {

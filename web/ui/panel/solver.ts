@@ -17,7 +17,7 @@ import {
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
 import { BOUNDARIES, fromLogarithm, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
-import { count, linksSentence, refiningSentence } from '../words';
+import { length, count, linksSentence, refiningSentence } from '../words';
 import { t } from '../../texts';
 
 const METHOD_HINTS: Record<Method, string> = {
@@ -59,7 +59,7 @@ export function solverSection(session: Session): HTMLElement {
     min: Math.log10(low),
     max: Math.log10(high),
     step: 0.05,
-    describe: (value) => `${fromLogarithm(value)}`,
+    describe: (value) => length(fromLogarithm(value)),
     change: (value) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }),
   });
   const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
