@@ -1,6 +1,5 @@
 import { defineConfig } from 'vite';
 import { docs } from './tools/vite/docs.ts';
-import { english } from './tools/vite/english.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
@@ -12,7 +11,7 @@ const NAMED = new Set<string>([OFFLINE_WORKER, 'embed']);
 export default defineConfig({
   // Relative addresses, so that a build serves from any sub-path.
   base: './',
-  worker: { format: 'es', plugins: () => [english(import.meta.dirname)] },
+  worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
   plugins: [docs(import.meta.dirname), offline()],
   build: {

@@ -1,6 +1,5 @@
 /** The page in one HTML file, which opens without a server. */
 import { defineConfig } from 'vite';
-import { english } from './tools/vite/english.ts';
 import { packedModules, singleFile } from './tools/vite/single.ts';
 import shared from './vite.config.ts';
 
@@ -15,7 +14,6 @@ export default defineConfig({
   // Chromium loads no modules from what a page of a file makes, but other scripts.
   worker: {
     format: 'iife',
-    plugins: () => [english(import.meta.dirname)],
     rolldownOptions: { output: { codeSplitting: false } },
   },
   build: {

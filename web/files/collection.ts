@@ -1,6 +1,6 @@
 /** What was given together: files, or an archive of them. */
 import type { GivenFile, MeshInput } from '../protocol';
-import { FORMATS, fileName, isArchive, meshesAmong } from './paths';
+import { formats, fileName, isArchive, meshesAmong } from './paths';
 import { t } from '../texts';
 
 export interface Collection {
@@ -44,7 +44,7 @@ export class NoMesh extends Error {
     super(
       paths.some((path) => CONVERTED.test(path))
         ? CONVERT
-        : t`No mesh found in ${names ? `${names}${more}` : t('what was given')}. Supported formats: ${FORMATS}.`,
+        : t`No mesh found in ${names ? `${names}${more}` : t('what was given')}. Supported formats: ${formats()}.`,
     );
   }
 }

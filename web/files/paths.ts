@@ -1,5 +1,5 @@
 /** Paths of files that were given together. */
-import { t } from '../texts';
+import { t } from '../texts/translate';
 
 /** The mesh formats by their extensions; an archive may hold meshes. */
 const MESH_FILE = /\.(3mf|ele|glb|gltf|mesh|meshb|msh|node|obj|off|ply|stl|vtk|vtp|vtu)$/i;
@@ -7,9 +7,11 @@ const MESH_FILE = /\.(3mf|ele|glb|gltf|mesh|meshb|msh|node|obj|off|ply|stl|vtk|v
 const TETRAHEDRA = /\.(ele|mesh|meshb|msh|node)$/i;
 const EITHER = /\.(vtk|vtu)$/i;
 const ARCHIVE = /\.zip$/i;
-export const FORMATS = t(
-  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip',
-);
+/** In words. */
+export const formats = () =>
+  t(
+    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip',
+  );
 
 /** What systems put beside the files of the user. */
 const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;

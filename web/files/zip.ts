@@ -1,6 +1,6 @@
 /** Archives as of the ZIP File Format Specification (PKWARE APPNOTE.TXT 6.3), unpacked by fflate one file at a time. */
 import { unzipSync } from 'fflate';
-import { t } from '../texts';
+import { t } from '../texts/translate';
 
 const MOST_FILES = 10_000;
 /** Of an archive, and of all that is unpacked from it. */
@@ -56,13 +56,13 @@ export class Archive {
     if (size > SMALL_BYTES && size > MOST_RATIO * packed)
       throw new Error(t`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
     const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: (other) => other.name === name })[name]);
-    if (bytes.length !== size) throw new Error(DAMAGED);
+    if (bytes.length !== size) throw new Error(damaged());
     this.#left -= size;
     return bytes;
   }
 }
 
-const DAMAGED = t('the archive is damaged or cut short; copy it again');
+const damaged = () => t('the archive is damaged or cut short; copy it again');
 
 function entriesOf(bytes: Uint8Array): Map<string, Entry> {
   const flags = flagsOf(bytes);
@@ -127,6 +127,6 @@ function orDamaged<T>(work: () => T): T {
   try {
     return work();
   } catch (error) {
-    throw new Error(DAMAGED, { cause: error });
+    throw new Error(damaged(), { cause: error });
   }
 }

@@ -1,9 +1,11 @@
 /**
  * The language of the page. Texts are written in English where they are shown, inside `t`, and other languages have a file with
- * each of them in `fr/`. Workers speak English (`english.ts`).
+ * each of them: `fr/`.
  */
 
-import { filled, keyOf, type Texts, type Value } from './template';
+import { speak } from './translate';
+
+export { t } from './translate';
 
 export const LANGUAGES = { en: 'English', fr: 'Français' } as const;
 export type Language = keyof typeof LANGUAGES;
@@ -13,15 +15,10 @@ const KEY = 'heatwalk.language';
 /** That of the address (`?lang=fr`), else the one chosen before, else that of the browser. Tests have English. */
 export const language: Language = typeof document === 'undefined' ? 'en' : preferred();
 
-const texts: Texts | null = language === 'fr' ? (await import('./fr')).FRENCH : null;
+// Whatever imports this waits for it.
+if (language === 'fr') speak((await import('./fr')).FRENCH);
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
-
-/** A text in the language of the page: a string, or a template, whose values stay as they are. */
-export function t(text: string | TemplateStringsArray, ...values: readonly Value[]): string {
-  const key = keyOf(text);
-  return filled(texts?.[key] ?? key, values);
-}
 
 /** The page has this language from its next start on. Where storage is disabled, the address holds the choice. */
 export function choose(chosen: Language): void {

@@ -1,5 +1,5 @@
 /** The help, and the line on every setting. */
-import type { Texts } from '../template';
+import type { Texts } from '../translate';
 
 export const HELP: Texts = {
   Language: 'Langue',

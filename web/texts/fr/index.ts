@@ -1,5 +1,5 @@
 /** Every text of the page in French. */
-import type { Texts } from '../template';
+import type { Texts } from '../translate';
 import { HELP } from './help';
 import { PAGE } from './page';
 import { PANEL } from './panel';

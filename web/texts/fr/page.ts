@@ -1,5 +1,5 @@
 /** What stands beside the panel, messages, models and styles. */
-import type { Texts } from '../template';
+import type { Texts } from '../translate';
 
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',

@@ -1,5 +1,5 @@
 /** The panel, and words that several parts have. */
-import type { Texts } from '../template';
+import type { Texts } from '../translate';
 
 export const PANEL: Texts = {
   '{0}: {1}': '{0} : {1}',

@@ -1,5 +1,5 @@
 /** Files and folders from a drag or from a dialogue. */
-import { FORMATS } from '../../files/paths';
+import { formats } from '../../files/paths';
 import type { Given } from '../../session/opener';
 import { h } from '../dom';
 import { draggedAddress, givenFiles, givenItems } from './given';
@@ -10,7 +10,7 @@ export function dropTarget(open: (given: Given) => void, fetch: (address: string
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
-    h('div', {}, h('p', {}, t('Drop a mesh')), h('small', {}, FORMATS)),
+    h('div', {}, h('p', {}, t('Drop a mesh')), h('small', {}, formats())),
   );
   // dragenter and dragleave come in pairs for every element that is crossed.
   let depth = 0;

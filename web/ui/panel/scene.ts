@@ -1,4 +1,4 @@
-import { FORMATS } from '../../files/paths';
+import { formats } from '../../files/paths';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
@@ -91,7 +91,7 @@ export function sceneSection(
     h(
       'div',
       { class: 'openers' },
-      h('button', { title: t`Open a file (O): ${FORMATS}`, onclick: chooseFile }, t('Open a file…')),
+      h('button', { title: t`Open a file (O): ${formats()}`, onclick: chooseFile }, t('Open a file…')),
       chooseFolder &&
         h('button', { title: t('Open the folder of a mesh'), onclick: chooseFolder }, t('Open a folder…')),
     ),

@@ -67,7 +67,7 @@ impl Factorization {
 
 /// Vertices and weights of a source.
 fn supports(factorization: &Factorization, source: &Source) -> impl Iterator<Item = (u32, f64)> {
-    source.place().support(factorization.surface()).into_iter().map(|(vertex, weight)| (vertex.0, weight))
+    source.place().support(factorization.surface()).map(|(vertex, weight)| (vertex.0, weight))
 }
 
 /// `‖right − A solution‖₂ / ‖right‖₂`; 0 where the right side is 0.
