@@ -85,6 +85,8 @@ export type SurfacePath = Plain<wasm.SurfacePath>;
 /** A path between two places, which can be drawn in any pose. */
 export type Leg = Plain<wasm.Leg>;
 export type Enclosure = Plain<wasm.Enclosure>;
+/** Curves, one after another, in the unit and the axes of the file. */
+export type Tracks = Plain<wasm.Tracks>;
 export type Convergence = Plain<wasm.Convergence>;
 
 /** A moment of an animation: its number, and seconds from its beginning. */
@@ -386,6 +388,8 @@ export interface SolverApi {
    * places in the array. Empty without a field or a crowd.
    */
   stepCrowd(step: number): Promise<Float32Array>;
+  /** The way of each walker down the last field, from where it is to its source; none without a crowd. */
+  crowdTracks(): Promise<Tracks>;
   /**
    * #E × 2 × 3, ends of lines on the surface, as they are drawn: edges between faces, edges with one face, the edges of the triangles that
    * carry the operators, or the marks of where components meet.

@@ -67,6 +67,31 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   expect(await page.evaluate(() => window.heatwalk.mesh?.triangles)).toBe(17_280);
 });
 
+test('tracks of the crowd lead down to a source', async ({ heatwalk, page }) => {
+  await heatwalk.open('#m=torus&method=exact&crowd=20');
+  await heatwalk.settled();
+  await page.keyboard.press('p');
+  const section = page.locator('#section-export');
+  await section.locator('summary').click();
+  const { name, bytes } = await saved(page, 'Save tracks');
+  expect(name).toBe('torus.tracks.csv');
+  const rows = bytes
+    .toString()
+    .trim()
+    .split('\n')
+    .slice(1)
+    .map((row) => row.split(',').map(Number));
+  const last = new Map(rows.map(([walker, ...rest]) => [walker, rest]));
+  expect([...last.keys()]).toEqual(Array.from({ length: 20 }, (_, index) => index));
+  // All come to the one source, and none walks farther than the farthest place is, but for what descent is longer.
+  const [[, ...end]] = last.values();
+  for (const [length, ...point] of last.values()) {
+    point.forEach((coordinate, axis) => expect(coordinate).toBeCloseTo(end[axis], 9));
+    expect(length).toBeLessThan(1.05 * (await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0)));
+  }
+  expect(Math.max(...[...last.values()].map(([length]) => length))).toBeGreaterThan(1);
+});
+
 interface Found {
   ply: { vertices: number; triangles: number; farthest: number };
   colors: number;

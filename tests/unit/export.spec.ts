@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
 import type { SurfacePath } from '../../web/protocol';
-import { pathFile, pathPoints, towardEye } from '../../web/session/export';
+import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
 import { rustLines } from '../../web/state/rust';
@@ -77,6 +77,16 @@ test('a path as glTF is valid, and holds its points', async () => {
   expect(new Float32Array(glb.slice(-48).buffer)).toEqual(Float32Array.from(ends.flat()));
   // What the validator finds is told.
   expect(await complaints(glb.with(glb.length - 25, 0x7f).with(glb.length - 26, 0xc0))).not.toEqual([]);
+});
+
+test('tracks are numbered in tables, and lines of their own in files of lines', async () => {
+  const tracks = trackPoints({ points: Float64Array.of(0, 0, 0, 0, 3, 4, 1, 1, 1), counts: Uint32Array.of(2, 1) });
+  expect(tracksFile('csv', tracks)).toBe('walker,length,x,y,z\n0,0,0,0,0\n0,5,0,3,4\n1,0,1,1,1\n');
+  expect(String(tracksFile('obj', tracks)).split('\n').slice(4)).toEqual(['l 1 2', 'l 3', '']);
+  const glb = tracksFile('glb', tracks) as Uint8Array<ArrayBuffer>;
+  expect(await complaints(glb)).toEqual([]);
+  // Who stands where it is has a segment without length.
+  expect(new Float32Array(glb.slice(-48).buffer)).toEqual(Float32Array.of(0, 0, 0, 0, 3, 4, 1, 1, 1, 1, 1, 1));
 });
 
 test('sets of sources are sources of the command line, with their initial distances', () => {

@@ -1,5 +1,5 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
-import type { DrawTransform, SurfacePath } from '../protocol';
+import type { DrawTransform, SurfacePath, Tracks } from '../protocol';
 import type { Up } from '../wasm/contract';
 
 type Vector = [number, number, number];
@@ -32,32 +32,48 @@ export function pathPoints({ points }: SurfacePath, { center, scale, up }: DrawT
   });
 }
 
-/** A path as rows of a table, with the length walked so far, as a line, or as one of glTF. */
-export function pathFile(kind: PathFile, points: readonly Vector[]): string | Uint8Array<ArrayBuffer> {
-  switch (kind) {
-    case 'csv':
-      return pathTable(points);
-    case 'obj':
-      return pathObj(points);
-    case 'glb':
-      return pathGlb(points);
-  }
+/** The points of each track. */
+export function trackPoints({ points, counts }: Tracks): Vector[][] {
+  let at = 0;
+  return Array.from(counts, (count) =>
+    Array.from({ length: count }, (): Vector => [points[at++], points[at++], points[at++]]),
+  );
 }
 
-function pathTable(points: readonly Vector[]): string {
+/** A path as rows of a table, with the length walked so far, as a line, or as one of glTF. */
+export function pathFile(kind: PathFile, points: readonly Vector[]): string | Uint8Array<ArrayBuffer> {
+  return kind === 'csv' ? ['length,x,y,z', ...rowsOf(points), ''].join('\n') : linesFile(kind, 'path', [points]);
+}
+
+/** The same of many, whose rows begin with the number of the track. */
+export function tracksFile(kind: PathFile, tracks: readonly (readonly Vector[])[]): string | Uint8Array<ArrayBuffer> {
+  if (kind !== 'csv') return linesFile(kind, 'tracks', tracks);
+  const rows = tracks.flatMap((points, number) => rowsOf(points).map((row) => `${number},${row}`));
+  return ['walker,length,x,y,z', ...rows, ''].join('\n');
+}
+
+function linesFile(
+  kind: 'obj' | 'glb',
+  name: string,
+  lines: readonly (readonly Vector[])[],
+): string | Uint8Array<ArrayBuffer> {
+  return kind === 'obj' ? linesObj(name, lines) : linesGlb(name, lines);
+}
+
+function rowsOf(points: readonly Vector[]): string[] {
   let walked = 0;
-  const rows = points.map((point, index) => {
+  return points.map((point, index) => {
     const before = points[Math.max(0, index - 1)];
     walked += Math.hypot(...point.map((coordinate, axis) => coordinate - before[axis]));
     return [walked, ...point].join(',');
   });
-  return ['length,x,y,z', ...rows, ''].join('\n');
 }
 
-function pathObj(points: readonly Vector[]): string {
-  const line = points.map((_, index) => index + 1).join(' ');
-  const vertices = points.map((point) => `v ${point.join(' ')}`);
-  return ['# path on a surface by Heatwalk', ...vertices, `l ${line}`, ''].join('\n');
+function linesObj(name: string, lines: readonly (readonly Vector[])[]): string {
+  let last = 0;
+  const elements = lines.map((points) => `l ${points.map(() => ++last).join(' ')}`);
+  const vertices = lines.flat().map((point) => `v ${point.join(' ')}`);
+  return [`# ${name} on a surface by Heatwalk`, ...vertices, ...elements, ''].join('\n');
 }
 
 /** Of glTF 2.0: a primitive that is pairs of vertices, numbers in single precision, a buffer of vertices. */
@@ -65,10 +81,11 @@ const [LINES, FLOAT, ARRAY_BUFFER] = [1, 5126, 34962];
 /** Of its binary form: the file, its chunks, and the four characters that JSON is filled up with. */
 const [GLTF, VERSION, JSON_CHUNK, BIN_CHUNK, SPACE] = [0x46546c67, 2, 0x4e4f534a, 0x004e4942, 0x20];
 
-/** Segments from the first to the last (glTF 2.0, 3.7.2 and 4.4); line strips are not read by every program. */
-function pathGlb(points: readonly Vector[]): Uint8Array<ArrayBuffer> {
-  const starts = points.slice(0, Math.max(1, points.length - 1));
-  const ends = starts.flatMap((start, index) => [start, points[index + 1] ?? start]);
+/** Segments of each line from its first point to its last (glTF 2.0, 3.7.2 and 4.4); line strips are not read by every program. */
+function linesGlb(name: string, lines: readonly (readonly Vector[])[]): Uint8Array<ArrayBuffer> {
+  const ends = lines.flatMap((points) =>
+    points.slice(0, Math.max(1, points.length - 1)).flatMap((start, index) => [start, points[index + 1] ?? start]),
+  );
   const positions = Float32Array.from(ends.flat());
   const along = [0, 1, 2].map((axis) => Array.from(ends, (_, index) => positions[3 * index + axis]));
   const accessor = {
@@ -83,7 +100,7 @@ function pathGlb(points: readonly Vector[]): Uint8Array<ArrayBuffer> {
     asset: { version: '2.0', generator: 'Heatwalk' },
     scene: 0,
     scenes: [{ nodes: [0] }],
-    nodes: [{ name: 'path', mesh: 0 }],
+    nodes: [{ name, mesh: 0 }],
     meshes: [{ primitives: [{ mode: LINES, attributes: { POSITION: 0 } }] }],
     accessors: [accessor],
     bufferViews: [{ buffer: 0, byteLength: positions.byteLength, target: ARRAY_BUFFER }],

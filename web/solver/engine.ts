@@ -21,6 +21,7 @@ import type {
   Source,
   MeshPoint,
   TracedPath,
+  Tracks,
   PathRequest,
 } from '../protocol';
 import { type Bridge, CROWD_HEIGHT, mayBeJoined } from '../state/scene';
@@ -216,6 +217,10 @@ export class Engine {
 
   stepCrowd(step: number): Promise<Float32Array> {
     return this.#worker.call(this.#worker.api.stepCrowd(step));
+  }
+
+  crowdTracks(): Promise<Tracks> {
+    return this.#worker.call(this.#worker.api.crowdTracks());
   }
 
   edges(kind: EdgeKind): Promise<Float32Array> {

@@ -4,6 +4,7 @@ mod convergence;
 mod ground;
 mod pose;
 mod tape;
+mod tracks;
 mod values;
 
 use std::num::NonZeroU16;

@@ -23,6 +23,7 @@ import type {
   Source,
   Timings,
   TracedPath,
+  Tracks,
   PathRequest,
   MeshPoint,
 } from '../../protocol';
@@ -327,6 +328,10 @@ const api: SolverApi = {
   stepCrowd(step: number): Promise<Float32Array> {
     const poses = openMesh().solver.step_crowd(step);
     return Promise.resolve(transfer(poses, [poses.buffer]));
+  },
+
+  crowdTracks(): Promise<Tracks> {
+    return Promise.resolve(plain(openSurface().crowd_tracks()));
   },
 
   edges(kind: EdgeKind): Promise<Float32Array> {

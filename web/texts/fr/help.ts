@@ -188,6 +188,7 @@ export const HELP: Texts = {
     'Des courbes, ou la surface découpée le long de celles-ci en bandes, dépliées aussi.',
   'A number a vertex, as a table or with the mesh.': 'Un nombre par sommet, en table ou avec le maillage.',
   'The places that the walker comes through.': 'Les endroits par où passe le marcheur.',
+  'The ways of the crowd, one for each walker.': 'Les trajets de la foule, un par marcheur.',
   'The lines that give the same numbers outside of the page.':
     'Les lignes qui donnent les mêmes nombres hors de la page.',
   'Pixels of a saved image, as a multiple of the window.': 'Pixels d’une image enregistrée, en multiple de la fenêtre.',

@@ -221,6 +221,12 @@ export const PANEL: Texts = {
     'Il n’y a pas de chemin. Alt + clic sur la surface place un marcheur.',
   'Save path': 'Enregistrer le chemin',
   'The points of the path, in the unit of the file': 'Les points du chemin, dans l’unité du fichier',
+  Tracks: 'Trajets',
+  'Save tracks': 'Enregistrer les trajets',
+  'There is no crowd. Choose how many walk in the section Display.':
+    'Il n’y a pas de foule. Choisissez combien marchent dans la section Affichage.',
+  'The ways of the crowd to the sources, from where each walker is, in the unit of the file':
+    'Les trajets de la foule vers les sources, depuis là où est chaque marcheur, dans l’unité du fichier',
   'Reproduce by': 'Reproduire par',
   'Lines that reproduce the distances': 'Lignes qui reproduisent les distances',
   'Copied.': 'Copié.',

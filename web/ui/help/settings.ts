@@ -183,6 +183,7 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     File: about(t('Curves, or the surface cut along them into strips, also unrolled.'), 'page#curves-and-data'),
     Distances: about(t('A number a vertex, as a table or with the mesh.'), 'page#curves-and-data'),
     Path: about(t('The places that the walker comes through.'), 'page#curves-and-data'),
+    Tracks: about(t('The ways of the crowd, one for each walker.'), 'page#curves-and-data'),
     'Reproduce by': about(t('The lines that give the same numbers outside of the page.'), 'page#curves-and-data'),
   },
   share: {

@@ -1,5 +1,5 @@
 import type { CurveFile, DistanceFile, Isolines } from '../../protocol';
-import { pathFile, pathPoints, towardEye } from '../../session/export';
+import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
@@ -64,6 +64,7 @@ export function exportSection(session: Session): HTMLElement {
     ...curveControls(session, action),
     ...distanceControls(session, action),
     ...pathControls(session, action),
+    ...trackControls(session, action),
     ...reproduceControls(session, action),
     said,
   );
@@ -175,6 +176,18 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
     save(new Blob([pathFile(kind, points)]), `${nameOf(session)}.path.${kind}`);
   };
   return [file.element, action(t('Save path'), t('The points of the path, in the unit of the file'), work)];
+}
+
+function trackControls(session: Session, action: Action): HTMLElement[] {
+  let kind: (typeof PATHS)[number][0] = 'csv';
+  const file = select(t('Tracks'), PATHS, (value) => (kind = value));
+  const work = async () => {
+    const tracks = trackPoints(await measured(session).crowdTracks());
+    if (tracks.length === 0) throw new Error(t('There is no crowd. Choose how many walk in the section Display.'));
+    save(new Blob([tracksFile(kind, tracks)]), `${nameOf(session)}.tracks.${kind}`);
+  };
+  const title = t('The ways of the crowd to the sources, from where each walker is, in the unit of the file');
+  return [file.element, action(t('Save tracks'), title, work)];
 }
 
 function reproduceControls(session: Session, action: Action): HTMLElement[] {
