@@ -290,6 +290,8 @@ export interface CurveFile {
 
 /** A file with a distance for each vertex of the input; `weights.ply` has them as vertex colors. */
 export type DistanceFile = 'csv' | 'npy' | 'ply' | 'glb' | 'weights.ply';
+/** The same of tetrahedra. */
+export type InnerDistanceFile = 'csv' | 'vtu' | 'msh';
 
 export type ProgressListener = (progress: Progress) => void;
 
@@ -407,6 +409,8 @@ export interface SolverApi {
   curveFile(wish: IsolineWish, file: CurveFile): Promise<Uint8Array<ArrayBuffer>>;
   /** A file of the last field; of a mesh that is as in its file, with all that this holds. */
   distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>>;
+  /** The same of tetrahedra. */
+  innerDistanceFile(kind: InnerDistanceFile): Promise<Uint8Array<ArrayBuffer>>;
   /** Names that `{ kind: 'shape' }` takes. */
   shapes(): Promise<string[]>;
 }

@@ -1,3 +1,4 @@
+import { readFile } from 'node:fs/promises';
 import type { InnerPoint, MeshPoint } from '../../web/protocol';
 import { grid, off, sphere } from '../fixtures';
 import { difference, expect, type HeatwalkPage, test } from '../page';
@@ -221,4 +222,33 @@ test('a crowd walks inside, and all that is wanted comes with a link', async ({ 
   await page.getByRole('slider', { name: 'Crowd' }).fill('0');
   await heatwalk.settled();
   expect(difference(many, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.002);
+});
+
+test('distances inside are saved, with tetrahedra that open again', async ({ heatwalk, page }) => {
+  await openCube(heatwalk);
+  const section = page.locator('#section-export');
+  await section.locator('summary').click();
+  const saved = async (kind: string) => {
+    await section.getByRole('combobox', { name: 'Distances' }).selectOption(kind);
+    const downloading = page.waitForEvent('download');
+    await section.getByRole('button', { name: 'Save distances' }).click();
+    const download = await downloading;
+    expect(download.suggestedFilename()).toBe(`cube.distances.${kind}`);
+    return readFile(await download.path());
+  };
+  const rows = (await saved('csv')).toString().trim().split('\n').slice(1);
+  expect(rows).toHaveLength((N + 1) ** 3);
+  for (const row of rows) {
+    const [vertex, distance] = row.split(',').map(Number);
+    // Along straight lines, all of which are in the cube.
+    const steps = [vertex % (N + 1), Math.floor(vertex / (N + 1)) % (N + 1), Math.floor(vertex / (N + 1) ** 2)];
+    expect(distance).toBeCloseTo(Math.hypot(...steps) / N, 12);
+  }
+  const files = [await saved('vtu'), await saved('msh')];
+  await section.getByRole('button', { name: 'Measure isolines' }).click();
+  await expect(section.getByRole('status')).toHaveText('This is for surfaces, not for the inside of tetrahedra.');
+  for (const [index, name] of ['again.vtu', 'again.msh'].entries()) {
+    await heatwalk.dropAndOpen([[name, files[index]]]);
+    expect((await heatwalk.mesh()).tetrahedra).toBe(6 * N ** 3);
+  }
 });

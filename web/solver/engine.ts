@@ -8,6 +8,7 @@ import type {
   Enclosure,
   FaceField,
   Factoring,
+  InnerDistanceFile,
   InnerView,
   Isolines,
   IsolineWish,
@@ -261,6 +262,10 @@ export class Engine {
 
   distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>> {
     return this.#worker.call(this.#worker.api.distanceFile(kind));
+  }
+
+  innerDistanceFile(kind: InnerDistanceFile): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#worker.call(this.#worker.api.innerDistanceFile(kind));
   }
 
   /** One step of measuring between two places: see `SolverApi.measure`. */

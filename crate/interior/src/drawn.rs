@@ -106,6 +106,11 @@ impl Drawn {
         self.soup.tetrahedra[input].map(own)
     }
 
+    /// The tetrahedra as they came.
+    pub fn soup(&self) -> &TetSoup {
+        &self.soup
+    }
+
     /// Values of vertices as values of vertices of the input.
     pub fn to_inputs(&self, values: &[f64]) -> Vec<f32> {
         self.mesh.to_inputs(values, f64::INFINITY).into_iter().map(|value| value as f32).collect()

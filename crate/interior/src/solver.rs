@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{EdgeKind, ExactRadius, FaceField, Stage};
-use heatwalk_bindings::{Result, parameters};
+use heatwalk_bindings::{Failure, Result, parameters};
 use heatwalk_volume::crowd::VolumePose;
+use heatwalk_volume::io::write;
 use heatwalk_volume::{TetMesh, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
@@ -163,6 +164,18 @@ impl InnerSolver {
     /// What is seen of the inside.
     pub fn view(&self, #[wasm_bindgen(unchecked_param_type = "InnerCut")] wanted: &JsValue) -> Result<InnerView> {
         InnerView::new(&self.mesh, &self.drawn, self.distance.as_ref(), wanted)
+    }
+
+    /// A file of the tetrahedra with the last field, one value a vertex of the input: "csv", "vtu" or "msh".
+    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
+        let distances = self.mesh.to_inputs(&self.solved()?.values, f64::INFINITY);
+        let soup = self.drawn.soup();
+        match kind {
+            "csv" => Ok(write::csv(&distances)),
+            "vtu" => Ok(write::vtu(soup, Some(&distances))),
+            "msh" => Ok(write::msh(soup, Some(&distances))),
+            _ => Err(Failure::misuse("tetrahedra are written as csv, vtu or msh")),
+        }
     }
 
     /// Changes the number of walkers; 0 sends all away.

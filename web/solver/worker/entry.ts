@@ -11,6 +11,7 @@ import type {
   GroundChange,
   Factoring,
   InnerCut,
+  InnerDistanceFile,
   InnerView,
   Leg,
   Moment,
@@ -362,6 +363,13 @@ const api: SolverApi = {
 
   async distanceFile(kind) {
     return (await curves()).distanceFile(openSurface(), kind, shownAs);
+  },
+
+  innerDistanceFile(kind: InnerDistanceFile) {
+    const { inside } = openMesh();
+    if (!inside) throw new Error('Only tetrahedra can be asked this, and the mesh is a surface.');
+    const bytes = inside.solver.file(kind) as Uint8Array<ArrayBuffer>;
+    return Promise.resolve(transfer(bytes, [bytes.buffer]));
   },
 
   async shapes(): Promise<string[]> {

@@ -198,8 +198,10 @@ export const PANEL: Texts = {
   'Command line': 'Ligne de commande',
   'There are no distances yet. Click the surface to place a source.':
     'Il n’y a pas encore de distances. Cliquez sur la surface pour placer une source.',
-  'This is for surfaces; the program writes distances inside of tetrahedra.':
-    'Ceci est réservé aux surfaces ; le programme écrit les distances à l’intérieur des tétraèdres.',
+  'This is for surfaces, not for the inside of tetrahedra.':
+    'Ceci est réservé aux surfaces, non à l’intérieur de tétraèdres.',
+  'VTU, tetrahedra': 'VTU, tétraèdres',
+  'Gmsh, tetrahedra': 'Gmsh, tétraèdres',
   'as the stripes': 'comme les bandes',
   File: 'Fichier',
   'A spacing, or values with commas between them; empty: the period of the stripes':

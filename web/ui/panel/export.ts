@@ -1,4 +1,4 @@
-import type { CurveFile, DistanceFile, Isolines } from '../../protocol';
+import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines } from '../../protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
@@ -28,6 +28,11 @@ const DISTANCES: readonly (readonly [DistanceFile, string])[] = [
   ['ply', t('PLY, double')],
   ['glb', t('GLB with materials')],
   ['weights.ply', t('PLY, vertex colors')],
+];
+const INNER_DISTANCES: readonly (readonly [InnerDistanceFile, string])[] = [
+  ['csv', 'CSV'],
+  ['vtu', t('VTU, tetrahedra')],
+  ['msh', t('Gmsh, tetrahedra')],
 ];
 const PATHS = [
   ['csv', 'CSV'],
@@ -72,13 +77,18 @@ export function exportSection(session: Session): HTMLElement {
 
 type Action = (name: string, title: string, work: () => Promise<string | void> | string | void) => HTMLElement;
 
-/** The engine where a surface has a field. */
-function measured(session: Session): Engine {
-  const { opened, answer } = session.shown.value ?? {};
-  if (!session.engine || !opened || !answer?.field)
+/** The engine where there is a field. */
+function asked(session: Session): Engine {
+  if (!session.engine || !session.shown.value?.answer.field)
     throw new Error(t('There are no distances yet. Click the surface to place a source.'));
-  if (opened.interior) throw new Error(t('This is for surfaces; the program writes distances inside of tetrahedra.'));
   return session.engine;
+}
+
+/** The same where that is on a surface. */
+function measured(session: Session): Engine {
+  if (session.shown.value?.opened.interior)
+    throw new Error(t('This is for surfaces, not for the inside of tetrahedra.'));
+  return asked(session);
 }
 
 function curveControls(session: Session, action: Action): HTMLElement[] {
@@ -158,12 +168,20 @@ function tableOf({ rows }: Isolines, unit: string): HTMLElement {
 
 function distanceControls(session: Session, action: Action): HTMLElement[] {
   let kind: DistanceFile = 'csv';
+  let innerKind: InnerDistanceFile = 'csv';
   const file = select(t('Distances'), DISTANCES, (value) => (kind = value));
+  const innerFile = select(t('Distances'), INNER_DISTANCES, (value) => (innerKind = value));
+  const isInside = () => Boolean(session.shown.value?.opened.interior);
+  const show = () => ([file.element.hidden, innerFile.element.hidden] = [isInside(), !isInside()]);
+  session.shown.watch(show);
+  show();
   const work = async () => {
-    const bytes = await measured(session).distanceFile(kind);
-    save(new Blob([bytes]), `${nameOf(session)}.distances.${kind}`);
+    const engine = asked(session);
+    const bytes = await (isInside() ? engine.innerDistanceFile(innerKind) : engine.distanceFile(kind));
+    save(new Blob([bytes]), `${nameOf(session)}.distances.${isInside() ? innerKind : kind}`);
   };
-  return [file.element, action(t('Save distances'), t('One for each vertex of the file, in its unit'), work)];
+  const title = t('One for each vertex of the file, in its unit');
+  return [file.element, innerFile.element, action(t('Save distances'), title, work)];
 }
 
 function pathControls(session: Session, action: Action): HTMLElement[] {
@@ -200,8 +218,8 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
     'aria-label': t('Lines that reproduce the distances'),
   });
   const work = async () => {
-    const asked = await measuredBy(session);
-    field.value = TEXT_OF[kind](asked);
+    const told = await measuredBy(session);
+    field.value = TEXT_OF[kind](told);
     field.hidden = false;
     try {
       await navigator.clipboard.writeText(field.value);

@@ -9,6 +9,12 @@ const VTK_TETRAHEDRON: u8 = 10;
 /// Gmsh's number of tetrahedra.
 const GMSH_TETRAHEDRON: i32 = 4;
 
+/// A line `vertex,distance` for each vertex, counted from 0, after a head; `inf` where no source is reached.
+pub fn csv(distance: &[f64]) -> Vec<u8> {
+    let rows = distance.iter().enumerate().map(|(vertex, value)| format!("{vertex},{value}\n"));
+    std::iter::once("vertex,distance\n".to_owned()).chain(rows).collect::<String>().into_bytes()
+}
+
 /// VTU (Kitware, "VTK File Formats"): an unstructured grid in doubles, appended raw and little-endian, with the point data
 /// `distance` where given, one value a vertex, which may be infinite.
 ///
