@@ -26,16 +26,33 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** A WebM video of the view until `end`, with all pixels. */
+/** A WebM video of the view with its overprints until `end`, with all pixels. */
 export async function video(view: View, end: Promise<unknown>): Promise<Blob> {
   const { drawsAllPixels } = view;
   view.drawsAllPixels = true;
   view.adapt(1);
   try {
-    return await record(view.canvas, end);
+    return await record(view.overprints.length > 0 ? overprinted(view) : view.canvas, end);
   } finally {
     view.drawsAllPixels = drawsAllPixels;
+    view.looker = null;
   }
+}
+
+/** A canvas that has each frame of the view, and its overprints, until nobody looks at the view any more. */
+function overprinted(view: View): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error(t('This browser cannot write the image into a file. Try another browser.'));
+  [canvas.width, canvas.height] = [view.canvas.width, view.canvas.height];
+  view.looker = () => {
+    const { width, height } = view.stage.getBoundingClientRect();
+    context.resetTransform();
+    context.drawImage(view.canvas, 0, 0, canvas.width, canvas.height);
+    context.scale(canvas.width / width, canvas.height / height);
+    for (const print of view.overprints) print(context);
+  };
+  return canvas;
 }
 
 async function record(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise<Blob> {

@@ -55,6 +55,9 @@ const SHELL_OPACITY = 0.35;
 
 const NO_INSETS: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
 
+/** Where labels are drawn over a picture. */
+export type PlaneContext = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
 export class View {
   readonly stage: HTMLElement;
   /** Asked for, or because WebGPU failed repeatedly. */
@@ -79,8 +82,10 @@ export class View {
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
-  /** What saved pictures have over the model, in CSS pixels of the stage. */
-  readonly overprints: ((context: OffscreenCanvasRenderingContext2D) => void)[] = [];
+  /** What saved pictures and videos have over the model, in CSS pixels of the stage. */
+  readonly overprints: ((context: PlaneContext) => void)[] = [];
+  /** Called after each frame, while the canvas can still be read; null: nobody looks. */
+  looker: (() => void) | null = null;
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<string | null>(null);
   /** What went wrong while drawing goes on. */
@@ -524,6 +529,7 @@ export class View {
       this.#recovers();
       void this.start();
     }
+    if (drawn) this.looker?.();
     return typeof drawn === 'boolean';
   }
 

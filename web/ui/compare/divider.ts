@@ -6,6 +6,7 @@ import { h, icon } from '../dom';
 import { percent } from '../words';
 import { told } from './words';
 import { t } from '../../texts';
+import type { PlaneContext } from '../../view/view';
 
 const NAME = t('Divider between the two settings');
 const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
@@ -110,7 +111,7 @@ export class Divider {
   }
 
   /** The line and its words, in a saved picture. */
-  #print(context: OffscreenCanvasRenderingContext2D): void {
+  #print(context: PlaneContext): void {
     if (this.element.hidden) return;
     const stage = this.#session.view.stage.getBoundingClientRect();
     const line = this.element.getBoundingClientRect();

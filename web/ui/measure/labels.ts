@@ -9,6 +9,7 @@ import type { MeasureInput } from './input';
 import { away, middleOf, pointsOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 import { t } from '../../texts';
+import type { PlaneContext } from '../../view/view';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
 const RIM = { colour: '#101418', width: 5 };
@@ -171,7 +172,7 @@ export class TapeLabels {
   }
 
   /** What is seen of labels and places, drawn on a picture. */
-  #print(context: OffscreenCanvasRenderingContext2D): void {
+  #print(context: PlaneContext): void {
     const stage = this.#session.view.stage.getBoundingClientRect();
     const at = ({ position }: Anchored): [number, number] | null => {
       const pixel = this.#session.view.project(position);
