@@ -22,7 +22,7 @@ const WEBGPU = [
   '--ignore-gpu-blocklist',
 ];
 
-const DRAWN = /(compare|display|lost|opening|pictures|renderers)\.spec\.ts$/;
+const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
 
 const browser = (args: readonly string[]) => ({
   launchOptions: {
