@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import { expect, test } from '../page';
 
 const fingers = (spread: number) => [
@@ -5,25 +6,59 @@ const fingers = (spread: number) => [
   { x: 200 + spread, y: 420, id: 1 },
 ];
 
+/** What floats over the model and is not in the window as a whole. */
+function outside(page: Page): Promise<string[]> {
+  return page.evaluate(() =>
+    [...document.querySelectorAll('button, header, .toolbar, .panel, .message, .hint')]
+      .filter((element) => element.checkVisibility() && !element.closest('.panel-body'))
+      .filter((element) => {
+        const { left, top, right, bottom } = element.getBoundingClientRect();
+        return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight;
+      })
+      .map((element) => element.outerHTML.slice(0, 80)),
+  );
+}
+
+test.describe('in a window of 1280 × 800 at 200 %', () => {
+  test.use({ viewport: { width: 640, height: 400 } });
+
+  test('nothing lies outside the window, and the tools are not covered, in forced colors too', async ({
+    heatwalk,
+    page,
+  }) => {
+    await page.emulateMedia({ forcedColors: 'active' });
+    await heatwalk.open();
+    expect(await outside(page)).toEqual([]);
+    const covered = () =>
+      page.locator('.toolbar button').evaluateAll((buttons) =>
+        buttons
+          .filter((button) => {
+            const { left, top, width, height } = button.getBoundingClientRect();
+            return !button.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+          })
+          .map((button) => button.getAttribute('aria-label')),
+      );
+    expect(await covered()).toEqual([]);
+    await page.getByRole('button', { name: 'Expand the panel' }).click();
+    expect(await outside(page)).toEqual([]);
+    // What is a background alone has a color of the system.
+    const mark = await page
+      .locator('.panel-handle')
+      .evaluate((handle) => getComputedStyle(handle, '::before').backgroundColor);
+    const words = await page.evaluate(() => getComputedStyle(document.body).color);
+    expect(mark).toBe(words);
+  });
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
   test('nothing lies outside the window, with the sheet at either stop', async ({ heatwalk, page }) => {
     await heatwalk.open();
-    const outside = () =>
-      page.evaluate(() =>
-        [...document.querySelectorAll('button, header, .toolbar, .panel, .message, .hint')]
-          .filter((element) => element.checkVisibility() && !element.closest('.panel-body'))
-          .filter((element) => {
-            const { left, top, right, bottom } = element.getBoundingClientRect();
-            return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight;
-          })
-          .map((element) => element.outerHTML.slice(0, 80)),
-      );
-    expect(await outside()).toEqual([]);
+    expect(await outside(page)).toEqual([]);
     await page.getByRole('button', { name: 'Expand the panel' }).tap();
     await expect(page.getByRole('button', { name: 'Open a file…' })).toBeVisible();
-    expect(await outside()).toEqual([]);
+    expect(await outside(page)).toEqual([]);
     const wide = await page.evaluate(() => {
       const body = document.querySelector('.panel-body');
       return [document.documentElement.scrollWidth - innerWidth, body ? body.scrollWidth - body.clientWidth : 0];
