@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips};
+use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write, write::View};
 use heatwalk_shapes as shapes;
 use heatwalk_surface::{Soup, Surface};
 
@@ -207,4 +207,52 @@ fn rejects_fields_that_do_not_fit() {
     assert!(matches!(new([0, 1, 2], &[0.0]), Error::CountMismatch { vertices: 3, distances: 1 }));
     assert!(matches!(new([0, 1, 3], &[0.0; 3]), Error::IndexOutOfRange { triangle: 0, vertex: 3, vertices: 3 }));
     assert!(matches!(new([0, 1, 2], &[0.0, f64::NAN, 0.0]), Error::NotANumber { vertex: 1, what: "distance" }));
+}
+
+/// Two squares that face Z, one of them behind the right half of the other.
+fn one_behind_the_other() -> Field {
+    let square = |left: f64, z: f64| {
+        [(left, 0.0), (2.0, 0.0), (2.0, 2.0), (left, 2.0)].map(|(x, y)| DVec3::new(x, y, z)).to_vec()
+    };
+    let positions = [square(0.0, 0.0), square(1.0, 1.0)].concat();
+    let soup = Soup::single("squares", positions, vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]);
+    field(&soup, |position| position.y)
+}
+
+/// The length of all lines of a picture, in pixels.
+fn drawn_length(svg: &[u8]) -> f64 {
+    let text = String::from_utf8(svg.to_vec()).unwrap();
+    let mut length = 0.0;
+    for data in text.split("d=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        let mut at = (0.0, 0.0);
+        for command in data.split_inclusive(['M', 'L']).collect::<Vec<_>>().windows(2) {
+            let numbers = command[1].trim_end_matches(['M', 'L']);
+            let (x, y) = numbers.split_once(' ').unwrap();
+            let to: (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
+            if command[0].ends_with('L') {
+                length += (to.0 - at.0).hypot(to.1 - at.1);
+            }
+            at = to;
+        }
+    }
+    length
+}
+
+#[test]
+fn what_is_behind_the_surface_is_not_in_a_picture() {
+    let field = one_behind_the_other();
+    let isolines = trace(&field, &[1.1]);
+    let seen = |toward_eye: DVec3| {
+        let view = View::from_direction(&field, toward_eye, DVec3::Y).unwrap();
+        drawn_length(&write::svg(&isolines, &field, &view))
+    };
+    // Of the square behind the left half is seen, of the other one all; the picture is 2.12 wide, with its margins.
+    let whole = 2.0 * 1000.0 / 2.12;
+    // The end of what is seen is found to a thousandth of a fifth of a segment, and written to a thousandth of a pixel.
+    assert!((seen(DVec3::Z) - whole).abs() < 0.5, "{} of {whole}", seen(DVec3::Z));
+    assert_eq!(seen(DVec3::NEG_Z), 0.0, "the insides of both");
+    // From the side that the front square leaves open, the picture is 1/√2 (2 + 1) wide, and nothing is hidden.
+    let aside = 3.0 / 2.0_f64.sqrt() * 1000.0 / (3.0 / 2.0_f64.sqrt() + 0.06 * (3.0 / 2.0_f64.sqrt()));
+    let oblique = seen(DVec3::new(-1.0, 0.0, 1.0));
+    assert!((oblique - aside).abs() < 0.5, "{oblique} of {aside}");
 }

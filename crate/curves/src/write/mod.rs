@@ -4,6 +4,7 @@ mod csv;
 mod dxf;
 mod glb;
 mod obj;
+mod occlusion;
 mod svg;
 
 pub use csv::csv;

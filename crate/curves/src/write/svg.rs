@@ -8,6 +8,7 @@ use crate::field::Field;
 use crate::isolines::Isolines;
 use crate::sheet::Sheet;
 use crate::strips::Strips;
+use crate::write::occlusion::Occluders;
 
 /// Along the longer side of a picture.
 const PIXELS: f64 = 1000.0;
@@ -21,7 +22,7 @@ const MARGIN: f64 = 0.03;
 /// Whence curves are seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// From the field's unit to clip space: −1 to 1 across the picture, Y up.
+    /// From the field's unit to clip space: −1 to 1 across the picture and in depth, Y up, Z toward the eye.
     pub clip_from_field: DMat4,
     /// Width and height of the picture, in pixels.
     pub size: DVec2,
@@ -45,7 +46,7 @@ impl View {
         let rows = [
             row(right, center.x, 2.0 / extent.x),
             row(up, center.y, 2.0 / extent.y),
-            row(back, center.z, 0.0),
+            row(back, center.z, if high.z > low.z { 2.0 / (high.z - low.z) } else { 0.0 }),
             DVec4::W,
         ];
         let [x, y, z, w] = rows;
@@ -53,33 +54,43 @@ impl View {
         Some(Self { clip_from_field, size: extent * (PIXELS / extent.max_element()) })
     }
 
-    /// Where a point is in the picture, Y down; none for one behind the eye.
-    fn pixel(&self, point: DVec3) -> Option<DVec2> {
+    /// Where a point is in the picture, in pixels, Y down, and its depth toward the eye; none for one behind the eye.
+    fn place(&self, point: DVec3) -> Option<DVec3> {
         let clip = self.clip_from_field * point.extend(1.0);
         let at = DVec2::new(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
-        (clip.w > 0.0).then_some(at * self.size)
+        (clip.w > 0.0).then_some((at * self.size).extend(clip.z / clip.w))
     }
 
-    /// Whether a triangle shows its outside.
-    fn is_front(&self, corners: [DVec3; 3]) -> bool {
-        let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.pixel(corner)) else { return false };
-        // Clockwise where Y points down.
-        (b - a).perp_dot(c - a) < 0.0
+    /// The same of a triangle.
+    fn triangle(&self, corners: [DVec3; 3]) -> Option<[DVec3; 3]> {
+        let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.place(corner)) else { return None };
+        Some([a, b, c])
     }
 }
 
-/// What is seen of isolines on the outside of the surface, a group each. Parts of the surface in front of others hide
-/// nothing.
+/// Whether a triangle in a picture shows its outside.
+fn is_front([a, b, c]: [DVec3; 3]) -> bool {
+    // Clockwise where Y points down.
+    (b - a).truncate().perp_dot((c - a).truncate()) < 0.0
+}
+
+/// What is seen of isolines on the outside of the surface, a group each: parts that are behind others are left out.
 pub fn svg(isolines: &Isolines, field: &Field, view: &View) -> Vec<u8> {
+    let triangles = 0..field.triangles().len();
+    let placed: Vec<Option<[DVec3; 3]>> = triangles.map(|triangle| view.triangle(field.corners(triangle))).collect();
+    let occluders = Occluders::new(placed.iter().copied().flatten().collect(), view.size);
     let mut text = String::new();
     for isoline in &isolines.isolines {
         let _ = writeln!(text, "<g id=\"isoline_{}\">", isoline.value);
         for curve in &isoline.curves {
             let mut path = Path::default();
             for ([from, to], &triangle) in curve.segments().zip(&curve.triangles) {
-                let is_front = view.is_front(field.corners(triangle as usize));
-                let ends = view.pixel(from).zip(view.pixel(to)).filter(|_| is_front);
-                path.segment(ends);
+                let is_front = placed[triangle as usize].is_some_and(is_front);
+                let ends = view.place(from).zip(view.place(to)).filter(|_| is_front);
+                let Some((from, to)) = ends else { continue };
+                for [start, end] in occluders.visible(from, to) {
+                    path.segment([start, end].map(|share| from.lerp(to, share).truncate()));
+                }
             }
             path.end(&mut text);
         }
@@ -114,12 +125,8 @@ struct Path {
 }
 
 impl Path {
-    /// Goes on to a segment that is seen, or breaks off.
-    fn segment(&mut self, ends: Option<(DVec2, DVec2)>) {
-        let Some((from, to)) = ends else {
-            self.at = None;
-            return;
-        };
+    /// Goes on to a segment that is seen, with a gap where it does not begin where the last one ended.
+    fn segment(&mut self, [from, to]: [DVec2; 2]) {
         if self.at != Some(from) {
             let _ = write!(self.data, "M{:.3} {:.3}", from.x, from.y);
         }
