@@ -35,6 +35,8 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(String(error)));
   await page.goto(`${host.page}#m=icosphere&crowd=0`);
+  // Modules may wait for texts beyond the load of the page.
+  await page.waitForFunction(() => 'heatwalk' in window);
   await page.evaluate(() => window.heatwalk.settled());
   expect(await page.evaluate(() => window.heatwalk.backend)).toBe('WebGL2');
   const scene = () => page.evaluate(() => window.heatwalk.scene);
@@ -87,7 +89,7 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
 
   // A link opens the scene that it names.
   await page.goto(`${host.page}#m=torus&s=12&look=gold`);
-  await page.waitForFunction(() => window.heatwalk.mesh?.name === 'torus');
+  await page.waitForFunction(() => window.heatwalk?.mesh?.name === 'torus');
   await page.evaluate(() => window.heatwalk.settled());
   expect(await scene()).toMatchObject({ sources: [{ vertex: 12 }], style: { name: 'gold' } });
 
@@ -102,7 +104,7 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.evaluate(() => window.heatwalk.settled());
   expect((await scene()).sources).toEqual([{ vertex: 12 }]);
   await page.evaluate(() => (location.hash = '#m=teapot'));
-  await page.waitForFunction(() => window.heatwalk.mesh?.name === 'teapot');
+  await page.waitForFunction(() => window.heatwalk?.mesh?.name === 'teapot');
   expect(errors).toEqual([]);
 });
 

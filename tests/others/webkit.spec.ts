@@ -13,9 +13,12 @@ test.skip(binary === undefined, 'there is no WebKit');
 
 let webkit: WebKit;
 let host: Host;
+/** Its address. */
+let page: string;
 
 test.beforeAll(async () => {
   host = await Host.start();
+  page = host.page;
   webkit = await WebKit.start(binary ?? '', WIDTH, HEIGHT);
 });
 
@@ -24,10 +27,16 @@ test.afterAll(async () => {
   await host.stop();
 });
 
-test('in WebKit a first visit opens a file, clicks, drags, draws, and follows a link', async () => {
+/** A page whose modules have run: they may wait for texts beyond its load. */
+async function open(address: string): Promise<void> {
+  await webkit.goto(`${page}${address}`);
+  await expect.poll(() => webkit.evaluate(`'heatwalk' in window`)).toBe(true);
+}
+
+test('in WebKit a first visit opens a file, clicks, drags, draws, saves, follows a link, and goes on without a network', async () => {
   const scene = () => webkit.evaluate<SceneState>('window.heatwalk.scene');
   const settled = () => webkit.evaluate('window.heatwalk.settled()');
-  await webkit.goto(`${host.page}#m=icosphere`);
+  await open('#m=icosphere');
   await settled();
   expect(await webkit.evaluate('window.heatwalk.backend')).toBe('WebGL2');
 
@@ -68,9 +77,35 @@ test('in WebKit a first visit opens a file, clicks, drags, draws, and follows a 
   // A blank canvas has the colors of the background alone.
   expect(drawn).toBeGreaterThan(1000);
 
-  await webkit.goto(`${host.page}#m=torus&s=12&look=gold`);
+  // What is saved, as the browser is given it.
+  await webkit.evaluate(`(() => {
+    const make = URL.createObjectURL;
+    window.given = [];
+    URL.createObjectURL = (blob) => (window.given.push(blob), make.call(URL, blob));
+    for (const section of document.querySelectorAll('.panel details')) section.open = true;
+  })()`);
+  await webkit.evaluate(`document.querySelector('[title="A PNG of the view"]').click()`);
+  await expect.poll(() => webkit.evaluate('window.given.length')).toBe(1);
+  expect(await webkit.evaluate('createImageBitmap(window.given[0]).then(({ width }) => width)')).toBeGreaterThan(WIDTH);
+
+  // A link to the scene shows it, once it has the file.
+  const link = await webkit.evaluate<string>('location.href');
+  expect(link).toContain('m=file&name=ball.off');
+
+  await open('#m=torus&s=12&look=gold');
   await expect.poll(() => webkit.evaluate('window.heatwalk.mesh?.name')).toBe('torus');
   await settled();
   expect(await scene()).toMatchObject({ sources: [{ vertex: 12 }], style: { name: 'gold' } });
   expect(await webkit.evaluate('document.querySelector("[role=alert]").textContent')).toBe('');
+
+  // After a visit the page goes on without a network.
+  await webkit.evaluate(`(() => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  })()`);
+  await expect.poll(() => webkit.evaluate('navigator.serviceWorker?.controller?.state ?? null')).toBe('activated');
+  await host.stop();
+  await open('?again#m=teapot');
+  await expect.poll(() => webkit.evaluate('window.heatwalk?.mesh?.name ?? null')).toBe('teapot');
+  await settled();
 });
