@@ -130,7 +130,7 @@ export const PAGE: Texts = {
   'Not refined': 'Non raffiné',
   'Compare linear solvers': 'Comparer les solveurs linéaires',
   '{0}: {1} by {2}': '{0} : {1} selon {2}',
-  'Heat system': 'Système de la chaleur',
+  'Heat system': 'Système de chaleur',
   'Poisson system': 'Système de Poisson',
   Steps: 'Itérations',
   Residual: 'Résidu',

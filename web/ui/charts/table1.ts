@@ -22,7 +22,7 @@ export function table1(): HTMLElement {
   const run = h('button', { class: 'wide' }, t('Measure Table 1'));
   const copy = h('button', { class: 'small' }, t('Copy as Markdown'));
   const saveCsv = h('button', { class: 'small' }, t('Save as CSV'));
-  const saving = h('div', { hidden: true }, copy, saveCsv);
+  const saving = h('div', { class: 'saving', hidden: true }, copy, saveCsv);
 
   const measure = async () => {
     running = new AbortController();
