@@ -12,10 +12,7 @@ export default defineConfig({
   assetsInclude: shared.assetsInclude ?? [],
   plugins: [packedModules(), singleFile()],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
-  worker: {
-    format: 'iife',
-    rolldownOptions: { output: { codeSplitting: false } },
-  },
+  worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
   build: {
     target: 'es2022',
     outDir: 'dist-single',

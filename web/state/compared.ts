@@ -48,7 +48,7 @@ export function decodeCompared(text: string, own: Settings): Compared[] | null {
 
 const BY_HEAT: Settings = { method: 'heat', windows: DEFAULT_WINDOWS, parameters: DEFAULT_PARAMETERS, refine: false };
 
-/** The comparisons of the study by He and Hung, left and right. Nothing is refined: exact fields would not differ. */
+/** The comparisons of the report by He and Hung, left and right. Nothing is refined: exact fields would not differ. */
 export const STUDIED = {
   'time-step': [byHeat({ timeStep: 1 }), byHeat({ timeStep: 1000 })],
   solver: [byHeat({ solver: 'cholesky' }), byHeat({ solver: 'cg' })],

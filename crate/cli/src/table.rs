@@ -1,4 +1,4 @@
-//! `heatwalk table`: Table 1 of the study, for any meshes.
+//! `heatwalk table`: Table 1 of the report, for any meshes.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -1,9 +1,9 @@
+import { t } from '../../texts';
+
 /**
  * A line on every setting of the panel, by section and by the name that it has there; `see` is a heading of the documents.
  * Every control of the panel has one: a test looks.
  */
-import { t } from '../../texts';
-
 export interface Explanation {
   line: string;
   see: string;

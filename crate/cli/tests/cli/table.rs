@@ -1,4 +1,4 @@
-//! Table 1 of the study.
+//! Table 1 of the report.
 
 use serde_json::Value;
 
