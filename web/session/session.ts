@@ -294,7 +294,7 @@ export class Session {
     } catch (error) {
       this.fail(error);
       const { value: shown } = this.shown;
-      if (shown && this.scene.state.up === state.up) this.scene.place({ up: shown.opened.drawTransform.up });
+      if (shown && this.scene.state.up === state.up) this.scene.withdraw({ up: shown.opened.drawTransform.up });
     } finally {
       if (this.#turning === state) this.#turning = null;
     }
@@ -367,7 +367,7 @@ export class Session {
       if (this.#factoring !== mine) return;
       if (!(error instanceof Cancelled)) this.failure.value = toError(error);
       this.#factoring = null;
-      this.scene.set({ method: before });
+      this.scene.withdraw({ method: before });
       return;
     }
     await this.#solve();

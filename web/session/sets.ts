@@ -46,7 +46,7 @@ export async function extendLine(session: Session, point: MeshPoint, fromLast: b
   if (mesh.engine !== session.engine || now.sources.at(-1) !== last) return;
   const set: SourceSet = { shape: { kind: 'line', corners, closed: false }, points, offset: last.offset ?? 0 };
   const rest = now.sources.slice(0, -1);
-  scene.place({ sources: rest, sets: [...now.sets, set], selected: rest.length + now.sets.length });
+  scene.edit({ sources: rest, sets: [...now.sets, set], selected: rest.length + now.sets.length });
 }
 
 async function growLine(

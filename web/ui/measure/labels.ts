@@ -154,7 +154,7 @@ export class TapeLabels {
     event.stopPropagation();
     const { scene, view } = this.#session;
     if (removes) {
-      scene.place({ tapes: withoutPlace(scene.state.tapes, tape, place) });
+      scene.edit({ tapes: withoutPlace(scene.state.tapes, tape, place) });
       view.stage.focus({ preventScroll: true });
       return;
     }
@@ -168,7 +168,7 @@ export class TapeLabels {
   #move(tape: number, place: number, x: number, y: number, gesture: object): void {
     const { scene, view } = this.#session;
     const hit = view.pick(x, y);
-    if (hit) scene.place({ tapes: moved(scene.state.tapes, tape, place, hit.point) }, gesture);
+    if (hit) scene.edit({ tapes: moved(scene.state.tapes, tape, place, hit.point) }, gesture);
   }
 
   /** What is seen of labels and places, drawn on a picture. */

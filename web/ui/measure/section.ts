@@ -31,7 +31,7 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
     h('button', { class: 'small', title: t('Save all lengths as a CSV file'), onclick: saveFile }, t('Save CSV')),
     h(
       'button',
-      { class: 'small', title: t('Delete all tapes'), onclick: () => scene.place({ tapes: [] }) },
+      { class: 'small', title: t('Delete all tapes'), onclick: () => scene.edit({ tapes: [] }) },
       t('Delete all'),
     ),
   );
@@ -64,7 +64,7 @@ function card(session: Session, index: number): Card {
   const total = h('span', { class: 'value' });
   const body = h('tbody');
   const note = h('p', { class: 'quiet', hidden: true });
-  const remove = () => scene.place({ tapes: scene.state.tapes.toSpliced(index, 1) });
+  const remove = () => scene.edit({ tapes: scene.state.tapes.toSpliced(index, 1) });
   const head = h(
     'div',
     { class: 'tape-head' },
@@ -145,7 +145,7 @@ function knownLength(
       title: t('Tells all lengths in the scale in which this tape has that length'),
       onclick: () => {
         const scale = field.valueAsNumber / measured;
-        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.place({ scale, unit: chosen });
+        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.edit({ scale, unit: chosen });
       },
     },
     t('Set scale'),
@@ -155,7 +155,7 @@ function knownLength(
     {
       class: 'small',
       title: t('Tells lengths as the file has them'),
-      onclick: () => scene.place({ scale: 1, unit: 'auto' }),
+      onclick: () => scene.edit({ scale: 1, unit: 'auto' }),
     },
     t('Reset'),
   );
