@@ -164,7 +164,7 @@ test('shells, whole tetrahedra and tetrahedra apart are drawn, each another pict
 
 test('a closed surface is filled, about where it is, and shown again', async ({ heatwalk, page }) => {
   const ball = sphere(16);
-  await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300');
+  await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300&tape=40,80&sets=line:100-105,component:3@9');
   await heatwalk.settled();
   const before = await heatwalk.pixelOf({ vertex: 40 });
   await page.locator('#section-inside > summary').click();
@@ -177,7 +177,13 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   expect(Math.abs(tetrahedra / 3200 - 1)).toBeLessThan(0.15);
   expect(volume).toBeGreaterThan(3.7);
   expect(volume).toBeLessThan(4.2);
-  const { sources, fill, inside: looked } = await heatwalk.scene();
+  const { sources, sets, tapes, fill, inside: looked } = await heatwalk.scene();
+  // What is of surfaces alone keeps its places.
+  expect(sets.map(({ shape, points, offset }) => [shape.kind, points.length, offset])).toEqual([
+    ['stroke', 6, 0],
+    ['list', ball.positions.length, 9],
+  ]);
+  expect(tapes).toMatchObject([{ points: { length: 2 } }]);
   expect(fill).toBe(3200);
   expect(looked.cut).toBe('plane');
   const [[x, y], [x0, y0]] = [await heatwalk.pixelOf(sources[0]), before];
@@ -187,7 +193,7 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   await page.getByRole('button', { name: 'Show the surface' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).tetrahedra).toBe(0);
   await heatwalk.settled();
-  expect((await heatwalk.scene()).fill).toBeNull();
+  expect(await heatwalk.scene()).toMatchObject({ fill: null, sets: { length: 2 } });
 });
 
 test('what has no inside says so, and the scene stays', async ({ heatwalk, page }) => {

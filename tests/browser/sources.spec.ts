@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { grid, off } from '../fixtures';
+import { grid, obj, off } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
 
 const N = 24;
@@ -85,6 +85,34 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(at(9, 12))).toBeCloseTo(Math.hypot(3, 6) / N, 5);
   expect(await heatwalk.distanceAt(at(5, 7))).toBeCloseTo(0.125, 5);
+});
+
+test('what is placed on parts that stay active stays where it is, whatever becomes of the others', async ({
+  heatwalk,
+  page,
+}) => {
+  const sheet = (z: number) => {
+    const { positions, triangles } = grid(N);
+    return { positions: positions.map(([x, y]): [number, number, number] => [x, y, z]), triangles };
+  };
+  const before = (N + 1) ** 2;
+  const there = (i: number, j: number) => before + at(i, j).vertex;
+  const sets = `line:${there(6, 6)}-${there(12, 6)}@0.5,boundary:${there(0, 3)}@0.25,part:0,line:3-5,part:1@0.75`;
+  const places = `s=${there(12, 12)},7&w=${there(20, 20)}&tape=${there(3, 3)},${there(3, 6)};1,2&sets=${sets}`;
+  await heatwalk.openFile('sheets.obj', obj({ low: sheet(0), high: sheet(1) }), `${places}&up=z&method=auto&refine=0`);
+  await expect(rows(heatwalk)).toHaveCount(7);
+  await page.getByRole('checkbox', { name: 'low' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).active).toEqual([1]);
+  await heatwalk.settled();
+  const now = await heatwalk.scene();
+  expect(now).toMatchObject({ sources: [at(12, 12)], walker: at(20, 20), tapes: [{ points: [at(3, 3), at(3, 6)] }] });
+  expect(now.sets).toMatchObject([
+    { shape: { kind: 'line', corners: [at(6, 6).vertex, at(12, 6).vertex] }, points: { length: 7 }, offset: 0.5 },
+    { shape: { kind: 'boundary' }, points: { length: 4 * N }, offset: 0.25 },
+    { shape: { kind: 'part', part: 1 }, points: { length: before }, offset: 0.75 },
+  ]);
+  expect(await heatwalk.distanceAt(at(12, 12))).toBe(0);
+  expect(await heatwalk.distanceAt(at(0, 12))).toBeCloseTo(0.25, 6);
 });
 
 test('a stroke is drawn by hand and closed where it began; a part by a click; a vertex by its number', async ({

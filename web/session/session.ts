@@ -266,7 +266,9 @@ export class Session {
     }
     this.#engine?.dispose();
     this.#use(engine);
-    this.#request = request;
+    // What was placed is in the scene from now on.
+    const { carry: _carry, ...kept } = request;
+    this.#request = kept;
     this.refiner.reset();
     this.failure.value = null;
     this.#count(shown.answer);
