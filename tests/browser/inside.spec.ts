@@ -230,6 +230,31 @@ test('a crowd walks inside, and all that is wanted comes with a link', async ({ 
   expect(difference(many, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.002);
 });
 
+test('a tape leads through the inside: exact along straight lines, approximate around bends', async ({
+  heatwalk,
+  page,
+}) => {
+  await openCube(heatwalk, `method=auto&tape=${CORNER.vertex},${MIDDLE.vertex},${FAR.vertex}!`);
+  const measured = () => page.evaluate(() => window.heatwalk.tapes);
+  const exact = { state: 'exact' };
+  await expect.poll(measured).toMatchObject([{ legs: [exact, exact, exact], area: null }]);
+  expect((await measured())[0].legs[0].length).toBeCloseTo(Math.sqrt(0.75), 6);
+  await expect(page.locator('.tape-label')).toHaveText(['0.866 m', '0.866 m', '1.73 m', 'Σ 3.46 m']);
+
+  await heatwalk.open('#m=pipe');
+  const { sources, walker } = await heatwalk.scene();
+  const [from, to] = [walker, ...sources].map((place) => {
+    if (!place || !('tetrahedron' in place)) throw new Error('The preset has its places inside.');
+    return `${place.tetrahedron}:${place.weights.join('/')}`;
+  });
+  await heatwalk.open(`#m=pipe&tape=${from},${to}`);
+  await expect.poll(measured).toMatchObject([{ legs: [{ state: 'approximate' }] }]);
+  const [{ legs }] = await measured();
+  // As far as the walker has to go.
+  expect(legs[0].length).toBeCloseTo((await page.evaluate(() => window.heatwalk.walker))?.length ?? 0, 6);
+  expect(legs[0].length).toBeGreaterThan(1.5 * legs[0].straight);
+});
+
 test('distances inside are saved, with tetrahedra that open again', async ({ heatwalk, page }) => {
   await openCube(heatwalk);
   const section = page.locator('#section-export');

@@ -89,7 +89,6 @@ export const PAGE: Texts = {
   'approximate so far': 'approchée pour l’instant',
   approximate: 'approchée',
   'least cost, approximate': 'moindre coût, approchée',
-  'straight line': 'ligne droite',
   'not connected': 'non reliés',
   'area {0} {1}': 'aire {0} {1}',
   'Area enclosed: {0}.': 'Aire enclose : {0}.',

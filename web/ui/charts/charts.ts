@@ -169,18 +169,18 @@ function inPercent(shares: readonly number[]): number[] {
   return shares.map((share) => 100 * share);
 }
 
-/** Distance over the length along a tape; null while its paths are not known. */
+/** Distance over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
 function profileOf(
   { legs }: MeasuredTape,
   places: Places,
   valueAt: (point: MeshPoint) => number,
   scale: number,
 ): { x: number[]; y: number[] } | null {
-  if (legs.length === 0 || legs.some(({ leg }) => !leg)) return null;
+  if (legs.length === 0) return null;
   const [x, y]: [number[], number[]] = [[], []];
   let before = 0;
   for (const { leg } of legs) {
-    if (!leg) return null;
+    if (!leg || !('triangles' in leg)) return null;
     const points = pointsOf(leg);
     const arcs = arcsOf(positionsOf(points, places));
     const stretch = leg.length / (arcs[arcs.length - 1] || 1);

@@ -87,7 +87,8 @@ function card(session: Session, index: number): Card {
       total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : t('one place so far');
       table.hidden = legs.length === 0;
       const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
-      const names = [t('Leg'), inUnit(t('Surface')), inUnit(t('Straight')), t('Ratio')];
+      const isInside = legs.some(({ leg }) => leg && 'points' in leg);
+      const names = [t('Leg'), inUnit(isInside ? t('Path') : t('Surface')), inUnit(t('Straight')), t('Ratio')];
       titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
       const rows = legs.map(({ leg, state, straight }, k) =>
         row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
@@ -96,7 +97,7 @@ function card(session: Session, index: number): Card {
       body.replaceChildren(...rows);
       note.textContent = enclosureWords(measured, unit);
       note.hidden = !note.textContent;
-      known.show(stateOf(measured) === 'straight' ? straightOf(measured) : sum, unit);
+      known.show(sum, unit);
     },
   };
 }
@@ -109,17 +110,16 @@ function row(
   unit: LengthUnit,
 ): HTMLElement {
   const cells = [
-    state === 'straight' ? '–' : lengthNumber(surface, state, unit),
-    lengthNumber(straight, 'straight', unit),
+    lengthNumber(surface, state, unit),
+    lengthNumber(straight, 'exact', unit),
     ratioWords(straight, surface),
   ];
-  const told = state === 'straight' ? null : h('span', { class: 'quiet' }, STATE_WORDS[state]);
   const [first, ...others] = cells;
   return h(
     'tr',
     {},
     h('th', { scope: 'row' }, name),
-    h('td', {}, first, told),
+    h('td', {}, first, h('span', { class: 'quiet' }, STATE_WORDS[state])),
     ...others.map((text) => h('td', {}, text)),
   );
 }
