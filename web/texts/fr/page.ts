@@ -142,7 +142,7 @@ export const PAGE: Texts = {
   'Along the path': 'Le long du chemin',
   'Distance along tape {0}': 'Distance le long du ruban {0}',
   'Along the tape': 'Le long du ruban',
-  'Distance along the straight cut of tape {0}': 'Distance le long de la coupe droite du ruban {0}',
+  'Straight cut of tape {0}': 'Coupe droite du ruban {0}',
   'Along the cut': 'Le long de la coupe',
   'Lay a tape (M) to see the distance along it.': 'Posez un ruban (M) pour voir la distance le long de celui-ci.',
   Maximum: 'Maximum',

@@ -165,7 +165,7 @@ function chartsOf(
     const stretch = scale / opened.drawTransform.scale;
     along(t`Distance along tape ${index + 1}`, t('Along the tape'), profileOf(tape, places, valueAt, scale));
     const cut = mesh && cutOf(tape, mesh, places, valueAt, { stretch, scale });
-    along(t`Distance along the straight cut of tape ${index + 1}`, t('Along the cut'), cut);
+    along(t`Straight cut of tape ${index + 1}`, t('Along the cut'), cut);
   });
   if (tapes.length === 0) notes.push(t('Lay a tape (M) to see the distance along it.'));
   if (errors && !field.byCorner) {
