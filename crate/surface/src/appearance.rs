@@ -9,6 +9,7 @@ use crate::element::{Element, InputTriangle, InputVertex};
 /// Attributes have one row an input vertex, or none at all where no vertex has that attribute. Where [`seams`](Self::seams)
 /// says that vertices have several, their further rows come after those of all vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Appearance {
     /// `#R`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
     pub texcoords: Vec<[f32; 4]>,
@@ -32,6 +33,7 @@ pub struct Appearance {
 /// Vertices with several rows of attributes: in some formats, corners at one vertex may have different ones. Empty where each
 /// vertex has one row, of its own number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Seams {
     /// `#R`, the input vertex of each row; the first `#V` rows are the vertices in their order.
     pub vertices: Vec<u32>,
@@ -41,6 +43,7 @@ pub struct Seams {
 
 /// Consecutive triangles of one material.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// A range of the triangles.
     pub triangles: Range<usize>,
@@ -50,6 +53,7 @@ pub struct Run {
 
 /// A material in the metallic-roughness model of glTF 2.0 (3.9). Each texture is a factor on the number beside it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Material {
     /// Linear red, green, blue and alpha.
     pub base_color: [f32; 4],
@@ -92,6 +96,7 @@ impl Default for Material {
 
 /// What a texture of a material says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Channel {
     /// sRGB color and linear alpha.
     BaseColor,
@@ -112,6 +117,7 @@ impl Channel {
 
 /// What the alpha of the base color means.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Alpha {
     /// Nothing.
     Opaque,
@@ -123,6 +129,7 @@ pub enum Alpha {
 
 /// How a channel of a material uses an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Texture {
     /// Index of the image.
     pub image: usize,
@@ -143,6 +150,7 @@ impl Texture {
 
 /// What is beyond an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Wrap {
     /// The image again.
     Repeat,
@@ -154,6 +162,7 @@ pub enum Wrap {
 
 /// An image, encoded as in the file, or made of such.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Image {
     /// What the file calls it; empty where it does not say.
     pub name: String,
@@ -167,6 +176,7 @@ pub struct Image {
 
 /// How the texels of an image are found.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Texels {
     /// By decoding its bytes.
     #[default]
