@@ -58,6 +58,18 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   await paste(heatwalk, `vertex,offset\n${at(20, 4).vertex},0\n${at(20, 5).vertex},0\n9999,0`);
   await expect(page.getByText('List, line 4: there is no vertex 9999')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(2);
+  // Its last corner is dragged, and the line is found anew; that is one step of undo.
+  const [from, to] = [await heatwalk.pixelOf(at(12, 18)), await heatwalk.pixelOf(at(20, 18))];
+  const lineNow = async () => (await heatwalk.scene()).sets[0];
+  const before0 = await lineNow();
+  await page.mouse.move(from[0] + 1, from[1] + 1);
+  await page.mouse.down();
+  await page.mouse.move(to[0] + 1, to[1] + 1, { steps: 5 });
+  await page.mouse.up();
+  await expect.poll(async () => (await lineNow()).shape).toMatchObject({ corners: [306, 312, at(20, 18).vertex] });
+  expect((await lineNow()).points).toContainEqual(at(20, 18));
+  await page.keyboard.press('Control+z');
+  expect(await lineNow()).toEqual(before0);
   await paste(heatwalk, `x y z offset\n0.5 0.25 7 0\n${5 / N} ${7 / N} 0 0.125`);
   await expect(rows(heatwalk)).toHaveText([/^Line/, /^Boundary/, 'List: 2']);
   await expect(page.getByText('2 sources added, at most 7 m away')).toBeVisible();
