@@ -12,10 +12,12 @@ use crate::element::{Element, InputTriangle, InputVertex};
 #[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Appearance {
     /// `#R`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub texcoords: Vec<[f32; 4]>,
     /// `#R`, linear red, green, blue and alpha, 65535 for 1.
     pub colors: Vec<[u16; 4]>,
     /// `#R`, unit vectors; zero at vertices that have none.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub normals: Vec<Vec3>,
     /// Which rows corners have.
     pub seams: Seams,
@@ -169,6 +171,7 @@ pub struct Image {
     /// Media type, `image/png`; empty where the file does not say.
     pub media_type: String,
     /// The encoded image; empty where it could not be found, or is made of others.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub bytes: Vec<u8>,
     /// How its texels are found.
     pub texels: Texels,

@@ -17,6 +17,25 @@ impl Soup {
     }
 }
 
+/// Lists of plain numbers, as the bytes that they are: a number at a time would take as long as reading a file does.
+pub(crate) mod plain {
+    use bytemuck::Pod;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub fn serialize<S: Serializer, T: Pod>(list: &[T], to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_bytes(bytemuck::cast_slice(list))
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>, T: Pod>(from: D) -> Result<Vec<T>, D::Error> {
+        use serde::de::Error;
+        let bytes = <&[u8]>::deserialize(from)?;
+        if bytes.len() % size_of::<T>() != 0 {
+            return Err(D::Error::custom("a list is cut short"));
+        }
+        Ok(bytemuck::pod_collect_to_vec(bytes))
+    }
+}
+
 /// Rows of `N` numbers, which serde takes only as one list of numbers.
 pub(crate) mod rows {
     use serde::de::Error;

@@ -15,8 +15,10 @@ use crate::unit::{LengthUnit, Unit, UnitRule};
 #[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Soup {
     /// `#V × 3`, input vertices in file order, in the file's unit, node transforms applied.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub positions: Vec<DVec3>,
     /// `#F × 3`, indices into `positions`; polygons are already triangulated. Triangles of one part are consecutive.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
     /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
     pub parts: Vec<Part>,

@@ -1,15 +1,26 @@
 //! Soups as bytes and back: nothing is lost, and other bytes are refused.
 
-use glam::DVec3;
-use heatwalk_surface::{Soup, Unit, io};
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use heatwalk_surface::appearance::Image;
+use heatwalk_surface::{Appearance, Soup, Unit, io};
 
 #[test]
 fn what_was_read_survives_with_materials_motion_and_units() {
     let robot = heatwalk_shapes::by_name("robot").unwrap();
     assert!(!robot.motion.clips().is_empty() && !robot.appearance.materials.is_empty() && robot.parts.len() > 1);
-    // Clips with keyframes of every kind, images, normals and colors, as writing and reading a file leave them.
     let written = Soup { unit: Some(Unit::Inch), ..robot };
-    assert_eq!(Soup::unpacked(&written.packed()), Some(written.clone()));
+    assert_eq!(Soup::unpacked(&written.packed()), Some(written));
+    let appearance = Appearance {
+        texcoords: vec![[0.0, 0.25, 0.5, 1.0]; 3],
+        colors: vec![[0, 1, 300, u16::MAX]; 3],
+        normals: vec![Vec3::Z; 3],
+        images: vec![Image { bytes: vec![0, 255, 128], ..Image::default() }],
+        ..Appearance::default()
+    };
+    let colored = Soup { appearance: Arc::new(appearance), ..Soup::default() };
+    assert_eq!(Soup::unpacked(&colored.packed()), Some(colored));
     let plain = Soup::single("plain", vec![DVec3::NAN, DVec3::X, DVec3::Y * f64::MAX], vec![[0, 1, 2]]);
     let again = Soup::unpacked(&plain.packed()).unwrap();
     assert!(again.positions[0].is_nan() && again.positions[1..] == plain.positions[1..]);
