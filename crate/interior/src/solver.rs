@@ -128,6 +128,18 @@ impl InnerSolver {
         Ok(InnerPath::new(&path, &self.drawn.transform))
     }
 
+    /// A shortest path between two places, by the march from the second; the field stays as it is.
+    pub fn measure(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "object")] to: &JsValue,
+    ) -> Result<InnerPath> {
+        let [from, to] = [self.drawn.point(from)?, self.drawn.point(to)?];
+        let options = VolumeOptions { method: VolumeMethod::March, ..VolumeOptions::default() };
+        let distance = self.solver.distance(&[to], &options)?;
+        Ok(InnerPath::new(&self.solver.path(&distance, from)?, &self.drawn.transform))
+    }
+
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.
     pub fn tangents(&self) -> Result<Vec<i8>> {
         let gradients = self.solved()?.gradient(&self.mesh)?;
