@@ -7,6 +7,7 @@ use super::draco::DRACO;
 use super::format::GLTF;
 use super::instancing::INSTANCING;
 use super::meshopt::MESHOPT;
+use super::pointer;
 use crate::error::{Error, Result};
 use crate::io::without_mark;
 
@@ -51,6 +52,7 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         return Err(GLTF.at("JSON", format!("{refused}; export it again")));
     }
     tidy(&mut document);
+    pointer::resolve(&mut document);
     // A scene may be empty.
     for scene in document["scenes"].as_array_mut().into_iter().flatten().filter_map(Value::as_object_mut) {
         scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
