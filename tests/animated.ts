@@ -13,8 +13,8 @@ const floats = (rows: readonly (readonly number[])[]) => Float32Array.from(rows.
 
 /**
  * A closed round arm with a joint in its middle, and a box beside it as a part of its own. In the first animation the arm
- * bends to a right angle in a second, in the second arm and box become twice as large in two. A camera
- * looks at the arm from +x.
+ * bends to a right angle in a second, in the second arm and box become twice as large in two, in the third the box comes into
+ * the arm in a second. A camera looks at the arm from +x.
  */
 export function armGlb(): Buffer {
   const writer = new GlbWriter();
@@ -84,6 +84,16 @@ export function armGlb(): Buffer {
           {
             input: writer.accessor(Float32Array.of(0, 2), 'SCALAR', { min: [0], max: [2] }),
             output: writer.accessor(Float32Array.of(1, 1, 1, 2, 2, 2), 'VEC3'),
+          },
+        ],
+      },
+      {
+        name: 'Reach',
+        channels: [{ sampler: 0, target: { node: 3, path: 'translation' } }],
+        samplers: [
+          {
+            input: writer.accessor(Float32Array.of(0, 1), 'SCALAR', { min: [0], max: [1] }),
+            output: writer.accessor(Float32Array.of(2, 0.4, 0, 0.85, 0.4, 0), 'VEC3'),
           },
         ],
       },

@@ -327,9 +327,9 @@ export interface SolverApi {
   /**
    * Joins components between which paths are to lead: "auto" those that pierce or nearly touch each other, "off" none, else
    * those no farther apart than so much, in the unit of the file. Of the groups that stay apart, so many pairs are linked, the
-   * nearest first. The last field is forgotten.
+   * nearest first. `posed`: where they meet in the pose that is shown, not in that of the file. The last field is forgotten.
    */
-  bridge(rule: string, links: number): Promise<Factoring>;
+  bridge(rule: string, links: number, posed: boolean): Promise<Factoring>;
   /**
    * Changes the ground: triangles that are painted anew and their costs, Infinity for walls; all closed walls along edges; and
    * what slope and height cost. The last field is forgotten, and what is factored is factored anew by the next `solve`.

@@ -125,6 +125,23 @@ test('distance is measured in each pose where that is wanted', async ({ heatwalk
   expect(await heatwalk.refining(), 'where it stops it is measured well').toBe('exact');
 });
 
+test('parts are joined where they meet in the pose in which a model stands still', async ({ heatwalk, page }) => {
+  const unreached = () => page.evaluate(() => window.heatwalk.field?.unreachableVertices);
+  await heatwalk.open('#v=1&m=file&name=arm.glb&s=0&method=auto&clip=2&time=0&live=1');
+  await heatwalk.dropAndOpen([['arm.glb', armGlb()]]);
+  await heatwalk.settled();
+  expect(await unreached()).toBe(8);
+  const time = page.getByRole('slider', { name: 'Time' });
+  await time.fill('1');
+  await expect.poll(unreached).toBe(0);
+  await time.fill('0.2');
+  await expect.poll(unreached).toBe(8);
+  await page.getByRole('combobox', { name: 'Distance' }).selectOption('Of the pose in the file');
+  await time.fill('1');
+  await heatwalk.settled();
+  expect(await unreached(), 'in the file they are apart').toBe(8);
+});
+
 test('heat is measured in each pose too', async ({ heatwalk }) => {
   await openArm(heatwalk, 'method=heat&refine=0&clip=1&time=0&live=1');
   const { maxDistance } = await heatwalk.field();

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import type { DistanceField, Factoring, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
+import type { DistanceField, Factoring, Moment, OpenedMesh, Solved, Source, PathRequest } from '../../web/protocol';
 import { Engine, type Question } from '../../web/solver/engine';
 import type { SolverWorker } from '../../web/solver/remote';
 import { LEVEL } from '../../web/state/ground';
@@ -36,9 +36,13 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
       calls.push(['propagate', windows, ...kinds(request)].join(' '));
       return solved(0);
     },
-    bridge: async (rule: string, links: number) => {
-      calls.push(`bridge ${rule} ${links}`);
+    bridge: async (rule: string, links: number, posed: boolean) => {
+      calls.push(`bridge ${rule} ${links}${posed ? ' posed' : ''}`);
       return {};
+    },
+    pose: async (moment: Moment | null) => {
+      calls.push(moment ? `pose ${moment.seconds}` : 'pose of the file');
+      return null;
     },
     refine: (request: PathRequest | null) => {
       calls.push(['refine', ...kinds(request)].join(' '));
@@ -97,6 +101,32 @@ test('components are joined before the first question, and again only by another
     'solve descent',
     'bridge off 2',
     'solve descent',
+  ]);
+});
+
+test('parts are joined anew in the pose in which the mesh stands still, and in none that it passes', async () => {
+  const { engine: it, calls } = engine(2);
+  const at = (seconds: number) => ({ ...QUESTION, from: null, moment: { clip: 0, seconds } });
+  await it.ask({ ...QUESTION, from: null });
+  await it.ask({ ...at(1), quick: true });
+  await it.ask({ ...at(2), quick: true });
+  await it.ask(at(2));
+  await it.ask({ ...at(2), sources: [{ vertex: 3 }] });
+  await it.ask({ ...QUESTION, from: null, quick: true });
+  expect(calls).toEqual([
+    'bridge auto 0',
+    'solve',
+    'pose 1',
+    'solve quick',
+    'pose 2',
+    'solve quick',
+    'bridge auto 0 posed',
+    'solve',
+    'solve',
+    // The pose that is shown stays.
+    'pose 2',
+    'bridge auto 0',
+    'solve quick',
   ]);
 });
 

@@ -120,9 +120,10 @@ export class Engine {
   /** Whether it can be asked by the heat method. */
   readonly isFactored: boolean;
   #parameters: Parameters | null;
-  /** What the worker has joined. */
+  /** What the worker has joined, and in which pose parts meet there; null: in that of the file. */
   #bridge: Bridge = 'off';
   #links = 0;
+  #joinedAt: Moment | null = null;
   #ground = LEVEL;
   #inside = WHOLE;
   #view: InnerView | null = null;
@@ -349,15 +350,11 @@ export class Engine {
       this.#parameters = parameters;
       this.#held = null;
     }
-    const { bridge, links } = question;
-    if (mayBeJoined(this.opened) && (bridge !== this.#bridge || links !== this.#links)) {
-      this.#factoring = await this.#worker.call(api.bridge(String(bridge), links));
-      this.#bridge = bridge;
-      this.#links = links;
-      this.#held = null;
-    }
     // The question follows without waiting for it: each turn of the page may take as long as a frame.
     const posing = isSameMoment(question.moment, this.#measured) ? null : this.#measureAt(question.moment);
+    if (mayBeJoined(this.opened) && !this.#isJoinedFor(question)) {
+      await Promise.all([posing, this.#join(question)]);
+    }
     const isLaid = this.opened.interior || question.ground === this.#ground;
     const laying = isLaid ? null : this.#lay(question.ground);
     if (this.opened.interior && question.inside !== this.#inside) {
@@ -391,6 +388,20 @@ export class Engine {
     this.#held = { question, field: solved.field };
     this.#view = solved.inside;
     return { ...about, posed, ...solved };
+  }
+
+  /** While the mesh moves, its parts stay joined where they met when it stood still: that takes too long for each frame. */
+  #isJoinedFor({ bridge, links, moment, quick }: Question): boolean {
+    const isAsItStands = isSameMoment(moment, this.#joinedAt) || (quick && moment !== null);
+    return bridge === this.#bridge && links === this.#links && isAsItStands;
+  }
+
+  async #join({ bridge, links, moment }: Question): Promise<void> {
+    this.#factoring = await this.#worker.call(this.#worker.api.bridge(String(bridge), links, moment !== null));
+    this.#bridge = bridge;
+    this.#links = links;
+    this.#joinedAt = moment;
+    this.#held = null;
   }
 
   #measureAt(moment: Moment | null): Promise<Posed | null> {

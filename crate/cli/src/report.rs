@@ -76,7 +76,10 @@ impl Report {
 
     /// The animations of a file that has some.
     pub fn push_animations(&mut self, soup: &Soup) {
-        let animation = |(index, clip): (usize, &Clip)| json!({ "animation": index, "name": clip.name, "seconds": clip.duration() });
+        let animation = |(index, clip): (usize, &Clip)| {
+            let Clip { name, left_out, .. } = clip;
+            json!({ "animation": index, "name": name, "seconds": clip.duration(), "left_out": left_out })
+        };
         self.push("animations", soup.motion.clips().iter().enumerate().map(animation).collect::<Vec<_>>());
     }
 
@@ -108,7 +111,11 @@ impl Report {
                 Value::Array(items) if name == "animations" => items.iter().try_for_each(|animation| {
                     let label = format!("animation {}", animation["animation"]);
                     let name = animation["name"].as_str().unwrap_or_default().replace(char::is_control, " ");
-                    writeln!(text, "{label:<22} {name}, {} s", animation["seconds"])
+                    write!(text, "{label:<22} {name}, {} s", animation["seconds"])?;
+                    match animation["left_out"].as_u64() {
+                        None | Some(0) => writeln!(text),
+                        Some(left_out) => writeln!(text, ", without {left_out} of its channels"),
+                    }
                 }),
                 Value::Array(items) if name == "links" => items.iter().enumerate().try_for_each(|(index, link)| {
                     let label = format!("link {index}");

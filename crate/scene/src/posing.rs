@@ -136,7 +136,7 @@ mod tests {
         let track = Track::new(times.to_vec(), values, Interpolation::Linear).expect("keyframes");
         let channels = vec![Channel { node: 0, target: Target::Rotation(track) }];
         let hierarchy = Hierarchy::new(vec![Node { parent: None, placement: Placement::IDENTITY }]).expect("a node");
-        let clip = Clip { name: "turn".to_owned(), channels };
+        let clip = Clip { name: "turn".to_owned(), channels, left_out: 0 };
         soup.motion = Arc::new(Motion::new(hierarchy, Vec::new(), vec![deformer], vec![clip]).expect("a motion"));
         soup
     }

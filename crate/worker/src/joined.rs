@@ -1,14 +1,15 @@
 //! What joins the components of the open surface, kept so that another number of links is not searched anew.
 
 use std::mem;
+use std::sync::Arc;
 
 use heatwalk::{BridgeRule, Bridges, Link, Surface};
 
 /// Bridges by a rule, and links between the groups that these leave apart.
 #[derive(Default)]
 pub struct Joined {
-    /// None before the first search.
-    rule: Option<BridgeRule>,
+    /// The rule, and the surface in the pose that was searched; none before the first search.
+    searched: Option<(BridgeRule, Arc<Surface>)>,
     /// By the rule alone.
     found: Bridges,
     /// What links its groups; none before links were asked for.
@@ -20,10 +21,12 @@ pub struct Joined {
 }
 
 impl Joined {
-    /// Joins components by a rule, and so many pairs of groups beyond that as are nearest. Whether that changes the portals.
-    pub fn join(&mut self, surface: &Surface, rule: BridgeRule, links: usize) -> bool {
-        if self.rule != Some(rule) {
-            self.rule = Some(rule);
+    /// Joins components where they meet on a surface, by a rule, and so many pairs of groups beyond that as are nearest. Whether
+    /// that changes the portals.
+    pub fn join(&mut self, surface: &Arc<Surface>, rule: BridgeRule, links: usize) -> bool {
+        let is_found = |(by, on): &(BridgeRule, Arc<Surface>)| *by == rule && on.id() == surface.id();
+        if !self.searched.as_ref().is_some_and(is_found) {
+            self.searched = Some((rule, Arc::clone(surface)));
             self.found = Bridges::find(surface, rule);
             self.links = None;
         }
@@ -52,7 +55,8 @@ impl Joined {
     }
 
     /// The least number of links with which more is reached from these components than now; the number of now where there is none.
-    pub fn links_to_reach_more(&mut self, surface: &Surface, components: &[u32]) -> usize {
+    pub fn links_to_reach_more(&mut self, components: &[u32]) -> usize {
+        let Some((_, surface)) = &self.searched else { return 0 };
         let bridges = &self.bridges;
         let links = self.links.get_or_insert_with(|| self.found.links(surface));
         let is_reached =

@@ -13,11 +13,12 @@ use crate::results::{DrawMesh, DrawPose};
 pub struct Clip {
     name: String,
     seconds: f64,
+    left_out: usize,
 }
 
 impl Clip {
     pub(crate) fn new(clip: &motion::Clip) -> Self {
-        Self { name: clip.name.clone(), seconds: clip.duration() }
+        Self { name: clip.name.clone(), seconds: clip.duration(), left_out: clip.left_out }
     }
 }
 
@@ -33,6 +34,12 @@ impl Clip {
     #[wasm_bindgen(getter)]
     pub fn seconds(&self) -> f64 {
         self.seconds
+    }
+
+    /// How many of its channels are not read.
+    #[wasm_bindgen(getter, js_name = leftOut)]
+    pub fn left_out(&self) -> usize {
+        self.left_out
     }
 }
 

@@ -55,7 +55,6 @@ pub struct Solver {
     in_walls: usize,
     /// The same as it is shown: in another pose, if distances are measured in that of the file.
     shown: Arc<Surface>,
-    /// Of the surface in the pose of the file.
     joined: Joined,
     posing: Option<Posing>,
     /// The path that was traced last.
@@ -185,9 +184,14 @@ impl Solver {
     }
 
     /// Finds what joins components, by the rule "auto", "off" or a distance in the file's unit, and so many links between the
-    /// nearest of the groups that stay apart; forgets the field.
-    pub fn bridge(&mut self, rule: &str, links: u32) -> Result<()> {
-        let is_changed = self.joined.join(&self.ground.surface, rule.parse()?, links as usize);
+    /// nearest of the groups that stay apart, where they meet in the pose that is shown (`posed`) or in that of the file; forgets
+    /// the field.
+    pub fn bridge(&mut self, rule: &str, links: u32, posed: bool) -> Result<()> {
+        let surface = match &self.posing {
+            Some(posing) if posed => Arc::new(self.ground.surface.posed(posing.positions(&self.ground.surface))),
+            _ => Arc::clone(&self.ground.surface),
+        };
+        let is_changed = self.joined.join(&surface, rule.parse()?, links as usize);
         self.propagation = None;
         self.solved = None;
         self.search = None;
@@ -221,9 +225,9 @@ impl Solver {
     /// reach all that can be linked.
     pub fn links_to_reach_more(&mut self) -> Result<u32> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let surface = Arc::clone(&self.ground.surface);
-        let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(&surface)).collect();
-        Ok(self.joined.links_to_reach_more(&surface, &components) as u32)
+        let surface = &self.ground.surface;
+        let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(surface)).collect();
+        Ok(self.joined.links_to_reach_more(&components) as u32)
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.

@@ -205,11 +205,11 @@ const api: SolverApi = {
     return factoringOf(mesh, memory);
   },
 
-  async bridge(rule: string, links: number): Promise<Factoring> {
+  async bridge(rule: string, links: number, posed: boolean): Promise<Factoring> {
     const { memory } = await ready;
     const mesh = openMesh();
     const clock = stopwatch();
-    openSurface().bridge(rule, links);
+    openSurface().bridge(rule, links, posed);
     mesh.timings = { ...mesh.timings, joinMs: clock() };
     return factoringOf(mesh, memory);
   },

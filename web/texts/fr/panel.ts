@@ -152,6 +152,7 @@ export const PANEL: Texts = {
   Loop: 'En boucle',
   Distance: 'Distance',
   'Of the pose in the file': 'De la pose du fichier',
+  'without {0} of its channels': 'sans {0} de ses canaux',
   'Of each pose, live': 'De chaque pose, en direct',
   'None, as in the file': 'Aucune, comme dans le fichier',
   Stop: 'Arrêter',

@@ -64,7 +64,7 @@ export function animationSection(session: Session): HTMLElement {
   const fill = (choices: readonly Clip[]) => {
     clips.replaceChildren(
       h('option', {}, t('None, as in the file')),
-      ...choices.map(({ name, seconds }) => h('option', {}, `${name}, ${fixed(seconds, 2)} s`)),
+      ...choices.map((clip) => h('option', {}, described(clip))),
     );
     // There is nothing to choose in files that stand still.
     element.closest('details')?.toggleAttribute('hidden', choices.length === 0);
@@ -95,4 +95,10 @@ export function animationSection(session: Session): HTMLElement {
   });
   animator.moment.watch((moment) => time.show(moment?.seconds ?? 0));
   return element;
+}
+
+/** Name and length; channels that change something else than the shape, or are damaged, move nothing. */
+function described({ name, seconds, leftOut }: Clip): string {
+  const length = `${name}, ${fixed(seconds, 2)} s`;
+  return leftOut > 0 ? `${length}, ${t`without ${leftOut} of its channels`}` : length;
 }

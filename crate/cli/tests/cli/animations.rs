@@ -36,7 +36,7 @@ fn with_animation(test: &str) -> PathBuf {
 fn info_names_them() {
     let folder = with_animation("animations_info");
     let report = json(&folder, &["info", "moving.gltf"]);
-    assert_eq!(report["animations"], json!([{ "animation": 0, "name": "Grow", "seconds": 2.0 }]));
+    assert_eq!(report["animations"], json!([{ "animation": 0, "name": "Grow", "seconds": 2.0, "left_out": 0 }]));
     assert!(succeed(&folder, &["info", "moving.gltf"]).contains("animation 0            Grow, 2.0 s"));
     assert_eq!(json(&folder, &["info", "torus.ply"])["animations"], json!([]));
 }

@@ -130,7 +130,7 @@ fn wave() -> Clip {
         ),
         turns(Joint::Limb(Limb::Arm, true), SECONDS, &[0.0, 6.0, 0.0].map(|z| [0.0, 0.0, z])),
     ];
-    Clip { name: "Wave".to_owned(), channels }
+    Clip { name: "Wave".to_owned(), channels, left_out: 0 }
 }
 
 /// One step of each leg, on the spot.
@@ -160,5 +160,5 @@ fn walk() -> Clip {
     let track = Track::new(times(SECONDS, lift.len()), lift.to_vec(), Interpolation::Linear);
     let target = Target::Translation(track.expect("a value for each time"));
     channels.push(Channel { node: Joint::Body.index(), target });
-    Clip { name: "Walk".to_owned(), channels }
+    Clip { name: "Walk".to_owned(), channels, left_out: 0 }
 }

@@ -57,6 +57,10 @@ pub use reader::Resources;
 /// [`Error::IndexOutOfRange`], and [`Error::Empty`] where the file holds no triangle.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let bytes = without_mark(bytes);
+    if bytes.starts_with(LFS_POINTER) {
+        let problem = "this is a pointer to the mesh, not the mesh; fetch it by `git lfs pull`".to_owned();
+        return Err(Error::Malformed { format: "Git LFS", place: name.to_owned(), problem });
+    }
     let (stem, extension) = stem_and_extension(name);
     let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     let soup: Result<Soup> = match format {
@@ -107,6 +111,9 @@ pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
         _ => None,
     }
 }
+
+/// What a repository holds in the place of a large file.
+const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 
 /// Without the mark that some programs put before text in UTF-8.
 fn without_mark(bytes: &[u8]) -> &[u8] {

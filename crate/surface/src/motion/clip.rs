@@ -12,6 +12,8 @@ pub struct Clip {
     pub name: String,
     /// What it changes.
     pub channels: Vec<Channel>,
+    /// How many channels of the file are left out: those that are damaged, or change something else than the shape.
+    pub left_out: usize,
 }
 
 /// One property of a node over time.

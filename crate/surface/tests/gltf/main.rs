@@ -7,6 +7,7 @@ mod document;
 mod motion;
 #[path = "../reading/mod.rs"]
 mod reading;
+mod unusual;
 
 use glam::{DVec3, Vec3};
 use heatwalk_surface::io;

@@ -183,6 +183,31 @@ fn channels_that_cannot_be_read_move_nothing_and_refuse_nothing() {
 }
 
 #[test]
+fn pointers_to_properties_of_nodes_move_them() {
+    let mut builder = square(json!([{}, { "mesh": 0 }]));
+    animate(&mut builder, "pointer", &[0.0, 1.0], "VEC3", 2, &[0., 0., 0., 0., 5., 0.]);
+    let channel = |pointer: &str| {
+        let extensions = json!({ "KHR_animation_pointer": { "pointer": pointer } });
+        json!({ "sampler": 0, "target": { "path": "pointer", "extensions": extensions } })
+    };
+    let by_node = json!({ "sampler": 0, "target": { "node": 0, "path": "translation" } });
+    builder.root["animations"][0]["channels"] = json!([
+        channel("/nodes/1/translation"),
+        by_node,
+        channel("/nodes/9/translation"),
+        channel("/nodes/1/translation/0"),
+        channel("/materials/0/emissiveFactor"),
+        { "sampler": 0, "target": { "path": "translation" } },
+    ]);
+    builder.root["extensionsRequired"] = json!(["KHR_animation_pointer"]);
+    let soup = builder.read().unwrap();
+    let [clip] = soup.motion.clips() else { panic!("one clip") };
+    let nodes: Vec<usize> = clip.channels.iter().map(|channel| channel.node).collect();
+    assert_eq!((nodes, clip.left_out), (vec![1, 0], 4));
+    close(corner(&soup, 1.0), DVec3::new(0.0, 5.0, 0.0));
+}
+
+#[test]
 fn damaged_animations_do_not_panic() {
     let mut builder = square(json!([{ "mesh": 0 }]));
     animate(&mut builder, "rotation", &[0.0, 1.0], "VEC4", 2, &[0., 0., 0., 1., 1., 0., 0., 0.]);
@@ -208,6 +233,7 @@ fn motions_made_in_code_are_checked() {
     let clip = |node| Clip {
         name: "Up".to_owned(),
         channels: vec![Channel { node, target: Target::Translation(track.clone()) }],
+        left_out: 0,
     };
     let motion = |deformer: Deformer, clip| {
         Motion::new(Hierarchy::new(vec![node(None)])?, Vec::new(), vec![deformer], vec![clip])

@@ -18,7 +18,9 @@ pub fn clips(root: &Root, accessors: Accessors) -> Vec<Clip> {
             let target = Keyframes::read(accessors, sampler)?.of(property)?;
             (node < root.nodes.len()).then_some(Channel { node, target })
         });
-        Clip { name: name.unwrap_or_else(|| format!("animation {number}")), channels: channels.collect() }
+        let channels: Vec<Channel> = channels.collect();
+        let left_out = animation.channels.len() - channels.len();
+        Clip { name: name.unwrap_or_else(|| format!("animation {number}")), channels, left_out }
     };
     root.animations.iter().enumerate().map(clip).collect()
 }

@@ -36,12 +36,14 @@ pub fn open(bytes: &[u8]) -> Result<Container<'_>> {
     let mut offset = 12;
     while let (Some(length), Some(kind)) = (word(bytes, offset), bytes.get(offset + 4..offset + 8)) {
         let start = offset + 8;
-        let chunk = start.checked_add(length as usize).and_then(|end| bytes.get(start..end));
-        let chunk = chunk.ok_or_else(|| cut_short(bytes.len()))?;
-        match kind {
-            JSON_CHUNK => json = json.or(Some(chunk)),
-            BINARY_CHUNK => binary = binary.or(Some(chunk)),
-            _ => {}
+        let end = start.checked_add(length as usize);
+        match (kind, end.and_then(|end| bytes.get(start..end))) {
+            (JSON_CHUNK, Some(chunk)) => json = json.or(Some(chunk)),
+            (BINARY_CHUNK, Some(chunk)) => binary = binary.or(Some(chunk)),
+            (JSON_CHUNK | BINARY_CHUNK, None) => return Err(cut_short(bytes.len())),
+            (_, Some(_)) => {}
+            // What some programs leave behind the end.
+            (_, None) => break,
         }
         offset = start + length as usize;
     }
@@ -123,14 +125,20 @@ impl<'a> Buffers<'a> {
 
     /// The bytes behind a URI: those of a data URI, or of a file beside the mesh.
     pub fn fetch(&self, uri: &str, place: impl Fn() -> String) -> Result<Vec<u8>> {
-        if let Some(data) = uri.strip_prefix("data:") {
-            let (_, encoded) = data
-                .split_once(";base64,")
-                .ok_or_else(|| GLTF.at(place(), "its data URI is not base64; export the file again"))?;
-            return decode_base64(encoded)
+        // Data URIs are those of RFC 2397; the name of a scheme may be in capitals.
+        if let Some((_, data)) = uri.split_once(':').filter(|(scheme, _)| scheme.eq_ignore_ascii_case("data")) {
+            let (kind, encoded) = data
+                .split_once(',')
+                .ok_or_else(|| GLTF.at(place(), "its data URI has no comma before the data; export the file again"))?;
+            let bytes = decode_percent(encoded);
+            let is_base64 = kind.rsplit(';').next().is_some_and(|last| last.trim().eq_ignore_ascii_case("base64"));
+            if !is_base64 {
+                return Ok(bytes);
+            }
+            return decode_base64(&bytes)
                 .ok_or_else(|| GLTF.at(place(), "its base64 data is damaged; export the file again"));
         }
-        let uri = decode_percent(uri);
+        let uri = String::from_utf8_lossy(&decode_percent(uri)).into_owned();
         (self.resources)(&uri).ok_or(Error::MissingResource { uri })
     }
 }
@@ -147,12 +155,14 @@ fn get_or_try_init<T>(cell: &OnceCell<T>, init: impl FnOnce() -> Result<T>) -> R
     }
 }
 
-fn decode_base64(text: &str) -> Option<Vec<u8>> {
-    let text = text.trim_end_matches('=').as_bytes();
+/// Lines may be broken.
+fn decode_base64(text: &[u8]) -> Option<Vec<u8>> {
     let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
     let mut bits = 0_u32;
     let mut held = 0;
-    for &letter in text {
+    let text = text.trim_ascii_end();
+    let padding = text.iter().rev().take_while(|&&letter| letter == b'=').count();
+    for &letter in text[..text.len() - padding].iter().filter(|letter| !letter.is_ascii_whitespace()) {
         let value = match letter {
             b'A'..=b'Z' => letter - b'A',
             b'a'..=b'z' => letter - b'a' + 26,
@@ -171,7 +181,7 @@ fn decode_base64(text: &str) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-fn decode_percent(uri: &str) -> String {
+fn decode_percent(uri: &str) -> Vec<u8> {
     let bytes = uri.as_bytes();
     let mut decoded = Vec::with_capacity(bytes.len());
     let mut index = 0;
@@ -186,5 +196,5 @@ fn decode_percent(uri: &str) -> String {
             index += 1;
         }
     }
-    String::from_utf8_lossy(&decoded).into_owned()
+    decoded
 }

@@ -7,7 +7,9 @@ use super::draco::DRACO;
 use super::format::GLTF;
 use super::instancing::INSTANCING;
 use super::meshopt::MESHOPT;
+use super::pointer;
 use crate::error::{Error, Result};
+use crate::io::without_mark;
 
 /// Extensions of geometry that are read.
 const READ: [&str; 5] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization", INSTANCING];
@@ -24,11 +26,18 @@ const HARMLESS: [&str; 6] = [
 
 /// Parses the JSON and checks that its version and the extensions of its geometry are known.
 pub fn parse(json: &[u8]) -> Result<Root> {
+    let json = without_padding(json);
     // The second way takes several times as long and as much memory.
     let root = from_slice(json).or_else(|error| forgiving(json, &error))?;
     check_version(&root.asset.version)?;
     check_extensions(&root)?;
     Ok(root)
+}
+
+/// Without a byte order mark, and without the zeros that some programs fill the chunk of a GLB file with.
+fn without_padding(json: &[u8]) -> &[u8] {
+    let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    without_mark(&json[..end])
 }
 
 /// What geometry needs, and of the rest what can be understood.
@@ -43,6 +52,7 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         return Err(GLTF.at("JSON", format!("{refused}; export it again")));
     }
     tidy(&mut document);
+    pointer::resolve(&mut document);
     // A scene may be empty.
     for scene in document["scenes"].as_array_mut().into_iter().flatten().filter_map(Value::as_object_mut) {
         scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));

@@ -15,6 +15,7 @@ mod format;
 mod instancing;
 mod light;
 mod meshopt;
+mod pointer;
 mod primitive;
 mod scene;
 

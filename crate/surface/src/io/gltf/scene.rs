@@ -4,7 +4,7 @@ use glam::{DMat4, DQuat, DVec3, DVec4};
 use gltf::json::{self, Root};
 
 use super::format::{GLTF, element};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::motion::{Hierarchy, Node, Placement};
 
 pub struct Scene {
@@ -28,7 +28,12 @@ impl Scene {
         let roots: Vec<usize> = (0..root.nodes.len()).filter(|&node| !is_child[node]).collect();
         let mut nodes: Vec<Node> =
             root.nodes.iter().map(|node| Node { parent: None, placement: placement(node) }).collect();
-        walk(root, &roots, |parent, node| nodes[node].parent = parent)?;
+        let mut is_below_root = vec![false; nodes.len()];
+        walk(root, &roots, |parent, node| {
+            nodes[node].parent = parent;
+            let is_second = std::mem::replace(&mut is_below_root[node], true);
+            if is_second { Err(no_tree(node)) } else { Ok(true) }
+        })?;
         let hierarchy = Hierarchy::new(nodes)?;
         let world_from_node = hierarchy.world_at_rest();
 
@@ -42,31 +47,43 @@ impl Scene {
                 .iter()
                 .map(|&node| element(&root.nodes, node, "node").map(|_| node.value()))
                 .collect::<Result<_>>()?,
-            None => roots,
+            // What is below no root is part of a cycle, or below one.
+            None => roots.into_iter().chain(0..root.nodes.len()).collect(),
         };
         let mut nodes = Vec::new();
-        walk(root, &shown, |_, node| nodes.push(node))?;
+        let mut is_shown = vec![false; root.nodes.len()];
+        walk(root, &shown, |_, node| {
+            if !is_below_root[node] {
+                return Err(no_tree(node));
+            }
+            // Some programs list all nodes of a scene, not its roots alone.
+            let is_first = !std::mem::replace(&mut is_shown[node], true);
+            nodes.extend(is_first.then_some(node));
+            Ok(is_first)
+        })?;
         let mesh_nodes = nodes.iter().copied().filter(|&node| root.nodes[node].mesh.is_some()).collect();
         Ok(Self { hierarchy, world_from_node, mesh_nodes, nodes })
     }
 }
 
-/// Visits the nodes below `roots` with their parents, parents first. An explicit stack: files can be deep.
-fn walk(root: &Root, roots: &[usize], mut visit: impl FnMut(Option<usize>, usize)) -> Result<()> {
-    let mut visited = vec![false; root.nodes.len()];
+/// Visits the nodes below `roots` with their parents, parents first, and those below a node if the visit says so. An explicit
+/// stack: files can be deep.
+fn walk(root: &Root, roots: &[usize], mut visit: impl FnMut(Option<usize>, usize) -> Result<bool>) -> Result<()> {
     let mut stack: Vec<(Option<usize>, usize)> = roots.iter().rev().map(|&node| (None, node)).collect();
     while let Some((parent, node)) = stack.pop() {
-        if std::mem::replace(&mut visited[node], true) {
-            return Err(GLTF.at(
-                format!("node {node}"),
-                "it has two parents or is its own ancestor; the nodes must form trees, export the file again",
-            ));
+        if visit(parent, node)? {
+            // `Scene::new` has checked the children.
+            stack.extend(root.nodes[node].children.iter().flatten().rev().map(|child| (Some(node), child.value())));
         }
-        visit(parent, node);
-        // `Scene::new` has checked the children.
-        stack.extend(root.nodes[node].children.iter().flatten().rev().map(|child| (Some(node), child.value())));
     }
     Ok(())
+}
+
+fn no_tree(node: usize) -> Error {
+    GLTF.at(
+        format!("node {node}"),
+        "it has two parents or is its own ancestor; the nodes must form trees, export the file again",
+    )
 }
 
 fn placement(node: &json::Node) -> Placement {
