@@ -9,8 +9,8 @@ const SURFACE: Bytes = Bytes { input: 8, vertex: 45, triangle: 60 };
 const GEOMETRY: Bytes = Bytes { input: 0, vertex: 1, triangle: 96 };
 /// The exact search around the sources, the front beyond it, and the field with its directions.
 const SEARCH: Bytes = Bytes { input: 0, vertex: 105, triangle: 42 };
-/// The windows that propagation keeps, for each of a half-edge.
-const WINDOW: Bytes = Bytes { input: 0, vertex: 0, triangle: 96 };
+/// What propagation knows of each stretch of a half-edge. The windows that wait are few beside.
+const WINDOW: Bytes = Bytes { input: 0, vertex: 0, triangle: 24 };
 
 #[derive(Clone, Copy)]
 struct Bytes {
