@@ -66,7 +66,7 @@ mod tests {
         let refused = require_room(vertices, triangles, 8, eight - 1).expect_err("one byte less");
         assert_eq!(refused.code(), "too-many-windows");
         assert!(
-            refused.to_string().starts_with("8 windows of each half-edge of 2000000 triangles take 1."),
+            refused.to_string().starts_with("8 windows of each half-edge of 2000000 triangles take 895"),
             "{refused}"
         );
         assert!(require_room(vertices, triangles, 1, one).is_ok());

@@ -114,12 +114,7 @@ impl<C: Count> Labels<C> {
 
     /// Distance of the middle of a half-edge's first stretch, in mean edges; infinite for no window.
     pub fn value_of(&self, halfedge: u32) -> f32 {
-        self.value(halfedge as usize * self.stretches())
-    }
-
-    #[inline(always)]
-    fn value(&self, index: usize) -> f32 {
-        self.labels[index].value
+        self.labels[halfedge as usize * self.stretches()].value
     }
 
     /// The middle of a stretch.
@@ -143,7 +138,7 @@ impl<C: Count> Labels<C> {
     #[inline(always)]
     fn is_sooner_at(&self, halfedge: u32, stretch: usize, value: f64, bar: &Bar) -> bool {
         let edges = (value * self.per_edge) as f32;
-        let known = self.value(halfedge as usize * self.stretches() + stretch);
+        let known = self.labels[halfedge as usize * self.stretches() + stretch].value;
         // One branch, if any: which of these fails is as good as random.
         (value < bar.by_ends(self.middle(stretch, bar.length))) & (edges < known - MARGIN)
     }
