@@ -1,5 +1,6 @@
 /** The page in one HTML file, which opens without a server. */
 import { defineConfig } from 'vite';
+import { documentsWithin } from './tools/vite/docs.ts';
 import { packedModules, singleFile } from './tools/vite/single.ts';
 import shared from './vite.config.ts';
 
@@ -10,7 +11,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   assetsInclude: shared.assetsInclude ?? [],
-  plugins: [packedModules(), singleFile()],
+  plugins: [packedModules(), documentsWithin(import.meta.dirname), singleFile()],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
   worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
   build: {

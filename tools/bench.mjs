@@ -25,6 +25,7 @@ const FEW_ROUNDS = 3;
 const SOURCES = 10;
 const PEERS = ['plain', 'robust', 'libigl', 'cholmod'];
 const DRAGGED = ['bunny', 'dragon'];
+const PAINTED = 'dragon';
 const ANIMATED = 'robot';
 
 const { values } = parseArgs({
@@ -57,7 +58,7 @@ if (values.methods) {
 }
 
 if (values.inside) {
-  inside({ quick: values.quick });
+  await inside({ quick: values.quick });
   process.exit();
 }
 
@@ -81,6 +82,8 @@ for (const mesh of meshes) await measure(mesh);
 console.log('\n— Dragging a source');
 const drags = [];
 for (const preset of DRAGGED) drags.push(await page.drag(preset));
+console.log('\n— Painting');
+const painted = await page.paint(PAINTED);
 console.log('\n— Playing an animation');
 const live = await page.live(ANIMATED);
 const firstPicture = { webgpu: await page.firstPicture(), webgl2: await page.firstPicture(false) };
@@ -127,6 +130,7 @@ function report() {
     meshes: meshes.map(({ file: _file, who: _who, ...mesh }) => mesh),
     growth: growthOf(meshes),
     drags,
+    painted,
     live,
     firstPicture,
     skipped: peers.skipped,

@@ -82,8 +82,10 @@ export type Shade = Plain<wasm.Shade>;
 export type Material = Plain<wasm.Material>;
 export type BuildReport = Plain<wasm.BuildReport>;
 export type SurfacePath = Plain<wasm.SurfacePath>;
-/** A path between two places, which can be drawn in any pose. */
-export type Leg = Plain<wasm.Leg>;
+/** A path between two places: on a surface, where it can be drawn in any pose, or inside of tetrahedra. */
+export type Leg = SurfaceLeg | InnerLeg;
+export type SurfaceLeg = Plain<wasm.Leg>;
+export type InnerLeg = Plain<interior.InnerPath>;
 export type Enclosure = Plain<wasm.Enclosure>;
 /** Curves, one after another, in the unit and the axes of the file. */
 export type Tracks = Plain<wasm.Tracks>;
@@ -365,13 +367,13 @@ export interface SolverApi {
   searchPath(from: MeshPoint): Promise<TracedPath | null>;
   /**
    * One step of searching the exact path between two places, of 100 to 200 ms, beside the last field; null: it is not found yet,
-   * and the next call goes on. Its `leg` is null where no path leads there.
+   * and the next call goes on. Its `leg` is null where no path leads there. Inside of tetrahedra a shortest path is found at once.
    */
   measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null>;
-  /** A locally shortest path between two places, or one of locally least cost; null where none leads there. */
-  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null>;
+  /** A locally shortest path between two places of a surface, or one of locally least cost; null where none leads there. */
+  estimate(from: MeshPoint, to: MeshPoint): Promise<SurfaceLeg | null>;
   /** What the closed curve of these legs encloses. */
-  enclosed(legs: readonly Leg[]): Promise<Enclosure>;
+  enclosed(legs: readonly SurfaceLeg[]): Promise<Enclosure>;
   /**
    * #F × 3, one vector a drawn triangle, by the last field: the gradient of distance, or the unit vector along the
    * gradient of heat (towards the sources); 0 where there is none.

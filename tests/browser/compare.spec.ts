@@ -41,6 +41,13 @@ test('two settings share a picture; the line between them moves, and is in the l
   expect(apart(neumann, dirichlet, LEFT)).toBeGreaterThan(OTHER);
   expect(apart(neumann, dirichlet, RIGHT)).toBeGreaterThan(OTHER);
 
+  // Undo goes back over the setting and shows its field.
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.getByRole('combobox', { name: 'Boundary' }).first()).toHaveValue('dirichlet');
+  expect(apart(await drawn(heatwalk), dirichlet, LEFT)).toBeLessThan(SAME);
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await heatwalk.settled();
+
   await page.locator('#section-compare > summary').click();
   const section = page.locator('#section-compare');
   await section.getByRole('button', { name: 'Neumann and Dirichlet' }).click();

@@ -164,7 +164,7 @@ test('shells, whole tetrahedra and tetrahedra apart are drawn, each another pict
 
 test('a closed surface is filled, about where it is, and shown again', async ({ heatwalk, page }) => {
   const ball = sphere(16);
-  await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300');
+  await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300&tape=40,80&sets=line:100-105,component:3@9');
   await heatwalk.settled();
   const before = await heatwalk.pixelOf({ vertex: 40 });
   await page.locator('#section-inside > summary').click();
@@ -177,7 +177,13 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   expect(Math.abs(tetrahedra / 3200 - 1)).toBeLessThan(0.15);
   expect(volume).toBeGreaterThan(3.7);
   expect(volume).toBeLessThan(4.2);
-  const { sources, fill, inside: looked } = await heatwalk.scene();
+  const { sources, sets, tapes, fill, inside: looked } = await heatwalk.scene();
+  // What is of surfaces alone keeps its places.
+  expect(sets.map(({ shape, points, offset }) => [shape.kind, points.length, offset])).toEqual([
+    ['stroke', 6, 0],
+    ['list', ball.positions.length, 9],
+  ]);
+  expect(tapes).toMatchObject([{ points: { length: 2 } }]);
   expect(fill).toBe(3200);
   expect(looked.cut).toBe('plane');
   const [[x, y], [x0, y0]] = [await heatwalk.pixelOf(sources[0]), before];
@@ -187,7 +193,7 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   await page.getByRole('button', { name: 'Show the surface' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).tetrahedra).toBe(0);
   await heatwalk.settled();
-  expect((await heatwalk.scene()).fill).toBeNull();
+  expect(await heatwalk.scene()).toMatchObject({ fill: null, sets: { length: 2 } });
 });
 
 test('what has no inside says so, and the scene stays', async ({ heatwalk, page }) => {
@@ -222,6 +228,31 @@ test('a crowd walks inside, and all that is wanted comes with a link', async ({ 
   await page.getByRole('slider', { name: 'Crowd' }).fill('0');
   await heatwalk.settled();
   expect(difference(many, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.002);
+});
+
+test('a tape leads through the inside: exact along straight lines, approximate around bends', async ({
+  heatwalk,
+  page,
+}) => {
+  await openCube(heatwalk, `method=auto&tape=${CORNER.vertex},${MIDDLE.vertex},${FAR.vertex}!`);
+  const measured = () => page.evaluate(() => window.heatwalk.tapes);
+  const exact = { state: 'exact' };
+  await expect.poll(measured).toMatchObject([{ legs: [exact, exact, exact], area: null }]);
+  expect((await measured())[0].legs[0].length).toBeCloseTo(Math.sqrt(0.75), 6);
+  await expect(page.locator('.tape-label')).toHaveText(['0.866 m', '0.866 m', '1.73 m', 'Σ 3.46 m']);
+
+  await heatwalk.open('#m=pipe');
+  const { sources, walker } = await heatwalk.scene();
+  const [from, to] = [walker, ...sources].map((place) => {
+    if (!place || !('tetrahedron' in place)) throw new Error('The preset has its places inside.');
+    return `${place.tetrahedron}:${place.weights.join('/')}`;
+  });
+  await heatwalk.open(`#m=pipe&tape=${from},${to}`);
+  await expect.poll(measured).toMatchObject([{ legs: [{ state: 'approximate' }] }]);
+  const [{ legs }] = await measured();
+  // As far as the walker has to go.
+  expect(legs[0].length).toBeCloseTo((await page.evaluate(() => window.heatwalk.walker))?.length ?? 0, 6);
+  expect(legs[0].length).toBeGreaterThan(1.5 * legs[0].straight);
 });
 
 test('distances inside are saved, with tetrahedra that open again', async ({ heatwalk, page }) => {

@@ -150,6 +150,14 @@ test('Cancel, or another method, ends the factoring and leaves what is shown', a
     expect(await heatwalk.field()).toEqual(field);
     expect(await heatwalk.solves()).toBe(solves);
   }
+  // What was cancelled is no step of undo, nor is what undo cannot go back to.
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await undo.click();
+  await expect(cancel).toBeVisible();
+  await cancel.click();
+  await expect(cancel).toBeHidden();
+  expect(await heatwalk.scene()).toMatchObject({ method: 'auto' });
+  await expect(undo).toBeDisabled();
   await expect(page.getByRole('alert')).toBeEmpty();
   await page.locator('.stage').press('Enter');
   await expect.poll(() => heatwalk.solves()).toBe(solves + 1);

@@ -19,6 +19,11 @@ test('the page in one file opens from a disk, where nothing else is', async ({ p
     await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name.split('.')[0])).toBe(preset);
   }
   await expect(page.getByRole('alert')).toBeEmpty();
+  // The documents are within.
+  await page.getByRole('button', { name: 'Help' }).click();
+  const opening = page.waitForEvent('popup');
+  await page.getByRole('link', { name: 'All documents' }).click();
+  await expect((await opening).getByRole('heading', { name: 'The program' })).toBeVisible();
   await expect(page).toHaveURL(/alone\.html\?gpu=webgl#v=1&m=cave/);
   expect(asked.filter((protocol) => !['file:', 'data:', 'blob:'].includes(protocol))).toEqual([]);
   expect(asked.filter((protocol) => protocol === 'file:')).toHaveLength(1);

@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { grid, off } from '../fixtures';
+import { grid, obj, off } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
 
 const N = 24;
@@ -58,6 +58,18 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   await paste(heatwalk, `vertex,offset\n${at(20, 4).vertex},0\n${at(20, 5).vertex},0\n9999,0`);
   await expect(page.getByText('List, line 4: there is no vertex 9999')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(2);
+  // Its last corner is dragged, and the line is found anew; that is one step of undo.
+  const [from, to] = [await heatwalk.pixelOf(at(12, 18)), await heatwalk.pixelOf(at(20, 18))];
+  const lineNow = async () => (await heatwalk.scene()).sets[0];
+  const before0 = await lineNow();
+  await page.mouse.move(from[0] + 1, from[1] + 1);
+  await page.mouse.down();
+  await page.mouse.move(to[0] + 1, to[1] + 1, { steps: 5 });
+  await page.mouse.up();
+  await expect.poll(async () => (await lineNow()).shape).toMatchObject({ corners: [306, 312, at(20, 18).vertex] });
+  expect((await lineNow()).points).toContainEqual(at(20, 18));
+  await page.keyboard.press('Control+z');
+  expect(await lineNow()).toEqual(before0);
   await paste(heatwalk, `x y z offset\n0.5 0.25 7 0\n${5 / N} ${7 / N} 0 0.125`);
   await expect(rows(heatwalk)).toHaveText([/^Line/, /^Boundary/, 'List: 2']);
   await expect(page.getByText('2 sources added, at most 7 m away')).toBeVisible();
@@ -85,6 +97,34 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(at(9, 12))).toBeCloseTo(Math.hypot(3, 6) / N, 5);
   expect(await heatwalk.distanceAt(at(5, 7))).toBeCloseTo(0.125, 5);
+});
+
+test('what is placed on parts that stay active stays where it is, whatever becomes of the others', async ({
+  heatwalk,
+  page,
+}) => {
+  const sheet = (z: number) => {
+    const { positions, triangles } = grid(N);
+    return { positions: positions.map(([x, y]): [number, number, number] => [x, y, z]), triangles };
+  };
+  const before = (N + 1) ** 2;
+  const there = (i: number, j: number) => before + at(i, j).vertex;
+  const sets = `line:${there(6, 6)}-${there(12, 6)}@0.5,boundary:${there(0, 3)}@0.25,part:0,line:3-5,part:1@0.75`;
+  const places = `s=${there(12, 12)},7&w=${there(20, 20)}&tape=${there(3, 3)},${there(3, 6)};1,2&sets=${sets}`;
+  await heatwalk.openFile('sheets.obj', obj({ low: sheet(0), high: sheet(1) }), `${places}&up=z&method=auto&refine=0`);
+  await expect(rows(heatwalk)).toHaveCount(7);
+  await page.getByRole('checkbox', { name: 'low' }).click();
+  await expect.poll(async () => (await heatwalk.mesh()).active).toEqual([1]);
+  await heatwalk.settled();
+  const now = await heatwalk.scene();
+  expect(now).toMatchObject({ sources: [at(12, 12)], walker: at(20, 20), tapes: [{ points: [at(3, 3), at(3, 6)] }] });
+  expect(now.sets).toMatchObject([
+    { shape: { kind: 'line', corners: [at(6, 6).vertex, at(12, 6).vertex] }, points: { length: 7 }, offset: 0.5 },
+    { shape: { kind: 'boundary' }, points: { length: 4 * N }, offset: 0.25 },
+    { shape: { kind: 'part', part: 1 }, points: { length: before }, offset: 0.75 },
+  ]);
+  expect(await heatwalk.distanceAt(at(12, 12))).toBe(0);
+  expect(await heatwalk.distanceAt(at(0, 12))).toBeCloseTo(0.25, 6);
 });
 
 test('a stroke is drawn by hand and closed where it began; a part by a click; a vertex by its number', async ({

@@ -28,9 +28,9 @@ test('text that is no comparison is refused as a whole', () => {
 test('undo goes back over comparisons; a drag of the line is one step', () => {
   const scene = new Scene(OWN);
   const compared: Compared = { ...STUDIED.solver[1], split: MIDDLE };
-  scene.place({ compared });
+  scene.edit({ compared });
   const drag = {};
-  for (const split of [0.6, 0.7, 0.8]) scene.place({ compared: { ...compared, split } }, drag);
+  for (const split of [0.6, 0.7, 0.8]) scene.edit({ compared: { ...compared, split } }, drag);
   scene.undo();
   expect(scene.state.compared?.split).toBe(MIDDLE);
   scene.undo();

@@ -1,19 +1,21 @@
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
-import { readDocuments } from '../../tools/vite/docs';
-import { addressOf, SECTIONS, SETTINGS } from '../../web/ui/help/settings';
+import { onePage, readDocuments } from '../../tools/vite/docs';
+import { addressOf } from '../../web/ui/help/documents';
+import { SECTIONS, SETTINGS } from '../../web/ui/help/settings';
 
-const { pages, sections } = readDocuments(join(import.meta.dirname, '../../docs'));
+const FOLDER = join(import.meta.dirname, '../../docs');
+const { pages, sections } = readDocuments(FOLDER);
+const seen = [
+  ...Object.values(SECTIONS),
+  ...Object.values(SETTINGS).flatMap((lines) => Object.values(lines).map(({ see }) => see)),
+];
 
 test('every explanation leads to a heading of the documents', () => {
   const addresses = new Set([
     ...pages.map(({ name }) => `./docs/${name}.html`),
     ...sections.map(({ page, id }) => `./docs/${page}.html#${id}`),
   ]);
-  const seen = [
-    ...Object.values(SECTIONS),
-    ...Object.values(SETTINGS).flatMap((lines) => Object.values(lines).map(({ see }) => see)),
-  ];
   expect(seen.map(addressOf).filter((address) => !addresses.has(address))).toEqual([]);
 });
 
@@ -28,6 +30,17 @@ test('links between documents lead to headings that there are', () => {
       .map((address) => `${name}: ${address}`),
   );
   expect(broken).toEqual([]);
+});
+
+test('the documents on one page have each heading once, and every explanation and every link leads to one', () => {
+  const html = onePage(FOLDER);
+  const ids = [...html.matchAll(/ id="([^"]*)"/g)].map(([, id]) => id);
+  expect(ids).toHaveLength(pages.length + sections.length);
+  expect(new Set(ids).size).toBe(ids.length);
+  const links = [...html.matchAll(/href="([^":]*)"/g)].map(([, address]) => address);
+  const wanted = [...links, ...seen.map((see) => `#${see.replace('#', '--')}`)];
+  expect(wanted.filter((address) => !address.startsWith('#') || !ids.includes(address.slice(1)))).toEqual([]);
+  expect(html).not.toContain('<img');
 });
 
 test('headings have the names that GitHub gives them, one each', () => {

@@ -1,14 +1,13 @@
 import { expect, test } from '@playwright/test';
 import { moveSource, setInitialDistance } from '../../web/state/edit';
 import { emptyScene, Scene } from '../../web/state/scene';
-import { DEFAULT_PARAMETERS } from '../../web/wasm/contract';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 
 test('undo and redo restore sources and walker', () => {
   const scene = fresh();
-  scene.place({ sources: [{ vertex: 2 }] });
-  scene.place({ walker: { vertex: 9 } });
+  scene.edit({ sources: [{ vertex: 2 }] });
+  scene.edit({ walker: { vertex: 9 } });
   expect(scene.undo()).toBe(true);
   expect(scene.state).toMatchObject({ sources: [{ vertex: 2 }], walker: null });
   expect(scene.undo()).toBe(true);
@@ -23,8 +22,8 @@ test('undo and redo restore sources and walker', () => {
 test('a drag is one undo step', () => {
   const scene = fresh();
   const drag = {};
-  for (const vertex of [2, 3, 4]) scene.place({ sources: [{ vertex }] }, drag);
-  scene.place({ sources: [{ vertex: 5 }] }, {});
+  for (const vertex of [2, 3, 4]) scene.edit({ sources: [{ vertex }] }, drag);
+  scene.edit({ sources: [{ vertex: 5 }] }, {});
   scene.undo();
   expect(scene.state.sources).toEqual([{ vertex: 4 }]);
   scene.undo();
@@ -56,24 +55,48 @@ test('typing an initial distance is one undo step, and 0 is not stored', () => {
 
 test('a new change clears the redo history', () => {
   const scene = fresh();
-  scene.place({ sources: [{ vertex: 2 }] });
+  scene.edit({ sources: [{ vertex: 2 }] });
   scene.undo();
-  scene.place({ sources: [{ vertex: 3 }] });
+  scene.edit({ sources: [{ vertex: 3 }] });
   expect(scene.canRedo).toBe(false);
 });
 
-test('undo does not change camera, style or parameters', () => {
+test('undo goes back over settings of the solver, style and overlays, and leaves the camera', () => {
   const scene = fresh();
-  scene.place({ sources: [{ vertex: 2 }] });
-  scene.set({ camera: [1, 0, 3, 0, 0, 0], parameters: { ...DEFAULT_PARAMETERS, timeStep: 4 } });
+  const { parameters, style, overlays } = scene.state;
+  const drag = {};
+  for (const timeStep of [2, 3, 4]) scene.edit({ parameters: { ...parameters, timeStep } }, drag);
+  scene.edit({ method: 'exact' });
+  scene.edit({ style: { ...style, period: 0.2 } });
+  scene.edit({ overlays: ['edges'] });
+  scene.set({ camera: [1, 0, 3, 0, 0, 0] });
   scene.undo();
+  scene.undo();
+  expect(scene.state).toMatchObject({ method: 'exact', style, overlays });
+  scene.undo();
+  scene.undo();
+  expect(scene.state.parameters).toBe(parameters);
   expect(scene.state.camera).toEqual([1, 0, 3, 0, 0, 0]);
-  expect(scene.state.parameters.timeStep).toBe(4);
+  expect(scene.canUndo).toBe(false);
+});
+
+test('what is withdrawn is no step of undo, nor is what led there', () => {
+  const scene = fresh();
+  scene.edit({ sources: [{ vertex: 2 }] });
+  scene.edit({ method: 'exact' });
+  scene.edit({ method: 'heat' });
+  scene.withdraw({ method: 'exact' });
+  scene.undo();
+  expect(scene.state).toMatchObject({ method: 'heat', sources: [{ vertex: 2 }] });
+  scene.withdraw({ method: 'exact' });
+  expect(scene.canRedo).toBe(false);
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 1 }]);
 });
 
 test('another mesh clears the undo history', () => {
   const scene = fresh();
-  scene.place({ sources: [{ vertex: 2 }] });
+  scene.edit({ sources: [{ vertex: 2 }] });
   scene.load(emptyScene({ kind: 'preset', id: 'teapot' }));
   expect(scene.canUndo).toBe(false);
   expect(scene.undo()).toBe(false);
@@ -81,7 +104,7 @@ test('another mesh clears the undo history', () => {
 
 test('the selection is always a valid source', () => {
   const scene = fresh();
-  scene.place({ sources: [{ vertex: 1 }, { vertex: 2 }] });
+  scene.edit({ sources: [{ vertex: 1 }, { vertex: 2 }] });
   scene.set({ selected: 1 });
   scene.undo();
   expect(scene.state.selected).toBe(-1);
@@ -91,7 +114,7 @@ test('listeners get both states until they unsubscribe', () => {
   const scene = fresh();
   const heard: number[] = [];
   const leave = scene.subscribe((state, previous) => heard.push(previous.sources.length, state.sources.length));
-  scene.place({ sources: [] });
+  scene.edit({ sources: [] });
   leave();
   scene.undo();
   expect(heard).toEqual([1, 0]);

@@ -80,8 +80,8 @@ test('a tape in the link that is none is told, and the scene has none', () => {
 
 test('undo takes tapes and the scale back', () => {
   const scene = new Scene(START);
-  scene.place({ tapes: [tape(1, 2)] });
-  scene.place({ scale: 3, unit: 'm' });
+  scene.edit({ tapes: [tape(1, 2)] });
+  scene.edit({ scale: 3, unit: 'm' });
   scene.undo();
   expect(scene.state).toMatchObject({ scale: 1, unit: 'auto' });
   scene.undo();

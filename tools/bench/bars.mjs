@@ -13,7 +13,7 @@ function compare(row, what, mesh, reached, bar, aim, { more = false, unit = '' }
   return { row, what, mesh, reached, bar, aim, unit, verdict };
 }
 
-export function bars({ meshes, growth, drags, live, firstPicture }) {
+export function bars({ meshes, growth, drags, painted, live, firstPicture }) {
   const all = [
     ...meshes.flatMap(ofMesh),
     ...(growth ? [compare(7, 'growth of native precompute, exponent', growth.name, growth.exponent, 1.3, 1.3)] : []),
@@ -23,6 +23,10 @@ export function bars({ meshes, growth, drags, live, firstPicture }) {
       compare(9, "longest answer on the page's thread", preset, longest, 16, 16, { unit: ' ms' }),
     ]),
     compare(11, 'fields of a playing animation', live.preset, live.fields, 30, 60, { more: true, unit: '/s' }),
+    compare(12, 'fields while the ground is painted', painted.preset, painted.fields, 15, 30, {
+      more: true,
+      unit: '/s',
+    }),
     compare(10, 'bytes to the first picture', 'WebGPU', firstPicture.webgpu.bytes / 1e6, 1.08, 0.9, { unit: ' MB' }),
     compare(10, 'bytes to the first picture', 'WebGL2', firstPicture.webgl2.bytes / 1e6, null, 1.2, { unit: ' MB' }),
   ];

@@ -1,10 +1,11 @@
-// npm run bench -- --inside: distances inside of tetrahedra, against closed forms and against libigl's heat method, in alternation.
+// npm run bench -- --inside: distances inside of tetrahedra, against closed forms and against libigl's heat method, in alternation;
+// and a million tetrahedra on the page.
 
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { attempt, LIBIGL, pythonWith } from '../peers.mjs';
-import { cargo, fail, root } from '../steps.mjs';
+import { buildModules, cargo, fail, npmProgram, prepare, root } from '../steps.mjs';
 import { description } from './checkout.mjs';
 import { median } from './ratios.mjs';
 import { table } from './report.mjs';
@@ -12,7 +13,10 @@ import { table } from './report.mjs';
 const ROUNDS = 3;
 const FOLDER = join(root, 'target', 'bench', 'inside');
 
-export function inside({ quick }) {
+export async function inside({ quick }) {
+  prepare();
+  buildModules();
+  npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
   cargo(
     'Building the example',
     ['build', '--release', '-p', 'heatwalk-volume', '--example', 'inside'],
@@ -44,9 +48,34 @@ export function inside({ quick }) {
     'libigl (ms)',
     'heat / libigl',
   ];
-  const text = `${description(root)}\n\n${table(heads, rows).join('\n')}\n`;
+  const text = [description(root), '', ...table(heads, rows), '', ...(await million()), ''].join('\n');
   writeFileSync(join(root, 'target', 'bench', 'inside.md'), text);
   console.log(`\n${text}\nWritten to target/bench/inside.md.`);
+}
+
+/** A million tetrahedra on the page, from the bytes of a file, by both methods. */
+async function million() {
+  const { Page } = await import('./page.mjs');
+  const page = await Page.open();
+  try {
+    const rows = [];
+    for (const method of ['march', 'heat']) {
+      const answer = await page.inside(join(FOLDER, 'million.msh'), method === 'heat');
+      if (answer.failed) {
+        rows.push([method, answer.failed, '', '', '', '', '']);
+        continue;
+      }
+      const { tetrahedra, open, precompute, solve, memory } = answer;
+      const seconds = [open, precompute, solve, open + precompute + solve].map((ms) => (ms / 1000).toFixed(2));
+      rows.push([method, String(tetrahedra), ...seconds, (memory / 2 ** 30).toFixed(2)]);
+    }
+    return table(
+      ['page', 'tetrahedra', 'open (s)', 'precompute (s)', 'first field (s)', 'together (s)', 'memory (GiB)'],
+      rows,
+    );
+  } finally {
+    await page.close();
+  }
 }
 
 /** The rows that the example prints, with the files that it writes. */

@@ -29,6 +29,9 @@ const DRAG_SECONDS = 5;
 const POINTER_HZ = 120;
 /** CSS pixels. */
 const DRAG_RADIUS = 15;
+/** CSS pixels between rows that a brush paints, and between the events on them. */
+const ROWS = 12;
+const PACE = 2;
 
 /** None: the page starts out with the solver's defaults. */
 const PARAMETERS = {};
@@ -68,17 +71,25 @@ export class Page {
    * heat, or by so many windows of each half-edge, where nothing is factored.
    */
   async worker(mesh, sources, windows = 0) {
+    return this.#inWorker(mesh, measureWorker, { windows, sources });
+  }
+
+  /** Milliseconds of opening a file of tetrahedra, of factoring and of the first field from vertex 0, and bytes of memory before that. */
+  async inside(mesh, isByHeat) {
+    return this.#inWorker(mesh, measureInside, { name: basename(mesh), isByHeat });
+  }
+
+  async #inWorker(mesh, measure, options) {
     this.#mesh = mesh;
     return this.#with(BLANK, async (tab) => {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
       try {
-        const measured = tab.evaluate(measureWorker, {
+        const measured = tab.evaluate(measure, {
           worker: asset(/^entry-.*\.js$/),
           module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
           mesh: MESH,
           parameters: PARAMETERS,
-          windows,
-          sources,
+          ...options,
         });
         return await Promise.race([measured, silence()]);
       } catch (error) {
@@ -104,11 +115,25 @@ export class Page {
       // A second press too soon would be a double click.
       await tab.waitForTimeout(1000);
       await tab.mouse.move(x, y);
-      await tab.mouse.down();
-      const options = { x, y, radius: DRAG_RADIUS, seconds: DRAG_SECONDS, hertz: POINTER_HZ };
-      const dragged = await tab.evaluate(dragInCircles, options);
-      await tab.mouse.up();
-      return { preset, triangles: await tab.evaluate(() => window.heatwalk.mesh.triangles), ...dragged };
+      return { preset, ...(await drawn(tab, circles(x, y))) };
+    });
+  }
+
+  /** Mud painted in rows for some seconds over a preset: fields a second, and how long each answer kept the page busy. */
+  async paint(preset) {
+    return this.#with(`/?resolution=full&gpu=webgl#v=1&m=${preset}`, async (tab) => {
+      await tab.evaluate(() => window.heatwalk.ready);
+      await tab.keyboard.press('b');
+      const points = await tab.evaluate(rowsOnModel, { rows: ROWS, pace: PACE });
+      await tab.mouse.move(...points[0]);
+      // Until the worker has told which triangles lie side by side, nothing is painted.
+      const start = performance.now();
+      while (!(await tab.evaluate(isPainted))) {
+        if (performance.now() - start > SILENCE_MS) throw new Error('The brush does not paint.');
+        await tab.mouse.down();
+        await tab.mouse.up();
+      }
+      return { preset, ...(await drawn(tab, points)) };
     });
   }
 
@@ -184,6 +209,22 @@ export class Page {
   }
 }
 
+/** Follows places with the button down, and what came of it. */
+async function drawn(tab, points) {
+  await tab.mouse.down();
+  const answers = await tab.evaluate(followPlaces, { points, seconds: DRAG_SECONDS, hertz: POINTER_HZ });
+  await tab.mouse.up();
+  return { triangles: await tab.evaluate(() => window.heatwalk.mesh.triangles), ...answers };
+}
+
+/** Places on a circle, one turn a second. */
+function circles(x, y) {
+  return Array.from({ length: POINTER_HZ }, (_, place) => {
+    const turn = (2 * Math.PI * place) / POINTER_HZ;
+    return [x + DRAG_RADIUS * Math.cos(turn), y + DRAG_RADIUS * Math.sin(turn)];
+  });
+}
+
 /** A worker that ends without a word answers nothing. */
 async function silence() {
   await setTimeout(SILENCE_MS, undefined, { ref: false });
@@ -253,6 +294,26 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
   };
 }
 
+async function measureInside({ worker, module, mesh, name, parameters, isByHeat }) {
+  const { Comlink } = window;
+  const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
+  await api.start(await WebAssembly.compileStreaming(fetch(module)));
+  await api.warmUp();
+  const content = await (await fetch(mesh)).blob();
+  const progress = () => Comlink.proxy(() => undefined);
+  const times = [performance.now()];
+  const file = { kind: 'files', mesh: name, files: [{ path: name, content }] };
+  const { interior } = await api.open(file, [], { windows: 1, memory: 'auto' }, progress());
+  times.push(performance.now());
+  const { memoryBytes } = await api.prepare(isByHeat ? parameters : null, progress());
+  times.push(performance.now());
+  const asked = [{ vertex: 0 }];
+  await (isByHeat ? api.solve(asked, false, null) : api.propagate(asked, 1, null));
+  times.push(performance.now());
+  const [open, precompute, solve] = times.slice(1).map((time, index) => time - times[index]);
+  return { tetrahedra: interior.tetrahedra.length / 4, open, precompute, solve, memory: memoryBytes };
+}
+
 /** Notes how long each message of a worker keeps the page's thread busy, with all that follows from it at once. */
 function timeAnswers() {
   // Longer than the chain of promises that leads from an answer to the buffers of the renderer.
@@ -286,10 +347,31 @@ function pixelOnModel() {
   throw new Error('The model is not in the picture.');
 }
 
-async function dragInCircles({ x, y, radius, seconds, hertz }) {
+function isPainted() {
+  return Object.values(window.heatwalk.scene.ground.faces).some((code) => code > 0);
+}
+
+/** Places on the model in rows, there and back, down from the middle and then from the top. */
+function rowsOnModel({ rows, pace }) {
+  const { heatwalk, innerHeight, innerWidth } = window;
+  const middle = heatwalk.centre[1];
+  const count = Math.floor(innerHeight / rows);
+  const row = (index) => {
+    const y = (middle + index * rows) % innerHeight;
+    const places = Array.from({ length: Math.floor(innerWidth / pace) }, (_, place) => [place * pace, y]);
+    const on = places.filter(([x]) => heatwalk.placeAt(x, y));
+    return index % 2 ? on.toReversed() : on;
+  };
+  const points = Array.from({ length: count }, (_, index) => row(index)).flat();
+  if (points.length === 0) throw new Error('The model is not in the picture.');
+  return points;
+}
+
+/** Moves the pointer from place to place, and from the last to the first; the first is out of the reach of a click. */
+async function followPlaces({ points, seconds, hertz }) {
   const { heatwalk, busyMs } = window;
   const stage = document.querySelector('.stage');
-  const move = (clientX, clientY) =>
+  const move = ([clientX, clientY]) =>
     stage.dispatchEvent(
       new PointerEvent('pointermove', {
         clientX,
@@ -300,8 +382,8 @@ async function dragInCircles({ x, y, radius, seconds, hertz }) {
         bubbles: true,
       }),
     );
-  // Out of the reach of a click, so that the drag begins.
-  move(x + radius, y);
+  // So that the drag begins.
+  move(points[0]);
   const { solves } = heatwalk;
   busyMs.length = 0;
   const begin = performance.now();
@@ -316,8 +398,7 @@ async function dragInCircles({ x, y, radius, seconds, hertz }) {
   requestAnimationFrame(frame);
   await new Promise((resolve) => {
     const timer = setInterval(() => {
-      const turn = 2 * Math.PI * passed();
-      move(x + radius * Math.cos(turn), y + radius * Math.sin(turn));
+      move(points[Math.floor(hertz * passed()) % points.length]);
       moves += 1;
       if (passed() < seconds) return;
       clearInterval(timer);

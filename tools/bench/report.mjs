@@ -11,7 +11,7 @@ const NAMES = {
 const STAGES = ['build', 'assembling', 'ordering', 'analysing', 'factoring'];
 const MISSING = '–';
 
-export function markdown({ machine, date, commit, versions, meshes, drags, firstPicture, bars, skipped }) {
+export function markdown({ machine, date, commit, versions, meshes, drags, painted, firstPicture, bars, skipped }) {
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return [
     `${machine.cpu}, ${machine.cores} cores, ${machine.memory} GiB; ${date}; commit ${commit}.`,
@@ -39,7 +39,10 @@ export function markdown({ machine, date, commit, versions, meshes, drags, first
     '### Bars',
     '',
     ...barsTable(bars),
-    ...(drags.length > 0 ? ['', '### Dragging a source', '', ...dragsTable(drags)] : []),
+    '',
+    '### Dragging a source, and painting',
+    '',
+    ...dragsTable([...drags, { ...painted, preset: `${painted.preset}, painted` }]),
     '',
     '### Bytes to the first picture, after brotli',
     '',

@@ -156,6 +156,55 @@ function filesOf(folder: string, addresses: Addresses): Map<string, string | Uin
   return files;
 }
 
+/** All documents as one page of HTML, without images. Headings have the names of their documents and `--` before their own. */
+export function onePage(folder: string): string {
+  const { pages } = readDocuments(folder);
+  const articles = pages.map(({ name, html }) => {
+    const own = html
+      .replaceAll(/<(h\d) id="([^"]*)"/g, `<$1 id="${name}--$2"`)
+      .replaceAll(/href="#([^"]*)"/g, `href="#${name}--$1"`)
+      .replaceAll(/href="([\w-]+)\.html(?:#([^"]*))?"/g, (_, page: string, heading?: string) =>
+        heading === undefined ? `href="#${page}"` : `href="#${page}--${heading}"`,
+      )
+      .replaceAll(/<img[^>]*alt="([^"]*)"[^>]*>/g, '<em>$1</em>');
+    return `<article id="${name}">\n${own}</article>`;
+  });
+  const links = pages.map(({ name, title }) => `<li><a href="#${name}">${escaped(title)}</a></li>`);
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<title>Documents – Heatwalk</title>
+<style>
+${readFileSync(join(folder, '..', STYLE), 'utf8')}</style>
+</head>
+<body>
+<nav aria-label="Documents">
+<ul>
+${links.join('\n')}
+</ul>
+</nav>
+<main>
+${articles.join('\n')}
+</main>
+</body>
+</html>
+`;
+}
+
+const VIRTUAL = 'virtual:documents';
+
+/** Puts them into the page in one file. */
+export function documentsWithin(root: string): Plugin {
+  return {
+    name: 'heatwalk-documents-within',
+    resolveId: (source) => (source === VIRTUAL ? `\0${VIRTUAL}` : null),
+    load: (id) => (id === `\0${VIRTUAL}` ? `export default ${JSON.stringify(onePage(join(root, 'docs')))}` : null),
+  };
+}
+
 export function docs(root: string): Plugin {
   const folder = join(root, 'docs');
   let isBuild = false;

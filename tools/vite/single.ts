@@ -3,7 +3,7 @@ import { gzipSync } from 'node:zlib';
 import type { Plugin } from 'vite';
 
 const MODULE = /\.wasm\?url$/;
-const SPAWN = /\/web\/solver\/spawn\.ts$/;
+const REPLACED = /\/web\/(solver\/spawn|ui\/help\/documents)\.ts$/;
 
 /** wasm modules as packed text, which is a third of their size, with addresses of their own; not for workers, which have to listen at once. */
 export function packedModules(): Plugin {
@@ -34,7 +34,7 @@ export function singleFile(): Plugin {
       async handler(source, importer) {
         // What lies beside other builds is in this one.
         const found = await this.resolve(source.replace('&no-inline', ''), importer, { skipSelf: true });
-        return found && SPAWN.test(found.id) ? found.id.replace(/\.ts$/, '.single.ts') : found;
+        return found && REPLACED.test(found.id) ? found.id.replace(/\.ts$/, '.single.ts') : found;
       },
     },
     transformIndexHtml: {

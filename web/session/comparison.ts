@@ -102,7 +102,7 @@ export class Comparison {
   #giveUp(error: unknown): void {
     const reason = error instanceof Error ? error.message : String(error);
     this.#session.fail(new Error(t`The other settings cannot be shown: ${reason}`, { cause: error }));
-    this.#session.scene.place({ compared: null });
+    this.#session.scene.withdraw({ compared: null });
   }
 
   async #ask(engine: Engine): Promise<void> {

@@ -99,7 +99,7 @@ export class GroundEditor {
     }
     if (ground === before) return;
     painting.has = true;
-    scene.place({ ground }, painting.gesture);
+    scene.edit({ ground }, painting.gesture);
   }
 
   end(): void {
@@ -128,7 +128,7 @@ export class GroundEditor {
     const triangles = this.#triangles;
     const { scene } = this.#session;
     const all = Array.from({ length: triangles }, (_, face) => face);
-    scene.place({ ground: filled(scene.state.ground, triangles, all, codeOfMaterial(this.brush.value)) });
+    scene.edit({ ground: filled(scene.state.ground, triangles, all, codeOfMaterial(this.brush.value)) });
   }
 
   /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
@@ -153,19 +153,19 @@ export class GroundEditor {
 
   #repaint(codes: Uint8Array): void {
     const { scene } = this.#session;
-    scene.place({ ground: withFaces(scene.state.ground, codes) });
+    scene.edit({ ground: withFaces(scene.state.ground, codes) });
   }
 
   /** Takes away all that is painted, and all walls. */
   clear(): void {
     const { scene } = this.#session;
-    scene.place({ ground: { ...scene.state.ground, faces: LEVEL.faces, lines: [] } });
+    scene.edit({ ground: { ...scene.state.ground, faces: LEVEL.faces, lines: [] } });
   }
 
   /** What slopes and height cost; changes of one gesture are one step of undo. */
   setRelief(change: Partial<Pick<Ground, 'slope' | 'highest'>>, gesture: object | null = null): void {
     const { scene } = this.#session;
-    scene.place({ ground: { ...scene.state.ground, ...change } }, gesture);
+    scene.edit({ ground: { ...scene.state.ground, ...change } }, gesture);
   }
 
   endLine(): boolean {
@@ -180,7 +180,7 @@ export class GroundEditor {
     const { scene } = this.#session;
     const { ground } = scene.state;
     const area = areaOf(terrain.neighbors, ground.faces, face);
-    scene.place({ ground: filled(ground, this.#triangles, area, codeOfMaterial(this.brush.value)) });
+    scene.edit({ ground: filled(ground, this.#triangles, area, codeOfMaterial(this.brush.value)) });
   }
 
   /** Opens a gate, or closes it; any wall can be one. */
@@ -190,12 +190,12 @@ export class GroundEditor {
     const index = this.#lineAt(x, y);
     if (index >= 0) {
       const line = ground.lines[index];
-      scene.place({ ground: { ...ground, lines: ground.lines.with(index, { ...line, open: !line.open }) } });
+      scene.edit({ ground: { ...ground, lines: ground.lines.with(index, { ...line, open: !line.open }) } });
       return;
     }
     const terrain = this.#terrain;
     const changed = terrain && 'face' in point ? toggled(ground, terrain.neighbors, point.face) : null;
-    if (changed) scene.place({ ground: changed });
+    if (changed) scene.edit({ ground: changed });
   }
 
   async #extendLine(point: MeshPoint): Promise<void> {
@@ -218,7 +218,7 @@ export class GroundEditor {
       const last = ground.lines.at(-1);
       const goesOn = last !== undefined && !last.open && last.vertices.at(-1) === vertices[0];
       const line: WallLine = { vertices: goesOn ? [...last.vertices, ...vertices.slice(1)] : vertices, open: false };
-      session.scene.place({
+      session.scene.edit({
         ground: { ...ground, lines: [...(goesOn ? ground.lines.slice(0, -1) : ground.lines), line] },
       });
     } catch (error) {

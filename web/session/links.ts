@@ -8,7 +8,7 @@ export async function linkNearest(session: Session): Promise<void> {
   try {
     const links = await engine.linksToReachMore();
     // Meanwhile another mesh may have come, or another number of links.
-    if (engine === session.engine && links > scene.state.links) scene.place({ links });
+    if (engine === session.engine && links > scene.state.links) scene.edit({ links });
   } catch (error) {
     session.fail(error);
   }
@@ -17,5 +17,5 @@ export async function linkNearest(session: Session): Promise<void> {
 /** Links all groups. */
 export function linkAll({ scene, shown }: Session): void {
   const factoring = shown.value?.answer.factoring;
-  if (factoring && factoring.groups > 1) scene.place({ links: factoring.links + factoring.groups - 1 });
+  if (factoring && factoring.groups > 1) scene.edit({ links: factoring.links + factoring.groups - 1 });
 }

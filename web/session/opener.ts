@@ -17,7 +17,7 @@ import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
-import { type OpenRequest, relativePlaces, type Shown } from './prepare';
+import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 import { language, t } from '../texts';
 
@@ -74,6 +74,10 @@ const USE_ONE_WINDOW = t('Use one window');
 const MOST_SIMPLIFIED = 2_000_000;
 /** What wasm32 can address, in MiB. */
 const ADDRESS_SPACE = 4096;
+
+/** How far a place may be from where it was, as a share of the diameter: what is the same place differs by rounding to single precision alone. */
+const SAME_PLACE = 1e-4;
+const ANYWHERE = Infinity;
 
 /** What means nothing on a mesh whose vertices and triangles are counted otherwise. */
 const NO_PLACES = { sources: [], sets: [], walker: null, tapes: [], links: 0 } as const;
@@ -259,22 +263,20 @@ export class Opener {
     else this.#voice.offer(mesh.address, () => void this.address(mesh.address, state));
   }
 
-  /** Walks on other parts of the same file. Places count over the walked parts, so they are chosen anew. */
+  /** Walks on other parts of the same file. What is placed on parts that stay active stays where it is. */
   async parts(parts: readonly number[]): Promise<void> {
-    await this.#again({ ...this.#session.scene.state, ...NO_PLACES, parts, ground: LEVEL });
+    await this.#carried({ ...this.#session.scene.state, ...NO_PLACES, parts, ground: LEVEL }, SAME_PLACE);
   }
 
   /**
-   * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. Sources and walker stay about where
-   * they are.
+   * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. What is placed stays about where
+   * it is.
    */
   async fill(count: number | null): Promise<void> {
-    const { scene, shown } = this.#session;
-    const { state } = scene;
+    const { state } = this.#session.scene;
     const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && count !== null ? 'auto' : state.method;
-    const fresh = { ...state, ...NO_PLACES, fill: count, inside, method, ground: LEVEL };
-    await this.#again(fresh, shown.value ? relativePlaces(shown.value, state) : undefined);
+    await this.#carried({ ...state, ...NO_PLACES, fill: count, inside, method, ground: LEVEL }, ANYWHERE);
   }
 
   /** What can be done when a question to the mesh on screen has failed. */
@@ -287,10 +289,17 @@ export class Opener {
     return undefined;
   }
 
+  /** The same file with another mesh of it. What is placed is taken there as far as `reach`: see `carry`. */
+  async #carried(state: SceneState, reach: number): Promise<void> {
+    const { scene, shown } = this.#session;
+    const { carry } = await import('./carry');
+    await this.#again(state, shown.value ? { carry: carry(shown.value, scene.state, reach) } : {});
+  }
+
   /** The same mesh once more, in a worker of its own. */
-  async #again(state: SceneState, near?: OpenRequest['near']): Promise<void> {
+  async #again(state: SceneState, more: Pick<OpenRequest, 'carry'> = {}): Promise<void> {
     const { request } = this.#session;
-    if (request) await this.#open({ ...request, state, choosePlaces: true, view: null, ...(near && { near }) });
+    if (request) await this.#open({ ...request, state, choosePlaces: true, view: null, ...more });
   }
 
   /** When nothing is opened, the reason is told. */

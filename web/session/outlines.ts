@@ -42,9 +42,9 @@ export function componentOf(mesh: Outlined, vertex: number): number[] {
   return corner < 0 ? [] : flood(mesh, Math.floor(corner / 3), new Uint8Array(triangles.length / 3));
 }
 
-/** The part that a triangle belongs to; null where the file has one, or triangles of it were removed. */
+/** The part that a triangle belongs to; null where one is active, or triangles of the file were removed. */
 export function partOf(mesh: Outlined, face: number): number | null {
-  return ranges(mesh)?.find(({ end }) => face < end)?.part ?? null;
+  return mesh.active.length > 1 ? (ranges(mesh)?.find(({ end }) => face < end)?.part ?? null) : null;
 }
 
 /** The vertices of a part; empty where it cannot be told. */
@@ -68,7 +68,7 @@ function ranges({ parts, active, surface }: Outlined): { part: number; first: nu
     end += parts[part].triangles;
     return { part, first, end };
   });
-  return active.length > 1 && 3 * end === surface.triangles.length ? found : null;
+  return 3 * end === surface.triangles.length ? found : null;
 }
 
 function* boundarySides({ neighbors }: Outlined): Generator<Side> {

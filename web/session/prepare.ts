@@ -4,18 +4,23 @@ import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
-import { Places, type Vector } from '../state/places';
+import { Places } from '../state/places';
 import { type Animation, type SceneState, STILL } from '../state/scene';
 import { allSources } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
+import type { Mesh } from './found';
 
 export interface Shown {
   opened: OpenedMesh;
   places: Places;
   answer: Answer;
 }
+
+/** What is placed on a mesh. */
+export type Placed = Pick<SceneState, 'sources' | 'sets' | 'walker' | 'tapes'>;
+export type Carry = (mesh: Mesh) => Promise<Placed>;
 
 export interface OpenRequest {
   title: string;
@@ -25,8 +30,8 @@ export interface OpenRequest {
   choosePlaces: boolean;
   /** Shows the file as its author made it: in its materials and in motion, where it has these. */
   asAuthored?: true;
-  /** Where sources and walker are to be where the state has none, as `Places.relative` gives them. */
-  near?: { sources: readonly Vector[]; walker: Vector | null };
+  /** Finds what is placed, in the place of what the state has. */
+  carry?: Carry;
   /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
   view: readonly [number, number] | null;
 }
@@ -44,12 +49,6 @@ export function suited(request: OpenRequest, { appearance, clips }: OpenedMesh):
     state.animation = end === undefined ? STILL : inClip;
   }
   return { ...rest, state };
-}
-
-/** Where sources and walker are relative to the mesh. */
-export function relativePlaces({ places }: Shown, { sources, walker }: SceneState): NonNullable<OpenRequest['near']> {
-  const found = sources.map((source) => places.relative(source)).filter((place) => place !== null);
-  return { sources: found, walker: walker && places.relative(walker) };
 }
 
 /** Where an animation stands; null: as in the file. */
@@ -77,19 +76,11 @@ export function wantedOf({ parts, method, windows, parameters, up, triangles, fi
 export async function prepare(engine: Engine, request: OpenRequest): Promise<{ state: SceneState; shown: Shown }> {
   const { opened } = engine;
   const places = new Places(opened);
-  let sources = request.state.sources.filter((source) => places.has(source));
-  let walker = request.state.walker && places.has(request.state.walker) ? request.state.walker : null;
-  const tapes = request.state.tapes.filter(({ points }) => points.every((point) => places.has(point)));
-  // Where there are none, what finds their places is not fetched.
-  const sets =
-    request.state.sets.length > 0
-      ? await (await import('./found')).found({ engine, opened, places }, request.state.sets)
-      : [];
-  const isEmpty = () => sources.length === 0 && sets.length === 0;
-  const { near } = request;
-  if (near && isEmpty()) sources = near.sources.map((place) => places.nearest(place));
-  if (near?.walker && !walker) walker = places.nearest(near.walker);
-  if (request.choosePlaces && isEmpty()) sources = [places.extreme([0.5, 0.4, 0.75])];
+  const mesh = { engine, opened, places };
+  const placed = await (request.carry ? request.carry(mesh) : placedOn(mesh, request.state));
+  let { sources, walker } = placed;
+  const { sets, tapes } = placed;
+  if (request.choosePlaces && sources.length + sets.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });
   const ground = isFitting ? request.state.ground : { ...LEVEL };
@@ -99,11 +90,11 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
     const { posed } = answer;
     answer = { ...(await ask(engine, { ...request.state, sources, sets, walker, ground })), posed };
   }
-  const { mesh } = request.state;
+  const { mesh: reference } = request.state;
   return {
     state: {
       ...request.state,
-      mesh: 'hash' in mesh ? { ...mesh, hash: opened.hash } : mesh,
+      mesh: 'hash' in reference ? { ...reference, hash: opened.hash } : reference,
       sources,
       sets,
       walker,
@@ -112,6 +103,18 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       selected: -1,
     },
     shown: { opened, places, answer },
+  };
+}
+
+/** What of a state is on a mesh. */
+async function placedOn(mesh: Mesh, { sources, sets, walker, tapes }: SceneState): Promise<Placed> {
+  const { places } = mesh;
+  return {
+    sources: sources.filter((source) => places.has(source)),
+    // Where there are none, what finds their places is not fetched.
+    sets: sets.length > 0 ? await (await import('./found')).found(mesh, sets) : [],
+    walker: walker && places.has(walker) ? walker : null,
+    tapes: tapes.filter(({ points }) => points.every((point) => places.has(point))),
   };
 }
 

@@ -266,7 +266,9 @@ export class Session {
     }
     this.#engine?.dispose();
     this.#use(engine);
-    this.#request = request;
+    // What was placed is in the scene from now on.
+    const { carry: _carry, ...kept } = request;
+    this.#request = kept;
     this.refiner.reset();
     this.failure.value = null;
     this.#count(shown.answer);
@@ -294,7 +296,7 @@ export class Session {
     } catch (error) {
       this.fail(error);
       const { value: shown } = this.shown;
-      if (shown && this.scene.state.up === state.up) this.scene.place({ up: shown.opened.drawTransform.up });
+      if (shown && this.scene.state.up === state.up) this.scene.withdraw({ up: shown.opened.drawTransform.up });
     } finally {
       if (this.#turning === state) this.#turning = null;
     }
@@ -367,7 +369,7 @@ export class Session {
       if (this.#factoring !== mine) return;
       if (!(error instanceof Cancelled)) this.failure.value = toError(error);
       this.#factoring = null;
-      this.scene.set({ method: before });
+      this.scene.withdraw({ method: before });
       return;
     }
     await this.#solve();

@@ -4,7 +4,7 @@ import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
 import type { Vector } from '../state/places';
 import { unitOf } from '../state/scene';
-import { allSources, indexOf, type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { allSources, type Corner, indexOf, type SetShape, type SourceSet, withOffset } from '../state/sources';
 import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
@@ -46,7 +46,7 @@ export async function extendLine(session: Session, point: MeshPoint, fromLast: b
   if (mesh.engine !== session.engine || now.sources.at(-1) !== last) return;
   const set: SourceSet = { shape: { kind: 'line', corners, closed: false }, points, offset: last.offset ?? 0 };
   const rest = now.sources.slice(0, -1);
-  scene.place({ sources: rest, sets: [...now.sets, set], selected: rest.length + now.sets.length });
+  scene.edit({ sources: rest, sets: [...now.sets, set], selected: rest.length + now.sets.length });
 }
 
 async function growLine(
@@ -64,6 +64,31 @@ async function growLine(
     shape: { kind: 'line', corners: [...corners, to], closed: false },
     points,
   });
+}
+
+/**
+ * Leads a line along edges through the vertex nearest to a place in the stead of one of its corners. The corner as it is then; null where
+ * the line is gone meanwhile.
+ */
+export async function moveCorner(
+  session: Session,
+  corner: Corner,
+  point: MeshPoint,
+  gesture: object,
+): Promise<Corner | null> {
+  const mesh = meshOf(session);
+  const { set, place } = corner;
+  const { shape } = set;
+  if (!mesh || shape.kind !== 'line') return null;
+  const vertex = mesh.places.nearestVertex(point);
+  // Corners that meet would be one.
+  if (shape.corners.includes(vertex)) return corner;
+  const moved = { ...shape, corners: shape.corners.with(place, vertex) };
+  const points = await pointsOf(mesh, moved, []);
+  if (mesh.engine !== session.engine || !session.scene.state.sets.includes(set)) return null;
+  const line: SourceSet = { ...set, shape: moved, points };
+  replaceSet(session.scene, set, line, gesture);
+  return { set: line, place, vertex };
 }
 
 /** Closes a line along edges or a stroke, and ends it. */

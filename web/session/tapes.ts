@@ -12,10 +12,10 @@ import type { Session } from './session';
 
 /**
  * What is known of a leg. `measuring`: nothing yet; `estimated`: a locally shortest path, while the exact one is searched;
- * `exact`; `approximate`: locally shortest, since memory or time did not suffice for the exact one; `cost`: of locally least cost;
- * `straight`: the straight line alone, inside of tetrahedra; `none`: no path leads there.
+ * `exact`; `approximate`: locally shortest, since memory or time did not suffice for the exact one, or since it bends inside of
+ * tetrahedra; `cost`: of locally least cost; `none`: no path leads there.
  */
-export type LegState = 'measuring' | 'estimated' | 'exact' | 'approximate' | 'cost' | 'straight' | 'none';
+export type LegState = 'measuring' | 'estimated' | 'exact' | 'approximate' | 'cost' | 'none';
 
 export interface MeasuredLeg {
   state: LegState;
@@ -40,6 +40,9 @@ export interface ToldTape {
   area: number | null;
 }
 
+/** By which share a straight path may be longer than the straight line, for rounding. */
+const STRAIGHT = 1e-9;
+
 /** What lengths depend on, beside the places. */
 type Basis = Pick<Shown['answer']['question'], 'bridge' | 'links' | 'ground' | 'moment'> & { engine: Engine };
 
@@ -47,10 +50,7 @@ const isKnown = ({ state }: MeasuredLeg) => state !== 'measuring' && state !== '
 
 /** Sum of the lengths of the paths, in the unit of the file; NaN while one is not known, or is none. */
 export function lengthOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
-  return legs.reduce(
-    (sum, { leg, state, straight }) => sum + (state === 'straight' ? straight : (leg?.length ?? NaN)),
-    0,
-  );
+  return legs.reduce((sum, { leg }) => sum + (leg?.length ?? NaN), 0);
 }
 
 /** Sum of the straight lines. */
@@ -60,7 +60,7 @@ export function straightOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
 
 /** What is known of all legs together: the least of it. */
 export function stateOf({ legs }: Pick<MeasuredTape, 'legs'>): LegState {
-  const order: LegState[] = ['none', 'measuring', 'estimated', 'approximate', 'cost', 'straight', 'exact'];
+  const order: LegState[] = ['none', 'measuring', 'estimated', 'approximate', 'cost', 'exact'];
   return order.find((state) => legs.some((leg) => leg.state === state)) ?? 'exact';
 }
 
@@ -125,9 +125,8 @@ export class Tapes {
     const { shown } = this.#session;
     const [a, b] = [from, to].map((end) => shown.value?.places.at(end)?.position);
     if (!shown.value || !a || !b) return { state: 'none', leg: null, straight: NaN };
-    const { interior, drawTransform } = shown.value.opened;
-    const straight = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / drawTransform.scale;
-    return { state: interior ? 'straight' : 'measuring', leg: null, straight };
+    const { scale } = shown.value.opened.drawTransform;
+    return { state: 'measuring', leg: null, straight: Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / scale };
   }
 
   /** Measures what is not measured, one leg after the other, the newest tape first. */
@@ -154,7 +153,7 @@ export class Tapes {
         await this.#measure(basis, legsOf(tape)[open]);
         return true;
       }
-      const paths = legs.flatMap(({ leg }) => leg ?? []);
+      const paths = legs.flatMap(({ leg }) => (leg && 'triangles' in leg ? leg : []));
       if (tape.closed && !enclosure && paths.length === legs.length) {
         const found = await basis.engine.enclosed(paths);
         this.#keep(basis, () => this.#enclosures.set(keyOf(tape), found));
@@ -181,7 +180,7 @@ export class Tapes {
       for (;;) {
         const found = await engine.measure(...ends);
         if (found) {
-          put('exact', found.leg);
+          put(isExact(found.leg) ? 'exact' : 'approximate', found.leg);
           return;
         }
         if (!this.#isWanted(basis, ends)) return;
@@ -208,6 +207,11 @@ export class Tapes {
     put();
     this.#show();
   }
+}
+
+/** What is found on a surface is; inside, where a straight line leads there. */
+function isExact(leg: Leg | null): boolean {
+  return !leg || 'triangles' in leg || leg.length <= (1 + STRAIGHT) * leg.straight;
 }
 
 function keyOf(places: unknown): string {

@@ -20,6 +20,7 @@ import type {
   Posed,
   Solved,
   Source,
+  SurfaceLeg,
   MeshPoint,
   TracedPath,
   Tracks,
@@ -273,11 +274,11 @@ export class Engine {
     return this.#between(() => this.#worker.api.measure(from, to));
   }
 
-  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
+  estimate(from: MeshPoint, to: MeshPoint): Promise<SurfaceLeg | null> {
     return this.#between(() => this.#worker.api.estimate(from, to));
   }
 
-  enclosed(legs: readonly Leg[]): Promise<Enclosure> {
+  enclosed(legs: readonly SurfaceLeg[]): Promise<Enclosure> {
     return this.#between(() => this.#worker.api.enclosed(legs));
   }
 

@@ -6,28 +6,28 @@ import { type Scene, upOf } from './scene';
 import { type SourceSet, withOffset } from './sources';
 
 export function setSource(scene: Scene, point: MeshPoint): void {
-  scene.place({ sources: [point], sets: [], selected: -1 });
+  scene.edit({ sources: [point], sets: [], selected: -1 });
 }
 
 export function addSource(scene: Scene, point: MeshPoint): void {
-  scene.place({ sources: [...scene.state.sources, point], selected: -1 });
+  scene.edit({ sources: [...scene.state.sources, point], selected: -1 });
 }
 
 export function moveSource(scene: Scene, index: number, point: MeshPoint, gesture: object): void {
   const { sources } = scene.state;
   const source = withOffset(point, sources[index].offset ?? 0);
-  scene.place({ sources: sources.with(index, source), selected: index }, gesture);
+  scene.edit({ sources: sources.with(index, source), selected: index }, gesture);
 }
 
 /** Adds a set, which is selected then. */
 export function addSet(scene: Scene, set: SourceSet, gesture: object | null = null): void {
   const { sources, sets } = scene.state;
-  scene.place({ sets: [...sets, set], selected: sources.length + sets.length }, gesture);
+  scene.edit({ sets: [...sets, set], selected: sources.length + sets.length }, gesture);
 }
 
 /** Puts a set in the place of another one. What is selected stays so. */
 export function replaceSet(scene: Scene, before: SourceSet, set: SourceSet, gesture: object | null = null): void {
-  scene.place({ sets: scene.state.sets.map((other) => (other === before ? set : other)) }, gesture);
+  scene.edit({ sets: scene.state.sets.map((other) => (other === before ? set : other)) }, gesture);
 }
 
 /** The set that is selected, if one is. */
@@ -40,7 +40,7 @@ export function selectedSet(scene: Scene): SourceSet | undefined {
 export function setInitialDistance(scene: Scene, index: number, offset: number, gesture: object): void {
   const { sources, sets } = scene.state;
   if (index < sources.length) {
-    scene.place({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
+    scene.edit({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
   } else {
     const set = sets[index - sources.length];
     replaceSet(scene, set, { ...set, offset }, gesture);
@@ -50,8 +50,8 @@ export function setInitialDistance(scene: Scene, index: number, offset: number, 
 /** Removes an entry of the list. */
 export function removeEntry(scene: Scene, index: number): void {
   const { sources, sets } = scene.state;
-  if (index < sources.length) scene.place({ sources: sources.toSpliced(index, 1), selected: -1 });
-  else scene.place({ sets: sets.toSpliced(index - sources.length, 1), selected: -1 });
+  if (index < sources.length) scene.edit({ sources: sources.toSpliced(index, 1), selected: -1 });
+  else scene.edit({ sets: sets.toSpliced(index - sources.length, 1), selected: -1 });
 }
 
 export function removeSelected(scene: Scene): boolean {
@@ -62,16 +62,16 @@ export function removeSelected(scene: Scene): boolean {
 }
 
 export function sendWalker(scene: Scene, point: MeshPoint): void {
-  scene.place({ walker: point });
+  scene.edit({ walker: point });
 }
 
 /** Changes how the inside is looked into. */
 export function lookInto(scene: Scene, change: Partial<Inside>, gesture: object): void {
-  scene.place({ inside: { ...scene.state.inside, ...change } }, gesture);
+  scene.edit({ inside: { ...scene.state.inside, ...change } }, gesture);
 }
 
 /** Draws the next axis upward, of a mesh that by itself has `upright` there. */
 export function turnUp(scene: Scene, upright: Up): void {
   const { names } = UP;
-  scene.place({ up: names[(names.indexOf(upOf(scene.state, upright)) + 1) % names.length] });
+  scene.edit({ up: names[(names.indexOf(upOf(scene.state, upright)) + 1) % names.length] });
 }

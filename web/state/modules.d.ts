@@ -13,3 +13,9 @@ declare module 'teapot' {
   const mesh: PlainMesh;
   export default mesh;
 }
+
+/** Of the page in one file: all documents as one page of HTML. */
+declare module 'virtual:documents' {
+  const html: string;
+  export default html;
+}

@@ -96,25 +96,6 @@ export class Places {
     };
   }
 
-  /** Where a place is relative to the middle of the box, in its diagonals, as it is drawn; null where the mesh has no such place. */
-  relative(point: MeshPoint): Vector | null {
-    const place = this.at(point);
-    return place && (place.position.map((along, axis) => (along - this.#middle(axis)) / this.drawnDiameter) as Vector);
-  }
-
-  /** The drawn vertex that is nearest to a place as `relative` gives it. */
-  nearest(place: Vector): MeshPoint {
-    const { surface, inputVertices } = this.#mesh;
-    const [x, y, z] = place.map((along, axis) => along * this.drawnDiameter + this.#middle(axis));
-    const p = surface.positions;
-    const nearness = (i: number) => -Math.hypot(x - p[3 * i], y - p[3 * i + 1], z - p[3 * i + 2]);
-    return { vertex: inputVertices[indexOfMax(inputVertices.length, nearness)] };
-  }
-
-  #middle(axis: number): number {
-    return (this.box[0][axis] + this.box[1][axis]) / 2;
-  }
-
   /** Linear over the triangle; Infinity as soon as one corner is out of reach; NaN where the mesh has no such place. */
   valueAt(point: MeshPoint, { distance: values, byCorner, inner }: Values): number {
     const within = inner && this.#inner(point);

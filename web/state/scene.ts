@@ -98,8 +98,8 @@ export const LARGEST_CROWD = 10_000;
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
 export const CROWD_HEIGHT = 0.03;
 
-/** What undo goes back over. */
-export interface Places {
+/** What undo goes back over: all but the mesh, how it is looked at, and how it moves. */
+export interface Undoable extends Settings {
   sources: readonly Source[];
   /** Sources that are many places each. */
   sets: readonly SourceSet[];
@@ -122,9 +122,21 @@ export interface Places {
   isolines: IsolineWish | null;
   /** What the scene is compared with; null: with nothing. */
   compared: Compared | null;
+  bridge: Bridge;
+  /** The kind of path that the walker takes. */
+  pathKind: PathKind;
+  style: Style;
+  /** Whose lights are on. */
+  lights: (typeof LIGHTS)[number];
+  /** The field that the surface is colored by. */
+  colorBy: VertexField;
+  /** What is drawn in addition. */
+  overlays: readonly Overlay[];
+  /** Number of walkers in the crowd. */
+  crowd: number;
 }
 
-export interface SceneState extends Places, Settings {
+export interface SceneState extends Undoable {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
@@ -132,23 +144,11 @@ export interface SceneState extends Places, Settings {
   triangles: number | null;
   /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
   fill: number | null;
-  bridge: Bridge;
-  /** The kind of path that the walker takes. */
-  pathKind: PathKind;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
-  /** Whose lights are on. */
-  lights: (typeof LIGHTS)[number];
   animation: Animation;
-  style: Style;
-  /** The field that the surface is colored by. */
-  colorBy: VertexField;
   /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
-  /** What is drawn in addition. */
-  overlays: readonly Overlay[];
-  /** Number of walkers in the crowd. */
-  crowd: number;
   /** Index into `sources` and, after these, `sets`; −1 for none. Belongs to the moment, so the link leaves it out. */
   selected: number;
 }
@@ -231,8 +231,8 @@ export type SceneListener = (state: SceneState, previous: SceneState) => void;
 
 export class Scene {
   #state: SceneState;
-  #past: Places[] = [];
-  #future: Places[] = [];
+  #past: Undoable[] = [];
+  #future: Undoable[] = [];
   #gesture: object | null = null;
   readonly #listeners = new Set<SceneListener>();
 
@@ -259,18 +259,29 @@ export class Scene {
   }
 
   /** A change that undo does not concern. */
-  set(change: Partial<Omit<SceneState, keyof Places>>): void {
+  set(change: Partial<Omit<SceneState, keyof Undoable>>): void {
     this.#replace({ ...this.#state, ...change });
   }
 
   /** Changes what undo goes back over. All changes that carry the same `gesture` are one step of undo, as a drag is. */
-  place(change: Partial<Places> & { selected?: number }, gesture: object | null = null): void {
+  edit(change: Partial<Undoable> & { selected?: number }, gesture: object | null = null): void {
     if (gesture === null || gesture !== this.#gesture) {
-      this.#past.push(placesOf(this.#state));
+      this.#past.push(undoableOf(this.#state));
     }
     this.#gesture = gesture;
     this.#future = [];
     this.#replace(withValidSelection({ ...this.#state, ...change }));
+  }
+
+  /** Takes back a change that could not be done. It is no step, and one that leads to the same is none any more. */
+  withdraw(change: Partial<Undoable>): void {
+    const state = { ...this.#state, ...change };
+    for (const steps of [this.#past, this.#future]) {
+      const last = steps.at(-1);
+      if (last && isThere(last, state)) steps.pop();
+    }
+    this.#gesture = null;
+    this.#replace(state);
   }
 
   undo(): boolean {
@@ -289,12 +300,12 @@ export class Scene {
     this.#replace(state);
   }
 
-  #travel(from: Places[], to: Places[]): boolean {
-    const places = from.pop();
-    if (!places) return false;
-    to.push(placesOf(this.#state));
+  #travel(from: Undoable[], to: Undoable[]): boolean {
+    const step = from.pop();
+    if (!step) return false;
+    to.push(undoableOf(this.#state));
     this.#gesture = null;
-    this.#replace(withValidSelection({ ...this.#state, ...places }));
+    this.#replace(withValidSelection({ ...this.#state, ...step }));
     return true;
   }
 
@@ -306,21 +317,15 @@ export class Scene {
 }
 
 /** What undo goes back over, of a state. */
-export function placesOf({
-  sources,
-  sets,
-  walker,
-  links,
-  up,
-  unit,
-  scale,
-  tapes,
-  ground,
-  inside,
-  isolines,
-  compared,
-}: SceneState): Places {
-  return { sources, sets, walker, links, up, unit, scale, tapes, ground, inside, isolines, compared };
+export function undoableOf(state: SceneState): Undoable {
+  const { mesh: _mesh, parts: _parts, triangles: _triangles, fill: _fill, ...rest } = state;
+  const { camera: _camera, animation: _animation, hidden: _hidden, selected: _selected, ...undoable } = rest;
+  return undoable;
+}
+
+/** Whether a step leads to where a state is. */
+function isThere(step: Undoable, state: SceneState): boolean {
+  return (Object.keys(step) as (keyof Undoable)[]).every((key) => step[key] === state[key]);
 }
 
 function withValidSelection(state: SceneState): SceneState {

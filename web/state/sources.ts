@@ -26,6 +26,14 @@ export interface SourceSet {
   readonly offset: number;
 }
 
+/** A vertex that a line along edges was led through. */
+export interface Corner {
+  readonly set: SourceSet;
+  /** Its number among the corners. */
+  readonly place: number;
+  readonly vertex: number;
+}
+
 /** Sources of a list at most: more is no list of sources but a field. */
 export const MOST_POINTS = 100_000;
 

@@ -39,7 +39,8 @@ export interface SliderOptions {
   step: number;
   /** In words, beside the slider. */
   describe: (value: number) => string;
-  change: (value: number) => void;
+  /** Each drag is a gesture of its own, and so is each key. */
+  change: (value: number, gesture: object) => void;
 }
 
 export interface Control {
@@ -50,6 +51,7 @@ export interface Control {
 export function slider({ label, min, max, step, describe, change }: SliderOptions): Control {
   // The slider says its value itself.
   const output = h('span', { class: 'value', 'aria-hidden': 'true' });
+  let gesture = {};
   const input = h('input', {
     type: 'range',
     min,
@@ -58,7 +60,10 @@ export function slider({ label, min, max, step, describe, change }: SliderOption
     'aria-label': label,
     oninput: () => {
       show(input.valueAsNumber);
-      change(input.valueAsNumber);
+      change(input.valueAsNumber, gesture);
+    },
+    onchange: () => {
+      gesture = {};
     },
   });
   const show = (value: number) => {
@@ -120,7 +125,7 @@ export function toggle(
 
 export interface AutomaticSliderOptions extends Omit<SliderOptions, 'change' | 'describe'> {
   describe: (value: number, automatic: boolean) => string;
-  change: (value: number | 'auto') => void;
+  change: (value: number | 'auto', gesture: object) => void;
 }
 
 /** A slider with a button that leaves the choice to the solver; to take hold of the slider takes the choice back. */
@@ -138,7 +143,7 @@ export function automaticSlider({ change, describe, ...options }: AutomaticSlide
       class: 'small',
       'aria-label': t`${options.label}, automatic`,
       title: t('Let the solver choose'),
-      onclick: () => change(automatic ? taken : 'auto'),
+      onclick: () => change(automatic ? taken : 'auto', {}),
     },
     t('Auto'),
   );

@@ -195,6 +195,7 @@ pub struct InnerPath {
     points: Vec<f32>,
     normals: Vec<f32>,
     length: f64,
+    straight: f64,
     drawn_length: f32,
     cost: f64,
 }
@@ -210,6 +211,10 @@ impl InnerPath {
             points: places.iter().flat_map(|place| place.as_vec3().to_array()).collect(),
             normals: (0..places.len()).flat_map(|at| upright(heading(at)).as_vec3().to_array()).collect(),
             length: path.length,
+            straight: match (path.points.first(), path.points.last()) {
+                (Some(first), Some(last)) => first.distance(*last),
+                _ => 0.0,
+            },
             drawn_length: transform.length(path.length),
             cost: path.cost,
         }
@@ -244,6 +249,12 @@ impl InnerPath {
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> f64 {
         self.length
+    }
+
+    /// How far its ends are apart, in the file's unit.
+    #[wasm_bindgen(getter)]
+    pub fn straight(&self) -> f64 {
+        self.straight
     }
 
     /// What it costs.

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{EdgeKind, ExactRadius, FaceField, Stage};
+use heatwalk::{EdgeKind, ExactRadius, FaceField, MemoryLimit, Stage};
 use heatwalk_bindings::{Failure, Result, parameters};
 use heatwalk_volume::crowd::VolumePose;
 use heatwalk_volume::io::write;
@@ -18,6 +18,10 @@ use crate::view::InnerView;
 
 /// Mean edges around the sources that are marched ahead of heat while something is dragged.
 const QUICK_EDGES: f64 = 3.0;
+
+/// Most memory of factors where no limit is given. In three dimensions more take minutes, and what the work on them leaves free in
+/// between need not hold the last of them even below 4 GiB.
+const MOST_OF_FACTORS: MemoryLimit = MemoryLimit::Bytes(1 << 31);
 
 /// Starts the crowd's random numbers: the same walkers every time.
 const CROWD_SEED: u64 = 1;
@@ -68,13 +72,17 @@ impl InnerSolver {
 
 #[wasm_bindgen]
 impl InnerSolver {
-    /// Factors for the heat method with these parameters, or again what the change needs; forgets the field.
+    /// Factors for the heat method with these parameters, or again what the change needs; forgets the field. Factors of more than
+    /// 2 GiB are refused before they are made, unless the parameters have another limit.
     pub fn configure(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
         #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")] progress: &Function,
     ) -> Result<()> {
         self.options.heat = parameters(given)?;
+        if self.options.heat.memory == MemoryLimit::Automatic {
+            self.options.heat.memory = MOST_OF_FACTORS;
+        }
         let by_heat = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
         self.distance = None;
         self.solver.prepare(&by_heat, &mut |stage: Stage, fraction: f64| {
@@ -118,6 +126,18 @@ impl InnerSolver {
     pub fn path(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<InnerPath> {
         let path = self.solver.path(self.solved()?, self.drawn.point(from)?)?;
         Ok(InnerPath::new(&path, &self.drawn.transform))
+    }
+
+    /// A shortest path between two places, by the march from the second; the field stays as it is.
+    pub fn measure(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "object")] to: &JsValue,
+    ) -> Result<InnerPath> {
+        let [from, to] = [self.drawn.point(from)?, self.drawn.point(to)?];
+        let options = VolumeOptions { method: VolumeMethod::March, ..VolumeOptions::default() };
+        let distance = self.solver.distance(&[to], &options)?;
+        Ok(InnerPath::new(&self.solver.path(&distance, from)?, &self.drawn.transform))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.

@@ -9,12 +9,15 @@ use crate::element::{Element, InputTriangle, InputVertex};
 /// Attributes have one row an input vertex, or none at all where no vertex has that attribute. Where [`seams`](Self::seams)
 /// says that vertices have several, their further rows come after those of all vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Appearance {
     /// `#R`, two sets of texture coordinates: u and v of the first, then of the second; (0, 0) is an image's upper left corner.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub texcoords: Vec<[f32; 4]>,
     /// `#R`, linear red, green, blue and alpha, 65535 for 1.
     pub colors: Vec<[u16; 4]>,
     /// `#R`, unit vectors; zero at vertices that have none.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub normals: Vec<Vec3>,
     /// Which rows corners have.
     pub seams: Seams,
@@ -32,6 +35,7 @@ pub struct Appearance {
 /// Vertices with several rows of attributes: in some formats, corners at one vertex may have different ones. Empty where each
 /// vertex has one row, of its own number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Seams {
     /// `#R`, the input vertex of each row; the first `#V` rows are the vertices in their order.
     pub vertices: Vec<u32>,
@@ -41,6 +45,7 @@ pub struct Seams {
 
 /// Consecutive triangles of one material.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// A range of the triangles.
     pub triangles: Range<usize>,
@@ -50,6 +55,7 @@ pub struct Run {
 
 /// A material in the metallic-roughness model of glTF 2.0 (3.9). Each texture is a factor on the number beside it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Material {
     /// Linear red, green, blue and alpha.
     pub base_color: [f32; 4],
@@ -92,6 +98,7 @@ impl Default for Material {
 
 /// What a texture of a material says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Channel {
     /// sRGB color and linear alpha.
     BaseColor,
@@ -112,6 +119,7 @@ impl Channel {
 
 /// What the alpha of the base color means.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Alpha {
     /// Nothing.
     Opaque,
@@ -123,6 +131,7 @@ pub enum Alpha {
 
 /// How a channel of a material uses an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Texture {
     /// Index of the image.
     pub image: usize,
@@ -143,6 +152,7 @@ impl Texture {
 
 /// What is beyond an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Wrap {
     /// The image again.
     Repeat,
@@ -154,12 +164,14 @@ pub enum Wrap {
 
 /// An image, encoded as in the file, or made of such.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Image {
     /// What the file calls it; empty where it does not say.
     pub name: String,
     /// Media type, `image/png`; empty where the file does not say.
     pub media_type: String,
     /// The encoded image; empty where it could not be found, or is made of others.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub bytes: Vec<u8>,
     /// How its texels are found.
     pub texels: Texels,
@@ -167,6 +179,7 @@ pub struct Image {
 
 /// How the texels of an image are found.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Texels {
     /// By decoding its bytes.
     #[default]

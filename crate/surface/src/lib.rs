@@ -15,6 +15,8 @@ pub mod memory;
 mod merge;
 pub mod motion;
 mod order;
+#[cfg(feature = "packed")]
+mod packed;
 pub mod parallel;
 pub mod path;
 pub mod point;

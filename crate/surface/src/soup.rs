@@ -12,10 +12,13 @@ use crate::unit::{LengthUnit, Unit, UnitRule};
 
 /// Triangles over shared vertices, in the order of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Soup {
     /// `#V × 3`, input vertices in file order, in the file's unit, node transforms applied.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub positions: Vec<DVec3>,
     /// `#F × 3`, indices into `positions`; polygons are already triangulated. Triangles of one part are consecutive.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
     /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
     pub parts: Vec<Part>,
@@ -36,6 +39,7 @@ pub struct Soup {
 /// Numbers of a file for its vertices that are neither shape nor look: an attribute `_NAME` of glTF, a scalar property of PLY's
 /// vertices by its own name.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Attribute {
     /// As the file calls it.
     pub name: String,
@@ -45,6 +49,7 @@ pub struct Attribute {
 
 /// A camera of a file, as it stands while nothing moves.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Camera {
     /// Name in the file, or a made one.
     pub name: String,
@@ -58,6 +63,7 @@ pub struct Camera {
 
 /// How a camera projects.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Projection {
     /// To a point.
     Perspective {
@@ -73,6 +79,7 @@ pub enum Projection {
 
 /// A light of a file, as it stands while nothing moves.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Light {
     /// Where its light goes.
     pub kind: LightKind,
@@ -86,6 +93,7 @@ pub struct Light {
 
 /// Where the light of a light goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum LightKind {
     /// It comes from far away.
     Directional,
@@ -102,6 +110,7 @@ pub enum LightKind {
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, an object of a 3MF file, a whole OFF, PLY or STL file.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Part {
     /// Name in the file, or a made one.
     pub name: String,

@@ -10,6 +10,7 @@ const MILLIMETERS: [f64; 2] = [10.0, 10_000.0];
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unit {
     /// 10⁻⁶ m.
     Micrometer,

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3, EulerRot};
 use heatwalk::{Soup, Surface};
 use heatwalk_shapes as shapes;
 use heatwalk_volume::TetSoup;
@@ -98,10 +98,13 @@ fn closed_shapes_fill_within_their_bounds() {
         assert!((volume(&soup) - report.volume).abs() < 1e-9 * report.volume, "{name}");
         // Chords across what bulges; thin parts are few cells thick at this resolution.
         let lost = report.surface_volume.map_or(0.0, |volume| (report.volume / volume - 1.0).abs());
-        assert!(lost < 0.03, "{name}: {lost}");
-        assert!(report.deviation < report.cell_side, "{name}: {}", report.deviation / report.cell_side);
-        for (found, expected) in [(report.tetrahedra, estimate.tetrahedra), (report.vertices, estimate.vertices)] {
-            assert!((found as f64 / expected as f64 - 1.0).abs() < 0.1, "{name}: {found}, {expected} expected");
+        assert!(lost < 0.02, "{name}: {lost}");
+        assert!(report.deviation < 0.5 * report.cell_side, "{name}: {}", report.deviation / report.cell_side);
+        // Parts as thin as a cell have more vertices for their volume than the two shapes that the estimate was fitted to.
+        for (found, expected, tolerance) in
+            [(report.tetrahedra, estimate.tetrahedra, 0.1), (report.vertices, estimate.vertices, 0.2)]
+        {
+            assert!((found as f64 / expected as f64 - 1.0).abs() < tolerance, "{name}: {found}, {expected} expected");
         }
     }
 }
@@ -156,6 +159,32 @@ fn cavities_stay_empty_and_parts_within_parts_are_filled() {
     }
     let full = fill(&joined(&[outer.clone(), inner]), 24.0).report;
     assert!((full.volume - fill(&outer, 24.0).report.volume).abs() < 1e-12, "{}", full.volume);
+}
+
+#[test]
+fn what_is_thinner_than_a_cell_is_not_lost() {
+    let turn = DMat3::from_euler(EulerRot::XYZ, 0.4, 0.3, 0.2);
+    for thickness in [0.2, 0.5, 0.8] {
+        let mut plate = cuboid([0.0; 3], [20.0, 20.0, thickness]);
+        plate.positions.iter_mut().for_each(|position| *position = turn * *position);
+        let [low, high] = [DVec3::min, DVec3::max]
+            .map(|extreme: fn(DVec3, DVec3) -> DVec3| plate.positions.iter().copied().reduce(extreme).unwrap());
+        // Cells of side 1.
+        let Filled { soup, report } = fill(&plate, (high - low).max_element());
+        assert_conforming(&soup);
+        let kept = report.volume / report.surface_volume.unwrap();
+        // The rim is rounded, and tetrahedra that would be too flat are left out.
+        assert!(kept > 0.85 && kept < 1.0, "{thickness}: {kept}");
+        assert!(report.deviation < 0.5 * thickness, "{thickness}: {}", report.deviation);
+    }
+}
+
+#[test]
+fn triangles_do_not_tell_the_volume_of_parts_that_overlap_however_little() {
+    let (a, b) = (cuboid([0.0; 3], [1.0; 3]), cuboid([0.999, 0.0, 0.0], [2.0, 1.0, 1.0]));
+    assert_eq!(fill(&joined(&[a.clone(), b]), 16.0).report.surface_volume, None);
+    let touching = cuboid([1.0, 0.0, 0.0], [2.0, 1.0, 1.0]);
+    assert_eq!(fill(&joined(&[a, touching]), 16.0).report.surface_volume, Some(2.0));
 }
 
 #[test]

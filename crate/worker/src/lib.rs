@@ -1,6 +1,6 @@
 //! The solver's face in the page's worker: converts arguments, calls, turns errors into sentences. No algorithm lives here.
 //!
-//! The objects follow the way of the data: a [`MeshFile`] is read, an [`ActiveSurface`] is built from some of its parts, a
+//! The objects follow the way of the data: a [`MeshFile`] is taken or made, an [`ActiveSurface`] is built from some of its parts, a
 //! [`Drawing`] is made of that, a [`solver::Solver`] answers, by windows or by heat where it is factored.
 
 #![cfg(target_arch = "wasm32")]
@@ -23,8 +23,8 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::surface::soup::Attribute;
 use heatwalk::surface::{Camera, Light};
-use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, io};
-use heatwalk_bindings::{Result, resources};
+use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
+use heatwalk_bindings::{Failure, Result};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes as shapes;
 use js_sys::{Float64Array, Function, Object, Uint32Array};
@@ -45,9 +45,6 @@ import type { EdgeKind, FaceField, Parameters, PathKind, Up } from '../contract'
 
 /** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
 export type Progress = (stage: string, fraction: number) => void;
-
-/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
-export type Resource = (uri: string) => Uint8Array | undefined;
 ";
 
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
@@ -75,22 +72,25 @@ pub struct MeshFile {
     unit: LengthUnit,
 }
 
-#[wasm_bindgen]
 impl MeshFile {
-    /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
-    pub fn read(
-        name: &str,
-        bytes: &[u8],
-        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
-    ) -> Result<Self> {
-        let soup = io::read(name, bytes, &resources(resource))?;
-        let up = match io::upward(name, bytes) {
-            Some(DVec3::Z) => Up::Z,
-            Some(_) => Up::Y,
-            None => upright(&soup),
-        };
+    /// The unit is assumed where the soup says none, and what points up found by the shape where that is not known.
+    fn of_unknown_unit(soup: Soup, up: Option<String>) -> Result<Self> {
+        let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&soup));
         let unit = soup.length_unit(UnitRule::Automatic);
         Ok(Self { soup, up, unit })
+    }
+}
+
+#[wasm_bindgen]
+impl MeshFile {
+    /// Takes what the module that reads files has read. `up`: what points up, by the shape where that is not known.
+    pub fn unpacked(
+        packed: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Up | undefined")] up: Option<String>,
+    ) -> Result<Self> {
+        let soup =
+            Soup::unpacked(packed).ok_or_else(|| Failure::misuse("this is no mesh that was read by this build"))?;
+        Self::of_unknown_unit(soup, up)
     }
 
     /// Makes a shape.
@@ -114,10 +114,7 @@ impl MeshFile {
         #[wasm_bindgen(unchecked_param_type = "Up | undefined")] up: Option<String>,
     ) -> Result<Self> {
         let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
-        let soup = Soup::single(name, positions, triangles.as_chunks().0.to_vec());
-        let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&soup));
-        let unit = soup.length_unit(UnitRule::Automatic);
-        Ok(Self { soup, up, unit })
+        Self::of_unknown_unit(Soup::single(name, positions, triangles.as_chunks().0.to_vec()), up)
     }
 
     /// `#V × 3`, all vertices of the file.

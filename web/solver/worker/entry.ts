@@ -14,6 +14,7 @@ import type {
   InnerDistanceFile,
   InnerView,
   Leg,
+  SurfaceLeg,
   Moment,
   OpenedMesh,
   Parameters,
@@ -294,17 +295,19 @@ const api: SolverApi = {
     const mesh = openMesh();
     const clock = stopwatch();
     const ends = known([from, to]);
+    const { inside } = mesh;
+    if (inside) return Promise.resolve({ leg: pathOf(() => inside.solver.measure(ends[0], ends[1])) ?? null });
     const leg = pathOf(() => openSurface().measure(ends[0], ends[1], mesh.work));
     mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
     return Promise.resolve(leg === undefined ? null : { leg });
   },
 
-  estimate(from: MeshPoint, to: MeshPoint): Promise<Leg | null> {
+  estimate(from: MeshPoint, to: MeshPoint): Promise<SurfaceLeg | null> {
     const ends = known([from, to]);
     return Promise.resolve(pathOf(() => openSurface().estimate(ends[0], ends[1])) ?? null);
   },
 
-  enclosed(legs: readonly Leg[]): Promise<Enclosure> {
+  enclosed(legs: readonly SurfaceLeg[]): Promise<Enclosure> {
     const triangles = Uint32Array.from(legs.flatMap((leg) => [...leg.triangles]));
     const weights = Float64Array.from(legs.flatMap((leg) => [...leg.weights]));
     const counts = Uint32Array.from(legs, (leg) => leg.triangles.length);

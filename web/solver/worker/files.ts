@@ -1,7 +1,7 @@
 /** The files of a mesh, each read when it is asked for. */
-import { fileName, resolve } from '../../files/paths';
+import { resolve } from '../../files/paths';
 import type { GivenFile } from '../../protocol';
-import * as wasm from '../../wasm/solver/heatwalk_worker.js';
+import type { Resource } from '../../wasm/reader/heatwalk_reader';
 
 export interface Files {
   paths: readonly string[];
@@ -23,13 +23,8 @@ export async function unpackedOf(content: Blob): Promise<Files> {
   return { paths: archive.paths, read: (path) => archive.read(path) };
 }
 
-/** Reads the mesh with these bytes at `mesh`, and what it refers to. */
-export function readMesh(mesh: string, bytes: Uint8Array, files: Files): wasm.MeshFile {
-  return withFiles(mesh, files, (resource) => wasm.MeshFile.read(fileName(mesh), bytes, resource));
-}
-
 /** Reads the mesh at `mesh` by a reader that asks for the files that it refers to. */
-export function withFiles<T>(mesh: string, { paths, read }: Files, reader: (resource: wasm.Resource) => T): T {
+export function withFiles<T>(mesh: string, { paths, read }: Files, reader: (resource: Resource) => T): T {
   let failure: unknown;
   try {
     return reader((uri) => {

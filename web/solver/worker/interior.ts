@@ -45,7 +45,7 @@ export interface Tetrahedra {
 /** Those of a file. */
 export async function readTetrahedra(mesh: string, bytes: Uint8Array, files: Files): Promise<Tetrahedra> {
   const module = await loaded();
-  const read = (resource: wasm.Resource) => module.Tetrahedra.read(fileName(mesh), bytes, resource);
+  const read = (resource: interior.Resource) => module.Tetrahedra.read(fileName(mesh), bytes, resource);
   return { ...timed(() => withFiles(mesh, files, read)), isFile: true };
 }
 

@@ -3,10 +3,11 @@ import type { Appearance, MeshInput, OpenedMesh, ProgressListener, Simplified } 
 import * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import type { Up } from '../../wasm/contract';
 import { fileName, holdsTetrahedra } from '../../files/paths';
-import { type Files, filesOf, readMesh, unpackedOf } from './files';
+import { type Files, filesOf, unpackedOf } from './files';
 import { decodeImages } from './images';
 import { boundaryOf, filled, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
 import { plain } from './plain';
+import { readMesh } from './reader';
 import { simplify } from './simplify';
 
 /** Where simplifying and filling begin in the time that opening takes, and where filling ends. */

@@ -130,6 +130,7 @@ export const PANEL: Texts = {
   point: 'point',
   points: 'points',
   'Boundary of {0}': 'Bord de {0}',
+  Component: 'Composante',
   'Component of {0}': 'Composante de {0}',
   'Part {0}': 'Pièce {0}',
   ' The path is straightened where no exact one was found.':

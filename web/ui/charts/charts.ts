@@ -8,10 +8,12 @@ import { isSameField, type Question } from '../../solver/engine';
 import type { Places } from '../../state/places';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
 import { type LengthUnit, unitOf } from '../../state/scene';
+import { legsOf } from '../../state/tapes';
 import { save } from '../../view/picture';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { percent } from '../words';
+import { type CutSurface, straightCut } from './cut';
 import { type Chart, csvOf, plot, type Series, svgFile, THEMED } from './plot';
 import { table1 } from './table1';
 import { t } from '../../texts';
@@ -53,10 +55,13 @@ export class Charts {
     this.#compare.hidden = !answer.field || answer.question.method !== 'heat' || opened.interior !== null;
     try {
       const errors = engine && answer.field?.error ? await engine.errors() : null;
-      const walk = engine && answer.path && !opened.interior ? await engine.pathProfile() : null;
+      const isSurface = engine && !opened.interior;
+      const walk = isSurface && answer.path ? await engine.pathProfile() : null;
+      const tapes = this.#tapes();
+      const neighbors = isSurface && tapes.length > 0 ? await engine.neighbors() : null;
       if (wish !== this.#wish) return;
       const unit = unitOf(scene.state, opened);
-      const { charts, notes } = chartsOf(shown.value, this.#tapes(), { errors, walk }, unit);
+      const { charts, notes } = chartsOf(shown.value, tapes, { errors, walk, neighbors }, unit);
       const { question, convergence } = this.#compared ?? {};
       if (convergence && question && isSameField(question, answer.question))
         charts.push(...residualCharts(convergence));
@@ -104,11 +109,19 @@ function residualChart(title: string, iterated: Float64Array, factored: number):
   return { title, xLabel: t('Steps'), yLabel: t('Residual'), logarithmic: true, series };
 }
 
+/** What the worker was asked for; null where there is none. */
+interface Fetched {
+  errors: Float32Array | null;
+  walk: Float64Array | null;
+  /** The triangles beside each, where there are tapes: see `SolverApi.neighbors`. */
+  neighbors: Uint32Array | null;
+}
+
 /** What can be drawn, and sentences for what cannot. */
 function chartsOf(
   { opened, places, answer }: Shown,
   tapes: readonly MeasuredTape[],
-  { errors, walk }: { errors: Float32Array | null; walk: Float64Array | null },
+  { errors, walk, neighbors }: Fetched,
   unit: LengthUnit,
 ): { charts: Chart[]; notes: string[] } {
   const { field, question } = answer;
@@ -141,16 +154,18 @@ function chartsOf(
     const series = [{ name: xLabel, kind: 'line' as const, x, y }];
     charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
-  tapes.forEach((tape, index) => {
-    const profile = profileOf(tape, places, (point) => places.valueAt(point, field), scale);
+  const valueAt = (point: MeshPoint) => places.valueAt(point, field);
+  const along = (title: string, length: string, profile: { x: number[]; y: number[] } | null) => {
     if (!profile) return;
     const series = [{ name: xLabel, kind: 'line' as const, ...profile }];
-    charts.push({
-      title: t`Distance along tape ${index + 1}`,
-      xLabel: inUnit(t('Along the tape')),
-      yLabel: xLabel,
-      series,
-    });
+    charts.push({ title, xLabel: inUnit(length), yLabel: xLabel, series });
+  };
+  tapes.forEach((tape, index) => {
+    const mesh = neighbors && { surface: opened.surface, neighbors };
+    const stretch = scale / opened.drawTransform.scale;
+    along(t`Distance along tape ${index + 1}`, t('Along the tape'), profileOf(tape, places, valueAt, scale));
+    const cut = mesh && cutOf(tape, mesh, places, valueAt, { stretch, scale });
+    along(t`Straight cut of tape ${index + 1}`, t('Along the cut'), cut);
   });
   if (tapes.length === 0) notes.push(t('Lay a tape (M) to see the distance along it.'));
   if (errors && !field.byCorner) {
@@ -169,18 +184,18 @@ function inPercent(shares: readonly number[]): number[] {
   return shares.map((share) => 100 * share);
 }
 
-/** Distance over the length along a tape; null while its paths are not known. */
+/** Distance over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
 function profileOf(
   { legs }: MeasuredTape,
   places: Places,
   valueAt: (point: MeshPoint) => number,
   scale: number,
 ): { x: number[]; y: number[] } | null {
-  if (legs.length === 0 || legs.some(({ leg }) => !leg)) return null;
+  if (legs.length === 0) return null;
   const [x, y]: [number[], number[]] = [[], []];
   let before = 0;
   for (const { leg } of legs) {
-    if (!leg) return null;
+    if (!leg || !('triangles' in leg)) return null;
     const points = pointsOf(leg);
     const arcs = arcsOf(positionsOf(points, places));
     const stretch = leg.length / (arcs[arcs.length - 1] || 1);
@@ -191,6 +206,26 @@ function profileOf(
     before += leg.length;
   }
   return y.every(Number.isFinite) ? { x, y } : null;
+}
+
+/** Distance over the length along straight cuts from place to place of a tape; null where they do not lead there. */
+function cutOf(
+  { tape }: MeasuredTape,
+  mesh: CutSurface,
+  places: Places,
+  valueAt: (point: MeshPoint) => number,
+  { stretch, scale }: { stretch: number; scale: number },
+): { x: number[]; y: number[] } | null {
+  const [x, y]: [number[], number[]] = [[], []];
+  let before = 0;
+  for (const [from, to] of legsOf(tape)) {
+    const cut = straightCut(mesh, places, from, to);
+    if (!cut) return null;
+    x.push(...cut.arcs.map((arc) => before + stretch * arc));
+    y.push(...cut.points.map((point) => scale * valueAt(point)));
+    before = x[x.length - 1];
+  }
+  return x.length > 0 && y.every(Number.isFinite) ? { x, y } : null;
 }
 
 /** A chart with the buttons that save it. */

@@ -107,7 +107,7 @@ export class Divider {
     const { scene } = this.#session;
     const { compared } = scene.state;
     const [least, most] = SPLITS;
-    if (compared) scene.place({ compared: { ...compared, split: Math.min(most, Math.max(least, split)) } }, gesture);
+    if (compared) scene.edit({ compared: { ...compared, split: Math.min(most, Math.max(least, split)) } }, gesture);
   }
 
   /** The line and its words, in a saved picture. */

@@ -35,9 +35,7 @@ const OF_SURFACES = t('Only surfaces can be compared, not the inside of a model.
 
 export function compareSection(session: Session, comparison: Comparison): HTMLElement {
   const { scene } = session;
-  const put = (compared: Compared | null, gesture: object | null = null) => scene.place({ compared }, gesture);
-  /** Changes of one slider in a row are one step of undo. */
-  const sliding = {};
+  const put = (compared: Compared | null, gesture: object | null = null) => scene.edit({ compared }, gesture);
   const change = (part: Partial<Settings>, gesture: object | null = null) => {
     const { compared } = scene.state;
     if (compared) put({ ...compared, ...part }, gesture);
@@ -49,8 +47,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
 
   const studied = Object.entries(STUDIED).map(([name, [left, right]]) =>
     button(CHOICES[name as Studied], () => {
-      scene.set(left);
-      put({ ...right, split: scene.state.compared?.split ?? MIDDLE });
+      scene.edit({ ...left, compared: { ...right, split: scene.state.compared?.split ?? MIDDLE } });
     }),
   );
   const begin = button(t('Other settings'), () => put({ ...settingsOf(scene.state), split: MIDDLE }));
@@ -58,8 +55,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     const { compared } = scene.state;
     if (!compared) return;
     const own = settingsOf(scene.state);
-    scene.set(settingsOf(compared));
-    put({ ...own, split: compared.split });
+    scene.edit({ ...settingsOf(compared), compared: { ...own, split: compared.split } });
   });
   const end = button(t('Stop comparing'), () => put(null));
 
@@ -77,7 +73,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     max: Math.log10(high),
     step: 0.05,
     describe: (value) => `${fromLogarithm(value)}`,
-    change: (value) => changeHeat({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, sliding),
+    change: (value, gesture) => changeHeat({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, gesture),
   });
   const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) =>
     changeHeat({ boundary: value }),

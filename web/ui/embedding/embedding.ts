@@ -5,7 +5,7 @@ import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener'
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { decodeLink } from '../../state/link';
-import { placesOf, type SceneState } from '../../state/scene';
+import { undoableOf, type SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
@@ -116,13 +116,13 @@ class Embedding {
       case 'setSources': {
         const sources = [...request.sources] as MeshPoint[];
         sources.forEach((source, index) => this.#require(source, `sources[${index}]`));
-        session.scene.place({ sources, selected: -1 });
+        session.scene.edit({ sources, selected: -1 });
         return { answer: null };
       }
       case 'setWalker': {
         const walker = request.walker as MeshPoint | null;
         if (walker) this.#require(walker, 'walker');
-        session.scene.place({ walker });
+        session.scene.edit({ walker });
         return { answer: null };
       }
       case 'state':
@@ -187,12 +187,12 @@ class Embedding {
     if (ofMesh.length > 0) throw new Error(`${ofMesh.join(', ')} belong to the mesh: give them to open.`);
     wanted.sources.forEach((source, index) => this.#require(source, `s[${index}]`));
     if (wanted.walker) this.#require(wanted.walker, 'w');
-    const places = new Set(Object.keys(placesOf(state)));
-    const isPlace = (key: keyof SceneState) => places.has(key);
+    const undoable = new Set(Object.keys(undoableOf(state)));
+    const isUndoable = (key: keyof SceneState) => undoable.has(key);
     const part = (isWanted: (key: keyof SceneState) => boolean) =>
       Object.fromEntries(changed.filter(isWanted).map((key) => [key, wanted[key]]));
-    if (changed.some(isPlace)) session.scene.place(part(isPlace));
-    if (changed.some((key) => !isPlace(key))) session.scene.set(part((key) => !isPlace(key)));
+    if (changed.some(isUndoable)) session.scene.edit(part(isUndoable));
+    if (changed.some((key) => !isUndoable(key))) session.scene.set(part((key) => !isUndoable(key)));
     if (changed.includes('camera') && wanted.camera) session.view.camera = wanted.camera;
   }
 }

@@ -1,6 +1,7 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
 import { h, labelled, select, toggle } from '../dom';
+import { addressOf } from './documents';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
 import { choose, language, type Language, LANGUAGES, t } from '../../texts';
@@ -26,7 +27,12 @@ export function openHelp(panel: HTMLElement | null): void {
     ...(panel ? [explaining(panel)] : []),
     ...languages(),
     gestures(),
-    h('p', {}, h('a', { href: './docs/', target: '_blank', rel: 'noopener' }, t('All documents, with a search')), '.'),
+    h(
+      'p',
+      {},
+      h('a', { href: addressOf(''), target: '_blank', rel: 'noopener' }, t('All documents, with a search')),
+      '.',
+    ),
   );
   dialog.addEventListener('close', () => dialog.remove());
   dialog.addEventListener('click', ({ target }) => {

@@ -1,6 +1,7 @@
 /** Lines on the settings of the panel, below each of them. */
 import { h } from '../dom';
-import { addressOf, explanationOf, SECTIONS } from './settings';
+import { addressOf } from './documents';
+import { explanationOf, SECTIONS } from './settings';
 import { t } from '../../texts';
 
 /** The name that a setting has in the panel. */

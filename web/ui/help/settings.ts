@@ -192,9 +192,3 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Video: about(t('What is recorded: a turn around the model, or the walk.'), 'page#images-and-videos'),
   },
 };
-
-/** The address of a heading of the documents, beside the page. */
-export function addressOf(see: string): string {
-  const [page, heading] = see.split('#');
-  return heading === undefined ? `./docs/${page}.html` : `./docs/${page}.html#${heading}`;
-}

@@ -3,7 +3,7 @@ import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import { addSet, replaceSet, selectedSet } from '../../state/edit';
 import type { Signal } from '../../state/signal';
-import type { SourceSet } from '../../state/sources';
+import type { Corner, SourceSet } from '../../state/sources';
 import type { Vector } from '../../state/places';
 import type { PointHit } from '../../view/view';
 import type { Tool } from '../../state/tool';
@@ -31,10 +31,20 @@ interface Drawing {
   hasLeft: boolean;
 }
 
+/** A corner of a line that is dragged. */
+interface Held {
+  corner: Corner;
+  gesture: object;
+  /** Where it is to go next. */
+  wanted: MeshPoint | null;
+  isMoving: boolean;
+}
+
 export class DrawInput {
   readonly #session: Session;
   readonly #tool: Signal<Tool>;
   #drawing: Drawing | null = null;
+  #held: Held | null = null;
   /** Ends with the set that was asked for last: each may go on with the one before. */
   #latest: Promise<void> = Promise.resolve();
 
@@ -97,6 +107,30 @@ export class DrawInput {
     this.#drawing = null;
     this.#session.dragging = false;
     if (has) this.#session.scene.undo();
+  }
+
+  /** Takes hold of a corner of a line, which follows the pointer from then on. */
+  hold(corner: Corner, gesture: object): void {
+    this.#held = { corner, gesture, wanted: null, isMoving: false };
+  }
+
+  /** The corner that is held goes to a place; one that comes while it is on its way takes the place of those that wait. */
+  moveHeld(point: MeshPoint): void {
+    const held = this.#held;
+    if (!held) return;
+    held.wanted = point;
+    if (!held.isMoving) this.#later(() => this.#follow(held));
+  }
+
+  async #follow(held: Held): Promise<void> {
+    held.isMoving = true;
+    for (let point = held.wanted; point; point = held.wanted) {
+      held.wanted = null;
+      const corner = await (await lazily()).moveCorner(this.#session, held.corner, point, held.gesture);
+      if (!corner) return;
+      held.corner = corner;
+    }
+    held.isMoving = false;
   }
 
   /** What a click or Enter does with the tool that is chosen; false for tools that draw nothing. */

@@ -1,8 +1,11 @@
 /** What lies under a pointer. */
 import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
+import type { Corner } from '../../state/sources';
 
-export type Target = { kind: 'source'; index: number } | { kind: 'surface'; point: MeshPoint } | { kind: 'empty' };
+/** `corner`: of a line along edges, which a drag from there moves. */
+export type Target =
+  { kind: 'source'; index: number } | { kind: 'surface'; point: MeshPoint; corner: Corner | null } | { kind: 'empty' };
 
 /** Radius around the foot of a pin, in CSS pixels, within which it can be dragged. */
 const GRIP = { mouse: 14, touch: 26 };
@@ -10,19 +13,26 @@ const GRIP = { mouse: 14, touch: 26 };
 const HIDDEN_BY = 0.03;
 
 export function targetAt(session: Session, x: number, y: number, touch: boolean): Target {
-  const index = sourceAt(session, x, y, touch ? GRIP.touch : GRIP.mouse);
+  const { sources, sets } = session.scene.state;
+  const grip = touch ? GRIP.touch : GRIP.mouse;
+  const index = nearestOf(session, sources, x, y, grip);
   if (index >= 0) return { kind: 'source', index };
   const hit = session.view.pick(x, y);
-  return hit ? { kind: 'surface', point: hit.point } : { kind: 'empty' };
+  if (!hit) return { kind: 'empty' };
+  const corners = sets.flatMap((set) =>
+    set.shape.kind === 'line' ? set.shape.corners.map((vertex, place): Corner => ({ set, place, vertex })) : [],
+  );
+  return { kind: 'surface', point: hit.point, corner: corners[nearestOf(session, corners, x, y, grip)] ?? null };
 }
 
-function sourceAt({ scene, shown, view }: Session, x: number, y: number, grip: number): number {
+/** The index of the place that is nearest to a pixel, of those that are seen within so many pixels; −1 for none. */
+function nearestOf({ shown, view }: Session, points: readonly MeshPoint[], x: number, y: number, grip: number): number {
   const places = shown.value?.places;
   if (!places) return -1;
   let best = -1;
   let nearest = grip;
-  scene.state.sources.forEach((source, index) => {
-    const position = places.at(source)?.position;
+  points.forEach((point, index) => {
+    const position = places.at(point)?.position;
     const pixel = position && view.project(position);
     if (!position || !pixel) return;
     const away = Math.hypot(pixel[0] - x, pixel[1] - y);

@@ -18,7 +18,7 @@ const LONG_PRESS_MS = 500;
 const DOUBLE_MS = 300;
 const DOUBLE_PX = 8;
 
-type Mode = 'pressed' | 'orbit' | 'pan' | 'move' | 'paint' | 'pinch' | 'done';
+type Mode = 'pressed' | 'orbit' | 'pan' | 'move' | 'corner' | 'paint' | 'pinch' | 'done';
 
 interface Press {
   mode: Mode;
@@ -137,16 +137,20 @@ export class PointerInput {
     if (press.mode === 'pan') view.pan(dx, dy);
     if (press.mode === 'orbit' || press.mode === 'pan') this.#o.cameraMoved();
     if (press.mode === 'move') this.#moveSource(press, x, y);
+    if (press.mode === 'corner') this.#moveCorner(x, y);
     if (press.mode === 'paint') press.pen?.drag(x, y);
   }
 
   #beginDrag(press: Press, event: PointerEvent): void {
     const { session, readout } = this.#o;
     const plain = (event.buttons & 1) === 1 && !event.shiftKey;
-    press.mode = !plain ? 'pan' : press.target.kind === 'source' ? 'move' : 'orbit';
-    if (press.mode === 'move') session.dragging = true;
+    const corner = press.target.kind === 'surface' ? press.target.corner : null;
+    press.mode = !plain ? 'pan' : press.target.kind === 'source' ? 'move' : corner ? 'corner' : 'orbit';
+    const isMoving = press.mode === 'move' || press.mode === 'corner';
+    if (isMoving) session.dragging = true;
+    if (press.mode === 'corner' && corner) this.#o.draw.hold(corner, press.gesture);
     if (press.mode === 'orbit') session.view.hold();
-    this.#stage.dataset.cursor = press.mode === 'move' ? 'grabbing' : 'moving';
+    this.#stage.dataset.cursor = isMoving ? 'grabbing' : 'moving';
     readout.hide();
   }
 
@@ -155,6 +159,11 @@ export class PointerInput {
     if (press.target.kind !== 'source') return;
     const hit = view.pick(x, y);
     if (hit) moveSource(scene, press.target.index, hit.point, press.gesture);
+  }
+
+  #moveCorner(x: number, y: number): void {
+    const hit = this.#o.session.view.pick(x, y);
+    if (hit) this.#o.draw.moveHeld(hit.point);
   }
 
   #pinch(event: PointerEvent): void {
@@ -191,7 +200,7 @@ export class PointerInput {
 
   #endMove(press: Press): void {
     const { session, cameraMoved } = this.#o;
-    if (press.mode === 'move') session.dragging = false;
+    if (press.mode === 'move' || press.mode === 'corner') session.dragging = false;
     if (press.mode === 'paint') press.pen?.end();
     if (press.mode === 'orbit') {
       session.view.letGo(!reducedMotion());
@@ -248,7 +257,7 @@ export class PointerInput {
     const { clientX: x, clientY: y } = event;
     this.#o.brush.hover(x, y);
     const target = targetAt(session, x, y, false);
-    this.#stage.dataset.cursor = target.kind;
+    this.#stage.dataset.cursor = target.kind === 'surface' && target.corner ? 'source' : target.kind;
     const point = target.kind === 'source' ? session.scene.state.sources[target.index] : null;
     if (target.kind === 'empty') readout.hide();
     else readout.show(point ?? (target.kind === 'surface' ? target.point : { vertex: 0 }), x, y);

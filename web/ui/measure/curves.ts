@@ -1,9 +1,16 @@
 /** Legs of tapes as polylines. */
-import type { Leg, MeshPoint } from '../../protocol';
+import type { Leg, MeshPoint, SurfaceLeg } from '../../protocol';
 import type { Places, Vector } from '../../state/places';
 
+/** A leg as it is drawn. */
+export function polylineOf(leg: Leg, places: Places): Vector[] {
+  if ('triangles' in leg) return positionsOf(pointsOf(leg), places);
+  const { points } = leg;
+  return Array.from({ length: points.length / 3 }, (_, i) => [points[3 * i], points[3 * i + 1], points[3 * i + 2]]);
+}
+
 /** The places that a leg leads through. */
-export function pointsOf({ triangles, weights }: Leg): MeshPoint[] {
+export function pointsOf({ triangles, weights }: SurfaceLeg): MeshPoint[] {
   return Array.from(triangles, (face, i): MeshPoint => {
     return { face, weights: [weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]] };
   });

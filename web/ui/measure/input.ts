@@ -50,7 +50,7 @@ export class MeasureInput {
     const { scene } = this.#session;
     const tapes = extended(scene.state.tapes, this.#open, point);
     const index = this.#open < 0 ? tapes.length - 1 : this.#open;
-    scene.place({ tapes });
+    scene.edit({ tapes });
     this.#open = index;
     return true;
   }
@@ -74,7 +74,7 @@ export class MeasureInput {
   #close(): void {
     this.#last = null;
     const { scene } = this.#session;
-    if (canClose(scene.state.tapes.at(this.#open))) scene.place({ tapes: close(scene.state.tapes, this.#open) });
+    if (canClose(scene.state.tapes.at(this.#open))) scene.edit({ tapes: close(scene.state.tapes, this.#open) });
     this.#open = -1;
   }
 }

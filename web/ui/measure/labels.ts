@@ -6,7 +6,7 @@ import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
 import type { MeasureInput } from './input';
-import { away, middleOf, pointsOf, positionsOf } from './curves';
+import { away, middleOf, polylineOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 import { t } from '../../texts';
 import type { PlaneContext } from '../../view/view';
@@ -154,7 +154,7 @@ export class TapeLabels {
     event.stopPropagation();
     const { scene, view } = this.#session;
     if (removes) {
-      scene.place({ tapes: withoutPlace(scene.state.tapes, tape, place) });
+      scene.edit({ tapes: withoutPlace(scene.state.tapes, tape, place) });
       view.stage.focus({ preventScroll: true });
       return;
     }
@@ -168,7 +168,7 @@ export class TapeLabels {
   #move(tape: number, place: number, x: number, y: number, gesture: object): void {
     const { scene, view } = this.#session;
     const hit = view.pick(x, y);
-    if (hit) scene.place({ tapes: moved(scene.state.tapes, tape, place, hit.point) }, gesture);
+    if (hit) scene.edit({ tapes: moved(scene.state.tapes, tape, place, hit.point) }, gesture);
   }
 
   /** What is seen of labels and places, drawn on a picture. */
@@ -214,12 +214,8 @@ function isSeen({ element }: Anchored): boolean {
 }
 
 /** The curve of each leg as it is drawn; empty where there is none. */
-function curvesOf({ tape, legs }: MeasuredTape, places: Places): Vector[][] {
-  return legsOf(tape).map((ends, index) => {
-    const { leg, state } = legs[index];
-    if (state === 'straight') return positionsOf(ends, places);
-    return leg ? positionsOf(pointsOf(leg), places) : [];
-  });
+function curvesOf({ legs }: MeasuredTape, places: Places): Vector[][] {
+  return legs.map(({ leg }) => (leg ? polylineOf(leg, places) : []));
 }
 
 function segmentsOf(curve: readonly Vector[]): number[] {
@@ -229,10 +225,9 @@ function segmentsOf(curve: readonly Vector[]): number[] {
 /** The length of each leg in its middle; the sum, and the area, at the last place. */
 function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: LengthUnit, places: Places): Anchored[] {
   const { tape, legs } = measured;
-  const labels = legs.flatMap(({ leg, state, straight }, index) => {
+  const labels = legs.flatMap(({ leg, state }, index) => {
     const position = middleOf(curves[index].length > 1 ? curves[index] : positionsOf(legsOf(tape)[index], places));
-    const value = state === 'straight' ? straight : (leg?.length ?? NaN);
-    return position ? [label(lengthWords(value, state, unit), position, 'leg')] : [];
+    return position ? [label(lengthWords(leg?.length ?? NaN, state, unit), position, 'leg')] : [];
   });
   const last = places.at(tape.points[tape.closed ? 0 : tape.points.length - 1]);
   if (legs.length < 2 || !last) return labels;

@@ -31,7 +31,7 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
     h('button', { class: 'small', title: t('Save all lengths as a CSV file'), onclick: saveFile }, t('Save CSV')),
     h(
       'button',
-      { class: 'small', title: t('Delete all tapes'), onclick: () => scene.place({ tapes: [] }) },
+      { class: 'small', title: t('Delete all tapes'), onclick: () => scene.edit({ tapes: [] }) },
       t('Delete all'),
     ),
   );
@@ -64,7 +64,7 @@ function card(session: Session, index: number): Card {
   const total = h('span', { class: 'value' });
   const body = h('tbody');
   const note = h('p', { class: 'quiet', hidden: true });
-  const remove = () => scene.place({ tapes: scene.state.tapes.toSpliced(index, 1) });
+  const remove = () => scene.edit({ tapes: scene.state.tapes.toSpliced(index, 1) });
   const head = h(
     'div',
     { class: 'tape-head' },
@@ -87,7 +87,8 @@ function card(session: Session, index: number): Card {
       total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : t('one place so far');
       table.hidden = legs.length === 0;
       const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
-      const names = [t('Leg'), inUnit(t('Surface')), inUnit(t('Straight')), t('Ratio')];
+      const isInside = legs.some(({ leg }) => leg && 'points' in leg);
+      const names = [t('Leg'), inUnit(isInside ? t('Path') : t('Surface')), inUnit(t('Straight')), t('Ratio')];
       titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
       const rows = legs.map(({ leg, state, straight }, k) =>
         row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
@@ -96,7 +97,7 @@ function card(session: Session, index: number): Card {
       body.replaceChildren(...rows);
       note.textContent = enclosureWords(measured, unit);
       note.hidden = !note.textContent;
-      known.show(stateOf(measured) === 'straight' ? straightOf(measured) : sum, unit);
+      known.show(sum, unit);
     },
   };
 }
@@ -109,17 +110,16 @@ function row(
   unit: LengthUnit,
 ): HTMLElement {
   const cells = [
-    state === 'straight' ? '–' : lengthNumber(surface, state, unit),
-    lengthNumber(straight, 'straight', unit),
+    lengthNumber(surface, state, unit),
+    lengthNumber(straight, 'exact', unit),
     ratioWords(straight, surface),
   ];
-  const told = state === 'straight' ? null : h('span', { class: 'quiet' }, STATE_WORDS[state]);
   const [first, ...others] = cells;
   return h(
     'tr',
     {},
     h('th', { scope: 'row' }, name),
-    h('td', {}, first, told),
+    h('td', {}, first, h('span', { class: 'quiet' }, STATE_WORDS[state])),
     ...others.map((text) => h('td', {}, text)),
   );
 }
@@ -145,7 +145,7 @@ function knownLength(
       title: t('Tells all lengths in the scale in which this tape has that length'),
       onclick: () => {
         const scale = field.valueAsNumber / measured;
-        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.place({ scale, unit: chosen });
+        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.edit({ scale, unit: chosen });
       },
     },
     t('Set scale'),
@@ -155,7 +155,7 @@ function knownLength(
     {
       class: 'small',
       title: t('Tells lengths as the file has them'),
-      onclick: () => scene.place({ scale: 1, unit: 'auto' }),
+      onclick: () => scene.edit({ scale: 1, unit: 'auto' }),
     },
     t('Reset'),
   );

@@ -12,7 +12,6 @@ export const STATE_WORDS: Record<LegState, string> = {
   exact: t('exact'),
   approximate: t('approximate'),
   cost: t('least cost, approximate'),
-  straight: t('straight line'),
   none: t('not connected'),
 };
 

@@ -33,22 +33,22 @@ const CROWD_STEPS = 100;
 export function displaySection(session: Session): HTMLElement {
   const { scene } = session;
   const colorBy = select(t('Color by'), labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
-    scene.set({ colorBy: value }),
+    scene.edit({ colorBy: value }),
   );
   const up = select<Up | typeof AUTOMATIC>(
     t('Up'),
     [[AUTOMATIC, t('automatic')], ...labelled(UP.names, UP_WORDS)],
-    (value) => scene.place({ up: value }),
+    (value) => scene.edit({ up: value }),
   );
   up.element.title = t('The axis of the file that points up (U: the next one)');
   const cameras = camerasControl(session);
-  const lights = toggle(t('Lights of the file'), (on) => scene.set({ lights: on ? 'file' : 'style' }));
+  const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const overlays = OVERLAYS.map((overlay) => {
     const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
       const gone = ARROWS.includes(overlay) ? ARROWS : [overlay];
       const rest = scene.state.overlays.filter((other) => !gone.includes(other));
-      scene.set({ overlays: on ? [...rest, overlay] : rest });
+      scene.edit({ overlays: on ? [...rest, overlay] : rest });
     });
     return { overlay, element, show, allow };
   });
@@ -59,7 +59,7 @@ export function displaySection(session: Session): HTMLElement {
     step: 1,
     // A link may ask for a number between two steps.
     describe: () => (scene.state.crowd === 0 ? t('none') : count(scene.state.crowd)),
-    change: (value) => scene.set({ crowd: walkersAt(value) }),
+    change: (value, gesture) => scene.edit({ crowd: walkersAt(value) }, gesture),
   });
   const showLegend = () => {
     legend.textContent = legendOf(session, scene.state);

@@ -103,7 +103,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   };
   at.addEventListener('input', () => {
     try {
-      session.scene.place({ isolines: parseIsolines(at.value) }, typing);
+      session.scene.edit({ isolines: parseIsolines(at.value) }, typing);
     } catch {
       // It may be half typed.
     }

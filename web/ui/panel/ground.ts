@@ -107,17 +107,13 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     { class: 'quiet' },
     t('Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.'),
   );
-  let gesture = {};
   const height = slider({
     label: t('Height'),
     min: -HEIGHT_POWERS,
     max: HEIGHT_POWERS,
     step: 0.5,
     describe: (power) => (power === 0 ? t('costs nothing') : t`${length(2 ** power)} × at the top`),
-    change: (power) => editor.setRelief({ highest: 2 ** power }, gesture),
-  });
-  height.element.querySelector('input')?.addEventListener('change', () => {
-    gesture = {};
+    change: (power, gesture) => editor.setRelief({ highest: 2 ** power }, gesture),
   });
   const legend = h('p', { class: 'ground-legend', role: 'status' });
 

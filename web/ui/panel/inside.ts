@@ -38,8 +38,6 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   const empty = h('button', { class: 'small', onclick: () => void opener.fill(null) }, t('Show the surface'));
   const report = h('p', { class: 'quiet', role: 'status' });
 
-  let gesture = {};
-  const change = (part: Partial<Inside>) => lookInto(scene, part, gesture);
   const choose = (part: Partial<Inside>) => lookInto(scene, part, {});
   const number = (
     name: keyof typeof INSIDE_RANGES,
@@ -48,12 +46,8 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     describe: (value: number) => string,
   ) => {
     const [min, max] = INSIDE_RANGES[name];
-    const control = slider({ label, min, max, step, describe, change: (value) => change({ [name]: value }) });
-    // A drag of the slider is one step of undo.
-    control.element.querySelector('input')?.addEventListener('change', () => {
-      gesture = {};
-    });
-    return control;
+    const change = (value: number, gesture: object) => lookInto(scene, { [name]: value }, gesture);
+    return slider({ label, min, max, step, describe, change });
   };
   const cut = select<Inside['cut']>(t('Cut away'), labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
   cut.element.title = 'I';
@@ -82,10 +76,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     max: INSIDE_RANGES.spacing[1],
     step: LEAST_SPACING,
     describe: (value) => (value === 0 ? t('none') : t`every ${percent(value)} of the largest distance`),
-    change: (value) => change({ spacing: value }),
-  });
-  spacing.element.querySelector('input')?.addEventListener('change', () => {
-    gesture = {};
+    change: (value, gesture) => lookInto(scene, { spacing: value }, gesture),
   });
   const arrows = toggle(t('Arrows inside'), (on) => choose({ arrows: on }));
   const looking = h(

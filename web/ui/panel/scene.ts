@@ -51,7 +51,7 @@ export function sceneSection(
     [AUTOMATIC, t('automatic')],
     ...UNITS.map((name): [UnitChoice, string] => [name, name]),
   ];
-  const unit = select(t('Unit'), units, (value) => session.scene.place({ unit: value, scale: 1 }));
+  const unit = select(t('Unit'), units, (value) => session.scene.edit({ unit: value, scale: 1 }));
   unit.element.title = t(
     'What the lengths of the file are told in; none is converted. A tape of known length sets another scale',
   );

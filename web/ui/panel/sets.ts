@@ -102,7 +102,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   );
   const clear = h(
     'button',
-    { class: 'small', onclick: () => scene.place({ sources: [], sets: [], selected: -1 }) },
+    { class: 'small', onclick: () => scene.edit({ sources: [], sets: [], selected: -1 }) },
     t('Delete all'),
   );
   const close = h(

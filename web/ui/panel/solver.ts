@@ -48,11 +48,12 @@ export function solverSection(session: Session): HTMLElement {
   const { scene } = session;
   /** The radius in mean edges that the solver chose last. */
   let chosenNear = 0;
-  const change = (part: Partial<Parameters>) => scene.set({ parameters: { ...scene.state.parameters, ...part } });
-  const method = select(t('Method'), labelled(METHOD.names, METHODS), (value) => scene.set({ method: value }));
+  const change = (part: Partial<Parameters>, gesture: object | null = null) =>
+    scene.edit({ parameters: { ...scene.state.parameters, ...part } }, gesture);
+  const method = select(t('Method'), labelled(METHOD.names, METHODS), (value) => scene.edit({ method: value }));
   const hint = quiet('');
-  const refine = toggle(t('Refine to exact'), (on) => scene.set({ refine: on }));
-  const path = select(t('Path'), labelled(PATH_KIND.names, PATHS), (value) => scene.set({ pathKind: value }));
+  const refine = toggle(t('Refine to exact'), (on) => scene.edit({ refine: on }));
+  const path = select(t('Path'), labelled(PATH_KIND.names, PATHS), (value) => scene.edit({ pathKind: value }));
   const [low, high] = TIME_STEP_FACTORS;
   const factor = automaticSlider({
     label: t('Time factor m'),
@@ -60,7 +61,7 @@ export function solverSection(session: Session): HTMLElement {
     max: Math.log10(high),
     step: 0.05,
     describe: (value) => length(fromLogarithm(value)),
-    change: (value) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }),
+    change: (value, gesture) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, gesture),
   });
   const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
   const [nearest, farthest] = EXACT_RADIUS_EDGES;
@@ -70,7 +71,7 @@ export function solverSection(session: Session): HTMLElement {
     max: farthest,
     step: 1,
     describe: (value, automatic) => (value === 0 ? t('off') : `${automatic ? '≈ ' : ''}${t`${value} edges`}`),
-    change: (value) => change({ exactRadius: value }),
+    change: (value, gesture) => change({ exactRadius: value }, gesture),
   });
   const multi = select(t('Multi-source'), labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
     change({ sources: value }),
@@ -82,13 +83,13 @@ export function solverSection(session: Session): HTMLElement {
   const windows = select(
     t('Windows'),
     WINDOWS.map((number) => [number, count(number)] as const),
-    (value) => scene.set({ windows: value }),
+    (value) => scene.edit({ windows: value }),
   );
-  const bridge = select(t('Join components'), BRIDGES, (value) => scene.set({ bridge: value }));
+  const bridge = select(t('Join components'), BRIDGES, (value) => scene.edit({ bridge: value }));
   const linked = quiet('');
   const unlink = h(
     'button',
-    { class: 'small', title: t('Takes away all links between groups'), onclick: () => scene.place({ links: 0 }) },
+    { class: 'small', title: t('Takes away all links between groups'), onclick: () => scene.edit({ links: 0 }) },
     t('Unlink'),
   );
   const links = h('div', { class: 'linking' }, linked, unlink);

@@ -33,9 +33,9 @@ interface Part {
 /** Gallery of preset styles, then pattern, colors, materials and lighting. */
 export function styleSection(session: Session): HTMLElement {
   const { scene } = session;
-  const change = (part: Partial<Style>) => scene.set({ style: { ...scene.state.style, ...part } });
+  const change: Change = (part, gesture = null) => scene.edit({ style: { ...scene.state.style, ...part } }, gesture);
   const parts: Part[] = [
-    gallery((style) => scene.set({ style })),
+    gallery((style) => scene.edit({ style })),
     patternControls(session, change),
     colours(session, change),
     materials(() => scene.state.style, change),
@@ -54,7 +54,7 @@ export function styleSection(session: Session): HTMLElement {
   return h('div', { class: 'stack' }, ...parts.map(({ element }) => element));
 }
 
-type Change = (part: Partial<Style>) => void;
+type Change = (part: Partial<Style>, gesture?: object | null) => void;
 
 function gallery(choose: (style: Style) => void): Part {
   const element = h('div', { class: 'styles', role: 'group', 'aria-label': t('Preset styles') });
@@ -95,7 +95,7 @@ function patternControls(session: Session, change: Change): Part {
         ? measure(value * shown.places.diameter, unitOf(session.scene.state, shown.opened))
         : percent(value);
     },
-    change: (value) => change({ period: value }),
+    change: (value, gesture) => change({ period: value }, gesture),
   });
   const width = slider({
     label: t('Stripe width'),
@@ -103,7 +103,7 @@ function patternControls(session: Session, change: Change): Part {
     max: 1,
     step: 0.02,
     describe: (value) => (lines ? `${fixed(value * WIDEST_LINE, 1)} px` : percent(value)),
-    change: (value) => change({ width: value }),
+    change: (value, gesture) => change({ width: value }, gesture),
   });
   const number = (
     label: string,
@@ -112,7 +112,14 @@ function patternControls(session: Session, change: Change): Part {
     describe: (value: number) => string,
   ) => {
     const [min, max] = STYLE_RANGES[key];
-    const { element, show } = slider({ label, min, max, step, describe, change: (value) => change({ [key]: value }) });
+    const { element, show } = slider({
+      label,
+      min,
+      max,
+      step,
+      describe,
+      change: (value, gesture) => change({ [key]: value }, gesture),
+    });
     return { key, element, show };
   };
   const offset = number(t('Offset'), 'offset', 0.02, percent);
@@ -156,7 +163,15 @@ function colours(session: Session, change: Change): Part {
     (value) => change(value === OF_FILE ? { surfaceOf: 'file' } : { surfaceOf: 'style', ramp: value }),
   );
   const blend = select(t('Stripes lie'), labelled(BLENDS, BLEND_WORDS), (value) => change({ blend: value }));
-  const colour = h('input', { type: 'color', oninput: () => change({ stripe: colour.value }) });
+  /** What is tried out until the color is chosen. */
+  let trying = {};
+  const colour = h('input', {
+    type: 'color',
+    oninput: () => change({ stripe: colour.value }, trying),
+    onchange: () => {
+      trying = {};
+    },
+  });
   const stripes = select<string>(
     t('Stripes'),
     [SINGLE_COLOR, ...RAMP_NAMES].map((name) => [name, t(name)] as const),
@@ -207,7 +222,7 @@ function materials(current: () => Style, change: Change): Part {
       max,
       step: 0.02,
       describe: percent,
-      change: (value) => change({ [of]: { ...current()[of], [key]: value } }),
+      change: (value, gesture) => change({ [of]: { ...current()[of], [key]: value } }, gesture),
     });
     return { element: control.element, show: (style: Style) => control.show(style[of][key]) };
   };
@@ -252,7 +267,7 @@ function light(change: Change): Part {
     max,
     step: 5,
     describe: (value) => `${String(value)}°`,
-    change: (value) => change({ light: value }),
+    change: (value, gesture) => change({ light: value }, gesture),
   });
   return {
     element: h('div', { class: 'stack' }, around.element, rotation.element),

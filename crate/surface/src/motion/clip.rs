@@ -6,6 +6,7 @@ use super::state::State;
 
 /// A named animation.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Clip {
     /// Name in the file, or a made one.
     pub name: String,
@@ -15,6 +16,7 @@ pub struct Clip {
 
 /// One property of a node over time.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Channel {
     /// The node, or that of the mesh whose morph targets are weighted.
     pub node: usize,
@@ -24,6 +26,7 @@ pub struct Channel {
 
 /// A property and its values.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Target {
     /// Of the node in its parent.
     Translation(Track<3>),
@@ -37,6 +40,7 @@ pub enum Target {
 
 /// How values between keyframes are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Interpolation {
     /// That of the keyframe before.
     Step,
@@ -48,9 +52,11 @@ pub enum Interpolation {
 
 /// Values of `N` numbers over time.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Track<const N: usize> {
     times: Vec<f32>,
     /// One a time; for cubic splines three: incoming tangent, value, outgoing tangent.
+    #[cfg_attr(feature = "packed", serde(with = "crate::packed::rows"))]
     values: Vec<[f32; N]>,
     interpolation: Interpolation,
 }

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 
 /// Joints and where each was when the skin was bound to them.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Skin {
     /// Nodes.
     pub joints: Vec<usize>,
@@ -26,6 +27,7 @@ impl Skin {
 
 /// How much each vertex follows which joints of a skin.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Influences {
     /// Vertex after vertex, [`Self::per_vertex`] each: a joint of the skin and its weight. A vertex without any weight stays
     /// where it is.
@@ -42,6 +44,7 @@ impl Influences {
 
 /// A displacement that a mesh can have more or less of.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct MorphTarget {
     /// Of the position of each vertex; empty where it has none.
     pub positions: Vec<DVec3>,
@@ -51,6 +54,7 @@ pub struct MorphTarget {
 
 /// What places consecutive vertices of a soup.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Deformer {
     /// The input vertices, `n` of them.
     pub vertices: Range<usize>,

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 
 /// Where a node stands in its parent.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub enum Placement {
     /// By any affine map.
     Matrix(DMat4),
@@ -50,6 +51,7 @@ impl Placement {
 
 /// A node of a hierarchy.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {
     /// None for a root.
     pub parent: Option<usize>,
@@ -59,6 +61,7 @@ pub struct Node {
 
 /// Nodes that form trees.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hierarchy {
     nodes: Vec<Node>,
     /// Parents before children.

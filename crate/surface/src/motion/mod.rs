@@ -17,6 +17,7 @@ use state::State;
 
 /// How the vertices of a soup move.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
     hierarchy: Hierarchy,
     skins: Vec<Skin>,

@@ -60,40 +60,49 @@ impl Field {
 
     /// Distance from a point to the surface.
     pub fn distance(&self, point: DVec3) -> f64 {
-        self.hierarchy.distance(point)
+        self.to_nearest(point).length()
     }
 
-    fn is_inside(&self, point: DVec3) -> bool {
+    /// The way from a point to the nearest one of the surface.
+    pub fn to_nearest(&self, point: DVec3) -> DVec3 {
+        self.hierarchy.to_nearest(point)
+    }
+
+    pub fn is_inside(&self, point: DVec3) -> bool {
         self.winding(point) > INSIDE
     }
 
-    /// By lattice point whether it is inside. `progress` goes from one share to another.
+    /// By lattice point whether it is inside, and the points that are near the surface. `progress` goes from one share to another.
     pub fn insides(
         &self,
         lattice: &Lattice,
         threads: NonZeroUsize,
         shares: Range<f64>,
         progress: Progress,
-    ) -> Result<Vec<bool>> {
+    ) -> Result<(Vec<bool>, Vec<usize>)> {
         let blocks = lattice.blocks();
         let masks = slices(blocks.len(), BLOCKS, threads, shares, progress, |block| {
-            let mut mask = 0_u128;
-            self.block(lattice, blocks[block], BLOCK, &mut mask);
-            mask
+            let mut masks = [0_u128; 2];
+            self.block(lattice, blocks[block], BLOCK, &mut masks);
+            masks
         })?;
         let mut is_inside = vec![false; lattice.len()];
-        for (&block, &mask) in blocks.iter().zip(&masks).filter(|(_, mask)| **mask != 0) {
+        let mut near = Vec::new();
+        for (&block, masks) in blocks.iter().zip(&masks).filter(|(_, masks)| **masks != [0; 2]) {
             for (bit, point) in lattice.points_of(block, BLOCK) {
-                is_inside[point] = mask >> bit & 1 == 1;
+                is_inside[point] = masks[0] >> bit & 1 == 1;
+                if masks[1] >> bit & 1 == 1 {
+                    near.push(point);
+                }
             }
         }
-        Ok(is_inside)
+        Ok((is_inside, near))
     }
 
     /// Sets the bits of the points inside among those of a block of so many cells along each side. Off the surface winding numbers
     /// are harmonic, so that Harnack's inequality bounds them: if the number in the middle of a ball without surface is nearly whole,
     /// none within two thirds of the ball is on the other side of a half.
-    fn block(&self, lattice: &Lattice, first: [usize; 3], cells: usize, mask: &mut u128) {
+    fn block(&self, lattice: &Lattice, first: [usize; 3], cells: usize, masks: &mut [u128; 2]) {
         let (middle, radius) = lattice.ball(first, cells);
         if self.distance(middle) >= CLEAR * radius {
             let winding = self.winding(middle);
@@ -101,7 +110,7 @@ impl Field {
                 if winding > INSIDE {
                     let points =
                         lattice.points_of(first, cells).filter(|&(_, point)| self.is_in_box(lattice.position(point)));
-                    points.for_each(|(bit, _)| *mask |= 1 << bit);
+                    points.for_each(|(bit, _)| masks[0] |= 1 << bit);
                 }
                 return;
             }
@@ -110,12 +119,13 @@ impl Field {
             let half = cells / 2;
             for part in 0..8 {
                 let corner = [0, 1, 2].map(|axis| first[axis] + half * (part >> axis & 1));
-                self.block(lattice, corner, half, mask);
+                self.block(lattice, corner, half, masks);
             }
             return;
         }
         for (bit, point) in lattice.points_of(first, cells) {
-            *mask |= u128::from(self.is_inside(lattice.position(point))) << bit;
+            masks[0] |= u128::from(self.is_inside(lattice.position(point))) << bit;
+            masks[1] |= 1 << bit;
         }
     }
 
@@ -132,6 +142,18 @@ impl Field {
             let (inside, direction) = (edges[index].0 as usize, usize::from(edges[index].1));
             self.cut(lattice.position(inside), lattice.position(lattice.neighbour(inside, direction)))
         })
+    }
+
+    /// The ways from lattice points to the surface.
+    pub fn ways(
+        &self,
+        lattice: &Lattice,
+        points: &[usize],
+        threads: NonZeroUsize,
+        shares: Range<f64>,
+        progress: Progress,
+    ) -> Result<Vec<DVec3>> {
+        slices(points.len(), EDGES, threads, shares, progress, |index| self.to_nearest(lattice.position(points[index])))
     }
 
     /// The share of the way from a point inside to one outside at which the inside ends for the first time.

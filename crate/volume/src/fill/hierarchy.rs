@@ -10,7 +10,7 @@ use std::num::NonZeroUsize;
 use glam::{DMat3, DVec3};
 use heatwalk::surface::along_curve;
 
-use super::triangle::{Triangle, area_vector, crossing, solid_angle, squared_distance};
+use super::triangle::{Triangle, area_vector, crossing, solid_angle, to_nearest};
 
 /// Triangles of a leaf, but for the last one.
 const LEAF: usize = 4;
@@ -188,15 +188,18 @@ impl Hierarchy {
         }
     }
 
-    /// Distance from a point to the nearest triangle.
-    pub fn distance(&self, point: DVec3) -> f64 {
-        let mut nearest = f64::INFINITY;
+    /// The way from a point to the nearest one of a triangle.
+    pub fn to_nearest(&self, point: DVec3) -> DVec3 {
+        let (mut way, mut nearest) = (DVec3::INFINITY, f64::INFINITY);
         let mut waiting = [(0_u32, 0.0); STACK];
         let (mut count, mut node) = (0, 0);
         loop {
             if let Some(leaf) = self.leaf(node) {
                 for triangle in leaf {
-                    nearest = nearest.min(squared_distance(triangle, point));
+                    let to_triangle = to_nearest(triangle, point);
+                    if to_triangle.length_squared() < nearest {
+                        (way, nearest) = (to_triangle, to_triangle.length_squared());
+                    }
                 }
             } else {
                 let [a, b] =
@@ -213,7 +216,7 @@ impl Hierarchy {
             }
             loop {
                 if count == 0 {
-                    return nearest.sqrt();
+                    return way;
                 }
                 count -= 1;
                 if waiting[count].1 < nearest {

@@ -76,11 +76,15 @@ impl Lattice {
     }
 
     pub fn position(&self, point: usize) -> DVec3 {
-        let (cell, is_centre) = (point / 2, point % 2);
-        let along =
-            [cell % self.cells[0], cell / self.cells[0] % self.cells[1], cell / (self.cells[0] * self.cells[1])];
-        let shift = 0.5 * is_centre as f64;
-        self.origin + self.side * DVec3::from(along.map(|along| along as f64 + shift))
+        let shift = 0.5 * (point % 2) as f64;
+        self.origin + self.side * DVec3::from(self.cell_of(point).map(|along| along as f64 + shift))
+    }
+
+    /// The cell of a point, counted along each axis.
+    fn cell_of(&self, point: usize) -> [usize; 3] {
+        let [x, y, _] = self.cells;
+        let cell = point / 2;
+        [cell % x, cell / x % y, cell / (x * y)]
     }
 
     /// The first cells of the blocks that hold all points.
@@ -122,6 +126,23 @@ impl Lattice {
         point.wrapping_add_signed(self.offsets[point % 2][direction])
     }
 
+    /// Whether a point lacks neighbours.
+    pub fn is_outermost(&self, point: usize) -> bool {
+        self.cell_of(point).iter().zip(self.cells).any(|(&along, cells)| along == 0 || along + 1 == cells)
+    }
+
+    /// The other corners of the 24 tetrahedra at a point that has all neighbours, so that each is right-handed with the point before
+    /// them.
+    pub fn tetrahedra_around(&self, point: usize) -> impl Iterator<Item = [usize; 3]> + '_ {
+        let corners = move |direction: usize, turn: usize| {
+            let (axis, is_up) = (direction % 3, direction < LONG / 2);
+            let [first, last] = [turn, turn + 1].map(|turn| self.neighbour(point, LONG + around(axis, is_up, turn)));
+            let beyond = self.neighbour(point, direction);
+            if is_up { [beyond, first, last] } else { [beyond, last, first] }
+        };
+        (0..LONG).flat_map(move |direction| (0..4).map(move |turn| corners(direction, turn)))
+    }
+
     /// Calls `work` with the corners of each tetrahedron around the edges up from a centre, and the directions between them.
     #[inline]
     pub fn tetrahedra_at(&self, centre: usize, mut work: impl FnMut([usize; 4], &Directions)) {
@@ -141,12 +162,7 @@ impl Lattice {
 impl Tetrahedron {
     /// Around the edge up an axis, the corners of the face between both cells taken from place `turn` of the ring on.
     fn new(axis: usize, turn: usize, offsets: &[[isize; DIRECTIONS]; 2]) -> Self {
-        let ring = |place: usize| -> usize {
-            let [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
-            let (b, c) = [(0, 0), (1, 0), (1, 1), (0, 1)][place % 4];
-            1 << axis | b << second | c << third
-        };
-        let [first, last] = [ring(turn), ring(turn + 1)];
+        let [first, last] = [around(axis, true, turn), around(axis, true, turn + 1)];
         let changed = (first ^ last).ilog2() as usize;
         let along = if last > first { changed } else { changed + LONG / 2 };
         let below = |bits: usize| LONG + (bits & !(1 << axis));
@@ -167,8 +183,17 @@ impl Tetrahedron {
     }
 }
 
+/// The short directions to the points around the long edge up or down an axis, counter-clockwise seen from its upper end; as bits.
+fn around(axis: usize, is_up: bool, turn: usize) -> usize {
+    let [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
+    let (b, c) = [(0, 0), (1, 0), (1, 1), (0, 1)][turn % 4];
+    usize::from(is_up) << axis | b << second | c << third
+}
+
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
+
     use glam::DVec3;
 
     use super::{DIRECTIONS, Lattice, is_long, opposite};
@@ -209,5 +234,29 @@ mod tests {
         }
         assert_eq!(count, 12 * 3 * 4 * 5);
         assert!((sum - 60.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn tetrahedra_around_a_point_are_those_of_the_cells() {
+        let lattice = Lattice::new(DVec3::ZERO, 1.0, [5, 6, 7]);
+        let mut all = HashSet::new();
+        for centre in lattice.centres() {
+            lattice.tetrahedra_at(centre, |mut corners, _| {
+                corners.sort_unstable();
+                all.insert(corners);
+            });
+        }
+        for point in (0..lattice.len()).filter(|&point| !lattice.is_outermost(point)) {
+            let mut count = 0;
+            for [a, b, c] in lattice.tetrahedra_around(point) {
+                let [to_a, to_b, to_c] = [a, b, c].map(|other| lattice.position(other) - lattice.position(point));
+                assert!((to_a.cross(to_b).dot(to_c) - 0.5).abs() < 1e-12, "right-handed");
+                let mut corners = [point, a, b, c];
+                corners.sort_unstable();
+                assert!(all.contains(&corners));
+                count += 1;
+            }
+            assert_eq!(count, 24);
+        }
     }
 }

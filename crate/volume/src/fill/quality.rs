@@ -7,20 +7,35 @@ use crate::soup::TetSoup;
 /// The least and the greatest of the angles between faces, in radians; of no tetrahedra, an empty range. Those without volume have
 /// angles that are no numbers and are left out.
 pub fn dihedral_angles(soup: &TetSoup) -> [f64; 2] {
-    let (mut least, mut greatest) = (1.0_f64, -1.0_f64);
-    for tetrahedron in &soup.tetrahedra {
-        let [a, b, c, d] = tetrahedron.map(|corner| soup.positions[corner as usize]);
-        // Unit normals of the faces, all outward or all inward.
-        let normals = [(c - b).cross(d - b), (d - a).cross(c - a), (b - a).cross(d - a), (c - a).cross(b - a)]
-            .map(DVec3::normalize);
-        for j in 0..4 {
-            for i in 0..j {
-                let cosine = -normals[i].dot(normals[j]);
-                (least, greatest) = (least.min(cosine), greatest.max(cosine));
-            }
+    let corners = |tetrahedron: &[u32; 4]| tetrahedron.map(|corner| soup.positions[corner as usize]);
+    let wider = |[least, greatest]: [f64; 2], other: [f64; 2]| [least.min(other[0]), greatest.max(other[1])];
+    angles(soup.tetrahedra.iter().map(|tetrahedron| cosines(corners(tetrahedron))).fold(NO_COSINES, wider))
+}
+
+/// The same of one tetrahedron.
+pub fn dihedral_angles_of(corners: [DVec3; 4]) -> [f64; 2] {
+    angles(cosines(corners))
+}
+
+const NO_COSINES: [f64; 2] = [1.0, -1.0];
+
+fn angles([least, greatest]: [f64; 2]) -> [f64; 2] {
+    [greatest, least].map(|cosine| cosine.clamp(-1.0, 1.0).acos())
+}
+
+/// The least and the greatest cosine of the angles between faces.
+fn cosines([a, b, c, d]: [DVec3; 4]) -> [f64; 2] {
+    // Unit normals of the faces, all outward or all inward.
+    let normals =
+        [(c - b).cross(d - b), (d - a).cross(c - a), (b - a).cross(d - a), (c - a).cross(b - a)].map(DVec3::normalize);
+    let [mut least, mut greatest] = NO_COSINES;
+    for j in 0..4 {
+        for i in 0..j {
+            let cosine = -normals[i].dot(normals[j]);
+            (least, greatest) = (least.min(cosine), greatest.max(cosine));
         }
     }
-    [greatest.clamp(-1.0, 1.0).acos(), least.clamp(-1.0, 1.0).acos()]
+    [least, greatest]
 }
 
 /// The volume of a tetrahedron, positive where its corners are oriented as the axes.

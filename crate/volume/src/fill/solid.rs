@@ -118,13 +118,15 @@ impl Solid {
     pub fn new(soup: &Soup, surface: &Surface, threads: NonZeroUsize) -> Result<Self> {
         let triangles = oriented(soup, surface);
         let field = Field::new(Hierarchy::new(&triangles, threads));
-        let sample = Sample::new(&field, threads);
+        let sample = Sample::new(&field, &triangles, threads);
         let holes = surface.report().boundary_loops;
         if sample.undecided > OPEN || (sample.volume == 0.0 && holes > 0) {
             return Err(open(surface));
         }
-        let is_plain = holes == 0 && !sample.has_overlaps;
-        let (volume, crossings) = if is_plain { measures(&triangles) } else { (sample.volume, sample.crossings) };
+        let is_nearly_plain = holes == 0 && !sample.has_overlaps;
+        let (volume, crossings) =
+            if is_nearly_plain { measures(&triangles) } else { (sample.volume, sample.crossings) };
+        let is_plain = is_nearly_plain && !sample.has_thin_overlaps;
         Ok(Self { field, threads, volume, is_plain, crossings, holes })
     }
 
@@ -182,15 +184,15 @@ impl Solid {
     pub fn fill(&self, resolution: Resolution, progress: Progress) -> Result<Filled> {
         let cells = self.cells(resolution)?;
         let lattice = self.lattice(cells)?;
-        let is_inside = self.field.insides(&lattice, self.threads, 0.0..0.4, progress)?;
+        let (is_inside, near) = self.field.insides(&lattice, self.threads, 0.0..0.4, progress)?;
         let edges = cut_edges(&lattice, &is_inside);
-        let cuts = self.field.cuts(&lattice, &edges, self.threads, 0.4..0.8, progress)?;
+        let cuts = self.field.cuts(&lattice, &edges, self.threads, 0.4..0.75, progress)?;
         let mut stuffing = Stuffing::new(&lattice, &is_inside, &edges, &cuts);
-        if progress(0.8).is_break() {
-            return Err(Error::Cancelled);
-        }
         stuffing.warp();
-        let (soup, is_on_surface) = stuffing.tetrahedra();
+        let apart = stuffing.apart(near);
+        let ways = self.field.ways(&lattice, &apart, self.threads, 0.75..0.85, progress)?;
+        stuffing.pull(&apart, &ways);
+        let (soup, is_on_surface) = stuffing.tetrahedra(|place| self.field.is_inside(place));
         if soup.tetrahedra.is_empty() {
             return Err(Error::TooCoarse { cells });
         }

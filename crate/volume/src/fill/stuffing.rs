@@ -3,17 +3,25 @@
 //!
 //! Lattice points that are too near to a point where the surface cuts one of their edges move there. The tetrahedra that the surface
 //! still cuts are replaced by the stencils of figure 3. With the thresholds of table 1 all dihedral angles are between 9.31° and
-//! 161.65°, however the surface runs.
+//! 161.65°, however the surface runs. What is thinner than a cell is kept, too: points are pulled to it from outside.
 
 use glam::DVec3;
 
 use super::lattice::{DIRECTIONS, Lattice, is_long, opposite};
+use super::quality::{dihedral_angles_of, volume};
 use super::stencil::{Corner, Sign, split};
 use crate::soup::TetSoup;
 
 /// Shares of an edge within which a cut moves an end of it: α_long and α_short of table 1.
 const LONG_THRESHOLD: f64 = 0.24999;
 const SHORT_THRESHOLD: f64 = 0.41189;
+
+/// Dihedral angles that these thresholds guarantee, in degrees; of table 1, too.
+const LEAST_ANGLE: f64 = 9.31;
+const GREATEST_ANGLE: f64 = 161.65;
+
+/// Sides of a cell that a point may be pulled; more would gain little.
+const REACH: f64 = 0.75;
 
 /// No row, vertex or cut.
 const NONE: u32 = u32::MAX;
@@ -87,8 +95,47 @@ impl<'a> Stuffing<'a> {
         }
     }
 
-    /// The tetrahedra inside, and by vertex whether it is on the surface.
-    pub fn tetrahedra(mut self) -> (TetSoup, Vec<bool>) {
+    /// Those of these points that are outside, beside none inside.
+    pub fn apart(&self, mut points: Vec<usize>) -> Vec<usize> {
+        let is_apart = |&point: &usize| {
+            let mut neighbours = (0..DIRECTIONS).map(|direction| self.lattice.neighbour(point, direction));
+            self.signs[point] == Sign::Outside
+                && !self.lattice.is_outermost(point)
+                && neighbours.all(|neighbour| self.signs[neighbour] != Sign::Inside)
+        };
+        points.retain(is_apart);
+        points
+    }
+
+    /// Moves points that are [apart](Self::apart), after warping, by these ways to the surface, the shortest way first, where no
+    /// tetrahedron turns over. What is thinner than a cell is then between tetrahedra's corners.
+    pub fn pull(&mut self, points: &[usize], ways: &[DVec3]) {
+        let longest = (REACH * self.lattice.side).powi(2);
+        let mut order: Vec<usize> =
+            (0..points.len()).filter(|&index| ways[index].length_squared() <= longest).collect();
+        order.sort_by(|&a, &b| ways[a].length_squared().total_cmp(&ways[b].length_squared()));
+        for index in order {
+            let point = points[index];
+            let place = self.lattice.position(point) + ways[index];
+            if !self.turns_over(point, place) {
+                self.row(point).moved = Some(place);
+                self.signs[point] = Sign::Surface;
+            }
+        }
+    }
+
+    /// Whether a tetrahedron would if a point were there.
+    fn turns_over(&self, point: usize, place: DVec3) -> bool {
+        let is_left_handed = |others: [usize; 3]| {
+            let [a, b, c] = others.map(|other| self.place(other));
+            volume([place, a, b, c]) <= 0.0
+        };
+        self.lattice.tetrahedra_around(point).any(is_left_handed)
+    }
+
+    /// The tetrahedra inside, and by vertex whether it is on the surface. Of those with all corners on the surface, signs do not tell:
+    /// they are kept where `is_inside` says so of their middle, and where they are as good as all others.
+    pub fn tetrahedra(mut self, is_inside: impl Fn(DVec3) -> bool) -> (TetSoup, Vec<bool>) {
         let mut soup = TetSoup::default();
         let mut is_on_surface = Vec::new();
         let mut vertex_of = vec![NONE; self.lattice.len()];
@@ -96,7 +143,14 @@ impl<'a> Stuffing<'a> {
         for centre in lattice.centres() {
             lattice.tetrahedra_at(centre, |corners, directions| {
                 let signs = corners.map(|corner| self.signs[corner]);
-                split(signs, corners, directions, |tetrahedron| {
+                let is_on_sides = signs == [Sign::Surface; 4];
+                if is_on_sides {
+                    let places = corners.map(|corner| self.place(corner));
+                    if !is_good(places) || !is_inside(places.iter().sum::<DVec3>() / 4.0) {
+                        return;
+                    }
+                }
+                let mut add = |tetrahedron: [Corner; 4]| {
                     let vertices = tetrahedron.map(|corner| match corner {
                         Corner::Lattice(corner) => self.vertex(corners[corner], &mut vertex_of, &mut soup.positions),
                         Corner::Cut(inside, outside) => {
@@ -109,17 +163,27 @@ impl<'a> Stuffing<'a> {
                         is_on_surface[vertex as usize] = !is_inside;
                     }
                     soup.tetrahedra.push(vertices);
-                });
+                };
+                if is_on_sides {
+                    add([0, 1, 2, 3].map(Corner::Lattice));
+                } else {
+                    split(signs, corners, directions, add);
+                }
             });
         }
         (soup, is_on_surface)
     }
 
+    /// Where a lattice point is now.
+    fn place(&self, point: usize) -> DVec3 {
+        let row = self.rows.get(self.row_of[point] as usize);
+        row.and_then(|row| row.moved).unwrap_or_else(|| self.lattice.position(point))
+    }
+
     fn vertex(&self, point: usize, vertex_of: &mut [u32], positions: &mut Vec<DVec3>) -> u32 {
         if vertex_of[point] == NONE {
             vertex_of[point] = positions.len() as u32;
-            let row = self.rows.get(self.row_of[point] as usize);
-            positions.push(row.and_then(|row| row.moved).unwrap_or_else(|| self.lattice.position(point)));
+            positions.push(self.place(point));
         }
         vertex_of[point]
     }
@@ -132,6 +196,12 @@ impl<'a> Stuffing<'a> {
         }
         row.vertices[direction]
     }
+}
+
+/// Whether a tetrahedron has volume, and angles within the bounds.
+fn is_good(corners: [DVec3; 4]) -> bool {
+    let [least, greatest] = dihedral_angles_of(corners);
+    volume(corners) > 0.0 && least > LEAST_ANGLE.to_radians() && greatest < GREATEST_ANGLE.to_radians()
 }
 
 impl Lattice {
@@ -154,7 +224,7 @@ pub fn cut_edges(lattice: &Lattice, is_inside: &[bool]) -> Vec<(u32, u8)> {
 mod tests {
     use glam::DVec3;
 
-    use super::{Stuffing, cut_edges};
+    use super::{Sign, Stuffing, cut_edges};
     use crate::fill::lattice::Lattice;
     use crate::fill::quality::{boundary, dihedral_angles, volume};
     use crate::soup::TetSoup;
@@ -207,7 +277,17 @@ mod tests {
             let cuts: Vec<f64> = edges.iter().map(|_| cut(random(), random())).collect();
             let mut stuffing = Stuffing::new(&lattice, &inside, &edges, &cuts);
             stuffing.warp();
-            let (soup, is_on_surface) = stuffing.tetrahedra();
+            let apart = stuffing.apart((0..lattice.len()).collect());
+            let way = |_: &usize| 0.8 * (DVec3::new(random(), random(), random()) - DVec3::splat(0.5));
+            let ways: Vec<DVec3> = apart.iter().map(way).collect();
+            stuffing.pull(&apart, &ways);
+            let pulled: Vec<usize> =
+                apart.into_iter().filter(|&point| stuffing.signs[point] == Sign::Surface).collect();
+            assert!(!pulled.is_empty());
+            for &point in &pulled {
+                assert!(!stuffing.turns_over(point, stuffing.place(point)));
+            }
+            let (soup, is_on_surface) = stuffing.tetrahedra(|_| true);
             let flipped = soup
                 .tetrahedra
                 .iter()

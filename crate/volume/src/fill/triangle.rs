@@ -16,38 +16,38 @@ pub fn solid_angle(triangle: &Triangle, point: DVec3) -> f64 {
     2.0 * determinant.atan2(denominator)
 }
 
-/// Square of the distance from a point to the nearest one of a triangle (Ericson, "Real-Time Collision Detection", section 5.1.5).
+/// The way from a point to the nearest one of a triangle (Ericson, "Real-Time Collision Detection", section 5.1.5).
 #[inline]
-pub fn squared_distance(&[a, b, c]: &Triangle, point: DVec3) -> f64 {
+pub fn to_nearest(&[a, b, c]: &Triangle, point: DVec3) -> DVec3 {
     let (ab, ac, ap) = (b - a, c - a, point - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
     if d1 <= 0.0 && d2 <= 0.0 {
-        return ap.length_squared();
+        return -ap;
     }
     let bp = point - b;
     let (d3, d4) = (ab.dot(bp), ac.dot(bp));
     if d3 >= 0.0 && d4 <= d3 {
-        return bp.length_squared();
+        return -bp;
     }
     let vc = d1 * d4 - d3 * d2;
     if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        return (ap - ab * (d1 / (d1 - d3))).length_squared();
+        return ab * (d1 / (d1 - d3)) - ap;
     }
     let cp = point - c;
     let (d5, d6) = (ab.dot(cp), ac.dot(cp));
     if d6 >= 0.0 && d5 <= d6 {
-        return cp.length_squared();
+        return -cp;
     }
     let vb = d5 * d2 - d1 * d6;
     if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        return (ap - ac * (d2 / (d2 - d6))).length_squared();
+        return ac * (d2 / (d2 - d6)) - ap;
     }
     let va = d3 * d6 - d5 * d4;
     if va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
-        return (bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).length_squared();
+        return (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))) - bp;
     }
     let scale = 1.0 / (va + vb + vc);
-    (ap - ab * (vb * scale) - ac * (vc * scale)).length_squared()
+    ab * (vb * scale) + ac * (vc * scale) - ap
 }
 
 /// Twice the area, along the normal.

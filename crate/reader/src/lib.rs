@@ -1,0 +1,57 @@
+//! Reads files of surfaces in the page's worker. What was read goes to the solver's module as bytes, which is built without readers:
+//! they would be a third of its bytes, and the first picture needs none.
+
+#![cfg(target_arch = "wasm32")]
+
+use glam::DVec3;
+use heatwalk::{Up, io};
+use heatwalk_bindings::{Result, resources};
+use js_sys::Function;
+use wasm_bindgen::prelude::*;
+
+/// The types of arguments that have no type in Rust.
+#[wasm_bindgen(typescript_custom_section)]
+const ARGUMENTS: &str = "
+import type { Up } from '../contract';
+
+/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
+";
+
+/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
+}
+
+/// What a file holds.
+#[wasm_bindgen]
+pub struct ReadMesh {
+    packed: Vec<u8>,
+    up: Option<Up>,
+}
+
+#[wasm_bindgen]
+impl ReadMesh {
+    /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
+    pub fn read(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    ) -> Result<Self> {
+        let soup = io::read(name, bytes, &resources(resource))?;
+        let up = io::upward(name, bytes).map(|up| if up == DVec3::Z { Up::Z } else { Up::Y });
+        Ok(Self { packed: soup.packed(), up })
+    }
+
+    /// What points up by the rules of its format; undefined where that says nothing.
+    #[wasm_bindgen(getter, unchecked_return_type = "Up | undefined")]
+    pub fn up(&self) -> Option<String> {
+        self.up.map(|up| up.to_string())
+    }
+
+    /// All of it, for the solver's module; to be taken once.
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.packed)
+    }
+}
