@@ -9,8 +9,8 @@ const SURFACE: Bytes = Bytes { input: 8, vertex: 45, triangle: 60 };
 const GEOMETRY: Bytes = Bytes { input: 0, vertex: 1, triangle: 96 };
 /// The exact search around the sources, the front beyond it, and the field with its directions.
 const SEARCH: Bytes = Bytes { input: 0, vertex: 105, triangle: 42 };
-/// The windows that propagation keeps, for each of a half-edge.
-const WINDOW: Bytes = Bytes { input: 0, vertex: 0, triangle: 96 };
+/// What propagation knows of each stretch of a half-edge. The windows that wait are few beside.
+const WINDOW: Bytes = Bytes { input: 0, vertex: 0, triangle: 24 };
 
 #[derive(Clone, Copy)]
 struct Bytes {
@@ -66,7 +66,7 @@ mod tests {
         let refused = require_room(vertices, triangles, 8, eight - 1).expect_err("one byte less");
         assert_eq!(refused.code(), "too-many-windows");
         assert!(
-            refused.to_string().starts_with("8 windows of each half-edge of 2000000 triangles take 1."),
+            refused.to_string().starts_with("8 windows of each half-edge of 2000000 triangles take 895"),
             "{refused}"
         );
         assert!(require_room(vertices, triangles, 1, one).is_ok());

@@ -31,7 +31,7 @@ choice!(Method, "method": Auto = "auto", Propagation = "propagation", Heat = "he
 pub const WINDOWS: [u16; 4] = [1, 2, 4, 8];
 
 /// Bytes that a triangle of a closed mesh takes, with what there is at its vertices and with one window of each half-edge.
-pub const TRIANGLE_BYTES: u16 = 400;
+pub const TRIANGLE_BYTES: u16 = 310;
 
 /// Windows of each half-edge that propagation keeps unless told otherwise.
 pub const DEFAULT_WINDOWS: u16 = 1;

@@ -1,5 +1,7 @@
 //! The way of a window across a face.
 
+use std::hint::select_unpredictable;
+
 use super::geometry::Side;
 use super::window::{Beam, GRAZE};
 use crate::extremum::{larger, smaller};
@@ -37,39 +39,86 @@ impl Crossing {
     /// What leaves by the edge at the half-edge's begin, as the half-edge across that edge sees it. `sides` are those that
     /// it [sees](super::geometry::Frame::seen_from).
     #[inline]
-    pub fn to_left(&self, [base, _, left]: [&Side; 3]) -> Option<Beam> {
+    pub fn to_left(&self, sides: [&Side; 3]) -> Option<Beam> {
         let Self { beam, begins, ends, .. } = self;
-        if *begins >= 0.0 {
-            return None;
-        }
-        let (cos, sin) = (base.cos, base.sin);
-        let hit = |at: f64| hit(at, at - beam.x, beam.depth, [cos, -sin], left.length);
-        let (x, depth) = (beam.x * cos - beam.depth * sin, beam.x * sin + beam.depth * cos);
-        let end = if *ends >= 0.0 { left.length } else { hit(beam.end) };
-        Some(Beam { begin: hit(beam.begin), end, x, depth, ..*beam })
+        let hit = |at: f64| self.hit(at, left_of(sides, at));
+        (*begins < 0.0).then(|| {
+            let end = if *ends >= 0.0 { sides[2].length } else { hit(beam.end) };
+            self.left(sides, hit(beam.begin), end)
+        })
     }
 
     /// What leaves by the edge at the half-edge's end, as the half-edge across that edge sees it. `sides` are those that
     /// it [sees](super::geometry::Frame::seen_from).
     #[inline]
-    pub fn to_right(&self, [base, right, _]: [&Side; 3]) -> Option<Beam> {
+    pub fn to_right(&self, sides: [&Side; 3]) -> Option<Beam> {
         let Self { beam, begins, ends, .. } = self;
-        if *ends <= 0.0 {
-            return None;
-        }
-        let (along, cos, sin) = (right.length, right.cos, right.sin);
-        let hit = |at: f64| along - hit(base.length - at, at - beam.x, beam.depth, [cos, sin], along);
-        let from_end = base.length - beam.x;
-        let (x, depth) = (along - (from_end * cos - beam.depth * sin), from_end * sin + beam.depth * cos);
-        let begin = if *begins <= 0.0 { 0.0 } else { hit(beam.begin) };
-        Some(Beam { begin, end: hit(beam.end), x, depth, ..*beam })
+        let hit = |at: f64| sides[1].length - self.hit(at, right_of(sides, at));
+        (*ends > 0.0).then(|| {
+            let begin = if *begins <= 0.0 { 0.0 } else { hit(beam.begin) };
+            self.right(sides, begin, hit(beam.end))
+        })
+    }
+
+    /// Both of these, each with whether there is any, without a branch: for windows that come in no order, each of which
+    /// takes its way by chance.
+    #[inline(always)]
+    pub fn exits(&self, sides: [&Side; 3]) -> [(bool, Beam); 2] {
+        let Self { beam, begins, ends, .. } = self;
+        let hit = |at: f64, is_left: bool| {
+            let place = self.hit(at, select_unpredictable(is_left, left_of(sides, at), right_of(sides, at)));
+            select_unpredictable(is_left, place, sides[1].length - place)
+        };
+        let (begin, end) = (hit(beam.begin, *begins < 0.0), hit(beam.end, *ends < 0.0));
+        let to_left = self.left(sides, begin, select_unpredictable(*ends < 0.0, end, sides[2].length));
+        let to_right = self.right(sides, select_unpredictable(*begins > 0.0, begin, 0.0), end);
+        [(*begins < 0.0, to_left), (*ends > 0.0, to_right)]
+    }
+
+    /// The window on the edge at the half-edge's begin, between these places there.
+    #[inline(always)]
+    fn left(&self, [base, ..]: [&Side; 3], begin: f64, end: f64) -> Beam {
+        let Beam { x, depth, .. } = self.beam;
+        let (cos, sin) = (base.cos, base.sin);
+        Beam { begin, end, x: x * cos - depth * sin, depth: x * sin + depth * cos, ..self.beam }
+    }
+
+    /// The window on the edge at the half-edge's end, between these places there.
+    #[inline(always)]
+    fn right(&self, [base, right, _]: [&Side; 3], begin: f64, end: f64) -> Beam {
+        let (from_end, depth) = (base.length - self.beam.x, self.beam.depth);
+        let (cos, sin) = (right.cos, right.sin);
+        let x = right.length - (from_end * cos - depth * sin);
+        Beam { begin, end, x, depth: from_end * sin + depth * cos, ..self.beam }
+    }
+
+    /// How far from its corner the ray through the place `at` of the half-edge meets an edge.
+    #[inline(always)]
+    fn hit(&self, at: f64, edge: Edge) -> f64 {
+        let (forward, up) = (at - self.beam.x, self.beam.depth);
+        let towards = edge.cos * up + edge.sin * forward;
+        let place = smaller(edge.from_corner * up / towards, edge.length);
+        select_unpredictable(towards > 0.0, place, edge.length)
     }
 }
 
-/// How far from the common end of two edges a ray meets the second, of length `along`. It leaves the first at `at`
-/// from that end, with `forward` along the first edge's half-edge and `up` into the face; `sin` is negative where the end
-/// is the half-edge's first.
-fn hit(at: f64, forward: f64, up: f64, [cos, sin]: [f64; 2], along: f64) -> f64 {
-    let towards = cos * up + sin * forward;
-    if towards > 0.0 { smaller(at * up / towards, along) } else { along }
+/// An edge as a ray meets it that leaves the half-edge at some place.
+#[derive(Clone, Copy)]
+struct Edge {
+    /// How far from the common corner the ray leaves the half-edge.
+    from_corner: f64,
+    /// Cosine and sine of the angle at that corner; the sine negative where it is the half-edge's first.
+    cos: f64,
+    sin: f64,
+    length: f64,
+}
+
+#[inline(always)]
+fn left_of([base, _, left]: [&Side; 3], at: f64) -> Edge {
+    Edge { from_corner: at, cos: base.cos, sin: -base.sin, length: left.length }
+}
+
+#[inline(always)]
+fn right_of([base, right, _]: [&Side; 3], at: f64) -> Edge {
+    Edge { from_corner: base.length - at, cos: right.cos, sin: right.sin, length: right.length }
 }

@@ -10,13 +10,13 @@ use super::medium::{Medium, Uniform, head_wave, refracted};
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{Source, Surface, VertexData, VertexId};
+use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;
 
 /// Items of the queue that are processed together.
-const BATCH: usize = 16;
+const BATCH: usize = 32;
 
 /// Number of the source of a vertex that has not been reached.
 pub(super) const NOWHERE: u32 = u32::MAX;
@@ -82,6 +82,8 @@ struct Front<C, M> {
     crossed: usize,
     /// Items that are processed now; kept for its memory.
     batch: Vec<u32>,
+    /// Windows that cross now, each with its half-edge; kept for its memory.
+    entering: Vec<(u32, Beam)>,
 }
 
 impl<C: Count, M: Medium> Front<C, M> {
@@ -97,29 +99,41 @@ impl<C: Count, M: Medium> Front<C, M> {
             waits: Vec::new(),
             crossed: 0,
             batch: Vec::new(),
+            entering: Vec::new(),
             surface,
             geometry,
             medium,
         })
     }
 
-    /// Reads what a batch will need, so that the processor waits for all of it at once instead of for one after another.
+    /// Reads what a batch will need, so that the processor waits for all of it at once instead of for one after another:
+    /// first the faces, then what these name.
     fn fetch(&self, batch: &[u32]) {
-        let mut sum = 0.0_f32;
-        let mut targets = [0; 2 * BATCH];
-        let mut count = 0;
+        let mut sum = 0.0_f64;
+        for &halfedge in batch {
+            let (frame, _) = self.geometry.frame_of(halfedge);
+            sum += frame[0].length + frame[2].length;
+        }
+        let mut labels = 0.0_f32;
         for &halfedge in batch {
             let (frame, k) = self.geometry.frame_of(halfedge);
-            sum += self.labels.value_of(halfedge);
+            sum += self.values[VertexId(frame[before(k)].vertex)];
+            labels += self.labels.value_of(halfedge);
             for out in [after(k), before(k)] {
-                targets[count] = frame[out].next_on_edge >> 2;
-                count += 1;
+                labels += self.labels.value_of(frame[out].next_on_edge >> 2);
             }
         }
-        for &target in &targets[..count] {
-            sum += self.labels.value_of(target);
-        }
-        std::hint::black_box(sum);
+        std::hint::black_box((sum, labels));
+    }
+
+    /// The same for vertices that send windows.
+    fn fetch_around(&self, geometry: &ExactGeometry, surface: &Surface, batch: &[u32]) {
+        let vertices = || batch.iter().filter(|&&item| (item as usize) < self.waits.len()).map(|&item| VertexId(item));
+        let faces = vertices().filter_map(|vertex| surface.corners_of_vertex(vertex).next());
+        std::hint::black_box(faces.fold(0, |sum, (face, _)| sum ^ face.0));
+        let faces = vertices().flat_map(|vertex| surface.corners_of_vertex(vertex));
+        let lengths = |face: FaceId| [0, 2].map(|k| geometry.frame(face.0)[k].length).iter().sum::<f64>();
+        std::hint::black_box(faces.map(|(face, _)| lengths(face)).sum::<f64>());
     }
 
     fn distances(&self, vertices: [u32; 2]) -> [f64; 2] {
@@ -140,39 +154,88 @@ impl<C: Count, M: Medium> Front<C, M> {
         }
     }
 
-    /// Lets the windows that wait at a half-edge enter its face: values for the opposite corner, windows for the half-edges
-    /// across its two other edges.
-    fn cross(&mut self, geometry: &ExactGeometry, halfedge: u32) {
-        let (frame, k) = geometry.frame_of(halfedge);
-        let sides = frame.seen_from(k);
-        let [a, b, c] = sides.map(|side| side.vertex);
-        let opposite = frame.opposite(k);
-        let cost = self.medium.cost(halfedge / 3);
-        let [at_a, at_b] = self.distances([a, b]).map(|value| value / cost);
-        let bar = Bar { length: sides[0].length, ends: [at_a, at_b], opposite: None };
-        let mut crossed: Option<Beam> = None;
-        for stretch in 0..self.labels.stretches() {
-            let Some(beam) = self.labels.take(halfedge, stretch, &bar) else { continue };
-            // One that is kept for several stretches crosses once.
-            if crossed.replace(beam) == Some(beam) {
-                continue;
+    /// Takes the windows that wait at some half-edges, and are still of use, each with its half-edge.
+    fn enter(&mut self, geometry: &ExactGeometry, batch: &[u32], entering: &mut Vec<(u32, Beam)>) {
+        entering.clear();
+        for &halfedge in batch {
+            let (frame, k) = geometry.frame_of(halfedge);
+            let cost = self.medium.cost(halfedge / 3);
+            let ends = self.distances([k, after(k)].map(|corner| frame[corner].vertex)).map(|value| value / cost);
+            let bar = Bar { length: frame[k].length, ends };
+            let first = entering.len();
+            for stretch in 0..self.labels.stretches() {
+                let Some(beam) = self.labels.take(halfedge, stretch, &bar) else { continue };
+                // One that is kept for several stretches crosses once.
+                if entering[first..].last() != Some(&(halfedge, beam)) {
+                    entering.push((halfedge, beam));
+                }
             }
-            self.crossed += 1;
+        }
+        self.crossed += entering.len();
+    }
+
+    /// Lets windows cross the faces of their half-edges, at most [`BATCH`] of them: values for the opposite corners, windows
+    /// for the half-edges across the two other edges.
+    ///
+    /// In steps, each for all of them and without a branch where chance decides, so that the processor works on several
+    /// windows at once.
+    fn cross(&mut self, geometry: &ExactGeometry, entering: &[(u32, Beam)]) {
+        let mut exits = [Exit::CLOSED; 2 * BATCH];
+        let mut at_corners = [0.0; BATCH];
+        for ((&(halfedge, beam), exits), at_corner) in entering.iter().zip(exits.as_chunks_mut().0).zip(&mut at_corners)
+        {
+            let (frame, k) = geometry.frame_of(halfedge);
+            let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
+            let [a, b, c] = sides.map(|side| side.vertex);
             let crossing = Crossing::new(beam, opposite);
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
-            self.offer(c, cost * (beam.at(at) + length(opposite[0] - at, opposite[1])), beam.root);
+            *at_corner = beam.at(at) + length(opposite[0] - at, opposite[1]);
+            let first = halfedge - k as u32;
+            let exit = |(is_open, beam): (bool, Beam), k: usize, side: &Side, ends: [u32; 2]| Exit {
+                from: first + k as u32,
+                to: side.twin().unwrap_or(NO_TWIN),
+                ends,
+                length: side.length,
+                is_open,
+                beam,
+            };
+            let [to_left, to_right] = crossing.exits(sides);
+            *exits = [exit(to_left, before(k), sides[2], [a, c]), exit(to_right, after(k), sides[1], [c, b])];
+        }
+        for (&(halfedge, beam), &at_corner) in entering.iter().zip(&at_corners) {
+            let (frame, k) = geometry.frame_of(halfedge);
+            self.offer(frame[before(k)].vertex, self.medium.cost(halfedge / 3) * at_corner, beam.root);
             if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
-            let at_c = self.values[VertexId(c)] / cost;
-            let first = halfedge - k as u32;
-            if let Some(beam) = crossing.to_left(sides) {
-                self.leave(geometry, first + before(k) as u32, sides[2], &beam, [at_a, at_c]);
-            }
-            if let Some(beam) = crossing.to_right(sides) {
-                self.leave(geometry, first + after(k) as u32, sides[1], &beam, [at_c, at_b]);
+        }
+        let mut leaving = [0_u8; 2 * BATCH];
+        let mut count = 0;
+        for (number, exit) in (0..).zip(&exits[..2 * entering.len()]) {
+            leaving[count] = number;
+            count += usize::from(exit.is_open & self.is_sooner(exit));
+        }
+        for &number in &leaving[..count] {
+            let exit = &exits[usize::from(number)];
+            let bar = self.bar_of(exit);
+            if exit.to == NO_TWIN {
+                self.leave_fan(geometry, exit.from, &exit.beam, &bar);
+            } else {
+                self.keep_behind((exit.from, exit.to), &exit.beam, &bar);
             }
         }
+    }
+
+    fn bar_of(&self, exit: &Exit) -> Bar {
+        let cost = self.medium.cost(exit.from / 3);
+        let ends = self.distances(exit.ends).map(|value| value / cost);
+        Bar { length: exit.length, ends }
+    }
+
+    /// Whether what leaves a face may be kept, as far as is easily told.
+    #[inline(always)]
+    fn is_sooner(&self, exit: &Exit) -> bool {
+        !M::IS_UNIFORM || exit.to == NO_TWIN || self.labels.is_sooner(exit.to, &exit.beam, &self.bar_of(exit))
     }
 
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
@@ -289,7 +352,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             let wave = head_wave(length, distance, share, source);
             let wave = if is_against { wave.mirrored(length) } else { wave };
             let ends = self.distances([side, after(side)].map(|k| frame[k].vertex)).map(|value| value / cost);
-            self.keep(halfedge, &wave, &Bar { length, ends, opposite: None });
+            self.keep(halfedge, &wave, &Bar { length, ends });
         }
     }
 
@@ -299,9 +362,9 @@ impl<C: Count, M: Medium> Front<C, M> {
     fn leave(&mut self, geometry: &ExactGeometry, halfedge: u32, side: &Side, beam: &Beam, ends: [f64; 2]) {
         let length = side.length;
         if let Some(twin) = side.twin() {
-            self.keep_behind((halfedge, twin), beam, &Bar { length, ends, opposite: Some((halfedge, 1.0)) });
+            self.keep_behind((halfedge, twin), beam, &Bar { length, ends });
         } else {
-            self.leave_fan(geometry, halfedge, beam, &Bar { length, ends, opposite: None });
+            self.leave_fan(geometry, halfedge, beam, &Bar { length, ends });
         }
     }
 
@@ -328,8 +391,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             self.keep(to, beam, bar);
         } else {
             let ratio = before / behind;
-            let opposite = bar.opposite.map(|(opposite, _)| (opposite, ratio));
-            let bar = Bar { ends: bar.ends.map(|value| value * ratio), opposite, ..*bar };
+            let bar = Bar { ends: bar.ends.map(|value| value * ratio), ..*bar };
             if let Some(beam) = refracted(beam, ratio) {
                 self.keep(to, &beam, &bar);
             }
@@ -344,12 +406,12 @@ impl<C: Count, M: Medium> Front<C, M> {
     }
 
     /// Forgets all that was found from earlier sources, to begin from so many at the least distance.
-    fn clear(&mut self, sources: usize, least: f64) {
+    fn clear(&mut self, least: f64) {
         let vertices = self.surface.vertex_count();
         self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY).into();
         self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE).into();
         self.waits = refilled(std::mem::take(&mut self.waits), vertices, false);
-        self.labels.clear(sources);
+        self.labels.clear();
         self.crossing.clear(least, |_| ());
         self.sending.clear(least, |_| ());
         self.crossed = 0;
@@ -359,7 +421,7 @@ impl<C: Count, M: Medium> Front<C, M> {
 impl<C: Count, M: Medium> Grow for Front<C, M> {
     fn start(&mut self, exact: &Wavefront) {
         let vertices = self.surface.vertex_count();
-        self.clear(exact.sources().len(), exact.base());
+        self.clear(exact.base());
         let found = (0..).zip(exact.end_values());
         self.ends = found
             .map(|(end, &value)| End {
@@ -386,13 +448,13 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             let (frame, k) = geometry.frame_of(halfedge);
             let corners = [k, after(k)].map(|corner| frame[corner].vertex);
             corners.into_iter().for_each(|vertex| self.send_from(vertex));
-            self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners), opposite: None });
+            self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners) });
         }
     }
 
     fn start_at(&mut self, sources: &[Source]) {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller);
-        self.clear(sources.len(), least);
+        self.clear(least);
         let geometry = Arc::clone(&self.geometry);
         self.ends.clear();
         let unreached = End { value: f64::INFINITY, source: NOWHERE, is_entered: false };
@@ -409,15 +471,18 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
         let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
         let vertices = self.waits.len() as u32;
         let mut batch = std::mem::take(&mut self.batch);
+        let mut entering = std::mem::take(&mut self.entering);
         while self.crossed < enough && self.radius() < radius {
             // Vertices wait for the windows of their bucket, which may bring them shorter paths.
             self.crossing.pop_some(smaller(radius, self.sending.ceiling()), BATCH, &mut batch);
             self.fetch(&batch);
-            for &halfedge in &batch {
-                self.cross(&geometry, halfedge);
+            self.enter(&geometry, &batch, &mut entering);
+            for windows in entering.chunks(BATCH) {
+                self.cross(&geometry, windows);
             }
             if batch.is_empty() {
                 self.sending.pop_some(smaller(radius, self.crossing.ceiling()), BATCH, &mut batch);
+                self.fetch_around(&geometry, &surface, &batch);
                 for &item in &batch {
                     match item.checked_sub(vertices) {
                         None => self.emit(&geometry, &surface, item),
@@ -426,7 +491,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
                 }
             }
         }
-        self.batch = batch;
+        (self.batch, self.entering) = (batch, entering);
     }
 
     fn radius(&self) -> f64 {
@@ -448,6 +513,34 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
     fn crossed(&self) -> usize {
         self.crossed
     }
+}
+
+/// In place of a half-edge, where an edge is not between two faces of one orientation.
+const NO_TWIN: u32 = u32::MAX;
+
+/// What a window becomes that leaves a face by a half-edge.
+#[derive(Debug, Clone, Copy)]
+struct Exit {
+    from: u32,
+    /// The half-edge that runs against it, or [`NO_TWIN`].
+    to: u32,
+    /// The edge's ends, as a half-edge against `from` sees them.
+    ends: [u32; 2],
+    length: f64,
+    /// Whether any of it does.
+    is_open: bool,
+    beam: Beam,
+}
+
+impl Exit {
+    const CLOSED: Self = Self {
+        from: 0,
+        to: NO_TWIN,
+        ends: [0; 2],
+        length: 0.0,
+        is_open: false,
+        beam: Beam { begin: 0.0, end: 0.0, x: 0.0, depth: 0.0, offset: 0.0, root: 0 },
+    };
 }
 
 /// What is known of an end of a portal.

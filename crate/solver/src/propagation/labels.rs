@@ -11,43 +11,19 @@ use heatwalk_surface::parallel;
 #[cfg(test)]
 mod tests;
 
-/// A window of a half-edge, kept for one of its stretches: half a cache line.
+/// What is known of one stretch of a half-edge.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
 struct Label {
-    /// Distance of the source itself.
-    offset: f64,
-    /// Position of the source along the half-edge and behind it.
-    x: f64,
-    depth: f64,
-    /// Distance of the stretch's middle by the window, in mean edges that cost as the half-edge's face does, bent at its end
-    /// where it does not reach so far. Negative while the window has still to cross the face. Infinite where there is no window.
+    /// Least distance of the stretch's middle by a window that has come here, in mean edges that cost as the half-edge's face
+    /// does, bent at its end where it does not reach so far. Infinite where none has.
     value: f32,
-    /// Where the interval begins and ends, in [`SHARES`] of the half-edge, rounded inward.
-    begin: u16,
-    end: u16,
+    /// Where that window is among those that wait; [`NOT_WAITING`] where it has crossed the face.
+    place: u32,
 }
 
-const SHARES: f64 = u16::MAX as f64;
+const NOT_WAITING: u32 = u32::MAX;
 
-const NONE: Label = Label { offset: 0.0, x: 0.0, depth: 0.0, value: f32::INFINITY, begin: 0, end: 0 };
-
-impl Label {
-    /// `None` for a window that is narrower than a share.
-    fn new(window: &Window, length: f64, value: f32) -> Option<Self> {
-        let per_share = SHARES / length;
-        let [begin, end] = [window.begin, window.end].map(|at| at * per_share);
-        let whole = begin as u16;
-        let (begin, end) = (whole.saturating_add(u16::from(f64::from(whole) < begin)), end as u16);
-        (begin < end).then_some(Self { offset: window.offset, x: window.x, depth: window.depth, value, begin, end })
-    }
-
-    fn beam(&self, length: f64, source: u32) -> Beam {
-        let share = length / SHARES;
-        let [begin, end] = [self.begin, self.end].map(|shares| f64::from(shares) * share);
-        Beam { begin, end, x: self.x, depth: self.depth, offset: self.offset, root: source }
-    }
-}
+const UNREACHED: Label = Label { value: f32::INFINITY, place: NOT_WAITING };
 
 /// What a window must beat on a half-edge.
 #[derive(Debug, Clone, Copy)]
@@ -55,9 +31,6 @@ pub(super) struct Bar {
     pub length: f64,
     /// Distances of the half-edge's ends.
     pub ends: [f64; 2],
-    /// The half-edge that runs against it, where there is just one, and the cost of that one's face over the cost of this
-    /// one's.
-    pub opposite: Option<(u32, f64)>,
 }
 
 impl Bar {
@@ -105,8 +78,10 @@ pub(super) struct Labels<C> {
     halfedges: usize,
     /// `3 #F × stretches`; empty before the first round.
     labels: Vec<Label>,
-    /// Number of the source that each window comes from. Empty where there is just one source.
-    sources: Vec<u32>,
+    /// The windows that wait, in no order. They are few, so that this memory is always at hand.
+    waiting: Vec<Beam>,
+    /// Places in it that are free.
+    free: Vec<u32>,
 }
 
 impl<C: Count> Labels<C> {
@@ -124,34 +99,48 @@ impl<C: Count> Labels<C> {
             per_edge: 1.0 / mean_edge,
             halfedges,
             labels,
-            sources: Vec::new(),
+            waiting: Vec::new(),
+            free: Vec::new(),
         })
     }
 
-    /// Forgets all windows, to keep those of so many sources.
-    pub fn clear(&mut self, sources: usize) {
+    /// Forgets all windows.
+    pub fn clear(&mut self) {
         self.labels.clear();
-        self.labels.resize(self.halfedges * self.stretches(), NONE);
-        self.sources.clear();
-        if sources > 1 {
-            self.sources.resize(self.labels.len(), 0);
-        }
+        self.labels.resize(self.halfedges * self.stretches(), UNREACHED);
+        self.waiting.clear();
+        self.free.clear();
     }
 
     /// Distance of the middle of a half-edge's first stretch, in mean edges; infinite for no window.
     pub fn value_of(&self, halfedge: u32) -> f32 {
-        self.value(halfedge as usize * self.stretches())
-    }
-
-    #[inline(always)]
-    fn value(&self, index: usize) -> f32 {
-        self.labels[index].value.abs()
+        self.labels[halfedge as usize * self.stretches()].value
     }
 
     /// The middle of a stretch.
     #[inline(always)]
     fn middle(&self, stretch: usize, length: f64) -> f64 {
         (stretch as f64 + 0.5) * length * self.per_stretch
+    }
+
+    /// Whether a window reaches some stretch sooner than all else.
+    #[inline(always)]
+    pub fn is_sooner(&self, halfedge: u32, beam: &Beam, bar: &Bar) -> bool {
+        let mut is_sooner = false;
+        for stretch in 0..self.stretches() {
+            let value = beam.bent_at(self.middle(stretch, bar.length));
+            is_sooner |= self.is_sooner_at(halfedge, stretch, value, bar);
+        }
+        is_sooner
+    }
+
+    /// Whether the distance `value` of the middle of a stretch is less than any other that is known.
+    #[inline(always)]
+    fn is_sooner_at(&self, halfedge: u32, stretch: usize, value: f64, bar: &Bar) -> bool {
+        let edges = (value * self.per_edge) as f32;
+        let known = self.labels[halfedge as usize * self.stretches() + stretch].value;
+        // One branch, if any: which of these fails is as good as random.
+        (value < bar.by_ends(self.middle(stretch, bar.length))) & (edges < known - MARGIN)
     }
 
     /// Keeps a window for the stretches that it reaches sooner than all else. Returns its least distance, if there are any.
@@ -163,13 +152,7 @@ impl<C: Count> Labels<C> {
             let middle = self.middle(stretch, bar.length);
             let value = beam.bent_at(middle);
             let edges = (value * self.per_edge) as f32;
-            let against = bar.opposite.map_or(f32::INFINITY, |(opposite, ratio)| {
-                self.value((opposite as usize + 1) * self.stretches() - 1 - stretch) * ratio as f32
-            });
-            // One branch: which of these fails is as good as random.
-            let is_sooner =
-                (value < bar.by_ends(middle)) & (edges < self.value(first + stretch) - MARGIN) & (edges < against);
-            if !is_sooner {
+            if !self.is_sooner_at(halfedge, stretch, value, bar) {
                 continue;
             }
             let window = match kept {
@@ -182,9 +165,17 @@ impl<C: Count> Labels<C> {
                     kept.insert(window)
                 }
             };
-            self.labels[first + stretch] = Label::new(window, bar.length, -edges)?;
-            if let Some(source) = self.sources.get_mut(first + stretch) {
-                *source = beam.root;
+            let beam = window.beam();
+            let label = &mut self.labels[first + stretch];
+            label.value = edges;
+            if let Some(replaced) = self.waiting.get_mut(label.place as usize) {
+                *replaced = beam;
+            } else if let Some(place) = self.free.pop() {
+                label.place = place;
+                self.waiting[place as usize] = beam;
+            } else {
+                label.place = self.waiting.len() as u32;
+                self.waiting.push(beam);
             }
         }
         kept.map(|window| window.nearest())
@@ -196,12 +187,12 @@ impl<C: Count> Labels<C> {
     pub fn take(&mut self, halfedge: u32, stretch: usize, bar: &Bar) -> Option<Beam> {
         let limit = (bar.by_ends(self.middle(stretch, bar.length)) * self.per_edge) as f32;
         let index = halfedge as usize * self.stretches() + stretch;
-        let label = &mut self.labels[index];
-        let waits = label.value.is_sign_negative();
-        label.value = label.value.abs();
+        let Label { value, place } = self.labels[index];
+        let beam = *self.waiting.get(place as usize)?;
+        self.labels[index].place = NOT_WAITING;
+        self.free.push(place);
         // The ends may have become nearer since.
-        let is_of_use = waits & (label.value < limit);
-        is_of_use.then(|| label.beam(bar.length, self.sources.get(index).copied().unwrap_or(0)))
+        (value < limit).then_some(beam)
     }
 
     /// Stretches of a half-edge.
