@@ -46,6 +46,7 @@ mod xml;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
+use crate::io::reader::without_mark;
 use crate::soup::Soup;
 
 pub use reader::Resources;
@@ -114,11 +115,6 @@ pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
 
 /// What a repository holds in the place of a large file.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
-
-/// Without the mark that some programs put before text in UTF-8.
-fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
-}
 
 fn stem_and_extension(name: &str) -> (&str, &str) {
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);

@@ -38,3 +38,8 @@ pub fn numbers<const N: usize>(arguments: &str) -> [f32; N] {
     let mut words = arguments.split_whitespace().map(|word| word.parse().unwrap_or(0.0));
     std::array::from_fn(|_| words.next().filter(|number: &f32| number.is_finite()).unwrap_or(0.0))
 }
+
+/// Without the mark that some programs put before text in UTF-8.
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
