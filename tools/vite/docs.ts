@@ -112,18 +112,11 @@ function pageOf({ title, html }: Omit<Page, 'name'>, pages: Page[], here: string
     const current = name === here ? ' aria-current="page"' : '';
     return `<li><a href="./${name}.html"${current}>${escaped(other)}</a></li>`;
   });
-  return `<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<meta name="color-scheme" content="light dark">
-<title>${escaped(title)} – Heatwalk</title>
-<link rel="stylesheet" href="${addresses.style}">
-<script type="module" src="${addresses.search}"></script>
-</head>
-<body>
-<nav aria-label="Documents">
+  return shell(
+    `${escaped(title)} – Heatwalk`,
+    `<link rel="stylesheet" href="${addresses.style}">
+<script type="module" src="${addresses.search}"></script>`,
+    `<nav aria-label="Documents">
 <a class="home" href="../">Heatwalk</a>
 <input type="search" placeholder="Search" aria-label="Search in all documents" autocomplete="off">
 <ul class="found" hidden></ul>
@@ -132,7 +125,22 @@ ${links.join('\n')}
 </ul>
 </nav>
 <main>
-${html}</main>
+${html}</main>`,
+  );
+}
+
+function shell(title: string, head: string, body: string): string {
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<title>${title}</title>
+${head}
+</head>
+<body>
+${body}
 </body>
 </html>
 `;
@@ -170,28 +178,19 @@ export function onePage(folder: string): string {
     return `<article id="${name}">\n${own}</article>`;
   });
   const links = pages.map(({ name, title }) => `<li><a href="#${name}">${escaped(title)}</a></li>`);
-  return `<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<meta name="color-scheme" content="light dark">
-<title>Documents – Heatwalk</title>
-<style>
-${readFileSync(join(folder, '..', STYLE), 'utf8')}</style>
-</head>
-<body>
-<nav aria-label="Documents">
+  return shell(
+    'Documents – Heatwalk',
+    `<style>
+${readFileSync(join(folder, '..', STYLE), 'utf8')}</style>`,
+    `<nav aria-label="Documents">
 <ul>
 ${links.join('\n')}
 </ul>
 </nav>
 <main>
 ${articles.join('\n')}
-</main>
-</body>
-</html>
-`;
+</main>`,
+  );
 }
 
 const VIRTUAL = 'virtual:documents';

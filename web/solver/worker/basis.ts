@@ -1,11 +1,16 @@
 /** Basis Universal images in KTX 2.0 files, decoded by a module that is loaded with the first of them. */
 import basisAddress from '../../wasm/basis/heatwalk_basis_bg.wasm?url';
+import { onDemand } from './demand';
 import { bitmapOf } from './texels';
 
 /** How a file of KTX 2.0 begins. */
 const IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30];
 
-let decoder: Promise<typeof import('../../wasm/basis/heatwalk_basis.js')> | undefined;
+const decoder = onDemand(async () => {
+  const module = await import('../../wasm/basis/heatwalk_basis.js');
+  await module.default({ module_or_path: basisAddress });
+  return module;
+});
 
 export function isBasis(bytes: Uint8Array): boolean {
   return IDENTIFIER.every((byte, index) => bytes[index] === byte);
@@ -13,12 +18,7 @@ export function isBasis(bytes: Uint8Array): boolean {
 
 /** The image with at most `largest` texels either way that the file has, else its smallest. */
 export async function decodeBasis(bytes: Uint8Array, largest: number): Promise<ImageBitmap> {
-  decoder ??= load();
-  const { BasisImage, __wbg_reset_state: renew } = await decoder.catch((error: unknown) => {
-    // The next image tries again.
-    decoder = undefined;
-    throw error;
-  });
+  const { BasisImage, __wbg_reset_state: renew } = await decoder();
   try {
     const image = BasisImage.decode(bytes, largest);
     const { width, height } = image;
@@ -28,10 +28,4 @@ export async function decodeBasis(bytes: Uint8Array, largest: number): Promise<I
     // Each image has an instance of its own: memory of the last one goes back, and a trap ends nothing else.
     renew();
   }
-}
-
-async function load() {
-  const module = await import('../../wasm/basis/heatwalk_basis.js');
-  await module.default({ module_or_path: basisAddress });
-  return module;
 }

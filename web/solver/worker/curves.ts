@@ -5,9 +5,8 @@ import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
 import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
+import { onDemand } from './demand';
 import { filesOf, unpackedOf, withFiles } from './files';
-
-type Module = typeof import('../../wasm/curves/heatwalk_curves.js');
 
 /** How the mesh is drawn, and the file and its parts that it is; null where it was simplified or filled. */
 export interface ShownAs {
@@ -18,24 +17,14 @@ export interface ShownAs {
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
 
-let loading: Promise<Module> | undefined;
-/** The isolines that were traced last. */
-let traced: curves.Curves | undefined;
-
-async function loaded(): Promise<Module> {
-  loading ??= load().catch((error: unknown) => {
-    // The next wish tries again.
-    loading = undefined;
-    throw error;
-  });
-  return loading;
-}
-
-async function load(): Promise<Module> {
+const loaded = onDemand(async () => {
   const module = await import('../../wasm/curves/heatwalk_curves.js');
   await module.default({ module_or_path: curvesAddress });
   return module;
-}
+});
+
+/** The isolines that were traced last. */
+let traced: curves.Curves | undefined;
 
 /** Traces isolines of the last field on the surface as it is shown. */
 async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish): Promise<curves.Curves> {

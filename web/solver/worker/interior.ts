@@ -5,12 +5,10 @@ import interiorAddress from '../../wasm/interior/heatwalk_interior_bg.wasm?url';
 import * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import type { Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
+import { onDemand } from './demand';
 import { type Files, withFiles } from './files';
 import { plain } from './plain';
 
-type Module = typeof import('../../wasm/interior/heatwalk_interior.js');
-
-let loading: Promise<Module> | undefined;
 /** Of the module, where it is loaded. */
 let memory: WebAssembly.Memory | undefined;
 
@@ -19,20 +17,11 @@ export function interiorBytes(): number {
   return memory?.buffer.byteLength ?? 0;
 }
 
-function loaded(): Promise<Module> {
-  loading ??= load().catch((error: unknown) => {
-    // The next mesh tries again.
-    loading = undefined;
-    throw error;
-  });
-  return loading;
-}
-
-async function load(): Promise<Module> {
+const loaded = onDemand(async () => {
   const module = await import('../../wasm/interior/heatwalk_interior.js');
   ({ memory } = await module.default({ module_or_path: interiorAddress }));
   return module;
-}
+});
 
 /** Tetrahedra that are open, and how long it took to make them. */
 export interface Tetrahedra {

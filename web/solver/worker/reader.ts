@@ -2,18 +2,18 @@
 import readerAddress from '../../wasm/reader/heatwalk_reader_bg.wasm?url';
 import * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { fileName } from '../../files/paths';
+import { onDemand } from './demand';
 import { type Files, withFiles } from './files';
 
-let reader: Promise<typeof import('../../wasm/reader/heatwalk_reader.js')> | undefined;
+const reader = onDemand(async () => {
+  const module = await import('../../wasm/reader/heatwalk_reader.js');
+  await module.default({ module_or_path: readerAddress });
+  return module;
+});
 
 /** Reads the mesh with these bytes at `mesh`, and what it refers to. */
 export async function readMesh(mesh: string, bytes: Uint8Array, files: Files): Promise<wasm.MeshFile> {
-  reader ??= load();
-  const { ReadMesh, __wbg_reset_state: renew } = await reader.catch((error: unknown) => {
-    // The next file tries again.
-    reader = undefined;
-    throw error;
-  });
+  const { ReadMesh, __wbg_reset_state: renew } = await reader();
   try {
     const read = withFiles(mesh, files, (resource) => ReadMesh.read(fileName(mesh), bytes, resource));
     return wasm.MeshFile.unpacked(read.take(), read.up);
@@ -21,10 +21,4 @@ export async function readMesh(mesh: string, bytes: Uint8Array, files: Files): P
     // Each file has an instance of its own: memory of the last one goes back, and a trap ends nothing else.
     renew();
   }
-}
-
-async function load() {
-  const module = await import('../../wasm/reader/heatwalk_reader.js');
-  await module.default({ module_or_path: readerAddress });
-  return module;
 }
