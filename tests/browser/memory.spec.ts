@@ -48,13 +48,13 @@ test('a setting whose factors do not fit keeps the field, and works with conjuga
 });
 
 test('a mesh that does not fit with so many windows opens with one', async ({ heatwalk, page }) => {
-  // One window of each half-edge of 20 000 triangles takes 7 MiB, eight take 20.
-  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=12`);
+  // One window of each half-edge of 20 000 triangles takes 6 MiB, eight take 9.
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=7`);
   const before = await heatwalk.mesh();
   await heatwalk.drop([[NAME, CONTENT]]);
   const message = page.getByRole('alert');
   await expect(message).toContainText(
-    /grid\.off was not opened: 8 windows of each half-edge of 20000 triangles take 19\.\d MiB of memory, more than the 12\.0 MiB there are; keep one window, which fits, or use the native program/,
+    /grid\.off was not opened: 8 windows of each half-edge of 20000 triangles take 9\.\d MiB of memory, more than the 7\.0 MiB there are; keep one window, which fits, or use the native program/,
   );
   expect(await heatwalk.mesh()).toEqual(before);
 
@@ -71,7 +71,7 @@ test('a mesh that does not fit is refused before it is built, with its size', as
   await heatwalk.drop([[NAME, CONTENT]]);
   const message = page.getByRole('alert');
   await expect(message).toContainText(
-    /grid\.off was not opened: a mesh of 20000 triangles takes 7\.\d MiB of memory, more than the 5\.0 MiB there are; use a mesh with fewer triangles, or the native program/,
+    /grid\.off was not opened: a mesh of 20000 triangles takes 5\.\d MiB of memory, more than the 5\.0 MiB there are; use a mesh with fewer triangles, or the native program/,
   );
   await expect(message.getByRole('button', { name: 'Use one window' })).toBeHidden();
   expect(await heatwalk.mesh()).toEqual(before);
@@ -87,10 +87,10 @@ test('in the place of a mesh that does not fit, a simplified model is opened, wh
   const corners = faces.flat().map((vertex) => positions[vertex]);
   const loose = faces.map((_, face): [number, number, number] => [3 * face, 3 * face + 1, 3 * face + 2]);
   const [name, content] = ['ball.off', off({ positions: corners, triangles: loose })];
-  await heatwalk.open(`#v=1&m=file&name=${name}&s=3&refine=0&method=auto&memory=5`);
+  await heatwalk.open(`#v=1&m=file&name=${name}&s=3&refine=0&method=auto&memory=4`);
   await heatwalk.drop([[name, content]]);
   const message = page.getByRole('alert');
-  await expect(message).toContainText(/ball\.off was not opened: a mesh of 20448 triangles takes 7\.\d MiB/);
+  await expect(message).toContainText(/ball\.off was not opened: a mesh of 20448 triangles takes 6\.\d MiB/);
   await message.getByRole('button', { name: 'Simplify to 13,000 triangles' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe(name);
   const told = page.getByText(
