@@ -129,6 +129,18 @@ export class HeatwalkPage {
     return this.screen();
   }
 
+  /** The same once it changes no more: where frames are slow, some are drawn after the page has settled. */
+  async lastPicture(): Promise<PNG> {
+    let last = await this.picture();
+    const change = async () => {
+      const before = last;
+      last = await this.picture();
+      return difference(before, last);
+    };
+    await expect.poll(change, { intervals: [500] }).toBe(0);
+    return last;
+  }
+
   /** The same at once, whatever is under way. */
   async screen(): Promise<PNG> {
     const style = '.stage ~ * { visibility: hidden !important }';

@@ -51,7 +51,7 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
   await openGrid(heatwalk);
   await heatwalk.rest();
   const before = await everything(heatwalk);
-  const picture = await heatwalk.picture();
+  const picture = await heatwalk.lastPicture();
   await page.evaluate((bytes) => {
     const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
     const { prototype } = WebGL2RenderingContext;
