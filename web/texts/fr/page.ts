@@ -109,10 +109,9 @@ export const PAGE: Texts = {
   'Cholesky and conjugate gradients': 'Cholesky et gradient conjugué',
   'Neumann and Dirichlet': 'Neumann et Dirichlet',
   'Heat and exact': 'Chaleur et exacte',
+  'Heat and automatic': 'Chaleur et automatique',
   'Two settings on one model: the settings of the section Solver on the left, others on the right.':
     'Deux réglages sur un modèle : ceux de la section Solveur à gauche, d’autres à droite.',
-  'Only surfaces can be compared, not the inside of a model.':
-    'Seules des surfaces peuvent être comparées, pas l’intérieur d’un modèle.',
   'Other settings': 'Autres réglages',
   'Swap sides': 'Échanger les côtés',
   'Stop comparing': 'Cesser de comparer',
