@@ -157,6 +157,22 @@ export const PAGE: Texts = {
   'Measure Table 1': 'Mesurer la table 1',
   'Copy as Markdown': 'Copier en Markdown',
   'Save as CSV': 'Enregistrer en CSV',
+  'Measure convergence': 'Mesurer la convergence',
+  'Surfaces measured': 'Surfaces mesurées',
+  'Measuring {0} triangles, {1} of {2}.': 'Mesure de {0} triangles, {1} sur {2}.',
+  'Done. A slope of 1: half the edge, half the error.':
+    'Terminé. Une pente de 1 : arête divisée par deux, erreur aussi.',
+  'Error of heat': 'Erreur de la chaleur',
+  'Error of propagation': 'Erreur de la propagation',
+  'Mean edge': 'Arête moyenne',
+  '{0}, slope {1}': '{0}, pente {1}',
+  'Set a source first.': 'Placez d’abord une source.',
+  'At most {0} triangles can be split.': 'On ne peut diviser que {0} triangles au plus.',
+  Convergence: 'Convergence',
+  'The errors of heat, without an exact region, and of propagation, both by the present settings: on this surface, and on the same one with each triangle split in four, up to twice.':
+    'Les erreurs de la chaleur, sans région exacte, et de la propagation, avec les réglages actuels : sur cette surface et sur la même, chaque triangle divisé en quatre, jusqu’à deux fois.',
+  'The clipboard is not available. Save the charts as CSV.':
+    'Le presse-papiers n’est pas disponible. Enregistrez les graphiques en CSV.',
   'Measuring {0}, {1} of {2}.': 'Mesure de {0}, {1} sur {2}.',
   'Done. Other work on this device makes times longer.':
     'Terminé. Tout autre travail de cet appareil allonge les temps.',
