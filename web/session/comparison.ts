@@ -21,10 +21,7 @@ export class Comparison {
   readonly answer = new Signal<Answer | null>(null);
   /** Whether the other field is not yet that of what is asked. */
   readonly working = new Signal(false);
-  readonly refiner = new Refiner(
-    (answer) => void this.#show(answer),
-    (error) => this.#session.fail(error),
-  );
+  readonly refiner: Refiner;
   readonly #session: Session;
   readonly #client = new SolverClient();
   /** The mesh on screen that the other worker holds too, or is opening. */
@@ -39,6 +36,11 @@ export class Comparison {
 
   constructor(session: Session) {
     this.#session = session;
+    this.refiner = new Refiner(
+      (answer) => void this.#show(answer),
+      (error) => session.fail(error),
+      session.isHidden,
+    );
     session.scene.subscribe((state, previous) => this.#change(state, previous));
     session.shown.watch(() => this.#follow());
   }

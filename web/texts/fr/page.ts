@@ -94,6 +94,8 @@ export const PAGE: Texts = {
   'Area enclosed: {0}.': 'Aire enclose : {0}.',
   'This tape does not part the surface in two, so it encloses no area.':
     'Ce ruban ne partage pas la surface en deux ; il n’enclôt donc aucune aire.',
+  'This tape leads through the inside, where no one surface spans it, so it encloses no area.':
+    'Ce ruban traverse l’intérieur, où aucune surface n’est la seule à le remplir ; il n’enclôt donc aucune aire.',
   'This tape crosses itself, so it encloses no area.': 'Ce ruban se croise lui-même ; il n’enclôt donc aucune aire.',
   'The surface has no two sides of this tape, so it encloses no area.':
     'La surface n’a pas deux côtés de ce ruban ; il n’enclôt donc aucune aire.',

@@ -13,7 +13,7 @@ import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { percent } from '../words';
 import { type CutSurface, straightCut } from './cut';
-import { convergence } from './convergence';
+import { convergenceStudy } from './convergence';
 import { figure } from './figure';
 import type { Chart, Series } from './plot';
 import { table1 } from './table1';
@@ -39,7 +39,7 @@ export class Charts {
     this.#session = session;
     this.#tapes = tapes;
     this.#compare.addEventListener('click', () => void this.#compareSolvers());
-    this.element.append(this.#charts, this.#compare, convergence(session), table1());
+    this.element.append(this.#charts, this.#compare, convergenceStudy(session), table1());
   }
 
   /** Draws what is shown now, soon. */

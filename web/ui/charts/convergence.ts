@@ -6,7 +6,7 @@ import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, studied } fr
 import { allSources } from '../../state/sources';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { h } from '../dom';
-import { count } from '../words';
+import { count, fixed } from '../words';
 import { figure } from './figure';
 import { markdownButton, measuring } from './measuring';
 import type { Chart, Series } from './plot';
@@ -17,7 +17,7 @@ const TITLES = {
   propagation: t('Error of propagation'),
 } as const;
 
-export function convergence(session: Session): HTMLElement {
+export function convergenceStudy(session: Session): HTMLElement {
   const levels: Level[] = [];
   /** Whose levels they are. */
   let measured: OpenedMesh | null = null;
@@ -105,7 +105,7 @@ function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
     if (inexact.length === 0) return [];
     const line = (name: string, errorOf: (level: Level) => number): Series => {
       const slope = slopeOf(inexact, errorOf);
-      const told = slope === null ? name : t`${name}, slope ${slope.toFixed(1)}`;
+      const told = slope === null ? name : t`${name}, slope ${fixed(Math.round(10 * slope) / 10 || 0, 1)}`;
       const [x, y] = [inexact.map(({ edge }) => edge), inexact.map((level) => 100 * errorOf(level))];
       return { name: told, kind: 'points', x, y };
     };
