@@ -106,6 +106,8 @@ export const PAGE: Texts = {
   'Open a folder': 'Ouvrir un dossier',
   '{0} holds more than {1} files; choose the folder of one mesh':
     '{0} contient plus de {1} fichiers ; choisissez le dossier d’un seul maillage',
+  'Corners of the line': 'Coins de la ligne',
+  'Corner {0} of {1}, vertex {2}': 'Coin {0} sur {1}, sommet {2}',
   'Divider between the two settings': 'Séparation entre les deux réglages',
   'm = 1 and m = 1000': 'm = 1 et m = 1000',
   'Cholesky and conjugate gradients': 'Cholesky et gradient conjugué',
