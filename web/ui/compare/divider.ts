@@ -10,6 +10,8 @@ import type { PlaneContext } from '../../view/view';
 
 const NAME = t('Divider between the two settings');
 const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
+/** From the middle of what panels leave free, where the handle of a cut stands, to the top of the grip; CSS pixels. */
+const GRIP_BELOW = 30;
 /** How far an arrow key moves it, as a share of the width. */
 const STEP = 0.02;
 const KEYS: Record<string, (split: number) => number> = {
@@ -60,8 +62,10 @@ export class Divider {
   follow(): void {
     const { compared } = this.#session.scene.state;
     if (!compared || this.element.hidden) return;
-    const { left, top, height } = this.#session.view.stage.getBoundingClientRect();
-    const x = this.#start + compared.split * this.#session.view.free;
+    const { stage, free, centre } = this.#session.view;
+    const { left, top, height } = stage.getBoundingClientRect();
+    const x = this.#start + compared.split * free;
+    this.#grip.style.top = `${Math.round(centre[1] - top + GRIP_BELOW)}px`;
     this.element.style.transform = `translate(${Math.round(x - left) + left}px, ${top}px)`;
     this.element.style.height = `${height}px`;
   }

@@ -23,7 +23,9 @@ export class Readout {
     this.element.hidden = false;
     this.element.textContent = text;
     const { offsetWidth, offsetHeight } = this.element;
-    const left = Math.min(x + 16, innerWidth - offsetWidth - 8);
+    const { centre, free } = this.#session.view;
+    // Panels lie over it.
+    const left = Math.max(8, Math.min(x + 16, centre[0] + free / 2 - offsetWidth - 8));
     const top = y + 20 + offsetHeight > innerHeight ? y - offsetHeight - 12 : y + 20;
     this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }

@@ -38,7 +38,8 @@ pub fn columns_apart(drawn: &Image, left: &Image, right: &Image, middle: u32) ->
 }
 
 fn assert_joined(drawn: &Image, left: &Image, right: &Image, middle: u32) {
-    assert_eq!(columns_apart(drawn, left, right, middle), [], "the split at {middle}");
+    let apart = columns_apart(drawn, left, right, middle);
+    assert!(apart.is_empty(), "columns {apart:?} with the split at {middle}");
 }
 
 /// Each half is that of the picture of its field alone, wherever the split is.
