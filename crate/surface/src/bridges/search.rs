@@ -305,8 +305,9 @@ impl Visitor for Search<'_> {
         }
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
-        let apart = triangles::plane_distance(&pair, [items[0].normal, items[1].normal]);
-        if apart > bound {
+        let normals = [items[0].normal, items[1].normal];
+        let apart = triangles::plane_distance(&pair, normals);
+        if apart > bound || triangles::are_apart(&pair, normals, bound) {
             return;
         }
         let components = [items[0].component, items[1].component];
@@ -354,9 +355,6 @@ impl Visitor for Search<'_> {
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
-            if triangles::are_apart(&pair, [items[0].normal, items[1].normal], bound) {
-                return;
-            }
             if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
                 let bound = (distance - enough).max(0.0);
                 self.nearest(group, other.component).bounds[own] = bound;
