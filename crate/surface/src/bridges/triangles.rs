@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use crate::triangle::{area_vector, unit};
+use crate::triangle::area_vector;
 
 #[cfg(test)]
 mod tests;
@@ -178,9 +178,8 @@ pub fn are_apart(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) ->
     (0..3).any(|k| lies_beyond(0, k) || lies_beyond(1, k))
 }
 
-/// Whether the planes of two triangles are at an angle of more than 30°.
-pub fn are_steep(triangles: &[Triangle; 2]) -> bool {
-    let [first, second] = triangles.map(|triangle| unit(area_vector(triangle)));
+/// Whether the planes of triangles with these unit normals are at an angle of more than 30°.
+pub fn are_steep([first, second]: [DVec3; 2]) -> bool {
     first.dot(second).abs() < STEEP
 }
 
