@@ -51,7 +51,7 @@ pub const VIEWER_WEBGPU: Module = Module {
     is_restartable: true,
 };
 
-/// The same on WebGL2, for browsers without WebGPU. It checks and translates shaders itself, which takes most of its bytes.
+/// The same on WebGL2, for browsers without WebGPU. It checks commands and translates shaders itself, which takes most of its bytes.
 pub const VIEWER_WEBGL2: Module = Module {
     name: "viewer-webgl2",
     features: &["webgl2"],
@@ -103,7 +103,7 @@ impl Module {
     /// Cargo's arguments for the package and its features.
     fn chosen(&self) -> Vec<&'static str> {
         let features = self.features.iter().flat_map(|feature| ["--features", feature]);
-        ["--package", self.package].into_iter().chain(features).collect()
+        ["--package", self.package, "--no-default-features"].into_iter().chain(features).collect()
     }
 
     /// `cargo COMMAND` with the module's flags and `more` of them.
