@@ -1,5 +1,5 @@
 /** A glTF file that moves. */
-import { GlbWriter } from './glb';
+import { GlbWriter } from '../tools/glb.mjs';
 
 /** Rings of the arm and vertices of each. */
 const [RINGS, AROUND] = [41, 24];

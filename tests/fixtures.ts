@@ -1,4 +1,4 @@
-import { pack } from './glb';
+import { pack } from '../tools/glb.mjs';
 /** Meshes made in code, and their files. */
 
 export interface Mesh {

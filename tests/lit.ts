@@ -1,6 +1,6 @@
 /** glTF files with lights and with glass. */
 import { type Mesh, sphere } from './fixtures';
-import { GlbWriter } from './glb';
+import { GlbWriter } from '../tools/glb.mjs';
 
 function primitive(writer: GlbWriter, { positions, triangles }: Mesh) {
   const bounds = { min: [-1, -1, -1], max: [1, 1, 1] };

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { type Mesh, sphere } from './fixtures';
-import { GlbWriter } from './glb';
+import { GlbWriter } from '../tools/glb.mjs';
 
 /** `size²` texels, as a PNG file. */
 function image(size: number, texel: (u: number, v: number) => readonly [number, number, number]): Buffer {

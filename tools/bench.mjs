@@ -1,7 +1,7 @@
 // npm run bench [-- --quick] [--only WORD] [--mesh FILE ... [--subdivide N]]: the native program, the page's worker and the
 // peers on the same meshes and from the same sources, in alternation, against the bars; with --methods the methods that
-// factor nothing against potpourri3d alone; with --inside tetrahedra against libigl; with --against COMMIT [--budget SECONDS]
-// this checkout against another commit.
+// factor nothing against potpourri3d alone; with --inside tetrahedra against libigl; with --models models of several parts,
+// textured and compressed ones; with --against COMMIT [--budget SECONDS] this checkout against another commit.
 // docs/benchmarks.md tells what each number means.
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
@@ -13,6 +13,7 @@ import { bars, growthOf } from './bench/bars.mjs';
 import { description } from './bench/checkout.mjs';
 import { meshes as chosenMeshes } from './bench/meshes.mjs';
 import { inside } from './bench/inside.mjs';
+import { models } from './bench/models.mjs';
 import { methods } from './bench/methods.mjs';
 import { Peers } from './bench/peers.mjs';
 import { Programs } from './bench/programs.mjs';
@@ -36,6 +37,7 @@ const { values } = parseArgs({
     quick: { type: 'boolean', default: false },
     methods: { type: 'boolean', default: false },
     inside: { type: 'boolean', default: false },
+    models: { type: 'boolean', default: false },
     against: { type: 'string' },
     budget: { type: 'string', default: '60' },
   },
@@ -59,6 +61,12 @@ if (values.methods) {
 
 if (values.inside) {
   await inside({ quick: values.quick });
+  process.exit();
+}
+
+if (values.models) {
+  const { only, mesh: files } = values;
+  await models({ files, only });
   process.exit();
 }
 

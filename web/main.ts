@@ -26,6 +26,7 @@ import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { announcer } from './ui/overlay/announcer';
+import { LineCorners } from './ui/overlay/corners';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
@@ -83,10 +84,13 @@ const handle = new CutHandle(session);
 const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
+const draw = new DrawInput(session, tool);
+const corners = new LineCorners(session, draw);
 const frames = new Frames(session, crowd, () => {
   handle.follow();
   comparing.follow();
   measuring.follow();
+  corners.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
 const help = () => {
@@ -94,7 +98,6 @@ const help = () => {
 };
 
 const brush = new BrushInput(session, ground);
-const draw = new DrawInput(session, tool);
 // One of them has the pointer.
 tool.watch((chosen) => {
   if (draws(chosen)) ground.set({ on: false });
@@ -129,6 +132,7 @@ page.append(
   loadingBar(session),
   handle.element,
   measuring.labels,
+  corners.element,
   readout.element,
   keys.reticle,
   announcer(session),

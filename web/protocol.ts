@@ -351,10 +351,13 @@ export interface SolverApi {
    * drawn there. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
    */
   pose(moment: Moment | null, measured: boolean): Promise<Posed | null>;
-  /** By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag. */
-  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved>;
-  /** By so many windows of each half-edge, with or without factors. */
-  propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved>;
+  /**
+   * By heat, which needs factors. `quick`: with a small exact region whatever the parameters, during a drag; null: another
+   * quick field was asked for before this one was begun.
+   */
+  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null>;
+  /** By so many windows of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
+  propagate(sources: Source[], windows: number, quick: boolean, request: PathRequest | null): Promise<Solved | null>;
   /**
    * One step of making the last field exact, from the sources outward: exact inside, as it was beyond. Takes 100 to
    * 200 ms, more where a solve by heat or showing the field takes longer; the next call goes on. Once all is exact, the

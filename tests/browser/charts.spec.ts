@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
-import { grid, off } from '../fixtures';
+import { grid, off, sphere } from '../fixtures';
 import { expect, test } from '../page';
 
 const N = 24;
@@ -82,4 +82,39 @@ test('Table 1 of the report is measured, copied, saved, and cancelled', async ({
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   expect(copied).toMatch(/^\| Model \| Triangles \|/);
   expect(copied.split('\n').filter((line) => line.startsWith('| '))).toHaveLength(13);
+});
+
+test('errors by edge length are measured on the surface and on what it is split into, and cancelled', async ({
+  context,
+  heatwalk,
+  page,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await heatwalk.openFile('ball.off', off(sphere(20)), 's=3&method=heat');
+  await heatwalk.settled();
+  const charts = await chartsOf(page);
+  const study = charts.getByRole('region', { name: 'Convergence' });
+  await study.getByRole('button', { name: 'Measure convergence' }).click();
+  await study.getByRole('button', { name: 'Cancel' }).click();
+  await expect(study.getByRole('status')).toHaveText('Cancelled.');
+
+  await study.getByRole('button', { name: 'Measure convergence' }).click();
+  await expect(study.getByRole('status')).toContainText('Done.', { timeout: 60_000 });
+  for (const method of ['heat', 'propagation']) {
+    const rows = await numbers(page, study.getByRole('button', { name: `Save Error of ${method} as CSV` }));
+    expect(rows).toHaveLength(3);
+    rows.forEach(([edge, most, mean], level) => {
+      expect(edge).toBeCloseTo(rows[0][0] / 2 ** level, 4);
+      expect(most).toBeGreaterThan(mean);
+    });
+    // Heat converges. The windows of propagation miss a share of the paths, however short the edges.
+    if (method === 'heat') expect(rows[2][2]).toBeLessThan(rows[0][2] / 2);
+  }
+  await study.getByRole('button', { name: 'Copy as Markdown' }).click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied.trim().split('\n')).toHaveLength(6);
+
+  // Another surface has not been measured.
+  await heatwalk.dropAndOpen([['sheet.off', off(grid(8))]]);
+  await expect(study.locator('figure')).toHaveCount(0);
 });

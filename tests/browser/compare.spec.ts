@@ -2,6 +2,7 @@
 import type { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
+import { cubeMsh, cubeVertex } from '../tetrahedra';
 
 /** A sheet, whose boundary makes Neumann and Dirichlet differ. */
 const SHEET = off(grid(32));
@@ -106,4 +107,38 @@ test('a link opens both sides', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&vs=nonsense');
   await expect(page.getByText('vs=nonsense is invalid')).toBeVisible();
   await expect(line).toBeHidden();
+});
+
+test('two settings inside of tetrahedra share boundary and cut', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  // Seen at right angles to the cut, which covers what is compared.
+  const n = 8;
+  const scene = `up=y&cam=0,0,3.2,0,0,0&s=${cubeVertex(n, 4, 4, 4).vertex}&w=none&cut=plane&method=heat&near=0&refine=0`;
+  await heatwalk.openFile('cube.msh', cubeMsh(n), `${scene}&b=neumann&vs=b:dirichlet,at:0.5`);
+  const section = page.locator('#section-compare');
+  await page.locator('#section-compare > summary').click();
+  await expect(section.locator('thead')).toHaveText('Insulated (Neumann)Cold (Dirichlet)');
+  await expect(section.getByRole('button', { name: 'Heat and exact' })).toBeHidden();
+  for (const name of ['Mean difference', 'Largest difference']) {
+    await expect(section.getByRole('row', { name }).getByRole('cell')).toHaveText(/[1-9].*%/);
+  }
+  const both = await drawn(heatwalk);
+  const line = page.getByRole('slider', { name: 'Divider between the two settings' });
+  await line.press('End');
+  const left = await drawn(heatwalk);
+  await line.press('Home');
+  const right = await drawn(heatwalk);
+  expect(apart(left, right, LEFT)).toBeGreaterThan(2 * SAME);
+  expect(apart(left, right, RIGHT)).toBeGreaterThan(2 * SAME);
+  expect(apart(both, left, LEFT)).toBeLessThan(SAME);
+  expect(apart(both, right, RIGHT)).toBeLessThan(SAME);
+  // The right side follows the cut: it is what the left shows by the same settings.
+  for (let step = 0; step < 6; step++) await page.locator('canvas').first().press('.');
+  await heatwalk.settled();
+  const moved = await drawn(heatwalk);
+  expect(apart(moved, right, RIGHT)).toBeGreaterThan(SAME);
+  await section.getByRole('button', { name: 'Swap sides' }).click();
+  await line.press('End');
+  await heatwalk.settled();
+  expect(apart(await drawn(heatwalk), moved, RIGHT)).toBeLessThan(SAME);
 });

@@ -4,12 +4,20 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { complaints } from '../gltf';
 import { expect, test } from '../page';
+import { texturedGlb } from '../textured';
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
   const downloading = page.waitForEvent('download');
   await page.getByRole('button', { name: button }).click();
   const download = await downloading;
   return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+function documentOf(glb: Buffer) {
+  return JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()) as {
+    materials: { normalTexture?: { extensions: object } }[];
+    images: object[];
+  };
 }
 
 test('isolines are drawn, measured and saved, and distances with the materials of the file', async ({ heatwalk }) => {
@@ -65,6 +73,19 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   expect(await complaints(scene.bytes)).toEqual([]);
   await heatwalk.dropAndOpen([['again.glb', scene.bytes]]);
   expect(await page.evaluate(() => window.heatwalk.mesh?.triangles)).toBe(17_280);
+
+  // Two materials, one of them with two images, one of these scaled.
+  await heatwalk.dropAndOpen([['textured.glb', texturedGlb()]]);
+  const { bytes: textured } = await saved(page, 'Save distances');
+  // Tangents are left to the program that draws, as in the file that was read.
+  const tangents = expect.stringContaining('MESH_PRIMITIVE_GENERATED_TANGENT_SPACE') as unknown;
+  expect(await complaints(textured)).toEqual([tangents]);
+  const { materials, images } = documentOf(textured);
+  expect(materials.map((material) => material.normalTexture?.extensions)).toEqual([
+    { KHR_texture_transform: { offset: [0, 0], rotation: 0, scale: [4, 4] } },
+    undefined,
+  ]);
+  expect(images).toHaveLength(2);
 });
 
 test('tracks of the crowd lead down to a source', async ({ heatwalk, page }) => {

@@ -70,6 +70,22 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   expect((await lineNow()).points).toContainEqual(at(20, 18));
   await page.keyboard.press('Control+z');
   expect(await lineNow()).toEqual(before0);
+  // The keyboard moves a corner from vertex to vertex; arrows in a row are one step of undo too.
+  await rows(heatwalk).first().click();
+  const corner = page.getByRole('button', { name: /^Corner 3 of 3/ });
+  await corner.focus();
+  await page.keyboard.down('ArrowRight');
+  await expect(corner).toHaveAccessibleName(`Corner 3 of 3, vertex ${at(13, 18).vertex}`);
+  await page.keyboard.down('ArrowRight');
+  await expect(corner).toHaveAccessibleName(`Corner 3 of 3, vertex ${at(14, 18).vertex}`);
+  await page.keyboard.up('ArrowRight');
+  await expect(page.locator('.corner-layer [aria-live]')).toHaveText(`Corner 3 of 3, vertex ${at(14, 18).vertex}`);
+  expect((await lineNow()).shape).toMatchObject({ corners: [306, 312, at(14, 18).vertex] });
+  await expect(corner).toBeFocused();
+  await page.keyboard.press('Control+z');
+  expect(await lineNow()).toEqual(before0);
+  await page.keyboard.press('Escape');
+  await expect(corner).toHaveCount(0);
   await paste(heatwalk, `x y z offset\n0.5 0.25 7 0\n${5 / N} ${7 / N} 0 0.125`);
   await expect(rows(heatwalk)).toHaveText([/^Line/, /^Boundary/, 'List: 2']);
   await expect(page.getByText('2 sources added, at most 7 m away')).toBeVisible();

@@ -125,3 +125,15 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   expect(file).toMatch(/^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
   expect(file).not.toContain('var(');
 });
+
+test('tapes of a link are measured where another scene was before and nothing is refined', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open('#m=torus&refine=0&tape=20,90');
+  await expect.poll(() => page.evaluate(() => window.heatwalk.tapes[0]?.legs[0].state)).toBe('exact');
+  await page.evaluate(() => (location.hash = '#m=torus&refine=0'));
+  await expect.poll(() => page.evaluate(() => window.heatwalk.tapes)).toEqual([]);
+  await page.evaluate(() => (location.hash = '#m=icosphere&refine=0&tape=10,200'));
+  await expect.poll(() => page.evaluate(() => window.heatwalk.tapes[0]?.legs[0].state)).toBe('exact');
+});

@@ -33,14 +33,26 @@ async function open(address: string): Promise<void> {
   await expect.poll(() => webkit.evaluate(`'heatwalk' in window`)).toBe(true);
 }
 
-test('in WebKit a first visit opens a file, clicks, drags, draws, saves, follows a link, and goes on without a network', async () => {
+test('in WebKit a first visit drops a file, chooses one, clicks, drags, draws, saves, follows a link, and goes on without a network', async () => {
   const scene = () => webkit.evaluate<SceneState>('window.heatwalk.scene');
   const settled = () => webkit.evaluate('window.heatwalk.settled()');
   await open('#m=icosphere');
   await settled();
   expect(await webkit.evaluate('window.heatwalk.backend')).toBe('WebGL2');
 
-  // WebKit lets no script make a drop of files.
+  await webkit.evaluate(
+    `((content) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content], 'dropped.off'));
+      for (const type of ['dragenter', 'dragover', 'drop']) {
+        document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }));
+      }
+    })(...arguments)`,
+    off(sphere(9)),
+  );
+  await expect.poll(() => webkit.evaluate('window.heatwalk.mesh?.name')).toBe('dropped.off');
+  await settled();
+
   const file = test.info().outputPath('ball.off');
   writeFileSync(file, off(sphere(12)));
   await webkit.choose('[aria-label="Open mesh files"]', file);

@@ -41,12 +41,16 @@ test('undo goes back over comparisons; a drag of the line is one step', () => {
 
 const field = (...values: number[]) => ({
   distance: Float32Array.from(values),
+  inner: null as Float32Array | null,
   maxDistance: Math.max(...values.filter(Number.isFinite)),
 });
 
 test('the difference of two fields is over the vertices that both reach, a share of the largest on the left', () => {
   const apart = difference(field(0, 1, 2, 4, Infinity), field(0, 1.5, 1, Infinity, 3));
   expect(apart).toEqual({ mean: 0.125, most: 0.25 });
+  // Of tetrahedra all vertices count, not only those that are drawn.
+  const inner = (...values: number[]) => ({ ...field(0, 1, 4), inner: Float32Array.from(values) });
+  expect(difference(inner(0, 1, 4, 2), inner(0, 1, 4, 3))).toEqual({ mean: 0.0625, most: 0.25 });
   expect(difference(field(0, 0), field(0, 0))).toBeNull();
   expect(difference(field(0, 1), field(0, 1, 2))).toBeNull();
 });

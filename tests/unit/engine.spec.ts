@@ -23,7 +23,7 @@ const QUESTION: Question = {
 };
 
 /** An engine whose worker notes its calls; a slice lasts until it is let go. */
-function engine(components = 1): { engine: Engine; calls: string[]; letGo: () => void } {
+function engine(components = 1, others: object = {}): { engine: Engine; calls: string[]; letGo: () => void } {
   const calls: string[] = [];
   const slices: (() => void)[] = [];
   const api = {
@@ -32,8 +32,8 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
       calls.push(['solve', ...(quick ? ['quick'] : []), ...kinds(request)].join(' '));
       return solved(0);
     },
-    propagate: async (_: Source[], windows: number, request: PathRequest | null) => {
-      calls.push(['propagate', windows, ...kinds(request)].join(' '));
+    propagate: async (_: Source[], windows: number, quick: boolean, request: PathRequest | null) => {
+      calls.push(['propagate', windows, ...(quick ? ['quick'] : []), ...kinds(request)].join(' '));
       return solved(0);
     },
     bridge: async (rule: string, links: number, posed: boolean) => {
@@ -60,6 +60,7 @@ function engine(components = 1): { engine: Engine; calls: string[]; letGo: () =>
       calls.push(`path ${request.kind}`);
       return { path: null, pathMs: 0 };
     },
+    ...others,
   };
   const worker = { api, call: <T>(answer: Promise<T>) => answer } as unknown as SolverWorker;
   const made = new Engine(
@@ -151,7 +152,7 @@ test('methods other than heat propagate windows, one while the pointer drags, an
   await it.ask({ ...auto, windows: 8 });
   await it.ask({ ...auto, method: 'heat' });
   expect(calls).toEqual([
-    'propagate 1',
+    'propagate 1 quick',
     'propagate 4 descent',
     'path descent',
     'path descent',
@@ -234,4 +235,76 @@ test('measuring waits for questions and for the step of refinement under way, an
   expect(await refined).not.toBeNull();
   expect(await next).not.toBeNull();
   expect(calls.slice(2)).toEqual(['refine descent', 'measure', 'refine descent']);
+});
+
+/** A worker whose fields last until they are let go, each with what the worker answers. */
+function slowly(): { engine: Engine; calls: string[]; fields: ((answer: Solved | null) => void)[] } {
+  const fields: ((answer: Solved | null) => void)[] = [];
+  const { engine: it, calls } = engine(1, {
+    propagate: ([source]: Source[], _: number, quick: boolean) => {
+      calls.push(`${quick ? 'quick' : 'full'} from ${source && 'vertex' in source ? source.vertex : '?'}`);
+      return new Promise<Solved | null>((resolve) => fields.push(resolve));
+    },
+    ground: async () => calls.push('ground'),
+  });
+  return { engine: it, calls, fields };
+}
+
+const dragged = (vertex: number): Question => ({
+  ...QUESTION,
+  method: 'auto',
+  from: null,
+  quick: true,
+  sources: [{ vertex }],
+});
+
+test('moves of a drag wait at the worker, and one that it passes over answers nothing', async () => {
+  const { engine: it, calls, fields } = slowly();
+  const answers = [1, 2, 3].map((vertex) => it.ask(dragged(vertex)));
+  await soon();
+  expect(calls).toEqual(['quick from 1', 'quick from 2', 'quick from 3']);
+  const [first, last] = [solved(0), solved(0)];
+  fields[0]?.(first);
+  fields[1]?.(null);
+  fields[2]?.(last);
+  expect((await answers[0])?.field).toBe(first.field);
+  expect(await answers[1]).toBeNull();
+  expect((await answers[2])?.question.sources).toEqual([{ vertex: 3 }]);
+  // The worker holds the last one.
+  const again = await it.ask({ ...dragged(3), sources: (await answers[2])?.question.sources ?? [] });
+  expect(again?.field).toBe(last.field);
+});
+
+test('what is no move waits until the moves of a drag have ended', async () => {
+  const { engine: it, calls, fields } = slowly();
+  const moves = [1, 2].map((vertex) => it.ask(dragged(vertex)));
+  const still = it.ask({ ...dragged(3), quick: false });
+  fields[0]?.(solved(0));
+  await soon();
+  expect(calls).toEqual(['quick from 1', 'quick from 2']);
+  // Nor is it lost where another move comes; but that comes later.
+  const painted = { ...LEVEL, slope: true };
+  const other = it.ask({ ...dragged(4), ground: painted });
+  expect(await still).toBeNull();
+  fields[1]?.(solved(0));
+  await Promise.all(moves);
+  await soon();
+  expect(calls.slice(2)).toEqual(['ground', 'quick from 4']);
+  fields[2]?.(solved(0));
+  expect((await other)?.question.ground).toBe(painted);
+});
+
+test('a move that fails rejects, and the next question is asked', async () => {
+  const { engine: it, calls, fields } = slowly();
+  const first = it.ask(dragged(1));
+  const broken = it.ask(dragged(2));
+  fields[0]?.(solved(0));
+  fields[1]?.(Promise.reject(new Error('no field')) as unknown as Solved);
+  await first;
+  await expect(broken).rejects.toThrow('no field');
+  const next = it.ask(dragged(3));
+  await soon();
+  fields[2]?.(solved(0));
+  expect(await next).not.toBeNull();
+  expect(calls).toHaveLength(3);
 });

@@ -4,7 +4,7 @@ import type { Answer, Engine } from '../../web/solver/engine';
 import { type Phase, Refiner } from '../../web/solver/refiner';
 import { WorkerLost } from '../../web/solver/remote';
 import { emptyScene } from '../../web/state/scene';
-import { until } from '../../web/state/signal';
+import { Signal, until } from '../../web/state/signal';
 import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
@@ -80,7 +80,12 @@ function engine(
   return { engine: fake as unknown as Engine, slices: () => slices };
 }
 
-function refiner(): { refiner: Refiner; shown: Answer[]; phases: Phase[]; settled: () => Promise<void> } {
+function refiner(isHidden = new Signal(false)): {
+  refiner: Refiner;
+  shown: Answer[];
+  phases: Phase[];
+  settled: () => Promise<void>;
+} {
   const shown: Answer[] = [];
   const phases: Phase[] = [];
   const made = new Refiner(
@@ -88,6 +93,7 @@ function refiner(): { refiner: Refiner; shown: Answer[]; phases: Phase[]; settle
     (error) => {
       if (!(error instanceof WorkerLost)) throw error;
     },
+    isHidden,
   );
   made.phase.watch((phase) => phases.push(phase));
   return { refiner: made, shown, phases, settled: () => until(() => made.settled, made.phase) };
@@ -145,6 +151,34 @@ test('a new question ends refinement: nothing more is shown or asked', async () 
   expect(shown).toHaveLength(before);
   expect(fake.slices()).toBe(slices);
   expect(it.settled).toBe(false);
+});
+
+test('while the page is hidden nothing is refined; once it is seen, refinement goes on', async () => {
+  const isHidden = new Signal(true);
+  const { refiner: it, shown, phases, settled } = refiner(isHidden);
+  const fake = engine([0.2, 0.6, Infinity]);
+  it.rest(fake.engine, answer(0, 'exact'), { ...STATE, pathKind: 'exact' });
+  await until(() => it.phase.value === 'hidden', it.phase);
+  expect(it.settled).toBe(true);
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect(shown).toHaveLength(0);
+  expect(fake.slices()).toBe(0);
+  isHidden.value = false;
+  await until(() => it.phase.value === 'exact', it.phase);
+  expect(reached(shown)).toEqual([0, 0.2, 0.6, Infinity]);
+  expect(phases).toEqual(['solving', 'resting', 'refining', 'hidden', 'refining', 'exact']);
+
+  // What is asked meanwhile takes the place of what waits.
+  isHidden.value = true;
+  it.rest(fake.engine, answer(0), STATE);
+  await until(() => it.phase.value === 'hidden', it.phase);
+  it.rest(fake.engine, answer(0), { ...STATE, refine: false });
+  expect(it.phase.value).toBe('off');
+  isHidden.value = false;
+  await settled();
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  expect(it.phase.value).toBe('off');
+  expect(fake.slices()).toBe(3);
 });
 
 test('a question during the wait prevents the first step', async () => {

@@ -6,7 +6,7 @@ const GIBIBYTE = 2 ** 30;
 const FREE = 0.01;
 
 /** Smaller is better unless `more`. Infinity is what failed; a bar of null asks no more than an answer. */
-function compare(row, what, mesh, reached, bar, aim, { more = false, unit = '' } = {}) {
+export function compare(row, what, mesh, reached, bar, aim, { more = false, unit = '' } = {}) {
   const meets = (goal) => (more ? reached >= goal : reached <= goal);
   const passes = bar === null ? reached < Infinity : meets(bar);
   const verdict = aim !== bar && meets(aim) ? 'aim' : passes ? 'pass' : 'miss';

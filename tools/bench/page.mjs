@@ -27,6 +27,10 @@ const SILENCE_MS = 300_000;
 const WINDOW = { width: 640, height: 400 };
 const DRAG_SECONDS = 5;
 const POINTER_HZ = 120;
+/** Until a spare worker has warmed up. */
+const WARMING_SECONDS = 3;
+/** How often a model is read, and its contacts are looked for. */
+const RUNS = 6;
 /** CSS pixels. */
 const DRAG_RADIUS = 15;
 /** CSS pixels between rows that a brush paints, and between the events on them. */
@@ -77,6 +81,32 @@ export class Page {
   /** Milliseconds of opening a file of tetrahedra, of factoring and of the first field from vertex 0, and bytes of memory before that. */
   async inside(mesh, isByHeat) {
     return this.#inWorker(mesh, measureInside, { name: basename(mesh), isByHeat });
+  }
+
+  /**
+   * Milliseconds of reading a file in a fresh worker, and of looking for contacts in it, so often one after the other; the first
+   * of each by code that the browser has not optimised yet.
+   */
+  async model(mesh) {
+    const measured = await this.#inWorker(mesh, measureModel, { name: basename(mesh), runs: RUNS });
+    if (measured.failed) throw new Error(measured.failed);
+    return measured;
+  }
+
+  /** Seconds from dropping a file until its stripes are in a picture, and the bytes that are loaded for it, after brotli. */
+  async drop(mesh) {
+    this.#mesh = mesh;
+    return this.#with('/?gpu=webgl#v=1&m=bunny', async (tab) => {
+      await tab.evaluate(() => window.heatwalk.ready);
+      // The worker of the next mesh warms up.
+      await tab.waitForTimeout(1000 * WARMING_SECONDS);
+      const loaded = new Set();
+      tab.context().on('request', (request) => loaded.add(new URL(request.url()).pathname));
+      const seconds = await tab.evaluate(dropFile, { mesh: MESH, name: basename(mesh) });
+      const files = [...loaded].filter((path) => isFile(join(dist, path)));
+      const bytes = files.reduce((sum, path) => sum + brotli(readFileSync(join(dist, path))), 0);
+      return { seconds, bytes };
+    });
   }
 
   async #inWorker(mesh, measure, options) {
@@ -312,6 +342,41 @@ async function measureInside({ worker, module, mesh, name, parameters, isByHeat 
   times.push(performance.now());
   const [open, precompute, solve] = times.slice(1).map((time, index) => time - times[index]);
   return { tetrahedra: interior.tetrahedra.length / 4, open, precompute, solve, memory: memoryBytes };
+}
+
+async function measureModel({ worker, module, mesh, name, runs }) {
+  const { Comlink } = window;
+  const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
+  await api.start(await WebAssembly.compileStreaming(fetch(module)));
+  await api.warmUp();
+  const content = await (await fetch(mesh)).blob();
+  const progress = () => Comlink.proxy(() => undefined);
+  const input = { kind: 'files', mesh: name, files: [{ path: name, content }] };
+  const [reads, joins] = [[], []];
+  for (let run = 0; run < runs; run++) {
+    await api.open(input, [], { windows: 1, memory: 'auto' }, progress());
+    const { timings } = await api.prepare(null, progress());
+    reads.push(timings.readMs);
+    joins.push((await api.bridge('auto', 0, false)).timings.joinMs);
+  }
+  return { reads, joins };
+}
+
+/** What a frame finds is drawn by then, or by the one before the next. */
+async function dropFile({ mesh, name }) {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([await (await fetch(mesh)).blob()], name));
+  const begin = performance.now();
+  document.body.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
+  return new Promise((resolve) => {
+    let left = 2;
+    const frame = () => {
+      if (window.heatwalk.mesh?.name === name && window.heatwalk.field) left -= 1;
+      if (left > 0) requestAnimationFrame(frame);
+      else resolve((performance.now() - begin) / 1000);
+    };
+    requestAnimationFrame(frame);
+  });
 }
 
 /** Notes how long each message of a worker keeps the page's thread busy, with all that follows from it at once. */

@@ -110,9 +110,11 @@ function factorsTable(meshes) {
   return table(['mesh', 'this', 'faer, supernodal', 'faer, simplicial'], rows);
 }
 
-function barsTable(bars) {
+/** A line for each compared figure. */
+export function barsTable(bars) {
   const rows = bars.map(({ row, what, mesh, reached, bar, aim, unit, verdict }) => {
-    const bounds = bar === null ? `aim ${aim}` : aim === bar ? String(bar) : `${bar}, aim ${aim}`;
+    const bounds =
+      bar === null ? (aim === null ? MISSING : `aim ${aim}`) : aim === bar ? String(bar) : `${bar}, aim ${aim}`;
     return [String(row), what, mesh, bounds, reached === Infinity ? 'failed' : digits(reached) + unit, verdict];
   });
   return table(['row', 'what', 'on', 'bar', 'reached', ''], rows);

@@ -145,7 +145,7 @@ async function bytes({ tree, page }) {
 }
 
 /** The cells of the Markdown table that a program prints, without its header. */
-function cells(program, args) {
+export function cells(program, args) {
   const { status, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8' });
   if (status !== 0) fail(`${program} failed: ${stderr}`);
   const lines = stdout.trim().split('\n').slice(2);

@@ -21,10 +21,7 @@ export class Comparison {
   readonly answer = new Signal<Answer | null>(null);
   /** Whether the other field is not yet that of what is asked. */
   readonly working = new Signal(false);
-  readonly refiner = new Refiner(
-    (answer) => void this.#show(answer),
-    (error) => this.#session.fail(error),
-  );
+  readonly refiner: Refiner;
   readonly #session: Session;
   readonly #client = new SolverClient();
   /** The mesh on screen that the other worker holds too, or is opening. */
@@ -39,6 +36,11 @@ export class Comparison {
 
   constructor(session: Session) {
     this.#session = session;
+    this.refiner = new Refiner(
+      (answer) => void this.#show(answer),
+      (error) => session.fail(error),
+      session.isHidden,
+    );
     session.scene.subscribe((state, previous) => this.#change(state, previous));
     session.shown.watch(() => this.#follow());
   }
@@ -52,7 +54,7 @@ export class Comparison {
     const { scene, shown, view } = this.#session;
     const { compared } = scene.state;
     const opened = shown.value?.opened ?? null;
-    if (!compared || !opened || opened.interior) {
+    if (!compared || !opened) {
       this.#end();
       return;
     }
@@ -66,7 +68,7 @@ export class Comparison {
     if (!this.#mesh) return;
     this.#leave();
     this.#mesh = null;
-    this.#session.view.setOtherField(null);
+    this.#session.view.setOther(null, null);
     this.#session.view.setEdges('path', []);
   }
 
@@ -134,13 +136,13 @@ export class Comparison {
     this.answer.value = answer;
     view.setEdges('path', edgesOf(answer.path));
     const { colorBy } = available(scene.state, answer.question.method);
-    const { field } = answer;
+    const { field, inside } = answer;
     if (colorBy === 'distance' || !field || !this.#engine) {
-      view.setOtherField(field);
+      view.setOther(field, inside);
       return;
     }
     const painted = await instead(this.#engine, colorBy, field);
-    if (wish === this.#wish) view.setOtherField(painted?.field ?? null);
+    if (wish === this.#wish) view.setOther(painted?.field ?? null, inside);
   }
 }
 
@@ -150,6 +152,7 @@ function isSame(asked: Question, question: Question): boolean {
     isSameField(asked, question) &&
     asked.method === question.method &&
     asked.from === question.from &&
+    asked.inside === question.inside &&
     asked.pathKind === question.pathKind
   );
 }

@@ -12,6 +12,7 @@ import type { View } from '../view/view';
 import type { Walk } from '../view/walk';
 import type { Method } from '../wasm/contract';
 import { Animator } from './animator';
+import { pageHidden } from './hidden';
 import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, suited, wantedOf } from './prepare';
 import { Presenter } from './presenter';
@@ -54,9 +55,11 @@ export class Session {
   readonly turntable = new Signal(false);
   /** Distance fields solved and shown since the page was opened; refinement steps are not counted. */
   solves = 0;
+  readonly isHidden = pageHidden();
   readonly refiner = new Refiner(
     (answer) => this.#refined(answer),
     (error) => this.fail(error),
+    this.isHidden,
   );
   readonly #client = new SolverClient();
   readonly #presenter: Presenter;

@@ -132,15 +132,18 @@ export class Tapes {
   /** Measures what is not measured, one leg after the other, the newest tape first. */
   async #work(): Promise<void> {
     this.#isBusy = true;
-    try {
-      while (await this.#step());
-    } catch (error) {
-      // The next answer, of another worker, asks again.
-      if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
-    } finally {
-      this.#isBusy = false;
-      this.#show();
+    for (let isOpen = true; isOpen;) {
+      const [basis, asked] = [this.#basis, this.measured.value];
+      try {
+        // During a step other tapes may have come, or another mesh.
+        isOpen = (await this.#step()) || asked !== this.measured.value;
+      } catch (error) {
+        isOpen = basis !== this.#basis;
+        if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
+      }
     }
+    this.#isBusy = false;
+    this.#show();
   }
 
   /** False: nothing is left. */

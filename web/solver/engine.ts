@@ -71,6 +71,20 @@ function pathKindOf({ pathKind, quick }: Question, weighted: boolean): PathKind 
   return pathKind === 'exact' ? 'straight' : pathKind;
 }
 
+/** Whether a question only moves the sources of another while the pointer drags: the worker is ready for it. */
+function isMove(from: Question, to: Question): boolean {
+  return (
+    from.quick &&
+    to.quick &&
+    to.sources.length > 0 &&
+    to.sources !== from.sources &&
+    to.method === from.method &&
+    to.pathKind === from.pathKind &&
+    to.inside === from.inside &&
+    isSameField({ ...from, sources: to.sources }, to)
+  );
+}
+
 /** Windows that suffice while the pointer drags. */
 const QUICK_WINDOWS: Windows = 1;
 /** Windows that it takes where they are refracted, see `propagation::REFRACTED`. */
@@ -108,6 +122,9 @@ export interface Answer extends TracedPath {
   factoring: Factoring;
 }
 
+/** What is known of an answer before its field. */
+type Known = Pick<Answer, 'question' | 'pathKind' | 'factoring' | 'inside'>;
+
 interface Waiting {
   question: Question;
   resolve: (answer: Answer | null) => void;
@@ -135,6 +152,10 @@ export class Engine {
   /** The field that the worker holds, and what it was asked for. */
   #held: { question: Question; field: DistanceField } | null = null;
   #busy = false;
+  /** The field that the worker was asked for last, while it is under way. */
+  #solving: Question | null = null;
+  /** Ends with the last question that was asked while the one before was under way. */
+  #moving: Promise<void> = Promise.resolve();
   /** Ends with the refinement step or exact path that was asked for last. */
   #bettering: Promise<void> = Promise.resolve();
   #waiting: Waiting | null = null;
@@ -165,9 +186,21 @@ export class Engine {
     return this.#worker.lost;
   }
 
-  /** Latest wins: one question runs, one waits, and a waiting one that is overtaken answers null. */
+  /**
+   * Latest wins: one question runs, one waits, and a waiting one that is overtaken answers null. Moves of a drag wait at the
+   * worker, which begins the last of them as soon as it is free.
+   */
   ask(question: Question): Promise<Answer | null> {
     this.#waiting?.resolve(null);
+    this.#waiting = null;
+    if (this.#solving && isMove(this.#solving, question)) {
+      const answered = this.#solve(question).then((found) => found && { ...found, posed: null });
+      this.#moving = answered.then(
+        () => undefined,
+        () => undefined,
+      );
+      return answered;
+    }
     return new Promise((resolve, reject) => {
       this.#waiting = { question, resolve, reject };
       if (!this.#busy) this.#working = this.#work();
@@ -317,6 +350,7 @@ export class Engine {
       } catch (error) {
         reject(error);
       }
+      while (this.#solving) await this.#moving;
     }
     this.#busy = false;
   }
@@ -342,7 +376,7 @@ export class Engine {
     }
   }
 
-  async #answer(question: Question): Promise<Answer> {
+  async #answer(question: Question): Promise<Answer | null> {
     const { api } = this.#worker;
     const { parameters, sources } = question;
     if (question.method === 'heat' && parameters !== this.#parameters) {
@@ -361,14 +395,11 @@ export class Engine {
       this.#inside = question.inside;
       this.#view = await this.#worker.call(api.look(innerCutOf(question.inside, this.box)));
     }
-    const weighted = isWeighted(question.ground);
-    const pathKind = pathKindOf(question, weighted);
-    const about = { question, posed: null, pathKind, factoring: this.#factoring, inside: this.#view };
+    const about = this.#about(question);
     if (sources.length === 0) {
       const [posed] = await Promise.all([posing, laying]);
       return { ...about, posed, field: null, path: null, pathMs: 0 };
     }
-    const request = requestOf(question, pathKind);
     const held = this.#held;
     // Another path does not undo what refinement has reached, unless it is not wanted.
     if (
@@ -376,18 +407,39 @@ export class Engine {
       isSameField(held.question, question) &&
       !(question.method === 'propagation' && held.field.refineMs > 0)
     ) {
-      return { ...about, field: held.field, ...(await this.#path(request)) };
+      return { ...about, posed: null, field: held.field, ...(await this.#path(requestOf(question, about.pathKind))) };
     }
+    const [posed, , answer] = await Promise.all([posing, laying, this.#solve(question)]);
+    return answer && { ...answer, posed };
+  }
+
+  #about(question: Question): Known {
+    const pathKind = pathKindOf(question, isWeighted(question.ground));
+    return { question, pathKind, factoring: this.#factoring, inside: this.#view };
+  }
+
+  /** Solves for a field. Null where the worker was asked for another one before it began. */
+  async #solve(question: Question): Promise<(Known & Solved) | null> {
     this.#held = null;
-    const solving: Promise<Solved> = this.#worker.call(
-      question.method === 'heat'
-        ? api.solve([...sources], question.quick, request)
-        : api.propagate([...sources], windowsOf(question, weighted), request),
-    );
-    const [posed, , solved] = await Promise.all([posing, laying, solving]);
-    this.#held = { question, field: solved.field };
-    this.#view = solved.inside;
-    return { ...about, posed, ...solved };
+    this.#solving = question;
+    const { api } = this.#worker;
+    const { quick } = question;
+    const sources = [...question.sources];
+    const about = this.#about(question);
+    const request = requestOf(question, about.pathKind);
+    try {
+      const solved = await this.#worker.call(
+        question.method === 'heat'
+          ? api.solve(sources, quick, request)
+          : api.propagate(sources, windowsOf(question, isWeighted(question.ground)), quick, request),
+      );
+      if (!solved) return null;
+      if (this.#solving === question) this.#held = { question, field: solved.field };
+      this.#view = solved.inside;
+      return { ...about, ...solved };
+    } finally {
+      if (this.#solving === question) this.#solving = null;
+    }
   }
 
   /** While the mesh moves, its parts stay joined where they met when it stood still: that takes too long for each frame. */

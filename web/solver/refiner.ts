@@ -2,14 +2,14 @@
 import type { DistanceField } from '../protocol';
 import { isRefined, type SceneState } from '../state/scene';
 import { isWeighted } from '../state/ground';
-import { Signal } from '../state/signal';
+import { Signal, until } from '../state/signal';
 import type { Answer, Engine } from './engine';
 import { WorkerLost } from './remote';
 import { isOutOfMemory } from './trap';
 
 /**
  * What is being done about exactness. `solving`: a question is under way; `resting`: answered, and nobody asks;
- * `refining`. The others are ends. `exact`: everything is; `off`: not wanted; `costs`: not possible where costs differ; `inside`: nor in tetrahedra; `idle`: no field; `memory`, `late` and
+ * `refining`; `hidden`: stopped until the page is seen again. The others are ends. `exact`: everything is; `off`: not wanted; `costs`: not possible where costs differ; `inside`: nor in tetrahedra; `idle`: no field; `memory`, `late` and
  * `stuck`: given up, for want of memory or time, or because a few steps made no progress; `failed`: the query or a step
  * failed.
  */
@@ -17,6 +17,7 @@ export type Phase =
   | 'solving'
   | 'resting'
   | 'refining'
+  | 'hidden'
   | 'exact'
   | 'off'
   | 'costs'
@@ -41,6 +42,8 @@ export class Refiner {
   readonly phase = new Signal<Phase>('solving');
   readonly #show: (answer: Answer) => void;
   readonly #fail: (error: unknown) => void;
+  /** Whether the page is hidden, so that nobody sees what is refined. */
+  readonly #isHidden: Signal<boolean>;
   /** What is under way; another object, and it ends. */
   #turn = {};
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -51,12 +54,13 @@ export class Refiner {
   /** Whether a worker was lost for want of memory: what is exact is not asked for any more. */
   #hasLostWorker = false;
 
-  constructor(show: (answer: Answer) => void, fail: (error: unknown) => void) {
+  constructor(show: (answer: Answer) => void, fail: (error: unknown) => void, isHidden: Signal<boolean>) {
     this.#show = show;
     this.#fail = fail;
+    this.#isHidden = isHidden;
   }
 
-  /** Nothing is under way, and nothing will be until the next answer. */
+  /** Nothing is under way, and nothing will be until the next answer, or until the page is seen. */
   get settled(): boolean {
     return !['solving', 'resting', 'refining'].includes(this.phase.value);
   }
@@ -125,7 +129,9 @@ export class Refiner {
   async #trace(engine: Engine, answer: Answer, turn: object): Promise<Answer | null> {
     const isLate = deadline();
     let traced: Answer | null = answer;
-    while (traced === answer && turn === this.#turn && !isLate()) traced = await engine.traceExactly(answer);
+    while (traced === answer && turn === this.#turn && !isLate(await this.#seen(turn))) {
+      traced = await engine.traceExactly(answer);
+    }
     if (turn !== this.#turn || !traced) return null;
     // Where there is no exact path, the straightened one stays.
     if (traced === answer || !traced.path) return answer;
@@ -140,7 +146,9 @@ export class Refiner {
     let reached = Number.NEGATIVE_INFINITY;
     let idle = 0;
     while (!isExact(shown)) {
-      if (isLate()) return 'late';
+      const isOver = isLate(await this.#seen(turn));
+      if (turn !== this.#turn) return null;
+      if (isOver) return 'late';
       const next = await engine.refine(shown);
       if (turn !== this.#turn || !next?.field) return null;
       this.#reached = next.field;
@@ -155,6 +163,16 @@ export class Refiner {
     return 'exact';
   }
 
+  /** Waits until the page is seen, or something else is asked; the milliseconds that it took. */
+  async #seen(turn: object): Promise<number> {
+    if (!this.#isHidden.value || turn !== this.#turn) return 0;
+    const began = performance.now();
+    this.phase.value = 'hidden';
+    await until(() => !this.#isHidden.value || turn !== this.#turn, this.#isHidden, this.phase);
+    if (turn === this.#turn) this.phase.value = 'refining';
+    return performance.now() - began;
+  }
+
   /** Where an answer is to stay as it is. */
   #endOf(answer: Answer, refines: boolean): Phase | null {
     if (!answer.field) return 'idle';
@@ -166,10 +184,13 @@ export class Refiner {
   }
 }
 
-/** Whether the most time that anything may take has passed since. */
-function deadline(): () => boolean {
-  const began = performance.now();
-  return () => performance.now() - began > 1000 * MOST_SECONDS;
+/** Whether the most time that anything may take has passed since; what is told as idle does not count. */
+function deadline(): (idleMs: number) => boolean {
+  let began = performance.now();
+  return (idleMs) => {
+    began += idleMs;
+    return performance.now() - began > 1000 * MOST_SECONDS;
+  };
 }
 
 function isExact({ field }: Answer): boolean {

@@ -1,27 +1,13 @@
 /** Table 1 of the report on this device: each model in a worker of its own, beside the scene on screen. */
 import type { MeshInput, OpenedMesh, Parameters, Room, Source } from '../protocol';
-import { LEVEL } from '../state/ground';
-import { WHOLE } from '../state/inside';
 import { findPreset } from '../state/presets';
 import { median, type ModelOfReport, parametersOfReport, REPORT, type Row, type Times } from '../state/table1';
-import { AUTOMATIC, DEFAULT_WINDOWS } from '../wasm/contract';
-import { SolverClient, type Wanted } from './client';
-import type { Engine, Question } from './engine';
+import { AUTOMATIC } from '../wasm/contract';
+import { aside, PLAIN_QUESTION } from './aside';
+import type { Wanted } from './client';
+import type { Engine } from './engine';
 
 const ROOM: Room = { windows: 0, memory: AUTOMATIC };
-/** Of all that is asked. */
-const QUESTION: Omit<Question, 'parameters' | 'sources'> = {
-  method: 'heat',
-  windows: DEFAULT_WINDOWS,
-  bridge: 'off',
-  links: 0,
-  ground: LEVEL,
-  moment: null,
-  inside: WHOLE,
-  from: null,
-  pathKind: 'descent',
-  quick: false,
-};
 
 /** Sources whose solves are timed; conjugate gradients take longer. */
 const SOURCES = { cg: 3, cholesky: 9 } as const;
@@ -51,35 +37,23 @@ export async function measureTable(
   }
 }
 
-async function measureModel({ title, model, triangles }: ModelOfReport, signal: AbortSignal): Promise<Row> {
-  signal.throwIfAborted();
-  const client = new SolverClient();
-  let engine: Engine | null = null;
-  const end = () => {
-    client.cancel();
-    engine?.dispose();
-  };
-  signal.addEventListener('abort', end);
-  try {
-    const parameters = parametersOfReport('cg');
-    const { load, parts } = modelOf(model);
-    const wanted: Wanted = { parts, parameters, room: ROOM, up: AUTOMATIC, triangles, fill: null };
-    engine = await client.open(load, wanted, () => undefined);
+function measureModel({ title, model, triangles }: ModelOfReport, signal: AbortSignal): Promise<Row> {
+  const parameters = parametersOfReport('cg');
+  const { load, parts } = modelOf(model);
+  const wanted: Wanted = { parts, parameters, room: ROOM, up: AUTOMATIC, triangles, fill: null };
+  return aside(load, wanted, signal, async (engine) => {
     const { opened } = engine;
     const iterated = await timesOf(engine, parameters, SOURCES.cg);
     const factored = await timesOf(engine, parametersOfReport('cholesky'), SOURCES.cholesky);
     return { title, triangles: opened.surface.triangles.length / 3, iterated, factored };
-  } finally {
-    signal.removeEventListener('abort', end);
-    end();
-  }
+  });
 }
 
 async function timesOf(engine: Engine, parameters: Parameters, count: number): Promise<Times> {
   let precompute = 0;
   const solves: number[] = [];
   for (const source of sample(engine.opened, count)) {
-    const answer = await engine.ask({ ...QUESTION, parameters, sources: [source] });
+    const answer = await engine.ask({ ...PLAIN_QUESTION, parameters, sources: [source] });
     if (!answer?.field) throw new Error('A question was not answered.');
     const { buildMs, precomputeMs } = answer.factoring.timings;
     precompute = buildMs + precomputeMs;

@@ -48,12 +48,16 @@ export function decodeCompared(text: string, own: Settings): Compared[] | null {
 
 const BY_HEAT: Settings = { method: 'heat', windows: DEFAULT_WINDOWS, parameters: DEFAULT_PARAMETERS, refine: false };
 
-/** The comparisons of the report by He and Hung, left and right. Nothing is refined: exact fields would not differ. */
+/**
+ * The comparisons of the report by He and Hung, left and right, and what stands for the exact one inside of tetrahedra. Nothing is refined:
+ * exact fields would not differ.
+ */
 export const STUDIED = {
   'time-step': [byHeat({ timeStep: 1 }), byHeat({ timeStep: 1000 })],
   solver: [byHeat({ solver: 'cholesky' }), byHeat({ solver: 'cg' })],
   boundary: [byHeat({ boundary: 'neumann' }), byHeat({ boundary: 'dirichlet' })],
   exact: [BY_HEAT, { ...BY_HEAT, method: 'exact', refine: true }],
+  automatic: [BY_HEAT, { ...BY_HEAT, method: 'auto' }],
 } as const satisfies Record<string, readonly [Settings, Settings]>;
 export type Studied = keyof typeof STUDIED;
 

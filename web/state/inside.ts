@@ -1,6 +1,12 @@
 /** How the inside of a mesh of tetrahedra is looked into. */
 import type { InnerCut } from '../protocol';
+import type { Method } from '../wasm/contract';
 import type { Box, Vector } from './places';
+
+/** Whether a mesh can be asked by a method: inside of tetrahedra distance is by heat, or by waves from vertex to vertex. */
+export function isMethodOf(method: Method, isInside: boolean): boolean {
+  return !isInside || method === 'auto' || method === 'heat';
+}
 
 export const CUTS = ['none', 'plane', 'wedge'] as const;
 

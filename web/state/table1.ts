@@ -1,6 +1,7 @@
 /** Table 1 of the report: conjugate gradients beside Cholesky factors on eleven models. */
 import type { Parameters } from '../protocol';
 import { DEFAULT_PARAMETERS } from '../wasm/contract';
+import { markdownTable } from './markdown';
 
 /** Milliseconds. */
 export interface Times {
@@ -75,24 +76,12 @@ export function milliseconds(time: number): string {
   return time >= 100 ? time.toFixed(0) : time.toFixed(1);
 }
 
-function line(cells: readonly string[]): string {
-  return `| ${cells.join(' | ')} |`;
-}
-
 /** A table in Markdown; `device` is told below it. */
 export function markdownOf(rows: readonly Row[], device: string): string {
-  const lines = [line(HEAD), line(HEAD.map((_, index) => (index === 0 ? '---' : '---:')))];
-  return [
-    ...lines,
-    ...rows.map((row) =>
-      line(
-        cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
-      ),
-    ),
-    '',
-    `Measured by Heatwalk in ${device}.`,
-    '',
-  ].join('\n');
+  const told = rows.map((row) =>
+    cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
+  );
+  return `${markdownTable(HEAD, told, [0])}\nMeasured by Heatwalk in ${device}.\n`;
 }
 
 export function csvOf(rows: readonly Row[]): string {

@@ -263,6 +263,7 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
     case 'solving':
     case 'resting':
     case 'refining':
+    case 'hidden':
     case 'failed':
     case 'idle':
       return soFar;

@@ -33,6 +33,7 @@ export const ORDER = [
   'offset',
   'field',
   'inside',
+  'otherInside',
   'pins',
   'path',
   'walker',
@@ -47,6 +48,7 @@ export const CLEARED_BY_SURFACE: readonly Layer[] = [
   'ground',
   'field',
   'inside',
+  'otherInside',
   'pins',
   'path',
   'walker',
@@ -71,8 +73,9 @@ export interface Picture {
   edges: Readonly<Record<EdgeGroup, readonly Edges[]>>;
   /** The field, and the one that it is compared with. */
   fields: Readonly<Fields>;
-  /** What is seen of the inside of tetrahedra. */
+  /** What is seen of the inside of tetrahedra, and by the other field. */
   inside: InnerView | null;
+  otherInside: InnerView | null;
 }
 
 export const NO_MESH = {
@@ -104,5 +107,5 @@ export const NO_INSIDE: InnerView = {
   arrowVectors: new Float32Array(),
 };
 export function emptyPicture(): Picture {
-  return { layers: new Map(), stride: 1, edges: NO_EDGES, fields: NO_FIELDS, inside: null };
+  return { layers: new Map(), stride: 1, edges: NO_EDGES, fields: NO_FIELDS, inside: null, otherInside: null };
 }

@@ -80,7 +80,7 @@ export class View extends Screen {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
       this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
-      [picture.edges, picture.fields, picture.inside] = [NO_EDGES, NO_FIELDS, null];
+      [picture.edges, picture.fields, picture.inside, picture.otherInside] = [NO_EDGES, NO_FIELDS, null, null];
       this.setScenery(scenery);
     } catch (error) {
       picture.layers = before;
@@ -147,9 +147,13 @@ export class View extends Screen {
     this.#showFields({ ...this.#picture.fields, field });
   }
 
-  /** Another field of the same mesh, right of the split; null: none. */
-  setOtherField(other: ShownField | null): void {
+  /** Another field of the same mesh, right of the split, and what is seen of it inside of tetrahedra; null: none. */
+  setOther(other: ShownField | null, inside: InnerView | null): void {
     if (other !== this.#picture.fields.other) this.#showFields({ ...this.#picture.fields, other });
+    if (inside === this.#picture.otherInside) return;
+    this.#picture.otherInside = inside;
+    const { section, shells } = partsOf(inside ?? NO_INSIDE);
+    this.#show('otherInside', (viewer) => viewer.set_other_inside(section, shells));
   }
 
   /** Both in colors up to the larger of their largest values. */
@@ -168,16 +172,13 @@ export class View extends Screen {
   setInside(inside: InnerView | null, planes: readonly number[]): void {
     if (!inside && !this.#picture.inside) return;
     this.#picture.inside = inside;
-    const { positions, normals, values, tangents, triangles, hidesSurface } = inside ?? NO_INSIDE;
-    const { shellPositions, shellNormals, shellValues, shellTriangles, arrowPlaces, arrowVectors } =
-      inside ?? NO_INSIDE;
-    const section = triangles.length > 0 ? { positions, normals, values, tangents, triangles } : null;
-    const shells = { positions: shellPositions, normals: shellNormals, values: shellValues, triangles: shellTriangles };
+    const { hidesSurface, arrowPlaces, arrowVectors } = inside ?? NO_INSIDE;
+    const { section, shells } = partsOf(inside ?? NO_INSIDE);
     const cut = Float32Array.from(inside ? planes : []);
     this.#show('inside', (viewer) => {
       viewer.set_cut(cut);
       viewer.set_section(section, hidesSurface);
-      viewer.set_shells(shells.triangles.length > 0 ? shells : null, SHELL_OPACITY);
+      viewer.set_shells(shells, SHELL_OPACITY);
       viewer.set_inner_arrows(arrowPlaces, arrowVectors);
     });
   }
@@ -344,6 +345,16 @@ export class View extends Screen {
     this.#picture.layers.set(layer, apply);
     if (isCommon) this.#drawn.layers.set(layer, apply);
   }
+}
+
+/** Section and shells as the renderer takes them; null where there are none. */
+function partsOf({ positions, normals, values, tangents, triangles, ...rest }: InnerView) {
+  const { shellPositions, shellNormals, shellValues, shellTriangles } = rest;
+  const shells = { positions: shellPositions, normals: shellNormals, values: shellValues, triangles: shellTriangles };
+  return {
+    section: triangles.length > 0 ? { positions, normals, values, tangents, triangles } : null,
+    shells: shellTriangles.length > 0 ? shells : null,
+  };
 }
 
 /** A place on the section as one in its tetrahedron. */

@@ -212,11 +212,39 @@ fn a_basis_image_is_taken_where_there_is_no_other() {
     let bytes = |channel| &look.images[texture(&look.materials[0], channel).image].bytes[..];
     assert_eq!(bytes(Channel::BaseColor), b"\x89PNG of a texture");
     assert_eq!(bytes(Channel::Normal), b"\xABKTX 20\xBB\r\n\x1A\n");
-    // It is written as the extension wants it.
-    let glb = write::distance_glb(&soup, &vec![1.0; soup.positions.len()]);
-    let back = io::read("mesh.glb", &glb, &|_| None).unwrap();
-    let normal = back.appearance.images[texture(&back.appearance.materials[0], Channel::Normal).image].clone();
-    assert_eq!((&normal.bytes[..], &normal.media_type[..]), (bytes(Channel::Normal), "image/ktx2"));
+}
+
+/// The document of a GLB file.
+fn document_of(glb: &[u8]) -> Value {
+    let length = u32::from_le_bytes([glb[12], glb[13], glb[14], glb[15]]) as usize;
+    serde_json::from_slice(&glb[20..20 + length]).unwrap()
+}
+
+#[test]
+fn images_that_need_an_extension_are_written_with_it() {
+    for (media_type, name, encoded, bytes) in [
+        ("image/ktx2", "KHR_texture_basisu", "q0tUWCAyMLsNChoK", &b"\xABKTX 20\xBB\r\n\x1A\n"[..]),
+        ("image/webp", "EXT_texture_webp", "UklGRgQAAABXRUJQ", b"RIFF\x04\0\0\0WEBP"),
+    ] {
+        let (mut document, data) = document();
+        let mut extensions = json!({});
+        extensions[name] = json!({ "source": 2 });
+        document["textures"][1] = json!({ "extensions": extensions });
+        let image = json!({ "uri": format!("data:{media_type};base64,{encoded}") });
+        document["images"].as_array_mut().unwrap().push(image);
+        let soup = read(&document, &data);
+        let glb = write::distance_glb(&soup, &vec![1.0; soup.positions.len()]);
+        let back = io::read("mesh.glb", &glb, &|_| None).unwrap().appearance;
+        let normal = &back.images[texture(&back.materials[0], Channel::Normal).image];
+        assert_eq!((&normal.bytes[..], &normal.media_type[..]), (bytes, media_type));
+        let written = document_of(&glb);
+        assert_eq!(written["extensionsRequired"], json!([name]));
+        assert!(written["extensionsUsed"].as_array().unwrap().contains(&name.into()));
+        let textures = written["textures"].as_array().unwrap();
+        let [by_extension, plain] = [true, false]
+            .map(|wanted| textures.iter().filter(|texture| texture.get("extensions").is_some() == wanted).count());
+        assert_eq!([by_extension, plain], [1, 1], "{name}");
+    }
 }
 
 #[test]

@@ -13,11 +13,12 @@ use crate::shell::{ShellRenderer, Shells};
 pub(crate) struct Inside {
     pub(crate) cut: Cut,
     pub(crate) cuts: Option<CutRenderer>,
-    pub(crate) section: Option<Section>,
+    pub(crate) filling: Filling,
+    /// Seen right of the split, where the surface has another field there.
+    pub(crate) other: Filling,
     pub(crate) sections: Option<SectionRenderer>,
     /// Something else stands in the place of the surface.
     pub(crate) hides_surface: bool,
-    pub(crate) shells: Option<Shells>,
     pub(crate) films: Option<ShellRenderer>,
     /// Greatest distance of the section from the middle of the scene; 0 where there is none.
     pub(crate) reach: f32,
@@ -26,27 +27,36 @@ pub(crate) struct Inside {
     ramp_row: usize,
 }
 
+/// What is seen of one field within the solid.
+#[derive(Default)]
+pub(crate) struct Filling {
+    pub(crate) section: Option<Section>,
+    pub(crate) shells: Option<Shells>,
+}
+
 impl Inside {
     /// Takes all away.
     pub(crate) fn clear(&mut self) {
         self.cut = Cut::default();
-        (self.section, self.shells) = (None, None);
+        (self.filling, self.other) = (Filling::default(), Filling::default());
         self.hides_surface = false;
     }
 
     /// `max`: the largest value of the field from now on.
     pub(crate) fn scale(&self, context: &Context, max: f64) {
-        if let Some(section) = &self.section {
-            section.scale(context, max);
-        }
-        if let Some(shells) = &self.shells {
-            shells.scale(context, max);
+        for Filling { section, shells } in [&self.filling, &self.other] {
+            if let Some(section) = section {
+                section.scale(context, max);
+            }
+            if let Some(shells) = shells {
+                shells.scale(context, max);
+            }
         }
     }
 
     /// `center`: the middle of the scene from now on.
     pub(crate) fn measure(&mut self, center: Vec3) {
-        self.reach = self.section.as_ref().map_or(0.0, |section| section.reach(center));
+        self.reach = self.filling.section.as_ref().map_or(0.0, |section| section.reach(center));
     }
 
     /// Which of the ramps shells are coloured by.

@@ -207,7 +207,7 @@ impl Renderer {
             let hit = mesh.picker.cast_where(ray, |place| !self.inside.cut.takes(place))?;
             Some((hit, mesh.picker.corners(hit.triangle).map(|vertex| mesh.normals[vertex as usize])))
         });
-        let on_section = self.inside.section.as_ref().and_then(|section| {
+        let on_section = self.inside.filling.section.as_ref().and_then(|section| {
             let hit = section.cast(ray)?;
             Some((hit, section.corner_normals(hit.triangle)))
         });

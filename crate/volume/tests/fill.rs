@@ -96,30 +96,42 @@ fn closed_shapes_fill_within_their_bounds() {
         // Table 1 of Labelle & Shewchuk.
         assert!(least > 9.31 && greatest < 161.65, "{name}: {least} {greatest}");
         assert!((volume(&soup) - report.volume).abs() < 1e-9 * report.volume, "{name}");
-        // Chords across what bulges; thin parts are few cells thick at this resolution.
+        // Shifts go on until less than 10⁻⁴ of a cell is missing at the surface, here 2 · 10⁻⁴ of the volume, or leave a hundredth of the 2 %
+        // that chords take away.
         let lost = report.surface_volume.map_or(0.0, |volume| (report.volume / volume - 1.0).abs());
-        assert!(lost < 0.02, "{name}: {lost}");
+        assert!(lost < 1e-3, "{name}: {lost}");
         assert!(report.deviation < 0.5 * report.cell_side, "{name}: {}", report.deviation / report.cell_side);
-        // Parts as thin as a cell have more vertices for their volume than the two shapes that the estimate was fitted to.
-        for (found, expected, tolerance) in
-            [(report.tetrahedra, estimate.tetrahedra, 0.1), (report.vertices, estimate.vertices, 0.2)]
-        {
-            assert!((found as f64 / expected as f64 - 1.0).abs() < tolerance, "{name}: {found}, {expected} expected");
+        for (found, expected) in [(report.tetrahedra, estimate.tetrahedra), (report.vertices, estimate.vertices)] {
+            assert!((found as f64 / expected as f64 - 1.0).abs() < 0.1, "{name}: {found}, {expected} expected");
         }
     }
 }
 
 #[test]
-fn a_sphere_converges() {
-    let exact = 4.0 / 3.0 * PI;
+fn a_sphere_converges_with_its_volume_at_every_resolution() {
     let mut before = f64::INFINITY;
-    for cells in [8.0, 16.0, 32.0] {
+    for cells in [6.0, 12.0, 24.0] {
         let Filled { report, .. } = fill(&shapes::icosphere(5), cells);
-        let error = (report.volume / exact - 1.0).abs();
+        let error = (report.volume / report.surface_volume.unwrap() - 1.0).abs();
+        // Each shift leaves a fifth of what is missing, 3 % at six cells.
+        assert!(error < 3e-4, "{cells}: {error}");
         // Of second order in the side of the cells, until the triangles of the sphere are seen.
-        assert!(error < 0.35 * before, "{cells}: {error}");
-        assert!(report.deviation < 0.1 * report.cell_side, "{cells}: {}", report.deviation / report.cell_side);
-        before = error;
+        assert!(report.deviation < 0.35 * before, "{cells}: {}", report.deviation);
+        before = report.deviation;
+    }
+}
+
+#[test]
+fn what_overlapping_parts_enclose_together_is_filled() {
+    // Two unit spheres whose centres are 1 apart share a lens.
+    let mut second = shapes::icosphere(5);
+    second.positions.iter_mut().for_each(|position| position.x += 1.0);
+    let exact = 8.0 / 3.0 * PI - 5.0 / 12.0 * PI;
+    for cells in [12.0, 24.0] {
+        let report = fill(&joined(&[shapes::icosphere(5), second.clone()]), cells).report;
+        assert_eq!(report.surface_volume, None);
+        // The share of places that tetrahedra lack is known to its square root: 4 of 1,300 and 5 of 7,000 points inside.
+        assert!((report.volume / exact - 1.0).abs() < 3e-3, "{cells}: {}", report.volume / exact);
     }
 }
 
@@ -158,7 +170,9 @@ fn cavities_stay_empty_and_parts_within_parts_are_filled() {
         assert!((report.volume / shell - 1.0).abs() < 0.02, "{}", report.volume / shell);
     }
     let full = fill(&joined(&[outer.clone(), inner]), 24.0).report;
-    assert!((full.volume - fill(&outer, 24.0).report.volume).abs() < 1e-12, "{}", full.volume);
+    // Triangles tell the volume of the outer one alone, places that of both.
+    let share = full.volume / fill(&outer, 24.0).report.volume;
+    assert!((share - 1.0).abs() < 2e-3, "{share}");
 }
 
 #[test]
@@ -173,8 +187,9 @@ fn what_is_thinner_than_a_cell_is_not_lost() {
         let Filled { soup, report } = fill(&plate, (high - low).max_element());
         assert_conforming(&soup);
         let kept = report.volume / report.surface_volume.unwrap();
-        // The rim is rounded, and tetrahedra that would be too flat are left out.
-        assert!(kept > 0.85 && kept < 1.0, "{thickness}: {kept}");
+        // The rim is rounded, and tetrahedra that would be too flat are left out; the boundary is shifted for the rest, and volume jumps
+        // where points change sides.
+        assert!((kept - 1.0).abs() < 0.02, "{thickness}: {kept}");
         assert!(report.deviation < 0.5 * thickness, "{thickness}: {}", report.deviation);
     }
 }

@@ -31,6 +31,7 @@ import type {
 } from '../../protocol';
 import initialise, * as wasm from '../../wasm/solver/heatwalk_worker.js';
 import { AUTOMATIC, DEFAULT_WINDOWS, type Up } from '../../wasm/contract';
+import { Latest } from '../latest';
 import { isOutOfMemory, isTrap } from '../trap';
 import type { ShownAs } from './curves';
 import { innerSolver, interiorBytes, interiorOf } from './interior';
@@ -74,6 +75,8 @@ let opened:
   | undefined;
 let current: Current | undefined;
 let shownAs: ShownAs | undefined;
+/** Fields that are asked for while the pointer drags. */
+const moves = new Latest();
 /** The inactive parts that move. */
 let movingScenery: { part: number; scenery: wasm.Scenery }[] = [];
 
@@ -251,11 +254,18 @@ const api: SolverApi = {
     return Promise.resolve(transfer(posed, [...buffers, ...pathBuffersOf(posed)]));
   },
 
-  solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved> {
+  async solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null> {
+    if (quick && !(await moves.isLast())) return null;
     return firstField(true, ({ solver }) => messageOf(solver.solve(known(sources), quick)), request);
   },
 
-  propagate(sources: Source[], windows: number, request: PathRequest | null): Promise<Solved> {
+  async propagate(
+    sources: Source[],
+    windows: number,
+    quick: boolean,
+    request: PathRequest | null,
+  ): Promise<Solved | null> {
+    if (quick && !(await moves.isLast())) return null;
     return firstField(false, ({ solver }) => messageOf(solver.propagate(known(sources), windows)), request);
   },
 

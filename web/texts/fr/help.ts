@@ -46,6 +46,8 @@ export const HELP: Texts = {
   'Move a source': 'Déplacer une source',
   'drag its pin': 'glisser son épingle',
   arrows: 'flèches',
+  'Move a corner of the selected line': 'Déplacer un coin de la ligne choisie',
+  'Tab to it, arrows': 'Tab jusqu’à lui, flèches',
   'Remove the selected source': 'Enlever la source choisie',
   '× in the list': '× dans la liste',
   Delete: 'Suppr',

@@ -94,6 +94,8 @@ export const PAGE: Texts = {
   'Area enclosed: {0}.': 'Aire enclose : {0}.',
   'This tape does not part the surface in two, so it encloses no area.':
     'Ce ruban ne partage pas la surface en deux ; il n’enclôt donc aucune aire.',
+  'This tape leads through the inside, where no one surface spans it, so it encloses no area.':
+    'Ce ruban traverse l’intérieur, où aucune surface n’est la seule à le remplir ; il n’enclôt donc aucune aire.',
   'This tape crosses itself, so it encloses no area.': 'Ce ruban se croise lui-même ; il n’enclôt donc aucune aire.',
   'The surface has no two sides of this tape, so it encloses no area.':
     'La surface n’a pas deux côtés de ce ruban ; il n’enclôt donc aucune aire.',
@@ -104,15 +106,16 @@ export const PAGE: Texts = {
   'Open a folder': 'Ouvrir un dossier',
   '{0} holds more than {1} files; choose the folder of one mesh':
     '{0} contient plus de {1} fichiers ; choisissez le dossier d’un seul maillage',
+  'Corners of the line': 'Coins de la ligne',
+  'Corner {0} of {1}, vertex {2}': 'Coin {0} sur {1}, sommet {2}',
   'Divider between the two settings': 'Séparation entre les deux réglages',
   'm = 1 and m = 1000': 'm = 1 et m = 1000',
   'Cholesky and conjugate gradients': 'Cholesky et gradient conjugué',
   'Neumann and Dirichlet': 'Neumann et Dirichlet',
   'Heat and exact': 'Chaleur et exacte',
+  'Heat and automatic': 'Chaleur et automatique',
   'Two settings on one model: the settings of the section Solver on the left, others on the right.':
     'Deux réglages sur un modèle : ceux de la section Solveur à gauche, d’autres à droite.',
-  'Only surfaces can be compared, not the inside of a model.':
-    'Seules des surfaces peuvent être comparées, pas l’intérieur d’un modèle.',
   'Other settings': 'Autres réglages',
   'Swap sides': 'Échanger les côtés',
   'Stop comparing': 'Cesser de comparer',
@@ -158,6 +161,22 @@ export const PAGE: Texts = {
   'Measure Table 1': 'Mesurer la table 1',
   'Copy as Markdown': 'Copier en Markdown',
   'Save as CSV': 'Enregistrer en CSV',
+  'Measure convergence': 'Mesurer la convergence',
+  'Surfaces measured': 'Surfaces mesurées',
+  'Measuring {0} triangles, {1} of {2}.': 'Mesure de {0} triangles, {1} sur {2}.',
+  'Done. A slope of 1: half the edge, half the error.':
+    'Terminé. Une pente de 1 : arête divisée par deux, erreur aussi.',
+  'Error of heat': 'Erreur de la chaleur',
+  'Error of propagation': 'Erreur de la propagation',
+  'Mean edge': 'Arête moyenne',
+  '{0}, slope {1}': '{0}, pente {1}',
+  'Set a source first.': 'Placez d’abord une source.',
+  'At most {0} triangles can be split.': 'On ne peut diviser que {0} triangles au plus.',
+  Convergence: 'Convergence',
+  'The errors of heat, without an exact region, and of propagation, both by the present settings: on this surface, and on the same one with each triangle split in four, up to twice.':
+    'Les erreurs de la chaleur, sans région exacte, et de la propagation, avec les réglages actuels : sur cette surface et sur la même, chaque triangle divisé en quatre, jusqu’à deux fois.',
+  'The clipboard is not available. Save the charts as CSV.':
+    'Le presse-papiers n’est pas disponible. Enregistrez les graphiques en CSV.',
   'Measuring {0}, {1} of {2}.': 'Mesure de {0}, {1} sur {2}.',
   'Done. Other work on this device makes times longer.':
     'Terminé. Tout autre travail de cet appareil allonge les temps.',

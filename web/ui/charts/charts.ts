@@ -1,6 +1,6 @@
 /** Charts of the field that is shown: loaded when their section is first expanded. */
 import '../../style/charts.css';
-import type { Convergence, MeshPoint } from '../../protocol';
+import type { Convergence as Residuals, MeshPoint } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
@@ -9,12 +9,13 @@ import type { Places } from '../../state/places';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
-import { save } from '../../view/picture';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { percent } from '../words';
 import { type CutSurface, straightCut } from './cut';
-import { type Chart, csvOf, plot, type Series, svgFile, THEMED } from './plot';
+import { convergenceStudy } from './convergence';
+import { figure } from './figure';
+import type { Chart, Series } from './plot';
 import { table1 } from './table1';
 import { t } from '../../texts';
 
@@ -32,13 +33,13 @@ export class Charts {
   readonly #charts = h('div', { class: 'stack' });
   readonly #compare = h('button', { class: 'wide' }, t('Compare linear solvers'));
   /** Residuals of both linear solvers, and of which question. */
-  #compared: { question: Question; convergence: Convergence } | null = null;
+  #compared: { question: Question; convergence: Residuals } | null = null;
 
   constructor(session: Session, tapes: () => readonly MeasuredTape[]) {
     this.#session = session;
     this.#tapes = tapes;
     this.#compare.addEventListener('click', () => void this.#compareSolvers());
-    this.element.append(this.#charts, this.#compare, table1());
+    this.element.append(this.#charts, this.#compare, convergenceStudy(session), table1());
   }
 
   /** Draws what is shown now, soon. */
@@ -92,7 +93,7 @@ export class Charts {
 }
 
 /** Residuals of both systems of the heat method. */
-function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Convergence): Chart[] {
+function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Residuals): Chart[] {
   return [
     residualChart(t('Heat system'), heat, heatFactored),
     residualChart(t('Poisson system'), poisson, poissonFactored),
@@ -106,7 +107,7 @@ function residualChart(title: string, iterated: Float64Array, factored: number):
     { name: t('Conjugate gradients'), kind: 'line', x, y: iterated },
     { name: t('Cholesky'), kind: 'line', x, y: x.map(() => factored) },
   ];
-  return { title, xLabel: t('Steps'), yLabel: t('Residual'), logarithmic: true, series };
+  return { title, xLabel: t('Steps'), yLabel: t('Residual'), logarithmic: 'up', series };
 }
 
 /** What the worker was asked for; null where there is none. */
@@ -226,30 +227,4 @@ function cutOf(
     before = x[x.length - 1];
   }
   return x.length > 0 && y.every(Number.isFinite) ? { x, y } : null;
-}
-
-/** A chart with the buttons that save it. */
-function figure(chart: Chart, name: string): HTMLElement {
-  const file = `${name} ${chart.title.toLowerCase()}`;
-  const button = (kind: 'SVG' | 'CSV', blob: () => Blob) =>
-    h(
-      'button',
-      {
-        class: 'small',
-        'aria-label': t`Save ${chart.title} as ${kind}`,
-        onclick: () => save(blob(), `${file}.${kind.toLowerCase()}`),
-      },
-      kind,
-    );
-  return h(
-    'figure',
-    { class: 'chart' },
-    plot(chart, THEMED),
-    h(
-      'div',
-      {},
-      button('SVG', () => svgFile(chart)),
-      button('CSV', () => new Blob([csvOf(chart)], { type: 'text/csv' })),
-    ),
-  );
 }

@@ -3,8 +3,8 @@ import { t } from '../../texts';
 
 export interface Series {
   name: string;
-  /** Bars stand from each x to the next one, which is one more than there are y. */
-  kind: 'bars' | 'line';
+  /** Points are joined by lines. Bars stand from each x to the next one, which is one more than there are y. */
+  kind: 'bars' | 'line' | 'points';
   x: ArrayLike<number>;
   y: ArrayLike<number>;
 }
@@ -13,8 +13,8 @@ export interface Chart {
   title: string;
   xLabel: string;
   yLabel: string;
-  /** Powers of ten at equal steps upwards; values of 0 lie on the lowest one. */
-  logarithmic?: true;
+  /** `up`: powers of ten at equal steps upwards; values of 0 lie on the lowest one. `both`: as much of both axes as values take, which are above 0. */
+  logarithmic?: 'up' | 'both';
   series: readonly Series[];
 }
 
@@ -46,6 +46,16 @@ export const PRINTED: Palette = {
 const [WIDTH, HEIGHT] = [320, 190];
 const MARGIN = { left: 44, right: 10, top: 26, bottom: 36 };
 const TICKS = 5;
+/** Of axes that are fitted to their values: on either side, a share of what these take; in powers of ten where there is one value. */
+const FITTED_MARGIN = 0.08;
+const LONE_MARGIN = 0.3;
+/** What is told of each power of ten, on axes of at most so many; on longer ones the powers alone. */
+const STEPS = [
+  { decades: 1, steps: [1, 1.5, 2, 3, 4, 5, 7] },
+  { decades: 2.5, steps: [1, 2, 5] },
+];
+/** Radius of points. */
+const POINT = 3;
 
 /** Values at equal steps of 1, 2 or 5 times a power of ten, from 0 to the most. */
 export function ticksTo(most: number, count = TICKS): number[] {
@@ -83,16 +93,47 @@ export function logarithmicAxis(values: readonly number[]): Axis {
   };
 }
 
+/** From the least to the most value, with a margin on either side. */
+export function fittedAxis(values: readonly number[]): Axis {
+  const logarithms = values.map(Math.log10);
+  const [least, most] = [Math.min(...logarithms), Math.max(...logarithms)];
+  const margin = FITTED_MARGIN * (most - least) || LONE_MARGIN;
+  const [low, high] = [least - margin, most + margin];
+  const powers = Array.from({ length: Math.ceil(high) - Math.floor(low) + 1 }, (_, index) => Math.floor(low) + index);
+  const { steps } = STEPS.find(({ decades }) => high - low <= decades) ?? { steps: [1] };
+  const ticks = powers
+    .flatMap((power) => steps.map((step) => Number(`${step}e${power}`)))
+    .filter((value) => Math.log10(value) >= low && Math.log10(value) <= high);
+  return {
+    place: (value) => (Math.log10(value) - low) / (high - low),
+    ticks: ticks.map((value) => ({ value, label: shortly(value) })),
+  };
+}
+
+/** Up to four places; else as a product with a power of ten. */
+function shortly(value: number): string {
+  const power = Math.floor(Math.log10(value) + 1e-9);
+  if (power > -4 && power < 4) return String(value);
+  const digit = Math.round(value / 10 ** power);
+  return `${digit === 1 ? '' : `${digit}·`}10${superscript(power)}`;
+}
+
 function superscript(whole: number): string {
   return [...String(whole)].map((sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)])).join('');
 }
 
 export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, palette: Palette): SVGSVGElement {
-  const mostX = Math.max(...series.map(({ x }) => x[x.length - 1] ?? 0), 0);
+  const places = series.flatMap(({ x }) => Array.from(x));
   const values = series.flatMap(({ y }) => Array.from(y).filter(Number.isFinite));
-  const up = logarithmic ? logarithmicAxis(values) : linearAxis(Math.max(...values, 0));
+  const along = logarithmic === 'both' ? fittedAxis(places) : linearAxis(Math.max(...places, 0));
+  const up =
+    logarithmic === 'both'
+      ? fittedAxis(values)
+      : logarithmic === 'up'
+        ? logarithmicAxis(values)
+        : linearAxis(Math.max(...values, 0));
   const [right, bottom] = [WIDTH - MARGIN.right, HEIGHT - MARGIN.bottom];
-  const px = (x: number) => MARGIN.left + (mostX > 0 ? x / mostX : 0) * (right - MARGIN.left);
+  const px = (x: number) => MARGIN.left + along.place(x) * (right - MARGIN.left);
   const py = (y: number) => bottom - up.place(y) * (bottom - MARGIN.top);
   const root = svg('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
@@ -108,10 +149,8 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
     root.append(svg('path', { d: `M${MARGIN.left} ${y}H${right}`, stroke: palette.grid }));
     root.append(text(label, { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
   }
-  for (const tick of ticksTo(mostX)) {
-    root.append(
-      text(String(tick), { x: px(tick).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }),
-    );
+  for (const { value, label } of along.ticks) {
+    root.append(text(label, { x: px(value).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }));
   }
   root.append(
     text(xLabel, { x: (MARGIN.left + right) / 2, y: HEIGHT - 6, 'text-anchor': 'middle', fill: palette.text }),
@@ -128,6 +167,9 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
     const order = Array.from({ length: y.length }, (_, i) => i);
     if (kind === 'bars') root.append(svg('path', { d: order.map(bar).join(''), fill: color }));
     else root.append(svg('path', { d: `M${order.map(at).join('L')}`, fill: 'none', stroke: color, 'stroke-width': 2 }));
+    if (kind === 'points') {
+      for (const i of order) root.append(svg('circle', { cx: px(x[i]), cy: py(y[i]), r: POINT, fill: color }));
+    }
     if (series.length > 1) {
       root.append(text(name, { x: right, y: 14 + 12 * index, 'text-anchor': 'end', fill: color, 'font-weight': 600 }));
     }

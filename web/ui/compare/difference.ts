@@ -1,14 +1,15 @@
 /** How far two fields of one mesh are apart. */
 import type { DistanceField } from '../../protocol';
 
-type Values = Pick<DistanceField, 'distance' | 'maxDistance'>;
+type Values = Pick<DistanceField, 'distance' | 'inner' | 'maxDistance'>;
 
-/** Over the drawn vertices that both reach; shares of the largest distance on the left. Null where there is none. */
+/** Over the drawn vertices that both reach, of tetrahedra over all vertices; shares of the largest distance on the left. Null where there is none. */
 export function difference(left: Values, right: Values): { mean: number; most: number } | null {
-  if (left.distance.length !== right.distance.length || left.maxDistance === 0) return null;
+  const [ofLeft, ofRight] = [left, right].map(({ inner, distance }) => inner ?? distance);
+  if (ofLeft.length !== ofRight.length || left.maxDistance === 0) return null;
   let [sum, most, vertices] = [0, 0, 0];
-  left.distance.forEach((one, i) => {
-    const apart = Math.abs(one - right.distance[i]);
+  ofLeft.forEach((one, i) => {
+    const apart = Math.abs(one - ofRight[i]);
     if (!Number.isFinite(apart)) return;
     sum += apart;
     most = Math.max(most, apart);

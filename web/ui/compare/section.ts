@@ -3,6 +3,7 @@ import type { PathKind, SurfacePath } from '../../protocol';
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } from '../../state/compared';
+import { isMethodOf } from '../../state/inside';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import type { Settings } from '../../state/settings';
 import {
@@ -27,11 +28,11 @@ const CHOICES: Record<Studied, string> = {
   solver: t('Cholesky and conjugate gradients'),
   boundary: t('Neumann and Dirichlet'),
   exact: t('Heat and exact'),
+  automatic: t('Heat and automatic'),
 };
 const INTRODUCTION = t(
   'Two settings on one model: the settings of the section Solver on the left, others on the right.',
 );
-const OF_SURFACES = t('Only surfaces can be compared, not the inside of a model.');
 
 export function compareSection(session: Session, comparison: Comparison): HTMLElement {
   const { scene } = session;
@@ -45,11 +46,12 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     if (compared) change({ parameters: { ...compared.parameters, ...part } }, gesture);
   };
 
-  const studied = Object.entries(STUDIED).map(([name, [left, right]]) =>
-    button(CHOICES[name as Studied], () => {
+  const studied = Object.entries(STUDIED).map(([name, [left, right]]) => ({
+    name: name as Studied,
+    element: button(CHOICES[name as Studied], () => {
       scene.edit({ ...left, compared: { ...right, split: scene.state.compared?.split ?? MIDDLE } });
     }),
-  );
+  }));
   const begin = button(t('Other settings'), () => put({ ...settingsOf(scene.state), split: MIDDLE }));
   const swap = button(t('Swap sides'), () => {
     const { compared } = scene.state;
@@ -98,17 +100,19 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     const { compared } = scene.state;
     const { shown } = session;
     const isInside = (shown.value?.opened.interior ?? null) !== null;
-    for (const each of [...studied, begin]) each.hidden = isInside;
-    begin.hidden ||= compared !== null;
+    for (const { name, element } of studied) element.hidden = name === (isInside ? 'exact' : 'automatic');
+    begin.hidden = compared !== null;
     for (const each of [swap, end]) each.hidden = compared === null;
-    status.textContent = isInside ? OF_SURFACES : comparison.working.value ? t('Working on the right side…') : '';
+    status.textContent = comparison.working.value ? t('Working on the right side…') : '';
     status.hidden = status.textContent === '';
     const isByHeat = compared?.method === 'heat';
     side.hidden = figures.hidden = compared === null;
     if (!compared) return;
-    windows.element.hidden = isByHeat;
-    refine.element.hidden = !isByHeat && compared.method !== 'auto';
+    windows.element.hidden = isByHeat || isInside;
+    refine.element.hidden = isInside || !(isByHeat || compared.method === 'auto');
     for (const { element } of [factor, boundary, operator, solver]) element.hidden = !isByHeat;
+    operator.element.hidden ||= isInside;
+    method.allow((name) => isMethodOf(name, isInside));
     const { timeStep } = compared.parameters;
     method.show(compared.method);
     windows.show(compared.windows);
@@ -160,7 +164,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     'div',
     { class: 'stack' },
     h('p', { class: 'quiet' }, INTRODUCTION),
-    ...studied,
+    ...studied.map(({ element }) => element),
     begin,
     side,
     status,

@@ -35,6 +35,12 @@ export const GESTURES: readonly Gesture[] = [
     keys: t('Ctrl+V'),
   },
   { what: t('Move a source'), mouse: t('drag its pin'), touch: t('drag its pin'), keys: t('arrows') },
+  {
+    what: t('Move a corner of the selected line'),
+    mouse: t('drag'),
+    touch: t('drag'),
+    keys: t('Tab to it, arrows'),
+  },
   { what: t('Remove the selected source'), mouse: t('× in the list'), touch: t('× in the list'), keys: t('Delete') },
   { what: t('Place the walker'), mouse: t('alt + click'), touch: t('long press'), keys: 'W' },
   { what: t('Read the distance'), mouse: t('hover'), touch: null, keys: t('arrows') },

@@ -51,8 +51,9 @@ async function allOf(title: string, taken: readonly Taken[]): Promise<GivenFile[
     else if (isFile(entry)) add(entry.fullPath.replace(/^\//, ''), await fileOf(entry));
   };
   for (const { entry, file } of taken) {
-    if (entry) await walk(entry);
-    else if (file) add(file.name, file);
+    // WebKit finds no file by the entry of what a script has dropped.
+    if (file && !entry?.isDirectory) add(file.name, file);
+    else if (entry) await walk(entry);
   }
   return found;
 }

@@ -43,8 +43,12 @@ export function ratioWords(straight: number, surface: number): string {
 }
 
 /** The area within a closed tape, or why there is none; null for an open one, and while it is not known. */
-export function enclosureWords({ tape, enclosure }: MeasuredTape, unit: LengthUnit): string | null {
-  if (!tape.closed || !enclosure) return null;
+export function enclosureWords({ tape, legs, enclosure }: MeasuredTape, unit: LengthUnit): string | null {
+  if (!tape.closed) return null;
+  if (legs.some(({ leg }) => leg && !('triangles' in leg))) {
+    return t('This tape leads through the inside, where no one surface spans it, so it encloses no area.');
+  }
+  if (!enclosure) return null;
   switch (enclosure.kind) {
     case 'sides':
       return t`Area enclosed: ${area(enclosure.area, unit)}.`;

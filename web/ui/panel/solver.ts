@@ -1,4 +1,5 @@
 import type { Session } from '../../session/session';
+import { isMethodOf } from '../../state/inside';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   AUTOMATIC,
@@ -27,7 +28,6 @@ const METHOD_HINTS: Record<Method, string> = {
   exact: t('Propagation at once, then always refined to exact. Nothing is factored.'),
 };
 /** Inside of tetrahedra there are two. */
-const INSIDE_METHODS: ReadonlySet<Method> = new Set<Method>(['auto', 'heat']);
 const INSIDE_HINT = t(
   'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.',
 );
@@ -116,7 +116,7 @@ export function solverSection(session: Session): HTMLElement {
     for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
     const isInside = (session.shown.value?.opened.interior ?? null) !== null;
     for (const element of moreOfWindows) element.hidden = isByHeat || isInside;
-    method.allow((name) => !isInside || INSIDE_METHODS.has(name));
+    method.allow((name) => isMethodOf(name, isInside));
     method.show(state.method);
     hint.textContent = isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method];
     windows.show(state.windows);

@@ -13,7 +13,7 @@ use crate::element::{FaceId, HalfedgeId};
 use crate::order::along_curve;
 use crate::parallel;
 use crate::point::Place;
-use crate::triangle::{area_vector, unit};
+use crate::triangle::unit;
 
 /// Edges on both sides of a crack are apart by this share of the longer one at most: as far as an arc of 20° is from its chord.
 const OF_EDGE: f64 = 0.05;
@@ -58,7 +58,7 @@ impl Rim {
             ends,
             along,
             length: ends[0].distance(ends[1]),
-            side: unit(area_vector(corners)).cross(along),
+            side: scene.normal(face.0).cross(along),
         }
     }
 

@@ -9,7 +9,6 @@ use super::scene::Scene;
 use super::triangles::{Triangle, longest_side};
 use crate::order::along_curve;
 use crate::parallel;
-use crate::triangle::area_vector;
 
 /// Triangles of a leaf, but for the last one.
 pub const LEAF: usize = 4;
@@ -83,7 +82,7 @@ impl Hierarchy {
             for index in along_curve(faces.len(), middle, parallel::ONE) {
                 let face = faces[index as usize];
                 let corners = scene.triangle(face);
-                let normal = area_vector(corners).normalize_or_zero();
+                let normal = scene.normal(face);
                 items.push(Item { corners, normal, longest: longest_side(&corners), face, component });
             }
         }

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::Portal;
+use super::cells::{cell_of, list_of};
 use super::scene::Scene;
 use super::search::Candidate;
 use super::triangles;
 use crate::element::FaceId;
 use crate::point::Place;
-use crate::triangle::{area_vector, unit};
 
 /// Faces whose normals have less than this cosine look away from each other: the two sides of a plate. However near they are,
 /// a portal on one of them leads to nowhere on the other.
@@ -33,7 +33,7 @@ impl Spot {
     fn new(scene: &Scene, candidate: &Candidate) -> Self {
         let corners = candidate.faces.map(|face| scene.triangle(face));
         let [first, second] = [0, 1].map(|of| triangles::point(&corners[of], candidate.weights[of]));
-        let normals = corners.map(|corners| unit(area_vector(corners)));
+        let normals = candidate.faces.map(|face| scene.normal(face));
         Self { point: 0.5 * (first + second), normals, gap: candidate.gap }
     }
 
@@ -105,8 +105,7 @@ fn farthest(spots: &[Spot], kept: &[usize], least: f64) -> Option<usize> {
 /// No spot.
 const NONE: u32 = u32::MAX;
 
-/// Kept spots by cells as large as the spacing, in lists that cells of one hash share (Teschner and others, "Optimized spatial
-/// hashing for collision detection of deformable objects", 2003).
+/// Kept spots by cells as large as the spacing, in lists that cells share.
 struct Grid<'a> {
     spots: &'a [Spot],
     spacing: f64,
@@ -123,12 +122,11 @@ impl<'a> Grid<'a> {
     }
 
     fn cell(&self, index: usize) -> [i64; 3] {
-        (self.spots[index].point / self.spacing).to_array().map(|along| along.floor() as i64)
+        cell_of(self.spots[index].point / self.spacing)
     }
 
-    fn list(&self, [x, y, z]: [i64; 3]) -> usize {
-        let hash = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
-        hash as usize & (self.last.len() - 1)
+    fn list(&self, cell: [i64; 3]) -> usize {
+        list_of(cell, self.last.len())
     }
 
     fn insert(&mut self, index: usize) {

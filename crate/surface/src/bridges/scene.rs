@@ -29,6 +29,8 @@ pub struct Scene<'a> {
     pub threads: NonZeroUsize,
     /// `#V`.
     points: Vec<DVec3>,
+    /// `#F`.
+    normals: Vec<DVec3>,
     /// Half the diagonal, in the file's unit: a number where the diagonal is none.
     half_diagonal: f64,
     /// Lengths below this are noise.
@@ -61,6 +63,7 @@ impl<'a> Scene<'a> {
             surface,
             threads,
             points,
+            normals: Vec::new(),
             half_diagonal,
             rounding: ROUNDINGS * f64::EPSILON * farthest.max(1.0),
             least_spacing: 0.0,
@@ -69,6 +72,8 @@ impl<'a> Scene<'a> {
             first_face,
             faces,
         };
+        let normal = |face| triangle::unit(triangle::area_vector(scene.triangle(face)));
+        scene.normals = (0..face_count as u32).map(normal).collect();
         for component in 0..components {
             let triangles = || scene.faces_of(component).iter().map(|&face| scene.triangle(face));
             let bounds = Bounds::of_points(triangles().flatten());
@@ -96,14 +101,19 @@ impl<'a> Scene<'a> {
         self.surface.faces()[FaceId(face)].map(|vertex| self.points[vertex.index()])
     }
 
+    /// Unit normal of a face; zero where there is none.
+    #[inline]
+    pub fn normal(&self, face: u32) -> DVec3 {
+        self.normals[face as usize]
+    }
+
     /// Whether the surface ends or bends at the sides of a face, from each corner to the next.
     pub fn is_rim(&self, face: u32) -> [bool; 3] {
-        let normal = |face: FaceId| triangle::unit(triangle::area_vector(self.triangle(face.0)));
-        let own = normal(FaceId(face));
+        let own = self.normal(face);
         [0, 1, 2].map(|k| {
             let twin = self.surface.mesh().twin(FaceId(face).halfedge(k));
             let is_outer = twin.index() >= 3 * self.surface.face_count();
-            is_outer || own.dot(normal(twin.triangle())) < BENT
+            is_outer || own.dot(self.normal(twin.triangle().0)) < BENT
         })
     }
 

@@ -7,11 +7,11 @@
 use std::collections::HashMap;
 
 use super::bounds::Bounds;
+use super::cells::{cell_of, list_of};
 use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
 use super::scene::Scene;
 use super::triangles::{self, Pair, Weights};
 use crate::parallel;
-use crate::triangle::area_vector;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
 const SMALL: f64 = 2.0;
@@ -248,7 +248,7 @@ struct Search<'a> {
     /// Places that triangles of the group know.
     places: Vec<Candidate>,
     found: Vec<Candidate>,
-    /// Where a place of large triangles of the group was found, and its number, in lists by [`Cell::list`].
+    /// Where a place of large triangles of the group was found, and its number, in lists by [`list_of`].
     cells: [Vec<(Cell, usize)>; LISTS],
     /// `#F`, what [`Scene::is_rim`] says of a face once it was asked.
     rims: Vec<Option<[bool; 3]>>,
@@ -264,16 +264,6 @@ struct Cell {
     component: u32,
     /// Signs of the normals' coordinates.
     sides: [[bool; 3]; 2],
-}
-
-impl Cell {
-    /// The list that it is in (Teschner and others, "Optimized spatial hashing for collision detection of deformable objects",
-    /// 2003).
-    fn list(&self) -> usize {
-        let [x, y, z] = self.place;
-        let hash = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
-        hash as usize % LISTS
-    }
 }
 
 impl Visitor for Search<'_> {
@@ -305,8 +295,9 @@ impl Visitor for Search<'_> {
         }
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
-        let apart = triangles::plane_distance(&pair, [items[0].normal, items[1].normal]);
-        if apart > bound {
+        let normals = [items[0].normal, items[1].normal];
+        let apart = triangles::plane_distance(&pair, normals);
+        if apart > bound || triangles::are_apart(&pair, normals, bound) {
             return;
         }
         let components = [items[0].component, items[1].component];
@@ -340,13 +331,13 @@ impl Visitor for Search<'_> {
             let bound = distance.map_or(bound, |distance| bound.min(distance + slack));
             self.nearest(group, other.component).bounds[own] = bound;
             // Where steep triangles cross, all that is near is near the crossing.
-            if crossing.is_none() || !triangles::are_steep(&pair) {
+            if crossing.is_none() || !triangles::are_steep(normals) {
                 let is_rim = [self.is_rim(items[0].face), self.is_rim(items[1].face)];
-                let sides = pair.map(|corners| area_vector(corners).to_array().map(|along| along > 0.0));
+                let sides = normals.map(|normal| normal.to_array().map(|along| along > 0.0));
                 let mut take = |Pair { weights, distance }: Pair| {
                     let middle =
                         0.5 * (triangles::point(&pair[0], weights[0]) + triangles::point(&pair[1], weights[1]));
-                    let place = (middle * (CELLS / spacing)).to_array().map(|along| along.floor() as i64);
+                    let place = cell_of(middle * (CELLS / spacing));
                     let cell = Cell { place, component: other.component, sides };
                     self.keep(cell, Candidate::new(items, weights, distance));
                 };
@@ -354,9 +345,6 @@ impl Visitor for Search<'_> {
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
-            if triangles::are_apart(&pair, [items[0].normal, items[1].normal], bound) {
-                return;
-            }
             if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
                 let bound = (distance - enough).max(0.0);
                 self.nearest(group, other.component).bounds[own] = bound;
@@ -421,7 +409,7 @@ impl<'a> Search<'a> {
 
     /// Keeps a place of large triangles, unless one of the same cell is as near.
     fn keep(&mut self, cell: Cell, place: Candidate) {
-        let cells = &mut self.cells[cell.list()];
+        let cells = &mut self.cells[list_of(cell.place, LISTS)];
         match cells.iter().find(|(other, _)| *other == cell) {
             Some(&(_, number)) if self.found[number].gap <= place.gap => {}
             Some(&(_, number)) => self.found[number] = place,

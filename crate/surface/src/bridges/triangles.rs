@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use crate::triangle::{area_vector, unit};
+use crate::triangle::area_vector;
 
 #[cfg(test)]
 mod tests;
@@ -102,19 +102,32 @@ fn nearest_on_triangle(from: DVec3, triangle: &Triangle, normal: DVec3) -> [f64;
     on_side(best.0, best.1)
 }
 
-/// The shares of the way along two segments of positive length where they are nearest to each other: inside both, where
-/// the line between is at right angles to them, or else at an end of one. `None` where their lines are farther apart than
-/// `within`, which is told first.
+/// The shares of the way along two segments, beyond their ends too, where their lines are nearest to each other; any, or no
+/// numbers, where these are parallel. `None` where they are farther apart than `within`.
 #[inline]
-fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], within: f64) -> Option<[f64; 2]> {
+fn common_perpendicular(first: [DVec3; 2], second: [DVec3; 2], within: f64) -> Option<[f64; 2]> {
     let (along, across, between) = (first[1] - first[0], second[1] - second[0], second[0] - first[0]);
     let normal = along.cross(across);
     let squared = normal.length_squared();
-    let [one_squared, other_squared] = [along.length_squared(), across.length_squared()];
     let height = between.dot(normal);
-    if height * height > within * within * squared * ROUNDED && squared > PARALLEL * (one_squared * other_squared) {
+    let is_far = height * height > within * within * squared * ROUNDED;
+    if is_far && squared > PARALLEL * (along.length_squared() * across.length_squared()) {
         return None;
     }
+    Some([between.cross(across).dot(normal) / squared, between.cross(along).dot(normal) / squared])
+}
+
+/// Whether a place is on a segment and not beyond its ends, in shares of the way along it.
+#[inline]
+fn is_on(share: f64) -> bool {
+    (0.0..=1.0).contains(&share)
+}
+
+/// The shares of the way along two segments of positive length where they are nearest to each other: inside both, where
+/// their common perpendicular is, or else at an end of one.
+#[inline]
+fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], [one, other]: [f64; 2]) -> [f64; 2] {
+    let (along, across) = (first[1] - first[0], second[1] - second[0]);
     let mut best = ([0.0; 2], f64::INFINITY);
     let mut take = |one: f64, other: f64| {
         let apart = (first[0] + along * one).distance_squared(second[0] + across * other);
@@ -122,18 +135,15 @@ fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], within: f64) -> Op
             best = ([one, other], apart);
         }
     };
-    let share =
-        |point: DVec3, start: DVec3, along: DVec3, squared: f64| ((point - start).dot(along) / squared).clamp(0.0, 1.0);
-    take(0.0, share(first[0], second[0], across, other_squared));
-    take(1.0, share(first[1], second[0], across, other_squared));
-    take(share(second[0], first[0], along, one_squared), 0.0);
-    take(share(second[1], first[0], along, one_squared), 1.0);
-    let [one, other] = [between.cross(across).dot(normal) / squared, between.cross(along).dot(normal) / squared];
+    take(0.0, nearest_on_segment(first[0], second));
+    take(1.0, nearest_on_segment(first[1], second));
+    take(nearest_on_segment(second[0], first), 0.0);
+    take(nearest_on_segment(second[1], first), 1.0);
     // Where segments are parallel but for rounding, the line between tells nothing, and ends are as near.
-    if (0.0..=1.0).contains(&one) && (0.0..=1.0).contains(&other) {
+    if is_on(one) && is_on(other) {
         take(one, other);
     }
-    Some(best.0)
+    best.0
 }
 
 /// A lower bound of the distance of two triangles with these unit normals: that of one to the plane of the other.
@@ -168,9 +178,8 @@ pub fn are_apart(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) ->
     (0..3).any(|k| lies_beyond(0, k) || lies_beyond(1, k))
 }
 
-/// Whether the planes of two triangles are at an angle of more than 30°.
-pub fn are_steep(triangles: &[Triangle; 2]) -> bool {
-    let [first, second] = triangles.map(|triangle| unit(area_vector(triangle)));
+/// Whether the planes of triangles with these unit normals are at an angle of more than 30°.
+pub fn are_steep([first, second]: [DVec3; 2]) -> bool {
     first.dot(second).abs() < STEEP
 }
 
@@ -184,7 +193,7 @@ pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pa
     };
     let within = for_corners(triangles, within, &mut take);
     if within >= 0.0 {
-        for_sides(triangles, within, &mut take);
+        for_sides(triangles, within, true, &mut take);
     }
     best
 }
@@ -216,8 +225,8 @@ fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMu
     within
 }
 
-/// The same with the nearest points of each side of one and each side of the other.
-fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) {
+/// The same with the nearest points of each side of one and each side of the other; without ends of sides unless `with_ends`.
+fn for_sides(triangles: &[Triangle; 2], mut within: f64, with_ends: bool, found: &mut impl FnMut(Pair) -> f64) {
     let [triangle, other_triangle] = triangles;
     let of_side = |k: usize| Bounds::of_points(side(other_triangle, k));
     let boxes = [of_side(0), of_side(1), of_side(2)];
@@ -228,7 +237,12 @@ fn for_sides(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(
             if within < 0.0 || own_box.squared_distance(boxes[j]) > within * within {
                 continue;
             }
-            let Some([first, second]) = nearest_on_segments(own, side(other_triangle, j), within) else { continue };
+            let other = side(other_triangle, j);
+            let Some(perpendicular) = common_perpendicular(own, other, within) else { continue };
+            if !with_ends && !perpendicular.into_iter().all(is_on) {
+                continue;
+            }
+            let [first, second] = nearest_on_segments(own, other, perpendicular);
             let pair = Pair::new(triangles, [on_side(i, first), on_side(j, second)]);
             if pair.distance <= within {
                 within = found(pair);
@@ -294,8 +308,8 @@ pub fn spread(
         found(pair);
         tolerance
     });
-    for_sides(triangles, tolerance, &mut |pair| {
-        // At the end of a side the corner tells the same.
+    // At the end of a side the corner tells the same.
+    for_sides(triangles, tolerance, false, &mut |pair| {
         if pair.weights.iter().all(|weights| weights.iter().all(|&weight| weight < 1.0)) {
             found(pair);
         }

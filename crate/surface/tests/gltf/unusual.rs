@@ -45,6 +45,26 @@ fn what_is_around_the_chunks_of_a_container_does_not_matter() {
 }
 
 #[test]
+fn text_that_cannot_be_read_is_told_in_plain_words() {
+    let text = square(json!([{ "mesh": 0 }])).gltf("data:,");
+    let units = |bytes: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(bytes).collect::<Vec<_>>();
+    let nested = |depth: usize| format!("{{\"extras\":{}{}}}", "[".repeat(depth), "]".repeat(depth)).into_bytes();
+    for (bytes, words) in [
+        (units(u16::to_le_bytes), "its text is UTF-16"),
+        ([&[0xFF, 0xFE], &*units(u16::to_le_bytes)].concat(), "its text is UTF-16"),
+        ([&[0xFE, 0xFF], &*units(u16::to_be_bytes)].concat(), "its text is UTF-16"),
+        (nested(500), "more than 127 deep"),
+        (text.as_bytes()[..text.len() / 2].to_vec(), "the text is cut short here"),
+        (Vec::new(), "the text is cut short here"),
+    ] {
+        let error = read("mesh.gltf", bytes).unwrap_err().to_string();
+        assert!(error.contains(words), "{error}");
+        assert!(!error.contains("EOF") && !error.contains("recursion"), "{error}");
+    }
+    assert!(!read("mesh.gltf", nested(126)).unwrap_err().to_string().contains("deep"));
+}
+
+#[test]
 fn data_uris_are_percent_encoded_or_in_base64_of_any_layout() {
     let builder = square(json!([{ "mesh": 0 }]));
     let expected = builder.read().unwrap();

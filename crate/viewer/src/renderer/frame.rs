@@ -87,7 +87,7 @@ impl Renderer {
                 environment: self.environment,
                 punctual: &self.lights,
                 cut: self.inside.cut,
-                is_capped: self.inside.section.is_some(),
+                is_capped: self.inside.filling.section.is_some(),
             },
         );
         let mut encoder = self.context.encoder();
@@ -103,7 +103,7 @@ impl Renderer {
                     (_, None) => {}
                 }
                 let others = self.scenery.iter().map(|mesh| &mesh.buffers);
-                for buffers in others.chain(self.inside.section.iter().map(|section| &section.buffers)) {
+                for buffers in others.chain(self.inside.filling.section.iter().map(|section| &section.buffers)) {
                     self.surfaces.draw_shadow(pass, buffers);
                 }
             });
@@ -127,7 +127,7 @@ impl Renderer {
         }
         self.ground.draw(pass, eye.position.y as f32);
         if let Some((mesh, field)) = self.seen_surface() {
-            self.in_halves(pass, field, camera, |pass, field| {
+            self.in_halves(pass, self.fields(field), camera, |pass, field| {
                 if !self.draw_model(pass, mesh, Some(field), Pass::Solid)
                     && !self.draw_cut(pass, mesh, field, Part::Body)
                 {
@@ -135,8 +135,12 @@ impl Renderer {
                 }
             });
         }
-        if let (Some(sections), Some(section)) = (&self.inside.sections, &self.inside.section) {
-            sections.draw(pass, section, &self.surfaces);
+        if let Some(sections) = &self.inside.sections {
+            self.in_halves(pass, self.fillings(), camera, |pass, filling| {
+                if let Some(section) = &filling.section {
+                    sections.draw(pass, section, &self.surfaces);
+                }
+            });
         }
         for mesh in &self.scenery {
             if !self.draw_model(pass, mesh, None, Pass::Solid) {
@@ -146,7 +150,7 @@ impl Renderer {
         self.walkers.draw(pass);
         self.pins.draw(pass);
         if let Some((mesh, field)) = self.seen_surface() {
-            self.in_halves(pass, field, camera, |pass, field| {
+            self.in_halves(pass, self.fields(field), camera, |pass, field| {
                 self.draw_cut(pass, mesh, field, Part::Rim);
             });
         }
@@ -156,7 +160,7 @@ impl Renderer {
         meshes.sort_by(|(one, _), (other, _)| depth(other).total_cmp(&depth(one)));
         for (mesh, field) in meshes {
             match field {
-                Some(field) => self.in_halves(pass, field, camera, |pass, field| {
+                Some(field) => self.in_halves(pass, self.fields(field), camera, |pass, field| {
                     self.draw_model(pass, mesh, Some(field), Pass::Blended);
                 }),
                 None => {
@@ -170,8 +174,12 @@ impl Renderer {
         self.arrows.draw_inner(pass);
         self.curve.draw(pass);
         self.wires.draw(pass);
-        if let (Some(films), Some(shells)) = (&self.inside.films, &self.inside.shells) {
-            films.draw(pass, shells, &self.surfaces);
+        if let Some(films) = &self.inside.films {
+            self.in_halves(pass, self.fillings(), camera, |pass, filling| {
+                if let Some(shells) = &filling.shells {
+                    films.draw(pass, shells, &self.surfaces);
+                }
+            });
         }
     }
 
@@ -202,8 +210,10 @@ impl Renderer {
 
     /// Puts the triangles that let light through in order for an eye.
     fn sort_blended(&mut self, eye: Eye) {
-        if let Some(shells) = &mut self.inside.shells {
-            shells.sort(&self.context, line_of_sight(eye));
+        for filling in [&mut self.inside.filling, &mut self.inside.other] {
+            if let Some(shells) = &mut filling.shells {
+                shells.sort(&self.context, line_of_sight(eye));
+            }
         }
         let Some(models) = self.models.as_ref().filter(|_| self.style.has_materials_of_file) else { return };
         let surface = self.surface.iter_mut().map(|(mesh, _)| mesh);

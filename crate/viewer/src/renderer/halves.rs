@@ -1,9 +1,16 @@
-//! Two fields of the surface side by side.
+//! Two fields of the surface, or of a solid, side by side.
 
 use super::Renderer;
 use crate::camera::Camera;
 use crate::error::Error;
+use crate::inside::Filling;
 use crate::surface::FieldBuffers;
+
+/// What is drawn left of the split, and right of it where that is something else.
+pub(super) struct Sides<T> {
+    left: T,
+    right: Option<T>,
+}
 
 impl Renderer {
     /// Shows another field of the same surface on the right of the split, in the same style, and in colors up to the same value, the
@@ -41,20 +48,30 @@ impl Renderer {
         self.dirty |= self.other.is_some();
     }
 
-    /// Draws the surface with its field; where there are two of them, each on its side of the split.
-    pub(super) fn in_halves(
+    /// The fields of the surface, left and right.
+    pub(super) fn fields<'a>(&'a self, field: &'a FieldBuffers) -> Sides<&'a FieldBuffers> {
+        Sides { left: field, right: self.other.as_ref() }
+    }
+
+    /// What is seen within the solid, left and right.
+    pub(super) fn fillings(&self) -> Sides<&Filling> {
+        Sides { left: &self.inside.filling, right: self.other.as_ref().map(|_| &self.inside.other) }
+    }
+
+    /// Draws each on its side of the split; what there is alone everywhere.
+    pub(super) fn in_halves<T>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        field: &FieldBuffers,
+        Sides { left, right }: Sides<T>,
         camera: &Camera,
-        mut draw: impl FnMut(&mut wgpu::RenderPass<'_>, &FieldBuffers),
+        mut draw: impl FnMut(&mut wgpu::RenderPass<'_>, T),
     ) {
-        let Some(other) = &self.other else { return draw(pass, field) };
+        let Some(right) = right else { return draw(pass, left) };
         let ((width, height), middle) = (camera.size(), camera.column(self.split));
-        for (field, from, to) in [(field, 0, middle), (other, middle, width)] {
+        for (side, from, to) in [(left, 0, middle), (right, middle, width)] {
             if from < to {
                 pass.set_scissor_rect(from, 0, to - from, height);
-                draw(pass, field);
+                draw(pass, side);
             }
         }
         pass.set_scissor_rect(0, 0, width, height);

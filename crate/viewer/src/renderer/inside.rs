@@ -7,6 +7,7 @@ use crate::check;
 use crate::cut::CutRenderer;
 use crate::error::Error;
 use crate::inner::InnerTriangles;
+use crate::inside::Filling;
 use crate::planes::Cut;
 use crate::section::{Section, SectionArrays, SectionRenderer};
 use crate::shell::{ShellRenderer, Shells};
@@ -37,13 +38,7 @@ impl Renderer {
     /// # Errors
     /// When the arrays do not fit together, or the device, or are no finite places; the old section then stays.
     pub fn set_section(&mut self, section: Option<SectionArrays>, hides_surface: bool) -> Result<(), Error> {
-        let make = |arrays| Section::new(&self.context, arrays, self.max);
-        let section = section.map(make).transpose()?.flatten();
-        if section.is_some() {
-            let make = || SectionRenderer::new(&self.context, &self.shared, &self.surfaces);
-            self.inside.sections.get_or_insert_with(make);
-        }
-        self.inside.section = section;
+        self.inside.filling.section = self.built_section(section)?;
         self.inside.hides_surface = hides_surface;
         self.adopt_bounds();
         (self.dirty, self.shadows_dirty) = (true, true);
@@ -56,16 +51,48 @@ impl Renderer {
     /// # Errors
     /// When the arrays do not fit together, or the device, or are no finite places; the old shells then stay.
     pub fn set_shells(&mut self, shells: Option<InnerTriangles>, opacity: f32) -> Result<(), Error> {
-        let make = |mesh| Shells::new(&self.context, mesh, self.max);
-        let shells = shells.map(make).transpose()?.flatten();
-        if shells.is_some() {
-            let make = || ShellRenderer::new(&self.context, &self.shared, &self.surfaces);
-            self.inside.films.get_or_insert_with(make);
-        }
-        (self.inside.shells, self.inside.opacity) = (shells, opacity);
+        self.inside.filling.shells = self.built_shells(shells)?;
+        self.inside.opacity = opacity;
         self.inside.write_film(&self.context);
         self.dirty = true;
         Ok(())
+    }
+
+    /// Replaces section and shells right of the split, where the surface has [another field](Self::set_other_field): both of the same cut
+    /// and drawn in the same way, so that only values differ.
+    ///
+    /// # Errors
+    /// As [`Self::set_section`]; what is shown then stays.
+    pub fn set_other_inside(
+        &mut self,
+        section: Option<SectionArrays>,
+        shells: Option<InnerTriangles>,
+    ) -> Result<(), Error> {
+        self.inside.other = Filling { section: self.built_section(section)?, shells: self.built_shells(shells)? };
+        self.dirty = true;
+        Ok(())
+    }
+
+    /// A section on the device, and what draws it.
+    fn built_section(&mut self, section: Option<SectionArrays>) -> Result<Option<Section>, Error> {
+        let make = |arrays| Section::new(&self.context, arrays, self.max);
+        let section = section.map(make).transpose()?.flatten();
+        if section.is_some() {
+            let make = || SectionRenderer::new(&self.context, &self.shared, &self.surfaces);
+            self.inside.sections.get_or_insert_with(make);
+        }
+        Ok(section)
+    }
+
+    /// Shells on the device, and what draws them.
+    fn built_shells(&mut self, shells: Option<InnerTriangles>) -> Result<Option<Shells>, Error> {
+        let make = |mesh| Shells::new(&self.context, mesh, self.max);
+        let shells = shells.map(make).transpose()?.flatten();
+        if shells.is_some() && self.inside.films.is_none() {
+            self.inside.films = Some(ShellRenderer::new(&self.context, &self.shared, &self.surfaces));
+            self.inside.write_film(&self.context);
+        }
+        Ok(shells)
     }
 
     /// Replaces the arrows inside: one vector a place, of any length. Where places are close, some go without an arrow.

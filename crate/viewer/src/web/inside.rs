@@ -40,6 +40,21 @@ impl Viewer {
         Ok(self.renderer.set_shells(shells, opacity)?)
     }
 
+    /// Replaces section and shells right of the split, where the surface has another field there; see `set_other_field`.
+    /// `set_surface` clears both.
+    ///
+    /// # Errors
+    /// As `set_section`.
+    pub fn set_other_inside(
+        &mut self,
+        section: Option<DrawnSection>,
+        shells: Option<DrawnShells>,
+    ) -> Result<(), JsError> {
+        let section = section.map(|section| section_of(&section)).transpose()?;
+        let shells = shells.map(|shells| shells_of(&shells)).transpose()?;
+        Ok(self.renderer.set_other_inside(section, shells)?)
+    }
+
     /// Replaces the arrows inside: `#A × 3` places and as many vectors, of any length; empty = none. Where places are close,
     /// some go without an arrow. `set_surface` clears them.
     ///

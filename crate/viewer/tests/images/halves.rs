@@ -30,14 +30,15 @@ fn show_beside(renderer: &mut Renderer, times: f32) -> Result<(), Error> {
     renderer.set_other_field(arrays.positions.len(), false, fill(&arrays, times))
 }
 
-/// Every pixel as in one picture left of a column, and as in another one from it on.
+/// Columns that are not as in one picture left of a column, and as in another one from it on.
+pub fn columns_apart(drawn: &Image, left: &Image, right: &Image, middle: u32) -> Vec<u32> {
+    let expected = |x: u32| if x < middle { left } else { right };
+    let is_apart = |&x: &u32| (0..HEIGHT).any(|y| drawn.pixel(x, y) != expected(x).pixel(x, y));
+    (0..WIDTH).filter(is_apart).collect()
+}
+
 fn assert_joined(drawn: &Image, left: &Image, right: &Image, middle: u32) {
-    for y in 0..HEIGHT {
-        for x in 0..WIDTH {
-            let expected = if x < middle { left } else { right };
-            assert_eq!(drawn.pixel(x, y), expected.pixel(x, y), "pixel {x}, {y} with the split at {middle}");
-        }
-    }
+    assert_eq!(columns_apart(drawn, left, right, middle), [], "the split at {middle}");
 }
 
 /// Each half is that of the picture of its field alone, wherever the split is.

@@ -38,7 +38,7 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 15] = [
+    let others: [(_, Test); 16] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
         ("a_leaning_normal_map_leans_the_surface", materials::a_leaning_normal_map_leans_the_surface),
@@ -49,6 +49,7 @@ fn main() -> ExitCode {
         ("a_refused_second_field_changes_nothing", halves::a_refused_second_field_changes_nothing),
         ("picks_go_through_the_cut", inside::picks_go_through_the_cut),
         ("what_was_inside_goes", inside::what_was_inside_goes),
+        ("each_half_has_its_inside", inside::each_half_has_its_inside),
         ("a_section_follows_the_field", inside::a_section_follows_the_field),
         ("refused_insides_leave_the_picture_as_it_is", inside::refused_insides_leave_the_picture_as_it_is),
         ("edges_are_cut_as_the_surface_is", inside::edges_are_cut_as_the_surface_is),

@@ -9,6 +9,10 @@ use heatwalk::surface::parallel;
 use super::error::{Error, Result};
 use super::hierarchy::Hierarchy;
 use super::lattice::{BLOCK, Lattice};
+use super::triangle::Crossing;
+use crate::boxes::{Bounds, Boxes};
+use crate::mesh::locate::weights;
+use crate::soup::TetSoup;
 
 /// Points that wind around more often than this are inside.
 const INSIDE: f64 = 0.5;
@@ -26,6 +30,10 @@ const WHOLE: f64 = 0.03;
 
 /// Parts of an edge that are shorter than this share of it are not told apart: far below what is seen, far above rounding.
 const PRECISION: f64 = 1e-4;
+
+/// Powers of the inverse of the root of x⁴ = x + 1: their multiples, less whole numbers, are spread evenly in a cube (Roberts, "The
+/// unreasonable effectiveness of quasirandom sequences", 2018).
+const SEQUENCE: DVec3 = DVec3::new(0.819_172_513_396_164_5, 0.671_043_606_703_789_3, 0.549_700_477_901_970_3);
 
 /// Called between slices of work with the share done so far, 0 to 1. `Break` ends the work with [`Error::Cancelled`].
 pub type Progress<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
@@ -129,7 +137,7 @@ impl Field {
         }
     }
 
-    /// Of each edge from a point inside to one outside the share of the way at which it is cut.
+    /// Where each edge from a point inside to one outside is cut.
     pub fn cuts(
         &self,
         lattice: &Lattice,
@@ -137,11 +145,38 @@ impl Field {
         threads: NonZeroUsize,
         shares: Range<f64>,
         progress: Progress,
-    ) -> Result<Vec<f64>> {
+    ) -> Result<Vec<Crossing>> {
         slices(edges.len(), EDGES, threads, shares, progress, |index| {
             let (inside, direction) = (edges[index].0 as usize, usize::from(edges[index].1));
             self.cut(lattice.position(inside), lattice.position(lattice.neighbour(inside, direction)))
         })
+    }
+
+    /// The volume that tetrahedra lack of what is inside: half a cell for each place, one around each point near the surface, that is
+    /// inside and in none of them, less those of the contrary. Unlike the lattice, the places are in no line with walls.
+    pub fn missing(
+        &self,
+        soup: &TetSoup,
+        lattice: &Lattice,
+        near: &[usize],
+        threads: NonZeroUsize,
+        shares: Range<f64>,
+        progress: Progress,
+    ) -> Result<f64> {
+        let corners = |tetrahedron: usize| soup.tetrahedra[tetrahedron].map(|corner| soup.positions[corner as usize]);
+        let boxes = Boxes::new(soup.tetrahedra.len(), |tetrahedron| Bounds::of(&corners(tetrahedron), 0.0));
+        let is_filled = |place: DVec3| {
+            let mut is_in_any = false;
+            boxes.near(place, |tetrahedron| {
+                is_in_any |= weights(corners(tetrahedron as usize), place).iter().all(|&weight| weight >= 0.0);
+            });
+            is_in_any
+        };
+        let lacks = slices(near.len(), EDGES, threads, shares, progress, |index| {
+            let place = lattice.place_around(near[index], (index as f64 * SEQUENCE).fract());
+            i8::from(self.is_inside(place)) - i8::from(is_filled(place))
+        })?;
+        Ok(0.5 * lattice.side.powi(3) * lacks.into_iter().map(f64::from).sum::<f64>())
     }
 
     /// The ways from lattice points to the surface.
@@ -156,22 +191,25 @@ impl Field {
         slices(points.len(), EDGES, threads, shares, progress, |index| self.to_nearest(lattice.position(points[index])))
     }
 
-    /// The share of the way from a point inside to one outside at which the inside ends for the first time.
-    fn cut(&self, inside: DVec3, outside: DVec3) -> f64 {
+    /// Where on the way from a point inside to one outside the inside ends for the first time.
+    fn cut(&self, inside: DVec3, outside: DVec3) -> Crossing {
         let crossings = self.hierarchy.crossings(inside, outside);
         let is_inside = |share: f64| self.is_inside(inside.lerp(outside, share));
         if let Some((&last, others)) = crossings.split_last() {
             // Between two triangles it may be the one or the other.
-            let ends = |pair: &&[f64]| pair[1] - pair[0] > PRECISION && !is_inside(0.5 * (pair[0] + pair[1]));
+            let ends = |pair: &&[Crossing]| {
+                let [first, second] = [pair[0].share, pair[1].share];
+                second - first > PRECISION && !is_inside(0.5 * (first + second))
+            };
             return if others.is_empty() { last } else { crossings.windows(2).find(ends).map_or(last, |pair| pair[0]) };
         }
-        // A hole: there is no triangle where the sign changes.
+        // A hole: there is no triangle where the sign changes, and it is taken as if it were across.
         let (mut low, mut high) = (0.0, 1.0);
         while high - low > PRECISION {
             let middle = 0.5 * (low + high);
             if is_inside(middle) { low = middle } else { high = middle }
         }
-        0.5 * (low + high)
+        Crossing { share: 0.5 * (low + high), rise: inside.distance(outside) }
     }
 }
 

@@ -10,7 +10,7 @@ use std::num::NonZeroUsize;
 use glam::{DMat3, DVec3};
 use heatwalk::surface::along_curve;
 
-use super::triangle::{Triangle, area_vector, crossing, solid_angle, to_nearest};
+use super::triangle::{Crossing, Triangle, area_vector, crossing, solid_angle, to_nearest};
 
 /// Triangles of a leaf, but for the last one.
 const LEAF: usize = 4;
@@ -160,17 +160,17 @@ impl Hierarchy {
         }
     }
 
-    /// The shares of the way from one point to another at which there are triangles, ascending.
-    pub fn crossings(&self, start: DVec3, end: DVec3) -> Vec<f64> {
+    /// Where there are triangles on the way from one point to another, in this order.
+    pub fn crossings(&self, start: DVec3, end: DVec3) -> Vec<Crossing> {
         let along = end - start;
         let segment = Box { low: start.min(end), high: start.max(end) };
-        let mut shares = Vec::new();
+        let mut crossings = Vec::new();
         let mut waiting = [0_u32; STACK];
         let (mut count, mut node) = (0, 0);
         loop {
             if self.boxes[node].meets(&segment) {
                 match self.leaf(node) {
-                    Some(leaf) => shares.extend(leaf.iter().filter_map(|triangle| crossing(triangle, start, along))),
+                    Some(leaf) => crossings.extend(leaf.iter().filter_map(|triangle| crossing(triangle, start, along))),
                     None => {
                         waiting[count] = 2 * node as u32 + 2;
                         count += 1;
@@ -180,8 +180,8 @@ impl Hierarchy {
                 }
             }
             if count == 0 {
-                shares.sort_unstable_by(f64::total_cmp);
-                return shares;
+                crossings.sort_unstable_by(|a: &Crossing, b| a.share.total_cmp(&b.share));
+                return crossings;
             }
             count -= 1;
             node = waiting[count] as usize;

@@ -95,24 +95,20 @@ impl<'a> Stuffing<'a> {
         }
     }
 
-    /// Those of these points that are outside, beside none inside.
-    pub fn apart(&self, mut points: Vec<usize>) -> Vec<usize> {
-        let is_apart = |&point: &usize| {
-            let mut neighbours = (0..DIRECTIONS).map(|direction| self.lattice.neighbour(point, direction));
-            self.signs[point] == Sign::Outside
-                && !self.lattice.is_outermost(point)
-                && neighbours.all(|neighbour| self.signs[neighbour] != Sign::Inside)
-        };
-        points.retain(is_apart);
-        points
+    /// Whether a point is outside, beside none inside.
+    pub fn is_apart(&self, point: usize) -> bool {
+        let mut neighbours = (0..DIRECTIONS).map(|direction| self.lattice.neighbour(point, direction));
+        self.signs[point] == Sign::Outside
+            && !self.lattice.is_outermost(point)
+            && neighbours.all(|neighbour| self.signs[neighbour] != Sign::Inside)
     }
 
-    /// Moves points that are [apart](Self::apart), after warping, by these ways to the surface, the shortest way first, where no
-    /// tetrahedron turns over. What is thinner than a cell is then between tetrahedra's corners.
+    /// Moves those points that are [apart](Self::is_apart), after warping, by these ways to the surface, the shortest way first, where
+    /// no tetrahedron turns over. What is thinner than a cell is then between tetrahedra's corners.
     pub fn pull(&mut self, points: &[usize], ways: &[DVec3]) {
         let longest = (REACH * self.lattice.side).powi(2);
-        let mut order: Vec<usize> =
-            (0..points.len()).filter(|&index| ways[index].length_squared() <= longest).collect();
+        let is_pulled = |&index: &usize| ways[index].length_squared() <= longest && self.is_apart(points[index]);
+        let mut order: Vec<usize> = (0..points.len()).filter(is_pulled).collect();
         order.sort_by(|&a, &b| ways[a].length_squared().total_cmp(&ways[b].length_squared()));
         for index in order {
             let point = points[index];
@@ -277,7 +273,7 @@ mod tests {
             let cuts: Vec<f64> = edges.iter().map(|_| cut(random(), random())).collect();
             let mut stuffing = Stuffing::new(&lattice, &inside, &edges, &cuts);
             stuffing.warp();
-            let apart = stuffing.apart((0..lattice.len()).collect());
+            let apart: Vec<usize> = (0..lattice.len()).filter(|&point| stuffing.is_apart(point)).collect();
             let way = |_: &usize| 0.8 * (DVec3::new(random(), random(), random()) - DVec3::splat(0.5));
             let ways: Vec<DVec3> = apart.iter().map(way).collect();
             stuffing.pull(&apart, &ways);

@@ -1,5 +1,6 @@
 //! A triangle seen from a point.
 
+use bytemuck::Zeroable;
 use glam::DVec3;
 
 /// Corners, counter-clockwise from outside.
@@ -56,10 +57,27 @@ pub fn area_vector([a, b, c]: &Triangle) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// The share of the way along a segment at which it crosses a triangle (Möller & Trumbore, "Fast, minimum storage ray/triangle
-/// intersection", 1997); none where it is parallel.
+/// Where a segment crosses a triangle.
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
+pub struct Crossing {
+    /// The share of the way along the segment.
+    pub share: f64,
+    /// How far apart the ends of the segment are across the triangle's plane.
+    pub rise: f64,
+}
+
+impl Crossing {
+    /// The share at which the segment crosses the triangle's plane where that is moved this far to its end, as if the rise were
+    /// `least_rise` where it is less.
+    pub fn share_beyond(self, way: f64, least_rise: f64) -> f64 {
+        (self.share + way / self.rise.max(least_rise)).clamp(0.0, 1.0)
+    }
+}
+
+/// Where a segment crosses a triangle (Möller & Trumbore, "Fast, minimum storage ray/triangle intersection", 1997); none where it is
+/// parallel.
 #[inline]
-pub fn crossing(&[a, b, c]: &Triangle, start: DVec3, along: DVec3) -> Option<f64> {
+pub fn crossing(&[a, b, c]: &Triangle, start: DVec3, along: DVec3) -> Option<Crossing> {
     let (ab, ac, to) = (b - a, c - a, start - a);
     let normal = along.cross(ac);
     let determinant = ab.dot(normal);
@@ -70,5 +88,6 @@ pub fn crossing(&[a, b, c]: &Triangle, start: DVec3, along: DVec3) -> Option<f64
     let turned = to.cross(ab);
     let v = along.dot(turned) / determinant;
     let share = ac.dot(turned) / determinant;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&share)).then_some(share)
+    let is_crossed = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&share);
+    is_crossed.then(|| Crossing { share, rise: determinant.abs() / ab.cross(ac).length() })
 }

@@ -76,7 +76,7 @@ fn the_distance_is_that_of_samples() {
         let does_cross = crossing(&triangles).is_some();
         let distance = if does_cross { 0.0 } else { pair.distance };
         assert!(sampled >= distance - 1e-12 && sampled <= distance + 0.01, "{sampled} {distance} {triangles:?}");
-        let normals = triangles.map(|corners| unit(area_vector(corners)));
+        let normals = triangles.map(|corners| triangle::unit(area_vector(corners)));
         assert!(plane_distance(&triangles, normals) <= distance + 1e-12);
         assert!(!are_apart(&triangles, normals, distance + 1e-12));
         apart += u32::from(distance > 0.1 && are_apart(&triangles, normals, 0.5 * distance));

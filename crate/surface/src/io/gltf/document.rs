@@ -42,9 +42,7 @@ fn without_padding(json: &[u8]) -> &[u8] {
 
 /// What geometry needs, and of the rest what can be understood.
 fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
-    let mut document: Value = from_slice(json).map_err(|error| {
-        GLTF.at(format!("JSON line {} column {}", error.line(), error.column()), format!("{error}; export it again"))
-    })?;
+    let mut document: Value = from_slice(json).map_err(|error| unreadable(json, &error))?;
     // glTF 1.0 has objects where later versions have arrays.
     let version = &document["asset"]["version"];
     check_version(version.as_str().unwrap_or(if document["meshes"].is_object() { "1.0" } else { "2.0" }))?;
@@ -78,6 +76,24 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         extensions_required: texts(document, "extensionsRequired"),
         ..Root::default()
     })
+}
+
+/// What is wrong with text that is not JSON.
+fn unreadable(json: &[u8], error: &JsonError) -> Error {
+    // Of two bytes a character, with a byte order mark or without: a document begins with ASCII.
+    if matches!(json, [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] | [0, _, ..] | [_, 0, ..]) {
+        return GLTF.at("JSON", "its text is UTF-16, and glTF is UTF-8; save it as UTF-8");
+    }
+    let place = format!("JSON line {} column {}", error.line(), error.column());
+    if error.is_eof() {
+        return GLTF.at(place, "the text is cut short here; copy or export it again");
+    }
+    let words = error.to_string();
+    // Told by no category of its own.
+    if words.starts_with("recursion limit exceeded") {
+        return GLTF.at(place, "lists and objects within each other are more than 127 deep here; export it with fewer");
+    }
+    GLTF.at(place, format!("{words}; export it again"))
 }
 
 /// Parses one element. From text, so that the code that parses whole files serves here too.

@@ -1,8 +1,10 @@
 //! Distances in a GLB file, with the materials of the file that the triangles came from.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Map, Value, json};
 
-use crate::appearance::{Alpha, Appearance, Channel, Material, Run, Texels, Texture, Wrap};
+use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texels, Texture, Wrap};
 use crate::io::write::container::{ARRAY_BUFFER, GlbFile};
 use crate::io::write::{largest_finite, share};
 use crate::soup::Soup;
@@ -97,10 +99,11 @@ impl GlbFile {
             .filter(|(_, image)| image.texels == Texels::Encoded && !image.bytes.is_empty());
         let images = found.enumerate().map(|(place, (index, image))| {
             uses.place_of_image[index] = Some(place);
-            uses.is_basis.push(image.bytes.starts_with(KTX2));
+            let (media_type, extension) = format_of(image);
+            uses.extension_of_image.push(extension);
             let view = self.view(&image.bytes);
             self.views.push(view);
-            json!({ "bufferView": self.views.len() - 1, "mimeType": media_type(&image.media_type, &image.bytes) })
+            json!({ "bufferView": self.views.len() - 1, "mimeType": media_type })
         });
         let images: Vec<Value> = images.collect();
         for (index, image) in look.images.iter().enumerate() {
@@ -118,17 +121,23 @@ impl GlbFile {
         if !uses.extensions.is_empty() {
             root["extensionsUsed"] = uses.extensions.into();
         }
+        // There is no other image for who does not know these.
+        let required: BTreeSet<&str> = uses.extension_of_image.iter().flatten().copied().collect();
+        if !required.is_empty() {
+            root["extensionsRequired"] = required.into_iter().collect();
+        }
     }
 }
 
-/// An image in a buffer must have a type; where the file had none, the first bytes tell it.
-fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
-    match told {
-        "" if bytes.starts_with(b"\xFF\xD8") => "image/jpeg",
-        "" if bytes.starts_with(b"RIFF") => "image/webp",
-        _ if bytes.starts_with(KTX2) => "image/ktx2",
-        "" => "image/png",
-        told => told,
+/// The type of an image, which one in a buffer must have, and the extension by which textures refer to such. The first bytes tell
+/// it, or else the file that it is from.
+fn format_of(image: &Image) -> (&str, Option<&'static str>) {
+    match &image.bytes[..] {
+        bytes if bytes.starts_with(KTX2) => ("image/ktx2", Some("KHR_texture_basisu")),
+        bytes if bytes.starts_with(b"RIFF") => ("image/webp", Some("EXT_texture_webp")),
+        bytes if bytes.starts_with(b"\xFF\xD8") => ("image/jpeg", None),
+        _ if image.media_type.is_empty() => ("image/png", None),
+        _ => (&image.media_type, None),
     }
 }
 
@@ -137,8 +146,8 @@ fn media_type<'a>(told: &'a str, bytes: &[u8]) -> &'a str {
 struct Uses {
     /// Those that could not be found are left out.
     place_of_image: Vec<Option<usize>>,
-    /// Of those that are written.
-    is_basis: Vec<bool>,
+    /// By which textures refer to each that is written; none for what every program reads.
+    extension_of_image: Vec<Option<&'static str>>,
     textures: Vec<Value>,
     samplers: Vec<Value>,
     extensions: Vec<&'static str>,
@@ -202,8 +211,8 @@ impl Uses {
         let sampler = json!({ "wrapS": wrap[0], "wrapT": wrap[1], "magFilter": magnify, "minFilter": 9987 });
         let sampler = place_of(&mut self.samplers, sampler);
         let mut texture_of_image = json!({ "source": source, "sampler": sampler });
-        if self.is_basis[source] {
-            let name = self.extension("KHR_texture_basisu");
+        if let Some(name) = self.extension_of_image[source] {
+            self.extension(name);
             texture_of_image = json!({ "sampler": sampler, "extensions": { name: { "source": source } } });
         }
         let index = place_of(&mut self.textures, texture_of_image);

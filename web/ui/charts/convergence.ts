@@ -1,0 +1,115 @@
+/** How the errors of heat and propagation fall with the edges, measured on the surface on screen when it is asked for. */
+import type { OpenedMesh } from '../../protocol';
+import type { Session } from '../../session/session';
+import { measureConvergence } from '../../solver/convergence';
+import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, studied } from '../../state/convergence';
+import { allSources } from '../../state/sources';
+import { type LengthUnit, unitOf } from '../../state/scene';
+import { h } from '../dom';
+import { count, fixed } from '../words';
+import { figure } from './figure';
+import { markdownButton, measuring } from './measuring';
+import type { Chart, Series } from './plot';
+import { t } from '../../texts';
+
+const TITLES = {
+  heat: t('Error of heat'),
+  propagation: t('Error of propagation'),
+} as const;
+
+export function convergenceStudy(session: Session): HTMLElement {
+  const levels: Level[] = [];
+  /** Whose levels they are. */
+  let measured: OpenedMesh | null = null;
+  const charts = h('div', { class: 'stack' });
+
+  const measure = async (signal: AbortSignal) => {
+    const { scene, shown } = session;
+    const sources = allSources(scene.state);
+    if (!shown.value || sources.length === 0) return t('Set a source first.');
+    const { opened } = shown.value;
+    const { name, surface, drawTransform } = opened;
+    const unit = unitOf(scene.state, opened);
+    const steps = levelsOf(surface.triangles.length / 3);
+    [levels.length, measured, progress.max, saving.hidden] = [0, opened, steps, true];
+    charts.replaceChildren();
+    await measureConvergence(
+      studied(opened, sources),
+      scene.state,
+      signal,
+      (done, triangles) => {
+        progress.value = done;
+        said.textContent = t`Measuring ${count(triangles)} triangles, ${done + 1} of ${steps}.`;
+      },
+      (level) => {
+        // Drawn, the surface has another size.
+        levels.push({ ...level, edge: (unit.scale / drawTransform.scale) * level.edge });
+        const file = name.replace(/\.\w+$/, '');
+        charts.replaceChildren(...chartsOf(levels, unit).map((chart) => figure(chart, file)));
+      },
+    );
+    return t('Done. A slope of 1: half the edge, half the error.');
+  };
+  const ended = () => (saving.hidden = levels.length === 0);
+  const { button, progress, said, cancel } = measuring({
+    label: t('Measure convergence'),
+    steps: t('Surfaces measured'),
+    measure,
+    ended,
+  });
+  const saving = h(
+    'div',
+    { class: 'saving', hidden: true },
+    markdownButton(() => markdownOf(levels), said, t('The clipboard is not available. Save the charts as CSV.')),
+  );
+  const most = h('p', { class: 'quiet' }, t`At most ${count(MOST_TRIANGLES / 4)} triangles can be split.`);
+  const element = h(
+    'section',
+    { class: 'stack measured', 'aria-label': t('Convergence') },
+    h('h2', {}, t('Convergence')),
+    h(
+      'p',
+      { class: 'quiet' },
+      t(
+        'The errors of heat, without an exact region, and of propagation, both by the present settings: on this surface, and on the same one with each triangle split in four, up to twice.',
+      ),
+    ),
+    most,
+    button,
+    progress,
+    said,
+    charts,
+    saving,
+  );
+  const follow = () => {
+    const opened = session.shown.value?.opened ?? null;
+    element.hidden = !opened || opened.interior !== null;
+    const canBeSplit = opened !== null && levelsOf(opened.surface.triangles.length / 3) > 1;
+    [most.hidden, button.hidden] = [canBeSplit, !canBeSplit];
+    if (opened === measured || !measured) return;
+    cancel();
+    [levels.length, measured, saving.hidden] = [0, null, true];
+    charts.replaceChildren();
+    said.textContent = '';
+  };
+  session.shown.watch(follow);
+  follow();
+  return element;
+}
+
+function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
+  const xLabel = symbol ? `${t('Mean edge')} (${symbol})` : t('Mean edge');
+  return (['heat', 'propagation'] as const).flatMap((method) => {
+    // Small surfaces may lie within the exact region, and no logarithm is that of an error of 0.
+    const inexact = levels.filter((level) => level[method].mean > 0);
+    if (inexact.length === 0) return [];
+    const line = (name: string, errorOf: (level: Level) => number): Series => {
+      const slope = slopeOf(inexact, errorOf);
+      const told = slope === null ? name : t`${name}, slope ${fixed(Math.round(10 * slope) / 10 || 0, 1)}`;
+      const [x, y] = [inexact.map(({ edge }) => edge), inexact.map((level) => 100 * errorOf(level))];
+      return { name: told, kind: 'points', x, y };
+    };
+    const series = [line(t('Maximum'), (level) => level[method].max), line(t('Mean'), (level) => level[method].mean)];
+    return [{ title: TITLES[method], xLabel, yLabel: t('Error (%)'), logarithmic: 'both' as const, series }];
+  });
+}

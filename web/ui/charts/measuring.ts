@@ -1,0 +1,61 @@
+/** What is measured when it is asked for: a button that begins and cancels it, how far it is, and what came of it. */
+import { Cancelled } from '../../solver/remote';
+import { h } from '../dom';
+import { t } from '../../texts';
+
+export interface Measuring {
+  button: HTMLButtonElement;
+  progress: HTMLProgressElement;
+  said: HTMLElement;
+  cancel: () => void;
+}
+
+interface Task {
+  label: string;
+  /** Of the steps that progress counts. */
+  steps: string;
+  /** Rejects where `signal` is aborted; the sentence that it ends with. */
+  measure: (signal: AbortSignal) => Promise<string>;
+  /** However it has ended. */
+  ended: () => void;
+}
+
+export function measuring({ label, steps, measure, ended }: Task): Measuring {
+  let running: AbortController | null = null;
+  const button = h('button', { class: 'wide' }, label);
+  const progress = h('progress', { value: 0, hidden: true, 'aria-label': steps });
+  const said = h('p', { class: 'quiet', role: 'status' });
+  const run = async () => {
+    running = new AbortController();
+    const { signal } = running;
+    progress.hidden = false;
+    button.textContent = t('Cancel');
+    try {
+      said.textContent = await measure(signal);
+    } catch (error) {
+      const isCancelled = error instanceof Cancelled || signal.aborted;
+      said.textContent = isCancelled ? t('Cancelled.') : error instanceof Error ? error.message : String(error);
+    } finally {
+      running = null;
+      button.textContent = label;
+      progress.hidden = true;
+      ended();
+    }
+  };
+  button.addEventListener('click', () => {
+    if (running) running.abort();
+    else void run();
+  });
+  return { button, progress, said, cancel: () => running?.abort() };
+}
+
+/** A button that puts Markdown on the clipboard. */
+export function markdownButton(text: () => string, said: HTMLElement, instead: string): HTMLElement {
+  const copy = () => {
+    navigator.clipboard.writeText(text()).then(
+      () => (said.textContent = t('Copied.')),
+      () => (said.textContent = instead),
+    );
+  };
+  return h('button', { class: 'small', onclick: copy }, t('Copy as Markdown'));
+}

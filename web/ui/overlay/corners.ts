@@ -1,0 +1,123 @@
+/** The corners of the line along edges that is selected, for the keyboard: each has the focus in turn, and arrows move it. */
+import type { Session } from '../../session/session';
+import { selectedSet } from '../../state/edit';
+import type { SourceSet } from '../../state/sources';
+import type { MeshPoint } from '../../protocol';
+import { h } from '../dom';
+import type { DrawInput } from '../input/draw';
+import { t } from '../../texts';
+
+const ARROWS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** A corner goes to the first vertex in the direction of the arrow: it is looked for in steps of so many CSS pixels, at most so many. */
+const STEP_PX = 4;
+const MOST_STEPS = 60;
+
+export class LineCorners {
+  readonly #told = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  readonly #layer = h('div', {});
+  readonly element = h(
+    'section',
+    { class: 'corner-layer', 'aria-label': t('Corners of the line'), hidden: true },
+    this.#layer,
+    this.#told,
+  );
+  readonly #session: Session;
+  readonly #draw: DrawInput;
+  #corners: readonly number[] = [];
+  /** Arrows in a row are one step of undo. */
+  #nudging: object | null = null;
+
+  constructor(session: Session, draw: DrawInput) {
+    this.#session = session;
+    this.#draw = draw;
+    session.scene.subscribe((state, previous) => {
+      if (state.sets !== previous.sets || state.selected !== previous.selected) this.#show();
+    });
+    session.shown.watch(() => this.#show());
+  }
+
+  /** Goes to where they are seen now. */
+  follow(): void {
+    if (this.element.hidden) return;
+    [...this.#layer.children].forEach((button, place) => {
+      const pixel = this.#pixelOf(this.#corners[place]);
+      if (!(button instanceof HTMLElement)) return;
+      button.hidden = pixel === null;
+      if (pixel) button.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
+    });
+  }
+
+  get #line(): SourceSet | null {
+    const set = selectedSet(this.#session.scene);
+    return set?.shape.kind === 'line' ? set : null;
+  }
+
+  /** Elements stay as long as the count does, and with them the focus. */
+  #show(): void {
+    const shape = this.#line?.shape;
+    const corners = shape?.kind === 'line' ? shape.corners : [];
+    const before = this.#corners;
+    this.#corners = corners;
+    if (corners.length !== before.length) {
+      const hadFocus = this.#layer.contains(document.activeElement);
+      this.#layer.replaceChildren(...corners.map((_, place) => this.#button(place)));
+      if (hadFocus) this.#session.view.stage.focus({ preventScroll: true });
+    }
+    this.element.hidden = corners.length === 0;
+    corners.forEach((vertex, place) => {
+      const words = t`Corner ${place + 1} of ${corners.length}, vertex ${vertex}`;
+      const button = this.#layer.children[place];
+      button.setAttribute('aria-label', words);
+      const isMoved = vertex !== before[place] && button === document.activeElement;
+      if (isMoved) this.#told.textContent = words;
+    });
+    this.follow();
+  }
+
+  #button(place: number): HTMLElement {
+    const button = h('button', { class: 'corner' });
+    button.addEventListener('keydown', (event) => this.#key(place, event));
+    button.addEventListener('keyup', () => (this.#nudging = null));
+    return button;
+  }
+
+  #key(place: number, event: KeyboardEvent): void {
+    const arrow = ARROWS[event.key];
+    const set = this.#line;
+    if (!arrow || !set || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const vertex = this.#corners[place];
+    const there = this.#towards(vertex, arrow);
+    if (!there) return;
+    this.#nudging ??= {};
+    this.#draw.hold({ set, place, vertex }, this.#nudging);
+    this.#draw.moveHeld(there);
+  }
+
+  /** The next vertex that is seen in a direction and is no corner yet; null where the surface ends before. */
+  #towards(vertex: number, [x, y]: readonly [number, number]): MeshPoint | null {
+    const { shown, view } = this.#session;
+    const start = this.#pixelOf(vertex);
+    if (!start || !shown.value) return null;
+    for (let step = 1; step <= MOST_STEPS; step++) {
+      const hit = view.pick(start[0] + x * step * STEP_PX, start[1] + y * step * STEP_PX);
+      if (!hit) return null;
+      const next = shown.value.places.nearestVertex(hit.point);
+      if (!this.#corners.includes(next)) return { vertex: next };
+    }
+    return null;
+  }
+
+  #pixelOf(vertex: number): [number, number] | null {
+    const { shown, view } = this.#session;
+    const place = shown.value?.places.at({ vertex });
+    return place ? view.project(place.position) : null;
+  }
+}
