@@ -16,7 +16,10 @@ const documented = [
   'doc',
   '--workspace',
   '--no-deps',
-  ...['heatwalk-worker', 'heatwalk-reader', 'heatwalk-interior'].flatMap((name) => ['--exclude', name]),
+  ...['heatwalk-worker', 'heatwalk-reader', 'heatwalk-maker', 'heatwalk-interior'].flatMap((name) => [
+    '--exclude',
+    name,
+  ]),
 ];
 cargo('Building the documentation of Rust', documented, named, { RUSTDOCFLAGS: '-Dwarnings' });
 cargo('Looking for cycles of Rust modules', ['xtask', 'cycles'], cut);

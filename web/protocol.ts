@@ -416,6 +416,4 @@ export interface SolverApi {
   distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>>;
   /** The same of tetrahedra. */
   innerDistanceFile(kind: InnerDistanceFile): Promise<Uint8Array<ArrayBuffer>>;
-  /** Names that `{ kind: 'shape' }` takes. */
-  shapes(): Promise<string[]>;
 }

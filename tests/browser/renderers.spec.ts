@@ -6,7 +6,7 @@ import type { Page } from '@playwright/test';
 import { expect, type HeatwalkPage, test } from '../page';
 
 /** Bytes of all files until the first picture, each after brotli. */
-const BARS = { WebGPU: 0.8e6, WebGL2: 1.3e6 };
+const BARS = { WebGPU: 0.75e6, WebGL2: 1.18e6 };
 
 const RENDERER = /heatwalk_viewer_(webgpu|webgl2)_bg-[^/]*\.wasm$/;
 

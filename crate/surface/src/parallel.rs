@@ -61,6 +61,10 @@ pub fn split<T>(mut values: &mut [T], lengths: impl IntoIterator<Item = usize>) 
 /// What `work` makes of each task, in their order, each on a thread of its own.
 pub fn map<T: Send, R: Send>(tasks: impl IntoIterator<Item = T>, work: impl Fn(T) -> R + Sync) -> Vec<R> {
     let (work, mut tasks) = (&work, tasks.into_iter());
+    // No thread can be started there, and what starts one is compiled for each kind of work.
+    if cfg!(target_arch = "wasm32") {
+        return tasks.map(work).collect();
+    }
     thread::scope(|scope| {
         let first = tasks.next();
         let others: Vec<_> = tasks.map(|task| scope.spawn(move || work(task))).collect();

@@ -3,7 +3,8 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
 use crate::vertex::vertex_layout;
@@ -113,7 +114,7 @@ fn pipeline(context: &Context, shared: &Shared, [vertex, fragment]: [&str; 2]) -
     PipelineRecipe {
         label: "arrow",
         layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-        module: &shader(context, "arrow.wgsl", include_str!("arrow.wgsl")),
+        module: &shader_module!(context, "arrow"),
         vertex,
         fragment,
         buffers: &[Some(SolidBuffers::LAYOUT), Some(ARROW)],

@@ -3,7 +3,8 @@ use glam::Vec3;
 
 use crate::binding::uniform_layout;
 use crate::context::Context;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::uniform::Uniform;
 
@@ -29,7 +30,7 @@ impl Background {
         let pipeline = PipelineRecipe {
             label: "background",
             layouts: &[Some(&shared.frame_layout), None, Some(&layout)],
-            module: &shader(context, "background.wgsl", include_str!("background.wgsl")),
+            module: &shader_module!(context, "background"),
             vertex: "vs_background",
             fragment: "fs_background",
             buffers: &[],

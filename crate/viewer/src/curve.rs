@@ -2,7 +2,8 @@ use glam::Vec3;
 
 use crate::buffer::Growing;
 use crate::context::Context;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::vertex::{attribute, single};
 
@@ -25,7 +26,7 @@ impl Curve {
         let pipeline = PipelineRecipe {
             label: "curve",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader(context, "curve.wgsl", include_str!("curve.wgsl")),
+            module: &shader_module!(context, "curve"),
             vertex: "vs_curve",
             fragment: "fs_curve",
             buffers: &SHIFTED.each_ref().map(|point| Some(single::<Vec3>(wgpu::VertexStepMode::Instance, point))),

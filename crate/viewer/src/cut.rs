@@ -3,9 +3,10 @@
 use std::cell::OnceCell;
 
 use crate::context::Context;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::surface::{FieldBuffers, MeshBuffers, POSITION, SURFACE_WGSL, SurfaceRenderer, vertices};
+use crate::surface::{FieldBuffers, MeshBuffers, POSITION, SurfaceRenderer, vertices};
 
 /// What is drawn of a cut surface.
 #[derive(Clone, Copy)]
@@ -26,8 +27,7 @@ pub(crate) struct CutRenderer {
 
 impl CutRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
-        let source = format!("{SURFACE_WGSL}\n{}", include_str!("cut.wgsl"));
-        let module = shader(context, "cut.wgsl", &source);
+        let module = shader_module!(context, "cut");
         let shadow = PipelineRecipe {
             label: "shadow of a cut surface",
             layouts: &[Some(&shared.frame_layout)],

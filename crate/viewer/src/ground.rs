@@ -3,7 +3,8 @@ use glam::Vec3;
 
 use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
 use crate::context::Context;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shadow::SHADOW_REACH;
 use crate::shared::Shared;
 use crate::uniform::Uniform;
@@ -63,7 +64,7 @@ impl Ground {
         let pipeline = PipelineRecipe {
             label: "ground",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)],
-            module: &shader(context, "ground.wgsl", include_str!("ground.wgsl")),
+            module: &shader_module!(context, "ground"),
             vertex: "vs_ground",
             fragment: "fs_ground",
             buffers: &[],

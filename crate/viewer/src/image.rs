@@ -2,6 +2,7 @@
 
 use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler};
 use crate::context::Context;
+use crate::shader::shader_module;
 
 /// An image that was decoded; alpha is not multiplied in.
 pub enum Image {
@@ -68,7 +69,7 @@ impl ImageLoader {
             label: Some("texture level layout"),
             entries: &[fragment_entry(0, FILTERED_TEXTURE), fragment_entry(1, sampling)],
         });
-        let module = context.device.create_shader_module(wgpu::include_wgsl!("mipmap.wgsl"));
+        let module = shader_module!(context, "mipmap");
         let pipeline_layout = context.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("texture level"),
             bind_group_layouts: &[Some(&layout)],

@@ -1,8 +1,8 @@
 //! Draws a surface with its distance stripes, pins, a path and a walker, with wgpu.
 //!
 //! The viewer takes plain arrays and knows no solver. A long-lived [`Renderer`] holds the pipelines; buffers live with
-//! the mesh they belong to. Each primitive is one `.rs` and one `.wgsl` of the same name; every shader starts with
-//! `shared.wgsl`. Colours are linear light in the shading and sRGB outside. On wasm32 the class `Viewer` is the face
+//! the mesh they belong to. Each primitive is one `.rs` and one `.wgsl` of the same name; `build.rs` puts
+//! shaders together. Colours are linear light in the shading and sRGB outside. On wasm32 the class `Viewer` is the face
 //! towards JavaScript.
 
 mod appearance;
@@ -37,6 +37,7 @@ mod pose;
 mod punctual;
 mod renderer;
 mod section;
+mod shader;
 mod shadow;
 mod shared;
 mod shell;
@@ -70,37 +71,3 @@ pub use renderer::{Renderer, SurfaceHit};
 pub use section::SectionArrays;
 pub use style::{Blend, Finish, Pattern, RAMP_SIZE, Style};
 pub use surface::RAMP_BYTES;
-
-#[cfg(test)]
-mod shader_tests {
-    use wgpu::naga::front::wgsl;
-    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
-
-    use crate::pipeline::SHARED_WGSL;
-
-    #[test]
-    fn every_shader_is_valid() {
-        for (name, source) in [
-            ("arrow", include_str!("arrow.wgsl")),
-            ("background", include_str!("background.wgsl")),
-            ("ground", include_str!("ground.wgsl")),
-            ("surface", include_str!("surface.wgsl")),
-            ("cut", concat!(include_str!("surface.wgsl"), include_str!("cut.wgsl"))),
-            ("section", concat!(include_str!("surface.wgsl"), include_str!("section.wgsl"))),
-            ("shell", concat!(include_str!("surface.wgsl"), include_str!("shell.wgsl"))),
-            ("model", concat!(include_str!("surface.wgsl"), include_str!("model.wgsl"))),
-            ("curve", include_str!("curve.wgsl")),
-            ("pin", include_str!("pin.wgsl")),
-            ("walker", include_str!("walker.wgsl")),
-            ("wire", include_str!("wire.wgsl")),
-        ] {
-            let source = format!("{SHARED_WGSL}\n{source}");
-            let module = wgsl::parse_str(&source)
-                .unwrap_or_else(|error| panic!("{name}.wgsl: {}", error.emit_to_string(&source)));
-            // WebGL2 has none of the optional capabilities.
-            Validator::new(ValidationFlags::all(), Capabilities::empty())
-                .validate(&module)
-                .unwrap_or_else(|error| panic!("{name}.wgsl: {}", error.emit_to_string(&source)));
-        }
-    }
-}

@@ -10,9 +10,10 @@ use crate::context::Context;
 use crate::image::{Image, ImageLoader};
 use crate::material::{BoundMaterial, Material, bind_materials, material_layout};
 use crate::mesh::Mesh;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SURFACE_WGSL, SurfaceRenderer, TANGENT};
+use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SurfaceRenderer, TANGENT};
 use crate::tint::TINT;
 use crate::vertex::{Unorm16x4, attribute, single};
 
@@ -42,10 +43,9 @@ pub(crate) struct ModelRenderer {
 impl ModelRenderer {
     pub(crate) fn new(context: &Context) -> Self {
         let layout = material_layout(context);
-        let source = format!("{SURFACE_WGSL}\n{}", include_str!("model.wgsl"));
         let loader = ImageLoader::new(context);
         Self {
-            module: shader(context, "model.wgsl", &source),
+            module: shader_module!(context, "model"),
             pipelines: Default::default(),
             materials: bind_materials(context, &loader, &layout, &[], &[]),
             loader,

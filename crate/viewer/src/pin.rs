@@ -3,7 +3,8 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
 use crate::vertex::vertex_layout;
@@ -46,7 +47,7 @@ impl Pins {
         let recipe = PipelineRecipe {
             label: "pin",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader(context, "pin.wgsl", include_str!("pin.wgsl")),
+            module: &shader_module!(context, "pin"),
             vertex: "vs_pin",
             fragment: "fs_pin",
             buffers: &[Some(SolidBuffers::LAYOUT), Some(PIN)],

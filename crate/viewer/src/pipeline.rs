@@ -1,16 +1,5 @@
 use crate::context::{Context, DEPTH_FORMAT, SAMPLE_COUNT};
 
-/// Declarations that every shader starts with.
-pub(crate) const SHARED_WGSL: &str = include_str!("shared.wgsl");
-
-/// The shader of a primitive behind the shared declarations.
-pub(crate) fn shader(context: &Context, label: &str, wgsl: &str) -> wgpu::ShaderModule {
-    context.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(label),
-        source: wgpu::ShaderSource::Wgsl(format!("{SHARED_WGSL}\n{wgsl}").into()),
-    })
-}
-
 /// What tells one pipeline from another; the rest is common to all.
 #[derive(Clone)]
 pub(crate) struct PipelineRecipe<'a> {

@@ -7,9 +7,10 @@ use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
 use crate::inner::{Distances, InnerTriangles};
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::surface::{MeshBuffers, SURFACE_WGSL, SurfaceRenderer, vertices};
+use crate::surface::{MeshBuffers, SurfaceRenderer, vertices};
 use crate::vertex::Snorm8x4;
 
 /// Triangles that are drawn as the surface is.
@@ -104,8 +105,7 @@ pub(crate) struct SectionRenderer {
 
 impl SectionRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared, surfaces: &SurfaceRenderer) -> Self {
-        let source = format!("{SURFACE_WGSL}\n{}", include_str!("section.wgsl"));
-        let module = shader(context, "section.wgsl", &source);
+        let module = shader_module!(context, "section");
         let pipeline = |label, fragment, has_field| {
             let (vertex, buffers) = vertices(has_field, false);
             PipelineRecipe {

@@ -10,9 +10,10 @@ use crate::buffer::{Growing, mesh_buffer};
 use crate::context::Context;
 use crate::error::Error;
 use crate::inner::{Distances, InnerTriangles};
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::surface::{DISTANCE, NORMAL, POSITION, RAMP_BYTES, SURFACE_WGSL, SurfaceRenderer};
+use crate::surface::{DISTANCE, NORMAL, POSITION, RAMP_BYTES, SurfaceRenderer};
 use crate::uniform::Uniform;
 
 /// The densest film: Beer and Lambert's law has no end for one that lets nothing through.
@@ -100,7 +101,6 @@ pub(crate) struct ShellRenderer {
 
 impl ShellRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared, surfaces: &SurfaceRenderer) -> Self {
-        let source = format!("{SURFACE_WGSL}\n{}", include_str!("shell.wgsl"));
         let layout = uniform_layout(context, "film layout");
         let film = Uniform::new(context, "film uniform");
         let pipeline = PipelineRecipe {
@@ -111,7 +111,7 @@ impl ShellRenderer {
                 Some(&surfaces.style_layout),
                 Some(&layout),
             ],
-            module: &shader(context, "shell.wgsl", &source),
+            module: &shader_module!(context, "shell"),
             vertex: "vs_shell",
             fragment: "fs_shell",
             buffers: &[Some(POSITION), Some(NORMAL), Some(DISTANCE)],

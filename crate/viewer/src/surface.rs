@@ -4,15 +4,14 @@ use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_e
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::style::{RAMP_SIZE, Style, StyleUniform};
 use crate::tint::{TINT, TINT_SLOT, TintBuffer};
 use crate::uniform::Uniform;
 use crate::vertex::{Snorm8x4, attribute, single};
 
-/// The surface's shader, on which that of models builds.
-pub(crate) const SURFACE_WGSL: &str = include_str!("surface.wgsl");
 /// Bytes of the ramp of the surface and that of the stripes: RGBA.
 pub const RAMP_BYTES: usize = 2 * 4 * RAMP_SIZE;
 /// Stands for "unreachable" in a vertex buffer, whose values are shares of the largest one: interpolating an infinity gives
@@ -243,7 +242,7 @@ impl SurfaceRenderer {
                 wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
         });
-        let module = shader(context, "surface.wgsl", SURFACE_WGSL);
+        let module = shader_module!(context, "surface");
         let layouts = [Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)];
         let recipe = PipelineRecipe {
             label: "surface shadow",

@@ -4,8 +4,9 @@ use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::gait::{ANKLE, Figure};
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
 use crate::pose::{CrowdPose, Track};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers};
 use crate::vertex::vertex_layout;
@@ -61,7 +62,7 @@ impl Walkers {
         let recipe = PipelineRecipe {
             label: "walker",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader(context, "walker.wgsl", include_str!("walker.wgsl")),
+            module: &shader_module!(context, "walker"),
             vertex: "vs_walker",
             fragment: "fs_walker",
             buffers: &[Some(SolidBuffers::LAYOUT), Some(FIGURE)],

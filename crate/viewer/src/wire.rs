@@ -3,7 +3,8 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::color::linear_from_srgb;
 use crate::context::Context;
-use crate::pipeline::{PipelineRecipe, Place, shader};
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::vertex::vertex_layout;
 
@@ -33,7 +34,7 @@ impl Wires {
         let pipeline = PipelineRecipe {
             label: "wire",
             layouts: &[Some(&shared.frame_layout)],
-            module: &shader(context, "wire.wgsl", include_str!("wire.wgsl")),
+            module: &shader_module!(context, "wire"),
             vertex: "vs_wire",
             fragment: "fs_wire",
             buffers: &[Some(SEGMENT)],

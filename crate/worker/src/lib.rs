@@ -26,7 +26,7 @@ use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
 use heatwalk_bindings::{Failure, Result};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
-use heatwalk_shapes as shapes;
+use heatwalk_shapes::icosphere;
 use js_sys::{Float64Array, Function, Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -56,12 +56,6 @@ pub fn start() {
 /// Bytes that a program on wasm32 can have.
 const ADDRESS_SPACE: u64 = 1 << 32;
 
-/// Names that [`MeshFile::shape`] takes.
-#[wasm_bindgen]
-pub fn shape_names() -> Vec<String> {
-    shapes::names().iter().map(|&name| name.to_owned()).collect()
-}
-
 /// What a file holds.
 #[wasm_bindgen]
 pub struct MeshFile {
@@ -70,6 +64,11 @@ pub struct MeshFile {
     up: Up,
     /// Of a file; a shape has none.
     unit: LengthUnit,
+}
+
+/// What another module has packed.
+fn unpacked(packed: &[u8]) -> Result<Soup> {
+    Soup::unpacked(packed).ok_or_else(|| Failure::misuse("this is no mesh that this build has packed"))
 }
 
 impl MeshFile {
@@ -88,14 +87,17 @@ impl MeshFile {
         packed: &[u8],
         #[wasm_bindgen(unchecked_param_type = "Up | undefined")] up: Option<String>,
     ) -> Result<Self> {
-        let soup =
-            Soup::unpacked(packed).ok_or_else(|| Failure::misuse("this is no mesh that was read by this build"))?;
-        Self::of_unknown_unit(soup, up)
+        Self::of_unknown_unit(unpacked(packed)?, up)
     }
 
-    /// Makes a shape.
-    pub fn shape(name: &str) -> Result<Self> {
-        Ok(Self { soup: shapes::by_name(name)?, up: Up::Y, unit: LengthUnit::default() })
+    /// Takes what the module that makes shapes has made.
+    pub fn made(packed: &[u8]) -> Result<Self> {
+        Ok(Self { soup: unpacked(packed)?, up: Up::Y, unit: LengthUnit::default() })
+    }
+
+    /// A sphere of ten thousand points to warm up on: enough for every kernel to run often, and over before anybody opens a mesh.
+    pub fn sphere() -> Self {
+        Self { soup: icosphere(5), up: Up::Y, unit: LengthUnit::default() }
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.

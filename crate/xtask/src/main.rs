@@ -1,4 +1,4 @@
-//! Build steps that need Rust: `cargo xtask wasm [solver|reader|viewer|interior|curves|basis]`, `cargo xtask contract`, `cargo xtask test-wasm`,
+//! Build steps that need Rust: `cargo xtask wasm [solver|reader|maker|viewer|interior|curves|basis]`, `cargo xtask contract`, `cargo xtask test-wasm`,
 //! `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
 
 mod contract;
@@ -11,11 +11,11 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use crate::modules::{BASIS, CURVES, INTERIOR, READER, SOLVER, VIEWER_WEBGL2, VIEWER_WEBGPU};
+use crate::modules::{BASIS, CURVES, INTERIOR, MAKER, READER, SOLVER, VIEWER_WEBGL2, VIEWER_WEBGPU};
 use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
-const USAGE: &str = "usage: cargo xtask wasm [solver|reader|viewer|interior|curves|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
+const USAGE: &str = "usage: cargo xtask wasm [solver|reader|maker|viewer|interior|curves|basis] | contract | test-wasm | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,6 +36,7 @@ fn main() -> Result<()> {
             modules::build(&VIEWER_WEBGL2, &toolchain)
         }
         ["wasm", "reader"] => modules::build(&READER, &Toolchain::find()?),
+        ["wasm", "maker"] => modules::build(&MAKER, &Toolchain::find()?),
         ["wasm", "curves"] => modules::build(&CURVES, &Toolchain::find()?),
         ["wasm", "interior"] => modules::build(&INTERIOR, &Toolchain::find()?),
         ["wasm", "basis"] => modules::build(&BASIS, &Toolchain::find()?),

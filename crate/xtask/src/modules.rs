@@ -51,7 +51,7 @@ pub const VIEWER_WEBGPU: Module = Module {
     is_restartable: true,
 };
 
-/// The same on WebGL2, for browsers without WebGPU. It checks and translates shaders itself, which takes most of its bytes.
+/// The same on WebGL2, for browsers without WebGPU. It checks commands and translates shaders itself, which takes most of its bytes.
 pub const VIEWER_WEBGL2: Module = Module {
     name: "viewer-webgl2",
     features: &["webgl2"],
@@ -88,6 +88,9 @@ pub const INTERIOR: Module = Module {
 pub const READER: Module =
     Module { name: "reader", package: "heatwalk-reader", file: "heatwalk_reader", is_restartable: true, ..INTERIOR };
 
+/// Shapes, which the worker loads with the first of them.
+pub const MAKER: Module = Module { name: "maker", package: "heatwalk-maker", file: "heatwalk_maker", ..READER };
+
 /// Isolines and files of distances, which the worker loads where one is wanted.
 pub const CURVES: Module = Module { name: "curves", package: "heatwalk-curves", file: "heatwalk_curves", ..INTERIOR };
 
@@ -103,7 +106,7 @@ impl Module {
     /// Cargo's arguments for the package and its features.
     fn chosen(&self) -> Vec<&'static str> {
         let features = self.features.iter().flat_map(|feature| ["--features", feature]);
-        ["--package", self.package].into_iter().chain(features).collect()
+        ["--package", self.package, "--no-default-features"].into_iter().chain(features).collect()
     }
 
     /// `cargo COMMAND` with the module's flags and `more` of them.
@@ -121,7 +124,7 @@ pub fn build_all(toolchain: &Toolchain) -> Result<()> {
     let in_turn = |modules: &[&Module]| modules.iter().try_for_each(|module| build(module, toolchain));
     std::thread::scope(|scope| {
         let viewers = scope.spawn(|| in_turn(&[&VIEWER_WEBGL2, &VIEWER_WEBGPU]));
-        let others = in_turn(&[&SOLVER, &READER, &INTERIOR, &CURVES, &BASIS]);
+        let others = in_turn(&[&SOLVER, &READER, &MAKER, &INTERIOR, &CURVES, &BASIS]);
         viewers.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)).and(others)
     })
 }
@@ -167,7 +170,7 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     let (flags, last) = toolchain.deny_warnings();
     // Both builds of the viewer are of the same code.
-    for module in [&SOLVER, &READER, &VIEWER_WEBGPU, &INTERIOR, &CURVES, &BASIS] {
+    for module in [&SOLVER, &READER, &MAKER, &VIEWER_WEBGPU, &INTERIOR, &CURVES, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
         let mut cargo = module.cargo(toolchain, "clippy", flags);
         run(cargo.args(["--profile", module.profile]).args(module.chosen()).args(last))?;

@@ -54,9 +54,6 @@ const SLICE_SOLVES = 2;
 const FIRST_WORK = 20_000;
 const LEAST_WORK = 2_000;
 
-/** Ten thousand points: enough for every kernel to run often, and over before anybody opens a mesh. */
-const WARM_UP_SHAPE = 'icosphere';
-
 /** Calls that arrive while the module is still being compiled wait for it. */
 const { promise: ready, resolve: begin } = Promise.withResolvers<wasm.InitOutput>();
 
@@ -91,7 +88,7 @@ const api: SolverApi = {
 
   async warmUp() {
     await ready;
-    const file = wasm.MeshFile.shape(WARM_UP_SHAPE);
+    const file = wasm.MeshFile.sphere();
     const surface = file.surface(Uint32Array.of(0), file.up());
     const drawing = surface.draw();
     drawing.shade().free();
@@ -383,11 +380,6 @@ const api: SolverApi = {
     if (!inside) throw new Error('Only tetrahedra can be asked this, and the mesh is a surface.');
     const bytes = inside.solver.file(kind) as Uint8Array<ArrayBuffer>;
     return Promise.resolve(transfer(bytes, [bytes.buffer]));
-  },
-
-  async shapes(): Promise<string[]> {
-    await ready;
-    return wasm.shape_names();
   },
 };
 

@@ -6,6 +6,7 @@ import { fileName, holdsTetrahedra } from '../../files/paths';
 import { type Files, filesOf, unpackedOf } from './files';
 import { decodeImages } from './images';
 import { boundaryOf, filled, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
+import { makeShape } from './maker';
 import { plain } from './plain';
 import { readMesh } from './reader';
 import { simplify } from './simplify';
@@ -51,7 +52,7 @@ export async function sourceOf(input: MeshInput): Promise<MeshSource> {
     case 'archive':
       return sourceIn(await unpackedOf(input.archive), input.mesh);
     case 'shape':
-      return madeSource(input.shape, () => Promise.resolve(wasm.MeshFile.shape(input.shape)));
+      return madeSource(input.shape, () => makeShape(input.shape));
     case 'tetrahedra':
       return madeSource(input.shape, () => shapeOfTetrahedra(input.shape));
     case 'arrays': {
