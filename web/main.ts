@@ -26,7 +26,7 @@ import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { announcer } from './ui/overlay/announcer';
-import { LineCorners } from './ui/overlay/corners';
+import { LineCorners } from './ui/input/corners';
 import { CutHandle } from './ui/overlay/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';

@@ -1,20 +1,30 @@
 import { expect, test } from '@playwright/test';
-import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, split, studied } from '../../web/state/convergence';
+import {
+  type Level,
+  levelsOf,
+  markdownOf,
+  MOST_TRIANGLES,
+  slopeOf,
+  split,
+  type Studied,
+  studied,
+} from '../../web/state/convergence';
 
-const TETRAHEDRON = {
+type Triangles = Pick<Studied, 'positions' | 'triangles'>;
+const TETRAHEDRON: Triangles = {
   positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
   triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3),
 };
 type Triple = [number, number, number];
 
 /** Where a place in a triangle is. */
-function at({ positions, triangles }: typeof TETRAHEDRON, face: number, weights: ArrayLike<number>): Triple {
+function at({ positions, triangles }: Triangles, face: number, weights: ArrayLike<number>): Triple {
   const axis = (along: number) =>
     [0, 1, 2].reduce((sum, k) => sum + weights[k] * positions[3 * triangles[3 * face + k] + along], 0);
   return [axis(0), axis(1), axis(2)];
 }
 
-function area(mesh: typeof TETRAHEDRON): number {
+function area(mesh: Triangles): number {
   let sum = 0;
   for (let face = 0; face < mesh.triangles.length / 3; face++) {
     const [a, b, c] = [0, 1, 2].map((k) =>

@@ -118,7 +118,8 @@ test('a tape that encloses no area says why', () => {
   expect(words('crossed')).toContain('crosses itself');
   expect(words('sideless')).toContain('no two sides');
   const lines = new Float32Array();
-  const within: Leg = { points: lines, normals: lines, segmentCosts: lines, drawnLength: 2, length: 2, cost: 2 };
+  const path = { points: lines, normals: lines, segmentCosts: lines, drawnLength: 2, length: 2, cost: 2 };
+  const within: Leg = { ...path, straight: 2 };
   const inside = measured({ ...ring, legs: [{ state: 'exact', leg: within, straight: 2 }] });
   expect(enclosureWords(inside, METRES)).toContain('through the inside');
   expect(enclosureWords({ ...inside, tape: tape(1, 2, 3) }, METRES)).toBeNull();

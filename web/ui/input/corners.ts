@@ -4,7 +4,7 @@ import { selectedSet } from '../../state/edit';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
 import { h } from '../dom';
-import type { DrawInput } from '../input/draw';
+import type { DrawInput } from './draw';
 import { t } from '../../texts';
 
 const ARROWS: Record<string, readonly [number, number]> = {
