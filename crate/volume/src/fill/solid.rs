@@ -1,5 +1,6 @@
 //! What is enclosed, and tetrahedra in it.
 
+use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
@@ -36,8 +37,9 @@ const SLACK: f64 = 1e-6;
 /// Tetrahedra of a cell.
 const TETRAHEDRA_PER_CELL: f64 = 12.0;
 const VERTICES_PER_CELL: f64 = 2.0;
-/// How many there are more than by the volume, for each line through the lattice that enters or leaves: the medians over the surfaces
-/// of docs/accuracy.md at 5,000, 20,000 and 100,000 tetrahedra. A sphere has fewer vertices, what is thinner than a cell more.
+/// How many there are more than by the volume, for each line through the lattice that enters or leaves, over the surfaces of
+/// docs/accuracy.md at 5,000, 20,000 and 100,000 tetrahedra: the median of tetrahedra, and near the median what serves a sphere, which
+/// has fewer vertices, as well as what is thinner than a cell, which has more.
 const TETRAHEDRA_PER_CROSSING: f64 = 1.08;
 const VERTICES_PER_CROSSING: f64 = 1.1;
 
@@ -212,10 +214,12 @@ impl Solid {
         let apart: Vec<usize> = near.iter().copied().filter(|&point| plain.is_apart(point)).collect();
         drop(plain);
         let ways = self.field.ways(&lattice, &apart, self.threads, 0.65..0.75, progress)?;
-        let stuffed = |shift: f64| {
+        // A shift hardly moves a tetrahedron, and asking takes long.
+        let mut known = HashMap::new();
+        let mut stuffed = |shift: f64| {
             let mut stuffing = warped(shift);
             stuffing.pull(&apart, &ways);
-            stuffing.tetrahedra(|place| self.field.is_inside(place))
+            stuffing.tetrahedra(|corners, middle| *known.entry(corners).or_insert_with(|| self.field.is_inside(middle)))
         };
         let first = stuffed(0.0);
         if first.0.tetrahedra.is_empty() {
@@ -246,7 +250,7 @@ impl Solid {
 
     /// Tetrahedra with the volume that the first ones are missing, as near as that comes within [`MOST_SHIFT`]: `stuffed` with the
     /// boundary so far beyond the surface. Chords across what bulges and notches where it is thin would take volume away.
-    fn with_volume(&self, missing: f64, side: f64, first: Stuffed, stuffed: impl Fn(f64) -> Stuffed) -> Stuffed {
+    fn with_volume(&self, missing: f64, side: f64, first: Stuffed, mut stuffed: impl FnMut(f64) -> Stuffed) -> Stuffed {
         let enclosed = volume_of(&first.0) + missing;
         let area = self.crossings / CROSSINGS_PER_AREA;
         let (mut all, mut shift) = (first, 0.0);

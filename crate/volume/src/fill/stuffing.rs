@@ -130,8 +130,8 @@ impl<'a> Stuffing<'a> {
     }
 
     /// The tetrahedra inside, and by vertex whether it is on the surface. Of those with all corners on the surface, signs do not tell:
-    /// they are kept where `is_inside` says so of their middle, and where they are as good as all others.
-    pub fn tetrahedra(mut self, is_inside: impl Fn(DVec3) -> bool) -> (TetSoup, Vec<bool>) {
+    /// they are kept where `is_inside` says so of their lattice points and middle, and where they are as good as all others.
+    pub fn tetrahedra(mut self, mut is_inside: impl FnMut([usize; 4], DVec3) -> bool) -> (TetSoup, Vec<bool>) {
         let mut soup = TetSoup::default();
         let mut is_on_surface = Vec::new();
         let mut vertex_of = vec![NONE; self.lattice.len()];
@@ -142,7 +142,7 @@ impl<'a> Stuffing<'a> {
                 let is_on_sides = signs == [Sign::Surface; 4];
                 if is_on_sides {
                     let places = corners.map(|corner| self.place(corner));
-                    if !is_good(places) || !is_inside(places.iter().sum::<DVec3>() / 4.0) {
+                    if !is_good(places) || !is_inside(corners, places.iter().sum::<DVec3>() / 4.0) {
                         return;
                     }
                 }
@@ -283,7 +283,7 @@ mod tests {
             for &point in &pulled {
                 assert!(!stuffing.turns_over(point, stuffing.place(point)));
             }
-            let (soup, is_on_surface) = stuffing.tetrahedra(|_| true);
+            let (soup, is_on_surface) = stuffing.tetrahedra(|_, _| true);
             let flipped = soup
                 .tetrahedra
                 .iter()
