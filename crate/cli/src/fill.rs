@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use heatwalk_volume::fill::{Estimate, FillReport, Resolution, Solid};
 use serde_json::json;
 
@@ -12,6 +12,7 @@ use crate::input::Input;
 use crate::output::Output;
 use crate::report::{Report, milliseconds};
 use crate::timing::build;
+use crate::volume;
 
 pub fn fill(arguments: &Fill) -> Result<String> {
     let output = arguments.output.as_deref().map(Output::fill).transpose()?;
@@ -19,6 +20,11 @@ pub fn fill(arguments: &Fill) -> Result<String> {
         (_, Some(count)) => Resolution::Tetrahedra(count),
         (cells, None) => Resolution::Cells(cells.unwrap_or_default()),
     };
+    ensure!(
+        volume::Input::of(&arguments.mesh).map_or(true, |inner| inner.is_none()),
+        "{} holds tetrahedra already; give a closed surface to fill",
+        arguments.mesh.mesh.display()
+    );
     let input = Input::of(&arguments.mesh)?;
     let threads = arguments.mesh.threads();
     let (surface, mut build_ms) = build(&input, arguments.mesh.weld, threads)?;
@@ -60,7 +66,10 @@ fn in_words(filled: &FillReport) -> String {
     let [least, greatest] = filled.dihedral_angles;
     let volume = filled.surface_volume.map_or(String::new(), |surface| {
         let share = 100.0 * (filled.volume / surface - 1.0);
-        format!(", {:.2} % {} than the surface encloses", share.abs(), if share < 0.0 { "less" } else { "more" })
+        match format!("{:.2}", share.abs()).as_str() {
+            "0.00" => ", as much as the surface encloses".to_owned(),
+            percent => format!(", {percent} % {} than the surface encloses", if share < 0.0 { "less" } else { "more" }),
+        }
     });
     let holes = match filled.holes {
         0 => String::new(),

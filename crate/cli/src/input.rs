@@ -5,6 +5,7 @@ use std::path::{Component, Path};
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
+use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{LengthUnit, Soup, UnitRule, io};
 use heatwalk_shapes as shapes;
 
@@ -65,7 +66,11 @@ fn read_mesh(path: &Path) -> Result<Soup> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
-    io::read(&name, &bytes, &companion).with_context(|| path.display().to_string())
+    match io::read(&name, &bytes, &companion) {
+        // It names the file itself.
+        Err(error @ SurfaceError::UnknownFormat { .. }) => Err(error.into()),
+        read => read.with_context(|| path.display().to_string()),
+    }
 }
 
 /// Devices and pipes may never end, so only plain files are read.

@@ -28,6 +28,10 @@ pub fn info(arguments: &Info, input: &Input) -> Result<String> {
     said.push("boundary_faces", report.boundary_faces);
     said.push("mean_edge", mesh.mean_edge());
     said.push("unreferenced_vertices", report.unreferenced_vertices);
+    said.push("split_hexahedra", input.cells.hexahedra);
+    said.push("split_prisms", input.cells.prisms);
+    said.push("split_pyramids", input.cells.pyramids);
+    said.push("curved_cells", input.cells.curved);
     said.push("flat_tetrahedra", report.flat_tetrahedra);
     said.push("duplicate_tetrahedra", report.duplicate_tetrahedra);
     said.push("inverted_tetrahedra", report.inverted_tetrahedra);

@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{UnitRule, VertexId, WeldRule};
-use heatwalk_volume::io::{self, Format};
+use heatwalk_volume::io::{self, CellCounts, Error, Format, TetFile};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, edge_polyline, shapes};
 
 use crate::args::{Bridging, Mesh};
@@ -17,6 +17,8 @@ use crate::report::milliseconds;
 /// Tetrahedra of a file, or of a shape made in code.
 pub struct Input {
     pub soup: TetSoup,
+    /// What the cells were in the file.
+    pub cells: CellCounts,
     pub read_ms: f64,
 }
 
@@ -25,11 +27,11 @@ impl Input {
     pub fn of(arguments: &Mesh) -> Result<Option<Self>> {
         let start = Instant::now();
         let path = &arguments.mesh;
-        let soup = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
-            Some(name) => shapes::by_name(name),
+        let file = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
+            Some(name) => shapes::by_name(name).map(|soup| TetFile { soup, cells: CellCounts::default() }),
             None => read(path)?,
         };
-        let Some(soup) = soup else { return Ok(None) };
+        let Some(TetFile { soup, cells }) = file else { return Ok(None) };
         let given = [
             ("--part", !arguments.parts.is_empty()),
             ("--animation", arguments.animation.is_some()),
@@ -37,21 +39,23 @@ impl Input {
             ("--unit", arguments.unit != UnitRule::default()),
         ];
         refuse(&given)?;
-        Ok(Some(Self { soup, read_ms: milliseconds(start) }))
+        Ok(Some(Self { soup, cells, read_ms: milliseconds(start) }))
     }
 }
 
 /// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.
-fn read(path: &Path) -> Result<Option<TetSoup>> {
+fn read(path: &Path) -> Result<Option<TetFile>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let Some(format) = Format::of_name(&name) else { return Ok(None) };
     let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
     match io::read(&name, &bytes, &companion) {
-        Ok(file) => Ok(Some(file.soup)),
+        Ok(file) => Ok(Some(file)),
         // What is wrong with it is told by the reader of surfaces.
         Err(_) if format == Format::Vtk => Ok(None),
+        // They name the file themselves.
+        Err(error @ (Error::NoTetrahedra { .. } | Error::UnknownFormat { .. })) => Err(error.into()),
         Err(error) => Err(error).with_context(|| path.display().to_string()),
     }
 }

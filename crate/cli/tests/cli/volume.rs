@@ -30,6 +30,28 @@ fn info_tells_tetrahedra_volume_and_angles() {
 }
 
 #[test]
+fn info_tells_what_cells_became() {
+    let folder = folder("volume_cells");
+    let nodes = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 0.5 0.5 2";
+    let file = |elements: &str| {
+        format!(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n{nodes}\n$EndNodes\n$Elements\n{elements}\n$EndElements\n"
+        )
+    };
+    fs::write(folder.join("mixed.msh"), file("2\n1 5 0 1 2 3 4 5 6 7 8\n2 7 0 5 6 7 8 9")).unwrap();
+    fs::write(folder.join("faces.msh"), file("1\n1 2 0 1 2 3")).unwrap();
+    let info = json(&folder, &["info", "mixed.msh"]);
+    let count = |name: &str| info[name].as_u64().unwrap();
+    assert_eq!(
+        [count("split_hexahedra"), count("split_prisms"), count("split_pyramids"), count("tetrahedra")],
+        [1, 0, 1, 8]
+    );
+    // The file is named once.
+    let line = refused(&folder, &["info", "faces.msh"]);
+    assert!(line.contains("no tetrahedra, but 1 faces") && line.matches("faces.msh").count() == 1, "{line}");
+}
+
+#[test]
 fn distances_are_those_inside_by_either_method() {
     let folder = with_mesh("volume_distance");
     let marched = distances(&folder, &["pierced.msh", "--source", "0"]);
