@@ -67,7 +67,8 @@ test('a dropped file shows stripes with nothing factored, and is exact at rest',
   expect(error?.mean).toBeLessThan(0.002);
   expect(await factors(heatwalk)).toBe(0);
   // What a screen reader is told at rest.
-  await expect(page.locator('.unseen')).toHaveText(/^Exact\. .*Maximum distance [\d.]+.* Path [\d.]+/);
+  const told = page.locator('.unseen', { hasText: 'Maximum distance' });
+  await expect(told).toHaveText(/^Exact\. .*Maximum distance [\d.]+.* Path [\d.]+/);
   await page.locator('#section-solver > summary').click();
   await expect(status(page)).toHaveText(/^Exact\. Error of propagation with 1 window: mean [\d.]+ %/);
   await expect(page.locator('#section-numbers dt', { hasText: 'Factor nonzeros' }).locator('+ dd')).toHaveText('–');
