@@ -155,13 +155,16 @@ export class Page {
       await tab.evaluate(() => window.heatwalk.ready);
       await tab.keyboard.press('b');
       const points = await tab.evaluate(rowsOnModel, { rows: ROWS, pace: PACE });
-      await tab.mouse.move(...points[0]);
+      // The first place is on the outline, where a press may miss.
+      await tab.mouse.move(...points[20]);
       // Until the worker has told which triangles lie side by side, nothing is painted.
       const start = performance.now();
       while (!(await tab.evaluate(isPainted))) {
         if (performance.now() - start > SILENCE_MS) throw new Error('The brush does not paint.');
         await tab.mouse.down();
         await tab.mouse.up();
+        // A second press too soon would be a double click.
+        await tab.waitForTimeout(1000);
       }
       return { preset, ...(await drawn(tab, points)) };
     });
@@ -424,7 +427,8 @@ function rowsOnModel({ rows, pace }) {
   const row = (index) => {
     const y = (middle + index * rows) % innerHeight;
     const places = Array.from({ length: Math.floor(innerWidth / pace) }, (_, place) => [place * pace, y]);
-    const on = places.filter(([x]) => heatwalk.placeAt(x, y));
+    // Not where something else lies over it.
+    const on = places.filter(([x]) => heatwalk.placeAt(x, y) && document.elementFromPoint(x, y)?.closest('.stage'));
     return index % 2 ? on.toReversed() : on;
   };
   const points = Array.from({ length: count }, (_, index) => row(index)).flat();
