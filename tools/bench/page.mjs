@@ -36,6 +36,8 @@ const DRAG_RADIUS = 15;
 /** CSS pixels between rows that a brush paints, and between the events on them. */
 const ROWS = 12;
 const PACE = 2;
+/** The number of the first place where the brush is pressed: the places before are on the outline, where a press may miss. */
+const WITHIN = 20;
 
 /** None: the page starts out with the solver's defaults. */
 const PARAMETERS = {};
@@ -155,8 +157,7 @@ export class Page {
       await tab.evaluate(() => window.heatwalk.ready);
       await tab.keyboard.press('b');
       const points = await tab.evaluate(rowsOnModel, { rows: ROWS, pace: PACE });
-      // The first place is on the outline, where a press may miss.
-      await tab.mouse.move(...points[20]);
+      await tab.mouse.move(...points[WITHIN]);
       // Until the worker has told which triangles lie side by side, nothing is painted.
       const start = performance.now();
       while (!(await tab.evaluate(isPainted))) {
@@ -311,7 +312,7 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
   const times = [];
   for (const vertex of sources) {
     const asked = [{ vertex }];
-    const { field } = await (windows > 0 ? api.propagate(asked, windows, null) : api.solve(asked, false, null));
+    const { field } = await (windows > 0 ? api.propagate(asked, windows, false, null) : api.solve(asked, false, null));
     times.push(field.solveMs);
   }
   const [first] = times;
@@ -341,7 +342,7 @@ async function measureInside({ worker, module, mesh, name, parameters, isByHeat 
   const { memoryBytes } = await api.prepare(isByHeat ? parameters : null, progress());
   times.push(performance.now());
   const asked = [{ vertex: 0 }];
-  await (isByHeat ? api.solve(asked, false, null) : api.propagate(asked, 1, null));
+  await (isByHeat ? api.solve(asked, false, null) : api.propagate(asked, 1, false, null));
   times.push(performance.now());
   const [open, precompute, solve] = times.slice(1).map((time, index) => time - times[index]);
   return { tetrahedra: interior.tetrahedra.length / 4, open, precompute, solve, memory: memoryBytes };
