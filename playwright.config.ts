@@ -22,6 +22,7 @@ const WEBGPU = [
   '--ignore-gpu-blocklist',
 ];
 
+/** What is looked at on both backends, less the tests in it of what the page does, which is the same on either. */
 const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
 
 const browser = (args: readonly string[]) => ({
@@ -54,8 +55,7 @@ export default defineConfig({
     { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
     // Driven by other means than the rest.
     { name: 'others', testDir: 'tests/others' },
-    // What is drawn is looked at on both; what the page does is the same on either.
-    { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, use: browser(WEBGPU) },
+    { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, grepInvert: /@page/, use: browser(WEBGPU) },
   ],
   webServer: {
     // Node itself, not npx: stopping npx would leave its child on the port.

@@ -159,8 +159,11 @@ function meanDifference(a: PNG, b: PNG, place?: readonly [number, number], reach
   return sum / count;
 }
 
-for (const subject of ['Turntable', 'The walk']) {
-  test(`a video is saved: ${subject}`, async ({ heatwalk, page }) => {
+for (const [subject, tag] of [
+  ['Turntable', '@drawn'],
+  ['The walk', '@page'],
+] as const) {
+  test(`a video is saved: ${subject}`, { tag }, async ({ heatwalk, page }) => {
     await page.setViewportSize({ width: 760, height: 420 });
     // The user asked for the video, so it moves all the same.
     await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -188,7 +191,7 @@ for (const subject of ['Turntable', 'The walk']) {
   });
 }
 
-test('labels of tapes are in videos', async ({ heatwalk, page }) => {
+test('labels of tapes are in videos', { tag: '@page' }, async ({ heatwalk, page }) => {
   await page.setViewportSize({ width: 760, height: 420 });
   await heatwalk.open('#m=torus&method=auto&tape=7264,2998');
   await heatwalk.settled();

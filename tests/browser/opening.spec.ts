@@ -176,10 +176,8 @@ for (const [end, sentence] of [
   ['a failure', /torus\.ply was not opened: no answer/],
   ['Cancel', null],
 ] as const) {
-  test(`${end} after the first picture brings back the former scene, with what was changed behind it`, async ({
-    heatwalk,
-    page,
-  }) => {
+  const title = `${end} after the first picture brings back the former scene, with what was changed behind it`;
+  test(title, { tag: '@page' }, async ({ heatwalk, page }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await holdFirstAnswers(page);
     await heatwalk.open('#v=1&m=teapot&refine=0&show=edges');
