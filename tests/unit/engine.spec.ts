@@ -294,6 +294,29 @@ test('what is no move waits until the moves of a drag have ended', async () => {
   expect((await other)?.question.ground).toBe(painted);
 });
 
+const TAKEN = dragged(1);
+for (const [what, before, after] of [
+  ['a drag that begins while the field of a click is under way', { ...TAKEN, quick: false }, dragged(2)],
+  ['a click while the pointer drags', TAKEN, { ...dragged(2), quick: false }],
+  ['the last source taken away', TAKEN, { ...TAKEN, sources: [] }],
+  ['a path of another kind', TAKEN, { ...dragged(2), pathKind: 'straight' }],
+  ['another cut through the inside', TAKEN, { ...dragged(2), inside: { ...WHOLE } }],
+  ['another method, which refines the same field otherwise', TAKEN, { ...dragged(2), method: 'exact' }],
+] as const) {
+  test(`no move of a drag is ${what}`, async () => {
+    const { engine: it, calls, fields } = slowly();
+    const first = it.ask(before);
+    const next = it.ask(after);
+    await soon();
+    expect(calls).toHaveLength(1);
+    fields[0]?.(solved(0));
+    await first;
+    await soon();
+    fields[1]?.(solved(0));
+    expect(await next).not.toBeNull();
+  });
+}
+
 test('a move that fails rejects, and the next question is asked', async () => {
   const { engine: it, calls, fields } = slowly();
   const first = it.ask(dragged(1));

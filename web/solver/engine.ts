@@ -75,7 +75,6 @@ function pathKindOf({ pathKind, quick }: Question, weighted: boolean): PathKind 
 function isMove(from: Question, to: Question): boolean {
   return (
     from.quick &&
-    to.quick &&
     to.sources.length > 0 &&
     to.sources !== from.sources &&
     to.method === from.method &&
