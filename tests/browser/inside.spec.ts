@@ -15,6 +15,14 @@ async function openCube(heatwalk: HeatwalkPage, options = 'method=auto&cut=plane
   await heatwalk.page.locator('#section-inside > summary').click();
 }
 
+/** The corner in the middle of a triangle or beside it, clicked with a key held. */
+async function clickAt(heatwalk: HeatwalkPage, place: MeshPoint, key?: 'Shift'): Promise<void> {
+  const [x, y] = await heatwalk.pixelOf(place);
+  if (key) await heatwalk.page.keyboard.down(key);
+  await heatwalk.page.mouse.click(x + 1, y + 1);
+  if (key) await heatwalk.page.keyboard.up(key);
+}
+
 function isInside(point: MeshPoint | undefined): boolean {
   return point !== undefined && 'tetrahedron' in point;
 }
@@ -194,6 +202,31 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   await expect.poll(async () => (await heatwalk.mesh()).tetrahedra).toBe(0);
   await heatwalk.settled();
   expect(await heatwalk.scene()).toMatchObject({ fill: null, sets: { length: 2 } });
+});
+
+test('lines along edges and whole boundaries are sources inside too', async ({ heatwalk, page }) => {
+  await openCube(heatwalk, `method=auto&cut=none&sets=line:${CORNER.vertex}-${cubeVertex(N, 0, 3, 0).vertex}`);
+  const names = page.locator('.source-name');
+  await expect(names).toHaveText(['Vertex 0', 'Line of 4 vertices']);
+  // From the last source, which the line replaces, and on from there.
+  await clickAt(heatwalk, cubeVertex(N, 1, 2, N), 'Shift');
+  await expect(names).toHaveText(['Line of 4 vertices', /Line of \d+ vertices/]);
+  await clickAt(heatwalk, cubeVertex(N, 4, 2, N), 'Shift');
+  await expect.poll(async () => (await heatwalk.scene()).sets[1].shape).toMatchObject({ corners: { length: 3 } });
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(cubeVertex(N, 2, 2, N))).toBe(0);
+  expect(await heatwalk.distanceAt(cubeVertex(N, 2, 2, N - 2))).toBeCloseTo(2 / N, 6);
+  await page.keyboard.press('Escape');
+
+  const draw = page.getByRole('combobox', { name: 'Draw' });
+  await draw.selectOption('boundary');
+  await clickAt(heatwalk, cubeVertex(N, 3, 3, N));
+  await expect(page.getByRole('alert')).toContainText('it has no boundary');
+  await draw.selectOption('part');
+  await clickAt(heatwalk, cubeVertex(N, 3, 3, N));
+  await expect(names.nth(2)).toHaveText(`Component of ${(N + 1) ** 3 - (N - 1) ** 3} vertices`);
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(MIDDLE)).toBeCloseTo(0.5, 6);
 });
 
 test('what has no inside says so, and the scene stays', async ({ heatwalk, page }) => {

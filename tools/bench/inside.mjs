@@ -112,7 +112,7 @@ function own() {
 
 /** Milliseconds of precompute and of a solve. */
 function times([precompute, solve]) {
-  return `${precompute.toFixed(0)} / ${solve.toFixed(1)}`;
+  return `${precompute.toFixed(0)} / ${solve.toFixed(2)}`;
 }
 
 /** The medians of the rounds of one mesh and source. Errors are the same in all. */
@@ -129,7 +129,7 @@ function summary(rounds, { mesh, tetrahedra, source, march, heat, igl }) {
     march,
     heat,
     `${igl.mean.toFixed(2)} / ${igl.max.toFixed(1)}`,
-    middle(({ marched }) => marched).toFixed(1),
+    middle(({ marched }) => marched).toFixed(2),
     times(ours),
     times(theirs),
     `${(ours[0] / theirs[0]).toFixed(2)} / ${(ours[1] / theirs[1]).toFixed(2)}`,

@@ -99,9 +99,8 @@ impl Ground {
         }
         let mut costs = vec![1.0; mesh.tetrahedron_count()];
         let count = soup.tetrahedra.len();
-        for (line, row) in weights.map(|path| rows(path)).transpose()?.unwrap_or_default() {
-            let at = (weights.map_or(Path::new(""), PathBuf::as_path), line);
-            let (tetrahedron, cost) = weighted(&row, count, "tetrahedron", at)?;
+        let weights = weights.map(|path| weighted(path, count, "tetrahedron")).transpose()?;
+        for (tetrahedron, cost) in weights.unwrap_or_default() {
             if let Some(tetrahedron) = mesh.tetrahedron_of_input(tetrahedron as usize) {
                 costs[tetrahedron.index()] = cost;
             }
@@ -167,27 +166,36 @@ fn number(value: f64, count: usize, what: &str, (path, line): (&Path, usize)) ->
     Ok(value as u32)
 }
 
-/// The number and the cost of a row.
-fn weighted(row: &[f64], count: usize, what: &str, at: (&Path, usize)) -> Result<(u32, f64)> {
-    let (path, line) = at;
-    let &[element, cost] = row else {
-        bail!("{}, line {line}: give a {what} and its cost, such as 12,2.5", path.display());
-    };
-    let element = number(element, count, what, at)?;
-    ensure!(
-        Costs::RANGE.contains(&cost),
-        "{}, line {line}: the cost is {cost}; it must be from {} to {}; what nobody may enter belongs in --walls",
-        path.display(),
-        Costs::RANGE.start(),
-        Costs::RANGE.end()
-    );
-    Ok((element, cost))
+/// Elements of the file with their costs, of a CSV file with a row each.
+fn weighted(path: &Path, count: usize, what: &str) -> Result<Vec<(u32, f64)>> {
+    let mut costs: HashMap<u32, (usize, f64)> = HashMap::new();
+    let mut weighted = Vec::new();
+    for (line, row) in rows(path)? {
+        let &[element, cost] = row.as_slice() else {
+            bail!("{}, line {line}: give a {what} and its cost, such as 12,2.5", path.display());
+        };
+        let element = number(element, count, what, (path, line))?;
+        ensure!(
+            Costs::RANGE.contains(&cost),
+            "{}, line {line}: the cost is {cost}; it must be from {} to {}; what nobody may enter belongs in --walls",
+            path.display(),
+            Costs::RANGE.start(),
+            Costs::RANGE.end()
+        );
+        let (first, before) = *costs.entry(element).or_insert((line, cost));
+        ensure!(
+            before == cost,
+            "{}, line {line}: {what} {element} costs {cost} here and {before} in line {first}; give it one cost",
+            path.display()
+        );
+        weighted.push((element, cost));
+    }
+    Ok(weighted)
 }
 
 fn of_file(path: &Path, soup: &Soup, surface: &Surface) -> Result<Costs> {
     let mut costs: FaceData<f64> = vec![1.0; surface.face_count()].into();
-    for (line, row) in rows(path)? {
-        let (triangle, cost) = weighted(&row, soup.triangles.len(), "triangle", (path, line))?;
+    for (triangle, cost) in weighted(path, soup.triangles.len(), "triangle")? {
         // One that was dropped for being degenerate has no face.
         if let Some(face) = surface.face_of_triangle(InputTriangle(triangle)) {
             costs[face] = cost;

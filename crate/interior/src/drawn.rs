@@ -7,7 +7,7 @@ use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_bindings::{Failure, Result, number};
 use heatwalk_scene::DrawTransform;
-use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, TetSource};
+use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, edge_polyline};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -67,6 +67,38 @@ impl Drawn {
         }
     }
 
+    /// `#F × 3`, the drawn triangles beside each drawn one, across the edges from its corners to the next; itself where there is none.
+    pub fn neighbors(&self) -> Vec<u32> {
+        let sides = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|corner| self.vertices[corner as usize].0);
+            [[a, b], [b, c], [c, a]]
+        };
+        let own: HashMap<[u32; 2], u32> =
+            (0..).zip(&self.triangles).flat_map(|(face, triangle)| sides(triangle).map(|side| (side, face))).collect();
+        let beside = |(face, triangle): (u32, &[u32; 3])| {
+            sides(triangle).map(|[from, to]| own.get(&[to, from]).copied().unwrap_or(face))
+        };
+        (0..).zip(&self.triangles).flat_map(beside).collect()
+    }
+
+    /// The shortest line along edges between two vertices of the input, as such vertices, both included.
+    pub fn line(&self, ends: [u32; 2]) -> Result<Vec<u32>> {
+        let [from, to] = ends.map(|input| self.vertex(input));
+        let mut input_of_vertex = vec![0; self.mesh.vertex_count()];
+        for input in 0..self.soup.positions.len() as u32 {
+            if let Some(vertex) = self.mesh.vertex_of_input(input as usize) {
+                input_of_vertex[vertex.0 as usize] = input;
+            }
+        }
+        let line = edge_polyline(&self.mesh, &[from?, to?], false)?;
+        Ok(line.into_iter().map(|vertex| input_of_vertex[vertex.0 as usize]).collect())
+    }
+
+    fn vertex(&self, input: u32) -> Result<VertexId> {
+        let absent = Error::NoSuchVertex { vertex: input as usize, vertices: self.soup.positions.len() };
+        Ok(self.mesh.vertex_of_input(input as usize).ok_or(absent)?)
+    }
+
     /// Values of vertices as values of drawn vertices.
     pub fn spread(&self, values: &[f64]) -> Vec<f32> {
         self.vertices.iter().map(|vertex| values[vertex.0 as usize] as f32).collect()
@@ -119,9 +151,7 @@ impl Drawn {
     /// Reads `{ vertex }`, `{ face, weights }` of a drawn triangle, or `{ tetrahedron, weights }`.
     pub fn point(&self, place: &JsValue) -> Result<TetPoint> {
         if let Some(vertex) = number(place, "vertex") {
-            let vertices = self.soup.positions.len();
-            let absent = Error::NoSuchVertex { vertex: vertex as usize, vertices };
-            return Ok(TetPoint::Vertex(self.mesh.vertex_of_input(vertex as usize).ok_or(absent)?));
+            return Ok(TetPoint::Vertex(self.vertex(vertex as u32)?));
         }
         let weights = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
         let weight = |corner: usize| weights.get(corner as u32).as_f64().unwrap_or(f64::NAN);

@@ -128,6 +128,16 @@ impl InnerSolver {
         Ok(InnerPath::new(&path, &self.drawn.transform))
     }
 
+    /// `#F × 3`, the drawn triangles beside each drawn one, across the edges from its corners to the next; itself where there is none.
+    pub fn neighbors(&self) -> Vec<u32> {
+        self.drawn.neighbors()
+    }
+
+    /// The shortest line along edges from one vertex of the input to another, both included.
+    pub fn line(&self, from: u32, to: u32) -> Result<Vec<u32>> {
+        self.drawn.line([from, to])
+    }
+
     /// A shortest path between two places, by the march from the second; the field stays as it is.
     pub fn measure(
         &mut self,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use common::{errors, mesh, nearest, truth};
 use glam::DVec3;
 use heatwalk::{Boundary, ExactRadius, LinearSolver, MultiSource, TimeStep, VertexId};
-use heatwalk_volume::{TetId, TetPoint, TetSource, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+use heatwalk_volume::{TetId, TetPoint, TetSoup, TetSource, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
 
 fn by_heat() -> VolumeOptions {
     VolumeOptions::by(VolumeMethod::Heat)
@@ -63,6 +63,36 @@ fn sources_have_their_initial_distances_exactly() {
         }
         assert!(values.iter().all(|value| value.is_finite() && *value >= 0.0));
     }
+}
+
+#[test]
+fn the_exact_region_takes_work_not_vertices() {
+    let share = |soup: &TetSoup, place: DVec3| {
+        let mut solver = VolumeSolver::new(mesh(soup));
+        let mesh = Arc::clone(solver.mesh());
+        let answer = solver.distance(&[nearest(&mesh, place)], &by_heat()).unwrap();
+        let inside = answer.values.iter().filter(|&&value| value < answer.exact_below).count();
+        inside as f64 / mesh.vertex_count() as f64
+    };
+    let straight = share(&shapes::cube(12, 0.2), DVec3::ZERO);
+    assert!((0.4..0.6).contains(&straight), "{straight}");
+    let bent = share(&shapes::pierced_cube(0.4, 6, 0.15), DVec3::new(-0.4, 0.0, 0.4));
+    assert!((0.05..0.35).contains(&bent), "{bent}");
+}
+
+#[test]
+fn the_time_step_is_longer_where_some_edges_are() {
+    let factor = |soup: &TetSoup| {
+        let mut solver = VolumeSolver::new(mesh(soup));
+        solver.distance(&[VertexId(0)], &by_heat()).unwrap();
+        solver.time_factor().unwrap()
+    };
+    assert_eq!(factor(&shapes::cube(6, 0.2)), 0.5);
+    let pierced = factor(&shapes::pierced_cube(0.4, 4, 0.15));
+    assert!((0.6..0.7).contains(&pierced), "{pierced}");
+    let mut long = shapes::cube(6, 0.2);
+    long.positions.iter_mut().filter(|position| position.x > 0.99).for_each(|position| position.x = 20.0);
+    assert_eq!(factor(&long), 1.0);
 }
 
 #[test]

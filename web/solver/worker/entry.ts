@@ -227,12 +227,12 @@ const api: SolverApi = {
   },
 
   neighbors(): Promise<Uint32Array> {
-    const neighbors = openSurface().neighbors();
+    const neighbors = openMesh().solver.neighbors();
     return Promise.resolve(transfer(neighbors, [neighbors.buffer]));
   },
 
   line(from: number, to: number): Promise<Uint32Array> {
-    return Promise.resolve(openSurface().line(from, to));
+    return Promise.resolve(openMesh().solver.line(from, to));
   },
 
   linksToReachMore(): Promise<number> {

@@ -22,6 +22,8 @@ export interface MeshSolver {
   gradients(kind: FaceField): Float32Array;
   edges(kind: EdgeKind): Float32Array;
   heat(): Float32Array;
+  neighbors(): Uint32Array;
+  line(from: number, to: number): Uint32Array;
   set_crowd(count: number, height: number): void;
   step_crowd(step: number): Float32Array;
 }

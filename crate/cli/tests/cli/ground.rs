@@ -118,6 +118,7 @@ fn bad_rows_are_named_by_their_lines() {
         ("0,1\n9999,1\n", "--weights", "line 2: there is no triangle 9999"),
         ("0,1\n3\n", "--weights", "line 2: give a triangle and its cost"),
         ("0,1\nx,y\n", "--weights", "line 2"),
+        ("face,cost\n3,2\n3,2\n3,4\n", "--weights", "line 4: triangle 3 costs 4 here and 2 in line 2"),
         ("0\n128\n", "--walls", "line 2: there is no triangle 128"),
         ("0,80\n", "--walls", "line 1: no edge joins the vertices 0 and 80"),
         ("0,1,2\n", "--walls", "line 1: give a triangle"),

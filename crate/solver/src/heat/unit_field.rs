@@ -3,13 +3,8 @@
 
 use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
+use crate::heat::scale::scale;
 use crate::operator::elements::{Element, Elements};
-
-/// Stored bits of a float's mantissa, below those of its exponent.
-const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
-
-/// The sum of the stored exponents of a power of two and its inverse.
-const TWICE_BIAS: u64 = 2 * (f64::MAX_EXP as u64 - 1);
 
 /// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
 /// triangles whose three corners are in the exact region, elsewhere −∇u / |∇u| of `heat`, zero where heat is constant.
@@ -48,10 +43,7 @@ pub(super) fn divergence(elements: &Elements, heat: &[f64], region: &ExactRegion
 /// Divergence at corners 1 and 2 of the unit field against the gradient of heat, whose absolute values are at most
 /// `largest`; that at corner 0 is minus their sum.
 fn against_gradient(shape: &Element, heat: [f64; 3], largest: f64) -> [f64; 2] {
-    // Heat falls by hundreds of orders of magnitude over the surface; only ratios within the face matter. A power of
-    // two takes no division.
-    let exponent = largest.to_bits() >> MANTISSA_BITS;
-    let scale = f64::from_bits(TWICE_BIAS.saturating_sub(exponent) << MANTISSA_BITS);
+    let scale = scale(largest);
     let [a, b, c] = heat;
     let circulation = shape.circulation([a * scale, b * scale, c * scale]);
     let [x, y] = circulation;

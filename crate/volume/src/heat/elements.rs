@@ -13,7 +13,7 @@ use crate::mesh::{EDGES, FACES, TetId, TetMesh, six_volumes};
 
 /// The shape of one tetrahedron.
 #[derive(Debug, Clone, Copy)]
-struct Element {
+pub(super) struct Element {
     /// Gradients of the barycentric coordinates of corners 1 to 3; that of corner 0 is minus their sum.
     gradients: [DVec3; 3],
     /// Its volume.
@@ -86,27 +86,30 @@ impl Elements {
         Self { laplacian: Laplacian { stiffness, mass }, components: components(mesh, medium), shapes }
     }
 
-    /// The gradient of a function (`#V`) in a tetrahedron.
-    pub(crate) fn gradient(&self, corners: [f64; 4], tetrahedron: u32) -> DVec3 {
-        self.shapes[tetrahedron as usize].gradient(corners)
-    }
-
-    /// Adds the integrated divergence of a field's vector in a tetrahedron: `L φ` equals the sum where the field is ∇φ.
-    pub(crate) fn add_divergence(&self, corners: [u32; 4], tetrahedron: u32, vector: DVec3, divergence: &mut [f64]) {
-        let shape = &self.shapes[tetrahedron as usize];
-        for (vertex, gradient) in corners.into_iter().zip(shape.all_gradients()) {
-            divergence[vertex as usize] += shape.volume * gradient.dot(vector);
-        }
+    /// The shapes of the tetrahedra.
+    pub(super) fn shapes(&self) -> &[Element] {
+        &self.shapes
     }
 }
 
 impl Element {
+    /// The integrated divergence at its corners of a field that has `vector` in it: summed over elements, `L φ` equals it where the
+    /// field is ∇φ.
+    #[inline]
+    pub(super) fn divergence(&self, vector: DVec3) -> [f64; 4] {
+        let flux = self.volume * vector;
+        let [b, c, d] = self.gradients.map(|gradient| gradient.dot(flux));
+        [-(b + c + d), b, c, d]
+    }
+
     fn all_gradients(&self) -> [DVec3; 4] {
         let [b, c, d] = self.gradients;
         [-(b + c + d), b, c, d]
     }
 
-    fn gradient(&self, [a, b, c, d]: [f64; 4]) -> DVec3 {
+    /// The gradient of a function given at its corners.
+    #[inline]
+    pub(super) fn gradient(&self, [a, b, c, d]: [f64; 4]) -> DVec3 {
         self.gradients[0] * (b - a) + self.gradients[1] * (c - a) + self.gradients[2] * (d - a)
     }
 }

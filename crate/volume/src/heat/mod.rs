@@ -21,8 +21,15 @@ use crate::point::TetSource;
 pub(crate) use elements::{Elements, gradient_in};
 use region::Region;
 
-/// m in t = m h² where it is chosen: of those measured on cubes, balls and tubes the one of the least mean error.
+/// m in t = m h² where it is chosen and edges are even: of those measured on cubes, balls and tubes the one of the least mean error.
 const TIME_FACTOR: f64 = 0.5;
+
+/// Of the edges, all but this share are no long ones.
+const LONG_EDGES: f64 = 0.01;
+
+/// Where some edges are long, √t is at least this share of them, so that heat is not lost within one; but m is at most that of the
+/// paper, 1.
+const LONG_EDGE_SHARE: f64 = 0.45;
 
 /// Heat falls by about one e-fold per √t of distance; √t is at least the extent over this, which the range of floats leaves room
 /// for.
@@ -41,8 +48,15 @@ pub(crate) struct VolumeHeat {
     systems: Arc<Systems<Elements>>,
     poisson: Poisson<Elements>,
     flows: Vec<HeatFlow<Elements>>,
-    /// Mean edge, at the costs around.
+    lengths: Lengths,
+}
+
+/// Lengths in a mesh, at the costs around.
+#[derive(Debug, Clone, Copy)]
+struct Lengths {
     mean_edge: f64,
+    /// All but a hundredth of the edges are no longer.
+    long_edge: f64,
     /// An upper bound of the distance along edges.
     extent: f64,
 }
@@ -60,9 +74,9 @@ impl VolumeHeat {
         if progress(Stage::Assembling, 0.0).is_break() {
             return Err(heatwalk::Error::Cancelled.into());
         }
-        let (mean_edge, extent) = lengths(mesh, medium);
+        let lengths = Lengths::of(mesh, medium);
         let systems = Systems::new(Elements::new(mesh, medium), options.solver, progress)?;
-        let time = time(options, mean_edge, extent);
+        let time = lengths.time(options);
         let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
         let first = conditions.next().unwrap_or(Condition::Neumann);
         systems.check_memory(0, 2 + conditions.len(), options.memory)?;
@@ -73,7 +87,7 @@ impl VolumeHeat {
         for condition in conditions {
             flows.push(HeatFlow::new(&systems, time, condition)?);
         }
-        Ok(Self { options, systems, poisson, flows, mean_edge, extent })
+        Ok(Self { options, systems, poisson, flows, lengths })
     }
 
     /// Changes the options; factors the heat matrices anew where that is needed.
@@ -92,7 +106,7 @@ impl VolumeHeat {
             *self = Self::new(mesh, medium, options, progress)?;
             return Ok(());
         }
-        let time = time(options, self.mean_edge, self.extent);
+        let time = self.lengths.time(options);
         let mut flows = Vec::new();
         for condition in conditions(mesh, &self.systems, options.boundary) {
             if progress(Stage::Factoring, 0.0).is_break() {
@@ -113,7 +127,7 @@ impl VolumeHeat {
 
     /// m in t = m h².
     pub(crate) fn time_factor(&self) -> f64 {
-        self.flows[0].time() / (self.mean_edge * self.mean_edge)
+        self.flows[0].time() / (self.lengths.mean_edge * self.lengths.mean_edge)
     }
 
     /// Distances from sources that were checked.
@@ -129,7 +143,7 @@ impl VolumeHeat {
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
         let SourceHeat { values: heat, is_active } =
             SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
-        let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.mean_edge);
+        let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.lengths.mean_edge);
         let elements = self.systems.operators();
         let field = region.field(mesh, medium, elements, &heat);
         let active: Vec<TetSource> =
@@ -142,16 +156,6 @@ impl VolumeHeat {
         region.complete(mesh, heatwalk::operator::Discretization::components(elements), sources, &mut values);
         Ok(Found { values, heat, exact_below: region.radius() })
     }
-}
-
-/// t = m h², but long enough for heat to reach everywhere.
-fn time(options: FactorOptions, mean_edge: f64, extent: f64) -> f64 {
-    let (factor, efolds) = match (options.time_step, options.solver) {
-        (TimeStep::Automatic, LinearSolver::ConjugateGradients) => (TIME_FACTOR, ITERATED_EFOLDS),
-        (TimeStep::Automatic, LinearSolver::Cholesky) => (TIME_FACTOR, EFOLDS),
-        (TimeStep::Factor(factor), _) => (factor, EFOLDS),
-    };
-    (factor * mean_edge * mean_edge).max((extent / efolds).powi(2))
 }
 
 /// What becomes of heat at the boundary; at least one.
@@ -177,49 +181,67 @@ fn conditions(mesh: &TetMesh, systems: &Systems<Elements>, boundary: Boundary) -
     if boundary == Boundary::Dirichlet { vec![dirichlet] } else { vec![Condition::Neumann, dirichlet] }
 }
 
-/// Mean edge at the least costs around, and an upper bound of the distance along edges in any component.
-fn lengths(mesh: &TetMesh, medium: &Medium) -> (f64, f64) {
-    let length = |[a, b]: [u32; 2]| {
-        let around = mesh.around().row(a).iter();
-        let at_edge = around.filter(|&&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].contains(&b));
-        let cost = at_edge.map(|&tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
-        cost * mesh.positions()[a as usize].distance(mesh.positions()[b as usize])
-    };
-    let uniform = medium.uniform_cost();
-    let length = |[a, b]: [u32; 2]| match uniform {
-        Some(cost) => cost * mesh.positions()[a as usize].distance(mesh.positions()[b as usize]),
-        None => length([a, b]),
-    };
-    let (mut sum, mut count, mut extent) = (0.0, 0_usize, 0.0_f64);
-    let mut distances = vec![f64::INFINITY; mesh.vertex_count()];
-    let mut queue: BinaryHeap<Reverse<(u64, u32)>> = BinaryHeap::new();
-    for first in 0..mesh.vertex_count() as u32 {
-        if distances[first as usize].is_finite() {
-            continue;
-        }
-        distances[first as usize] = 0.0;
-        queue.push(Reverse((0, first)));
-        while let Some(Reverse((bits, vertex))) = queue.pop() {
-            let distance = f64::from_bits(bits);
-            if distance > distances[vertex as usize] {
+impl Lengths {
+    /// At the least cost around each edge.
+    fn of(mesh: &TetMesh, medium: &Medium) -> Self {
+        let uniform = medium.uniform_cost();
+        let length = |[a, b]: [u32; 2]| {
+            let cost = uniform.unwrap_or_else(|| least_cost(mesh, medium, [a, b]));
+            cost * mesh.positions()[a as usize].distance(mesh.positions()[b as usize])
+        };
+        let (mut edges, mut extent) = (Vec::new(), 0.0_f64);
+        let mut distances = vec![f64::INFINITY; mesh.vertex_count()];
+        let mut queue: BinaryHeap<Reverse<(u64, u32)>> = BinaryHeap::new();
+        for first in 0..mesh.vertex_count() as u32 {
+            if distances[first as usize].is_finite() {
                 continue;
             }
-            extent = extent.max(distance);
-            for &other in mesh.adjacent().row(vertex) {
-                let edge = length([vertex, other]);
-                if edge.is_finite() && other > vertex {
-                    sum += edge;
-                    count += 1;
+            distances[first as usize] = 0.0;
+            queue.push(Reverse((0, first)));
+            while let Some(Reverse((bits, vertex))) = queue.pop() {
+                let distance = f64::from_bits(bits);
+                if distance > distances[vertex as usize] {
+                    continue;
                 }
-                if distance + edge < distances[other as usize] {
-                    distances[other as usize] = distance + edge;
-                    queue.push(Reverse(((distance + edge).to_bits(), other)));
+                extent = extent.max(distance);
+                for &other in mesh.adjacent().row(vertex) {
+                    let edge = length([vertex, other]);
+                    if edge.is_finite() && other > vertex {
+                        edges.push(edge);
+                    }
+                    if distance + edge < distances[other as usize] {
+                        distances[other as usize] = distance + edge;
+                        queue.push(Reverse(((distance + edge).to_bits(), other)));
+                    }
                 }
             }
         }
+        let mean_edge = edges.iter().sum::<f64>() / edges.len().max(1) as f64;
+        let rank = ((1.0 - LONG_EDGES) * edges.len() as f64) as usize;
+        let long_edge = if edges.is_empty() { 0.0 } else { *edges.select_nth_unstable_by(rank, f64::total_cmp).1 };
+        // From the first vertex to any two others and back.
+        Self { mean_edge, long_edge, extent: 2.0 * extent }
     }
-    // From the first vertex to any two others and back.
-    (sum / count.max(1) as f64, 2.0 * extent)
+
+    /// t = m h², but long enough for heat to reach everywhere.
+    fn time(self, options: FactorOptions) -> f64 {
+        let efolds = match (options.time_step, options.solver) {
+            (TimeStep::Automatic, LinearSolver::ConjugateGradients) => ITERATED_EFOLDS,
+            _ => EFOLDS,
+        };
+        let factor = match options.time_step {
+            TimeStep::Automatic => (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(TIME_FACTOR, 1.0),
+            TimeStep::Factor(factor) => factor,
+        };
+        (factor * self.mean_edge * self.mean_edge).max((self.extent / efolds).powi(2))
+    }
+}
+
+/// The least cost of the tetrahedra around an edge.
+fn least_cost(mesh: &TetMesh, medium: &Medium, [a, b]: [u32; 2]) -> f64 {
+    let around = mesh.around().row(a).iter();
+    let at_edge = around.filter(|&&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].contains(&b));
+    at_edge.map(|&tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
 }
 
 /// Nobody stops it.

@@ -2,18 +2,22 @@
 
 use glam::DVec3;
 use heatwalk::ExactRadius;
-use heatwalk::heat::Constraint;
+use heatwalk::heat::{Constraint, scale};
 
 use crate::heat::elements::Elements;
 use crate::march::{March, Medium};
 use crate::mesh::TetMesh;
 use crate::point::TetSource;
 
-/// Share of the vertices that the region has where its radius is chosen: the march there takes no more time than the rest of a solve.
-const SHARE: f64 = 0.5;
+/// Work of the march for each vertex of the mesh where the radius is chosen: it takes about half as long as the rest of a solve. Where
+/// all vertices see the sources, the region has half of them; around obstacles it is smaller.
+const WORK: f64 = 5.5;
 
-/// Vertices that it may have on any mesh.
-const LEAST_VERTICES: usize = 300;
+/// Work on any mesh: that of some 300 vertices.
+const LEAST_WORK: f64 = 3000.0;
+
+/// Tetrahedra whose lengths are divided by together: one by one, each would wait for the root and the division before.
+const BLOCK: usize = 16;
 
 /// Exact distances below a radius.
 pub(super) struct Region {
@@ -41,8 +45,8 @@ impl Region {
         let radius = match radius {
             ExactRadius::Edges(edges) => march.advance(least + edges * mean_edge, usize::MAX),
             ExactRadius::Automatic => {
-                let vertices = (SHARE * mesh.vertex_count() as f64) as usize;
-                march.advance(f64::INFINITY, vertices.max(LEAST_VERTICES))
+                let work = (WORK * mesh.vertex_count() as f64).max(LEAST_WORK);
+                march.advance(f64::INFINITY, work as usize)
             }
         };
         Self { distances: march.into_distances(), radius }
@@ -63,31 +67,40 @@ impl Region {
     pub(super) fn field(&self, mesh: &TetMesh, medium: &Medium, elements: &Elements, heat: &[f64]) -> Field {
         let mut divergence = vec![0.0; mesh.vertex_count()];
         let mut touched = Vec::new();
-        for (tetrahedron, &corners) in mesh.tetrahedra().iter().enumerate() {
-            let tetrahedron = tetrahedron as u32;
-            let cost = medium.cost(tetrahedron);
-            if cost.is_infinite() {
-                continue;
-            }
-            let exact = corners.map(|vertex| self.value(vertex));
-            if exact.iter().any(Option::is_some) {
-                touched.push((corners, exact.iter().all(Option::is_some)));
-            }
-            let vector = match exact {
-                [Some(a), Some(b), Some(c), Some(d)] => elements.gradient([a, b, c, d], tetrahedron),
-                _ => {
-                    let heat = corners.map(|vertex| heat[vertex as usize]);
-                    // Heat falls by hundreds of orders of magnitude; only ratios within the tetrahedron matter.
-                    let largest = heat.iter().map(|value| value.abs()).fold(0.0, f64::max);
-                    if largest == 0.0 {
-                        DVec3::ZERO
-                    } else {
-                        -cost * elements.gradient(heat.map(|value| value / largest), tetrahedron).normalize_or_zero()
-                    }
+        let blocks = mesh.tetrahedra().chunks(BLOCK).zip(elements.shapes().chunks(BLOCK));
+        for (block, (tetrahedra, shapes)) in blocks.enumerate() {
+            let mut vectors = [DVec3::ZERO; BLOCK];
+            // Squared lengths that divide them.
+            let mut squares = [1.0; BLOCK];
+            for (place, (corners, shape)) in tetrahedra.iter().zip(shapes).enumerate() {
+                let cost = medium.cost((block * BLOCK + place) as u32);
+                if cost.is_infinite() {
+                    continue;
                 }
-            };
-            // The stiffness of w² g is w times that of g.
-            elements.add_divergence(corners, tetrahedron, cost * vector, &mut divergence);
+                let exact = corners.map(|vertex| self.distances[vertex as usize]);
+                let inside = exact.iter().filter(|&&distance| distance < self.radius).count();
+                if inside > 0 {
+                    touched.push((*corners, inside == exact.len()));
+                }
+                // The stiffness of w² g is w times that of g.
+                if inside == exact.len() {
+                    vectors[place] = cost * shape.gradient(exact);
+                    continue;
+                }
+                let heat = corners.map(|vertex| heat[vertex as usize]);
+                let sum: f64 = heat.iter().map(|value| value.abs()).sum();
+                let scale = scale(sum);
+                let gradient = shape.gradient(heat.map(|value| scale * value));
+                vectors[place] = -cost * cost * gradient;
+                // Where heat is constant the vector is 0 whatever divides it.
+                squares[place] = gradient.length_squared() + f64::MIN_POSITIVE;
+            }
+            let factors = squares.map(|square| 1.0 / square.sqrt());
+            for (((corners, shape), vector), factor) in tetrahedra.iter().zip(shapes).zip(vectors).zip(factors) {
+                for (&vertex, part) in corners.iter().zip(shape.divergence(factor * vector)) {
+                    divergence[vertex as usize] += part;
+                }
+            }
         }
         Field { divergence, touched }
     }

@@ -37,10 +37,10 @@ impl<'a> March<'a> {
         Self(search)
     }
 
-    /// Goes on until every distance below `radius` is final, or so many vertices have one. Returns the radius below which all are:
-    /// infinity where nothing is left to do.
-    pub(crate) fn advance(&mut self, radius: f64, vertices: usize) -> f64 {
-        self.0.advance(radius, vertices)
+    /// Goes on until every distance below `radius` is final, or so much work is done: about that of so many faces that straight lines
+    /// pass. Returns the radius below which all are: infinity where nothing is left to do.
+    pub(crate) fn advance(&mut self, radius: f64, work: usize) -> f64 {
+        self.0.advance(radius, work)
     }
 
     /// The distances (`#V`).

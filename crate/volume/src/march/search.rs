@@ -21,6 +21,10 @@ const SMOOTH: f64 = 0.05;
 /// Waves that a vertex remembers to have been offered: one offer says all.
 const REMEMBERED: usize = 4;
 
+/// What a vertex that gets its distance and an offer that waits count as work: as many faces are passed in the time.
+const SETTLED: usize = 8;
+const OFFERED: usize = 2;
+
 /// An offer: the distance as bits, which order as positive numbers do, vertex, wave.
 type Offer = Reverse<(u64, u32, u32)>;
 
@@ -35,6 +39,8 @@ pub(super) struct Search<'a> {
     offered: Vec<[u32; REMEMBERED]>,
     offers: BinaryHeap<Offer>,
     is_uniform: bool,
+    /// Done so far, see [`super::March::advance`].
+    work: usize,
 }
 
 impl<'a> Search<'a> {
@@ -49,6 +55,7 @@ impl<'a> Search<'a> {
             offered: vec![[NONE; REMEMBERED]; vertices],
             offers: BinaryHeap::new(),
             is_uniform: medium.is_uniform(),
+            work: 0,
         }
     }
 
@@ -87,19 +94,17 @@ impl<'a> Search<'a> {
     }
 
     /// As [`super::March::advance`].
-    pub(super) fn advance(&mut self, radius: f64, vertices: usize) -> f64 {
-        let mut settled = 0;
+    pub(super) fn advance(&mut self, radius: f64, work: usize) -> f64 {
         let mut reached_before = 0;
         loop {
             while let Some(&Reverse((distance, vertex, wave))) = self.offers.peek() {
                 let distance = f64::from_bits(distance);
-                if distance >= radius || settled >= vertices {
+                if distance >= radius || self.work >= work {
                     return distance.min(radius);
                 }
                 self.offers.pop();
                 if distance < self.distances[vertex as usize] * (1.0 - GAIN) && self.is_seen(wave, vertex) {
                     let (distance, wave) = self.straightened(vertex, distance, wave);
-                    settled += 1;
                     self.settle(vertex, distance, wave);
                 }
             }
@@ -123,6 +128,7 @@ impl<'a> Search<'a> {
             offered.rotate_right(1);
             offered[0] = wave;
             self.offers.push(Reverse((distance.to_bits(), vertex, wave)));
+            self.work += OFFERED;
         }
     }
 
@@ -144,8 +150,18 @@ impl<'a> Search<'a> {
         if self.waves[wave as usize].start_at(from).is_some_and(|start| !sight.leaves(start, place, may_enter)) {
             return false;
         }
+        // Where the other three corners of a tetrahedron see the source, so does all that is behind it, up to what is smaller than it.
+        let tetrahedra = self.mesh.tetrahedra();
+        let is_shown = |&corner: &u32| corner == vertex || wave_of[corner as usize] == wave;
+        let may_show =
+            |tetrahedron: u32| tetrahedra[tetrahedron as usize].iter().all(is_shown) && may_enter(tetrahedron);
+        if sight.leaves(Start::Vertex(vertex), from, may_show) {
+            return true;
+        }
         // Where the three corners of a face see the source, so does all of the face, up to what is smaller than it.
+        let passed = &mut self.work;
         let crossing = |corners: [u32; 3]| {
+            *passed += 1;
             if corners.iter().all(|&corner| wave_of[corner as usize] == wave) { Crossing::Known } else { Crossing::On }
         };
         sight.walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
@@ -153,6 +169,7 @@ impl<'a> Search<'a> {
 
     /// Gives a vertex its distance and sends waves on.
     fn settle(&mut self, vertex: u32, distance: f64, wave: u32) {
+        self.work += SETTLED;
         self.distances[vertex as usize] = distance;
         self.wave_of[vertex as usize] = wave;
         let mesh = self.mesh;

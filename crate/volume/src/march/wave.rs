@@ -89,7 +89,7 @@ impl Wave {
         let across = place - self.base;
         let along = across.dot(self.direction);
         let apart = (across - along * self.direction).length();
-        self.initial + self.cost * (self.apart + apart).hypot(along - self.along)
+        self.initial + self.cost * hypotenuse(self.apart + apart, along - self.along)
     }
 
     /// The distance of a place, and where it comes from straight.
@@ -105,11 +105,11 @@ impl Wave {
         let crossing = if between > 0.0 { self.along + (along - self.along) * self.apart / between } else { along };
         let from = self.base + crossing.clamp(0.0, self.length) * self.direction;
         let length = if (0.0..=self.length).contains(&crossing) {
-            between.hypot(along - self.along)
+            hypotenuse(between, along - self.along)
         } else {
             // Around the end of the edge.
             let end = crossing.clamp(0.0, self.length);
-            self.apart.hypot(end - self.along) + apart.hypot(along - end)
+            hypotenuse(self.apart, end - self.along) + hypotenuse(apart, along - end)
         };
         Ray { distance: self.initial + self.cost * length, from }
     }
@@ -136,4 +136,11 @@ impl Wave {
     pub(super) fn initial(&self) -> f64 {
         self.initial
     }
+}
+
+/// The length of a vector across an edge and along it. Coordinates are far from what their squares have no room for, which the
+/// standard library's function looks after in three times the time.
+#[inline]
+fn hypotenuse(across: f64, along: f64) -> f64 {
+    (across * across + along * along).sqrt()
 }

@@ -1,0 +1,15 @@
+//! Heat falls by hundreds of orders of magnitude over a mesh, and only its ratios within an element matter.
+
+/// Stored bits of a float's mantissa, below those of its exponent.
+const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// The sum of the stored exponents of a power of two and its inverse.
+const TWICE_BIAS: u64 = 2 * (f64::MAX_EXP as u64 - 1);
+
+/// A power of two that takes numbers whose absolute values are at most `largest`, finite and not negative, to at most 2, and a normal
+/// `largest` to at least 1. It takes no division, and what it multiplies is not rounded.
+#[inline]
+pub fn scale(largest: f64) -> f64 {
+    let exponent = largest.to_bits() >> MANTISSA_BITS;
+    f64::from_bits(TWICE_BIAS.saturating_sub(exponent) << MANTISSA_BITS)
+}
