@@ -77,6 +77,9 @@ pub struct Material {
     pub is_double_sided: bool,
     /// Where a channel has one, in the order of [`Channel`].
     pub textures: [Option<Texture>; Channel::COUNT],
+    /// What is not shown but written again: the name and the JSON of each further extension of the glTF material (`KHR_materials_…`),
+    /// where it has no texture of its own.
+    pub further: Vec<(String, String)>,
 }
 
 impl Default for Material {
@@ -92,6 +95,7 @@ impl Default for Material {
             is_unlit: false,
             is_double_sided: false,
             textures: Default::default(),
+            further: Vec::new(),
         }
     }
 }

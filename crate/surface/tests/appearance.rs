@@ -260,6 +260,30 @@ fn the_older_material_model_is_understood() {
 }
 
 #[test]
+fn extensions_of_materials_that_are_not_shown_are_written_again() {
+    let (mut document, data) = document();
+    let glass = json!({
+        "KHR_materials_transmission": { "transmissionFactor": 0.9 },
+        "KHR_materials_volume": { "thicknessFactor": 0.5, "attenuationColor": [0.5, 1, 0.25] },
+        "KHR_materials_clearcoat": { "clearcoatFactor": 1, "clearcoatTexture": { "index": 0 } },
+        "KHR_materials_unlit": {},
+        "EXT_of_others": { "material": 1 }
+    });
+    document["materials"][1]["extensions"] = glass.clone();
+    let soup = read(&document, &data);
+    let glb = write::distance_glb(&soup, &vec![1.0; soup.positions.len()]);
+    let written = document_of(&glb);
+    let kept = ["KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume"];
+    let extensions = written["materials"][1]["extensions"].as_object().unwrap();
+    assert_eq!(extensions.keys().collect::<Vec<_>>(), kept);
+    for name in kept {
+        assert_eq!(extensions[name], glass[name]);
+        assert!(written["extensionsUsed"].as_array().unwrap().contains(&name.into()), "{name}");
+    }
+    assert_eq!(io::read("mesh.glb", &glb, &|_| None).unwrap().appearance.materials[1].further.len(), 2);
+}
+
+#[test]
 fn a_written_file_reads_back_with_its_materials() {
     let (mut document, data) = document();
     // Written normals are unit vectors for all vertices or none.

@@ -95,6 +95,13 @@ impl Collector {
     }
 }
 
+const UNLIT: &str = "KHR_materials_unlit";
+const EMISSIVE_STRENGTH: &str = "KHR_materials_emissive_strength";
+const SPECULAR_GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
+
+/// Extensions of materials that are shown.
+const UNDERSTOOD: [&str; 3] = [UNLIT, EMISSIVE_STRENGTH, SPECULAR_GLOSSINESS];
+
 fn read_material(given: &material::Material, images: &mut Images) -> Material {
     let pbr = &given.pbr_metallic_roughness;
     let extensions = given.extensions.as_ref().map(|extensions| &extensions.others);
@@ -103,7 +110,7 @@ fn read_material(given: &material::Material, images: &mut Images) -> Material {
         base_color: pbr.base_color_factor.0,
         metalness: pbr.metallic_factor.0,
         roughness: pbr.roughness_factor.0,
-        is_unlit: extension("KHR_materials_unlit").is_some(),
+        is_unlit: extension(UNLIT).is_some(),
         is_double_sided: given.double_sided,
         alpha: match given.alpha_mode {
             Checked::Valid(AlphaMode::Mask) => Alpha::Mask(given.alpha_cutoff.unwrap_or_default().0),
@@ -112,8 +119,7 @@ fn read_material(given: &material::Material, images: &mut Images) -> Material {
         },
         ..Material::default()
     };
-    let strength =
-        extension("KHR_materials_emissive_strength").and_then(|strength| strength["emissiveStrength"].as_f64());
+    let strength = extension(EMISSIVE_STRENGTH).and_then(|strength| strength["emissiveStrength"].as_f64());
     material.emission = given.emissive_factor.0.map(|color| color * strength.unwrap_or(1.0) as f32);
     let mut set = |channel: Channel, texture| material.textures[channel as usize] = texture;
     set(Channel::BaseColor, images.texture_of_info(pbr.base_color_texture.as_ref()));
@@ -129,10 +135,23 @@ fn read_material(given: &material::Material, images: &mut Images) -> Material {
     }
     material.normal_scale = given.normal_texture.as_ref().map_or(1.0, |normal| normal.scale);
     material.occlusion_strength = given.occlusion_texture.as_ref().map_or(1.0, |occlusion| occlusion.strength.0);
-    if let Some(extension) = extension("KHR_materials_pbrSpecularGlossiness") {
+    material.further = extensions.map(further).unwrap_or_default();
+    if let Some(extension) = extension(SPECULAR_GLOSSINESS) {
         read_specular_glossiness(extension, images, &mut material);
     }
     material
+}
+
+/// Extensions of a material that are not understood here, of which nothing but numbers is kept: a texture would be another one elsewhere.
+fn further(extensions: &Map<String, Value>) -> Vec<(String, String)> {
+    let is_further = |name: &str| name.starts_with("KHR_materials_") && !UNDERSTOOD.contains(&name);
+    let has_texture =
+        |value: &Value| value.as_object().is_none_or(|keys| keys.keys().any(|key| key.ends_with("Texture")));
+    extensions
+        .iter()
+        .filter(|&(name, value)| is_further(name) && !has_texture(value))
+        .map(|(name, value)| (name.clone(), value.to_string()))
+        .collect()
 }
 
 /// The older model: its diffuse color is the base color of a dielectric, whose specular color is taken as usual.

@@ -150,7 +150,7 @@ struct Uses {
     extension_of_image: Vec<Option<&'static str>>,
     textures: Vec<Value>,
     samplers: Vec<Value>,
-    extensions: Vec<&'static str>,
+    extensions: Vec<String>,
 }
 
 impl Uses {
@@ -196,6 +196,11 @@ impl Uses {
             let name = self.extension("KHR_materials_unlit");
             value["extensions"][name] = json!({});
         }
+        for (name, json) in &material.further {
+            if let Ok(read) = serde_json::from_str::<Value>(json) {
+                value["extensions"][self.extension(name)] = read;
+            }
+        }
         value
     }
 
@@ -228,9 +233,9 @@ impl Uses {
         Some(info)
     }
 
-    fn extension(&mut self, name: &'static str) -> &'static str {
-        if !self.extensions.contains(&name) {
-            self.extensions.push(name);
+    fn extension<'b>(&mut self, name: &'b str) -> &'b str {
+        if !self.extensions.iter().any(|used| used == name) {
+            self.extensions.push(name.to_owned());
         }
         name
     }
