@@ -54,6 +54,9 @@ const SLICE_SOLVES = 2;
 const FIRST_WORK = 20_000;
 const LEAST_WORK = 2_000;
 
+/** How far the second of two meshes to warm up on is from the first; their longest sides are 1 to 2. */
+const BESIDE = 0.3;
+
 /** Calls that arrive while the module is still being compiled wait for it. */
 const { promise: ready, resolve: begin } = Promise.withResolvers<wasm.InitOutput>();
 
@@ -97,6 +100,7 @@ const api: SolverApi = {
     for (const quick of [false, true]) solver.solve(sources, quick).free();
     for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows).free();
     solver.refine(FIRST_WORK).free();
+    lookForContacts(plain(drawing.take_mesh()));
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
@@ -466,6 +470,28 @@ function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
   const path = request && pathOf(() => solver.path(known([request.from])[0], request.kind));
   return { path: path ?? null, pathMs: clock() };
+}
+
+/** Between a mesh and the same one beside it, which it pierces. */
+function lookForContacts({ positions, triangles }: Pick<DrawMesh, 'positions' | 'triangles'>): void {
+  const both = new Float32Array(2 * positions.length);
+  both.set(positions);
+  both.set(
+    positions.map((coordinate, index) => coordinate + (index % 3 === 0 ? BESIDE : 0)),
+    positions.length,
+  );
+  const faces = new Uint32Array(2 * triangles.length);
+  faces.set(triangles);
+  faces.set(
+    triangles.map((vertex) => vertex + positions.length / 3),
+    triangles.length,
+  );
+  const file = wasm.MeshFile.arrays('', both, faces);
+  const surface = file.surface(Uint32Array.of(0), file.up());
+  const drawing = surface.draw();
+  const solver = drawing.solver();
+  solver.bridge('auto', 0, false);
+  for (const used of [solver, drawing, surface, file]) used.free();
 }
 
 /** Null where there is no path: no source is reached from there. Undefined where none is found yet. */
