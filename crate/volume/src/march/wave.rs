@@ -1,6 +1,7 @@
 //! Waves: distance that spreads along straight lines from a place, or from an edge that it bends around.
 
 use glam::DVec3;
+use heatwalk::surface::triangle::hypotenuse;
 
 use crate::mesh::{NONE, Start};
 
@@ -136,11 +137,4 @@ impl Wave {
     pub(super) fn initial(&self) -> f64 {
         self.initial
     }
-}
-
-/// The length of a vector across an edge and along it. Coordinates are far from what their squares have no room for, which the
-/// standard library's function looks after in three times the time.
-#[inline]
-fn hypotenuse(across: f64, along: f64) -> f64 {
-    (across * across + along * along).sqrt()
 }
