@@ -1,4 +1,4 @@
-use crate::context::{Backend, Context, instance, request_adapter, request_device};
+use crate::context::{Backend, Context, request_adapter, request_device};
 use crate::error::Error;
 use crate::targets::Targets;
 
@@ -24,14 +24,10 @@ impl Canvas {
     /// # Errors
     /// When there is no such device; the sentence says which step failed.
     pub async fn open(
+        instance: &wgpu::Instance,
         target: wgpu::SurfaceTarget<'static>,
         (width, height): (u32, u32),
     ) -> Result<(Context, Self), Error> {
-        let backend = Backend::CANVAS;
-        let instance = instance(match backend {
-            Backend::WebGpu => wgpu::Backends::BROWSER_WEBGPU,
-            Backend::WebGl2 | Backend::Vulkan => wgpu::Backends::GL,
-        });
         // Without a context for the canvas there is no adapter to ask for.
         let surface =
             instance.create_surface(target).map_err(|error| Error::NoAdapter { reason: error.to_string() })?;
@@ -40,7 +36,7 @@ impl Canvas {
             compatible_surface: Some(&surface),
             ..Default::default()
         };
-        let adapter = request_adapter(&instance, &options).await?;
+        let adapter = request_adapter(instance, &options).await?;
         let (device, queue) = request_device(&adapter).await?;
         let limit = device.limits().max_texture_dimension_2d;
         let mut configuration = surface
@@ -49,7 +45,7 @@ impl Canvas {
         // Shaders encode sRGB themselves: WebGL canvases have no sRGB views, and some WebGPU drivers lose the encoding
         // when they resolve a multisampled picture into one. This way both backends show the same bytes.
         configuration.format = configuration.format.remove_srgb_suffix();
-        let context = Context::new(backend, device, queue, configuration.format);
+        let context = Context::new(Backend::CANVAS, device, queue, configuration.format);
         surface.configure(&context.device, &configuration);
         let size = (configuration.width, configuration.height);
         let targets = Targets::new(&context.device, configuration.format, size);

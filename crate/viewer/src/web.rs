@@ -14,6 +14,7 @@ use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 use self::results::Picture;
 use crate::canvas::Canvas;
 use crate::context::Backend;
+use crate::error::Error;
 use crate::renderer::Renderer;
 
 /// A canvas that shows a surface.
@@ -35,7 +36,7 @@ impl Viewer {
         console_error_panic_hook::set_once();
         let (width, height) = (canvas.width(), canvas.height());
         let target = wgpu::SurfaceTarget::Canvas(canvas.clone());
-        let (context, drawable) = Canvas::open(target, (width, height)).await?;
+        let (context, drawable) = Canvas::open(&instance(&canvas)?, target, (width, height)).await?;
         let renderer = Renderer::new(context, Some(drawable))?;
         let webgl = match renderer.backend() {
             // Asking again for the kind of context a canvas already has returns that context.
@@ -82,6 +83,18 @@ impl Viewer {
     pub fn render(&mut self, seconds: f64) -> Result<bool, JsError> {
         Ok(!self.is_taken() && self.renderer.render(seconds)?)
     }
+}
+
+/// wgpu with the graphics interface of this build.
+#[cfg(feature = "webgl2")]
+fn instance(canvas: &HtmlCanvasElement) -> Result<wgpu::Instance, Error> {
+    heatwalk_webgl::instance(canvas.clone()).map_err(|reason| Error::NoAdapter { reason })
+}
+
+#[cfg(not(feature = "webgl2"))]
+#[expect(clippy::unnecessary_wraps, reason = "the other interface may be missing")]
+fn instance(_: &HtmlCanvasElement) -> Result<wgpu::Instance, Error> {
+    Ok(crate::context::instance(wgpu::Backends::BROWSER_WEBGPU))
 }
 
 impl Viewer {
