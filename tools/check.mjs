@@ -16,7 +16,7 @@ const documented = [
   'doc',
   '--workspace',
   '--no-deps',
-  ...['heatwalk-worker', 'heatwalk-reader', 'heatwalk-maker', 'heatwalk-interior'].flatMap((name) => [
+  ...['heatwalk-worker', 'heatwalk-reader', 'heatwalk-maker', 'heatwalk-interior', 'heatwalk-webgl'].flatMap((name) => [
     '--exclude',
     name,
   ]),

@@ -58,9 +58,9 @@ mod glsl {
     use naga::valid::{Capabilities, ModuleInfo, ValidationError, ValidationFlags, Validator};
     use naga::{EntryPoint, Handle, Module, ShaderStage, WithSpan};
 
-    pub fn validated(module: &Module) -> Result<ModuleInfo, WithSpan<ValidationError>> {
+    pub fn validated(module: &Module) -> Result<ModuleInfo, Box<WithSpan<ValidationError>>> {
         // WebGL2 has none of the optional capabilities.
-        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module)
+        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module).map_err(Box::new)
     }
 
     /// One of the entry points of a module, below the line that tells what it uses.

@@ -22,7 +22,7 @@ use crate::renderer::Renderer;
 pub struct Viewer {
     renderer: Renderer,
     canvas: HtmlCanvasElement,
-    /// wgpu does not notice when the browser takes a WebGL context away; the context itself knows.
+    /// Nothing is told when the browser takes a WebGL context away; the context itself knows.
     webgl: Option<WebGl2RenderingContext>,
 }
 

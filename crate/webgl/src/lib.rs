@@ -1,6 +1,6 @@
 //! wgpu on WebGL2, as much of it as the viewer uses. wgpu's own way to WebGL2 checks every command and translates shaders in the
 //! browser, which is three times as much code as the whole of the viewer. Here a build has checked and translated the shaders,
-//! and WebGPU, which runs the same calls, checks commands.
+//! and commands are checked where the same calls go to WebGPU or Vulkan.
 //!
 //! What is there: buffers, textures of one layer, bind groups of uniform buffers, textures and samplers, render passes with at
 //! most one color attachment, and reading pictures back. What is not there panics with its name.

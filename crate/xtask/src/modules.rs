@@ -51,7 +51,7 @@ pub const VIEWER_WEBGPU: Module = Module {
     is_restartable: true,
 };
 
-/// The same on WebGL2, for browsers without WebGPU. It checks commands and translates shaders itself, which takes most of its bytes.
+/// The same on WebGL2, for browsers without WebGPU.
 pub const VIEWER_WEBGL2: Module = Module {
     name: "viewer-webgl2",
     features: &["webgl2"],
@@ -169,8 +169,7 @@ pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     let (flags, last) = toolchain.deny_warnings();
-    // Both builds of the viewer are of the same code.
-    for module in [&SOLVER, &READER, &MAKER, &VIEWER_WEBGPU, &INTERIOR, &CURVES, &BASIS] {
+    for module in [&SOLVER, &READER, &MAKER, &VIEWER_WEBGPU, &VIEWER_WEBGL2, &INTERIOR, &CURVES, &BASIS] {
         eprintln!("Linting the {} for wasm32.", module.name);
         let mut cargo = module.cargo(toolchain, "clippy", flags);
         run(cargo.args(["--profile", module.profile]).args(module.chosen()).args(last))?;
