@@ -78,9 +78,9 @@ test('a renderer that traps while it is made says so, and another one can be ask
   await page.addInitScript((bytes) => {
     const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
     const { prototype } = WebGL2RenderingContext;
-    const { getParameter } = prototype;
-    prototype.getParameter = () => {
-      prototype.getParameter = getParameter;
+    const { createFramebuffer } = prototype;
+    prototype.createFramebuffer = () => {
+      prototype.createFramebuffer = createFramebuffer;
       return (trap as () => null)();
     };
   }, TRAP);
