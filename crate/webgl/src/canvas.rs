@@ -68,13 +68,13 @@ struct Adapter(Context);
 
 impl AdapterInterface for Adapter {
     fn request_device(&self, descriptor: &wgpu::DeviceDescriptor<'_>) -> Pin<Box<dyn RequestDeviceFuture>> {
-        self.0.limits.replace(descriptor.required_limits.clone());
-        let device = DispatchDevice::custom(Device(self.0.clone()));
+        let (context, limits) = (self.0.clone(), descriptor.required_limits.clone());
+        let device = DispatchDevice::custom(Device { context, limits });
         Box::pin(ready(Ok((device, DispatchQueue::custom(Queue(self.0.clone()))))))
     }
 
     fn limits(&self) -> wgpu::Limits {
-        self.0.limits.borrow().clone()
+        self.0.limits()
     }
 
     missing! { shared

@@ -1,10 +1,9 @@
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::fmt;
 use std::ops::Deref;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use wasm_bindgen::JsValue;
 use web_sys::{WebGl2RenderingContext as Gl, WebGlFramebuffer, WebGlSync};
 
 /// What every object holds: the context of the canvas, and what is common to all that is made with it.
@@ -20,8 +19,6 @@ pub(crate) struct Shared {
     /// Buffers to be read, each with what is passed when it can be.
     pub(crate) waiting: RefCell<Vec<(Option<WebGlSync>, wgpu::custom::BufferMapCallback)>>,
     pub(crate) on_error: RefCell<Option<Arc<dyn wgpu::UncapturedErrorHandler>>>,
-    pub(crate) limits: RefCell<wgpu::Limits>,
-    pub(crate) submissions: Cell<u64>,
 }
 
 impl Context {
@@ -29,9 +26,19 @@ impl Context {
         // Rows follow each other without a gap.
         gl.pixel_storei(Gl::UNPACK_ALIGNMENT, 1);
         let (drawn, copied) = (gl.create_framebuffer(), gl.create_framebuffer());
-        let limits = RefCell::new(limits(&gl));
-        let (waiting, on_error, submissions) = (RefCell::default(), RefCell::default(), Cell::default());
-        Self(Rc::new(Shared { gl, drawn, copied, waiting, on_error, limits, submissions }))
+        Self(Rc::new(Shared { gl, drawn, copied, waiting: RefCell::default(), on_error: RefCell::default() }))
+    }
+
+    /// What the context allows.
+    pub(crate) fn limits(&self) -> wgpu::Limits {
+        let number = |name| self.get_parameter(name).ok().and_then(|value| value.as_f64()).unwrap_or_default() as u32;
+        wgpu::Limits {
+            max_texture_dimension_1d: number(Gl::MAX_TEXTURE_SIZE),
+            max_texture_dimension_2d: number(Gl::MAX_TEXTURE_SIZE),
+            max_texture_dimension_3d: number(Gl::MAX_3D_TEXTURE_SIZE),
+            max_buffer_size: i32::MAX as u64,
+            ..wgpu::Limits::downlevel_webgl2_defaults()
+        }
     }
 
     /// Passes what went wrong outside of any call.
@@ -79,19 +86,4 @@ impl fmt::Debug for Context {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("WebGL2")
     }
-}
-
-fn limits(gl: &Gl) -> wgpu::Limits {
-    let number = |name| gl.get_parameter(name).as_ref().map_or(0, number);
-    wgpu::Limits {
-        max_texture_dimension_1d: number(Gl::MAX_TEXTURE_SIZE),
-        max_texture_dimension_2d: number(Gl::MAX_TEXTURE_SIZE),
-        max_texture_dimension_3d: number(Gl::MAX_3D_TEXTURE_SIZE),
-        max_buffer_size: i32::MAX as u64,
-        ..wgpu::Limits::downlevel_webgl2_defaults()
-    }
-}
-
-fn number(value: &JsValue) -> u32 {
-    value.as_f64().unwrap_or_default() as u32
 }

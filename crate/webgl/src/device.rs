@@ -21,12 +21,15 @@ use crate::program::{Pipeline, ShaderModule};
 use crate::resource::{BindGroup, Buffer, Layout, OWN, Sampler, Texture};
 
 #[derive(Debug)]
-pub(crate) struct Device(pub(crate) Context);
+pub(crate) struct Device {
+    pub(crate) context: Context,
+    pub(crate) limits: wgpu::Limits,
+}
 
 #[allow(unsafe_code, reason = "wgpu's trait has unsafe methods; these are safe")]
 impl DeviceInterface for Device {
     fn limits(&self) -> wgpu::Limits {
-        self.0.limits.borrow().clone()
+        self.limits.clone()
     }
 
     unsafe fn create_shader_module_passthrough(
@@ -50,19 +53,19 @@ impl DeviceInterface for Device {
     }
 
     fn create_render_pipeline(&self, descriptor: &wgpu::RenderPipelineDescriptor<'_>) -> DispatchRenderPipeline {
-        DispatchRenderPipeline::custom(Pipeline::new(&self.0, descriptor))
+        DispatchRenderPipeline::custom(Pipeline::new(&self.context, descriptor))
     }
 
     fn create_buffer(&self, descriptor: &wgpu::BufferDescriptor<'_>) -> DispatchBuffer {
-        DispatchBuffer::custom(Buffer::new(&self.0, descriptor))
+        DispatchBuffer::custom(Buffer::new(&self.context, descriptor))
     }
 
     fn create_texture(&self, descriptor: &wgpu::TextureDescriptor<'_>) -> DispatchTexture {
-        DispatchTexture::custom(Texture::new(&self.0, descriptor))
+        DispatchTexture::custom(Texture::new(&self.context, descriptor))
     }
 
     fn create_sampler(&self, descriptor: &wgpu::SamplerDescriptor<'_>) -> DispatchSampler {
-        DispatchSampler::custom(Sampler::new(&self.0, descriptor))
+        DispatchSampler::custom(Sampler::new(&self.context, descriptor))
     }
 
     fn create_command_encoder(&self, _: &wgpu::CommandEncoderDescriptor<'_>) -> DispatchCommandEncoder {
@@ -73,11 +76,11 @@ impl DeviceInterface for Device {
     fn set_device_lost_callback(&self, _: BoxDeviceLostCallback) {}
 
     fn on_uncaptured_error(&self, handler: Arc<dyn wgpu::UncapturedErrorHandler>) {
-        self.0.on_error.replace(Some(handler));
+        self.context.on_error.replace(Some(handler));
     }
 
     fn poll(&self, _: wgpu::wgt::PollType<u64>) -> Result<wgpu::PollStatus, wgpu::PollError> {
-        self.0.poll();
+        self.context.poll();
         Ok(wgpu::PollStatus::Poll)
     }
 
@@ -196,8 +199,8 @@ impl QueueInterface for Queue {
             let mut player = Player::new(&self.0);
             commands.iter().for_each(|command| player.play(command));
         }
-        self.0.submissions.set(self.0.submissions.get() + 1);
-        self.0.submissions.get()
+        // Nobody waits for one of several submissions.
+        0
     }
 
     fn present(&self, frame: &DispatchSurfaceOutputDetail) {
