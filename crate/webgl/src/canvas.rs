@@ -9,13 +9,13 @@ use web_sys::{HtmlCanvasElement, WebGl2RenderingContext as Gl};
 use wgpu::custom::{
     AdapterInterface, DispatchAdapter, DispatchDevice, DispatchQueue, DispatchSurface, DispatchSurfaceOutputDetail,
     DispatchTexture, EnumerateAdapterFuture, InstanceInterface, RequestAdapterFuture, RequestDeviceFuture,
-    SurfaceInterface, SurfaceOutputDetailInterface,
+    SurfaceInterface,
 };
 
 use crate::command::missing;
 use crate::context::Context;
 use crate::device::{Device, Queue};
-use crate::resource::Texture;
+use crate::resource::{Frame, Texture};
 
 /// What plain bytes are shown as they are.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -126,14 +126,4 @@ impl SurfaceInterface for Surface {
         let frame = DispatchSurfaceOutputDetail::custom(Frame(texture.clone()));
         (Some(DispatchTexture::custom(texture)), wgpu::SurfaceStatus::Good, frame)
     }
-}
-
-/// A picture for the canvas.
-#[derive(Debug)]
-pub(crate) struct Frame(pub(crate) Texture);
-
-impl SurfaceOutputDetailInterface for Frame {
-    fn texture_discard(&self) {}
-
-    fn texture_release(&self) {}
 }

@@ -12,13 +12,12 @@ use wgpu::custom::{
     DispatchSurfaceOutputDetail, DispatchTexture, DispatchTlas, PopErrorScopeFuture, QueueInterface,
 };
 
-use crate::canvas::Frame;
 use crate::command::{CommandBuffer, CommandEncoder, missing};
 use crate::context::Context;
 use crate::convert::Format;
 use crate::player::{Player, present};
 use crate::program::{Pipeline, ShaderModule};
-use crate::resource::{BindGroup, Buffer, Layout, OWN, Sampler, Texture};
+use crate::resource::{BindGroup, Buffer, Frame, Layout, OWN, Sampler, Texture};
 
 #[derive(Debug)]
 pub(crate) struct Device {

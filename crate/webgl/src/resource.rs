@@ -6,8 +6,8 @@ use std::rc::Rc;
 use web_sys::{WebGl2RenderingContext as Gl, WebGlBuffer, WebGlRenderbuffer, WebGlSampler, WebGlTexture};
 use wgpu::custom::{
     BindGroupInterface, BindGroupLayoutInterface, BufferInterface, BufferMapCallback, BufferMappedRangeInterface,
-    DispatchBufferMappedRange, DispatchTextureView, PipelineLayoutInterface, SamplerInterface, TextureInterface,
-    TextureViewInterface,
+    DispatchBufferMappedRange, DispatchTextureView, PipelineLayoutInterface, SamplerInterface,
+    SurfaceOutputDetailInterface, TextureInterface, TextureViewInterface,
 };
 
 use crate::context::Context;
@@ -254,6 +254,16 @@ impl TextureView {
 }
 
 impl TextureViewInterface for TextureView {}
+
+/// A picture for the canvas.
+#[derive(Debug)]
+pub(crate) struct Frame(pub(crate) Texture);
+
+impl SurfaceOutputDetailInterface for Frame {
+    fn texture_discard(&self) {}
+
+    fn texture_release(&self) {}
+}
 
 /// How textures are read; a clone is the same one.
 #[derive(Clone, Debug)]
