@@ -81,7 +81,7 @@ test('a renderer that traps while it is made says so, and another one can be ask
     const { createFramebuffer } = prototype;
     prototype.createFramebuffer = () => {
       prototype.createFramebuffer = createFramebuffer;
-      return (trap as () => null)();
+      return (trap as () => never)();
     };
   }, TRAP);
   await page.goto('./#v=1&m=teapot');
