@@ -81,11 +81,11 @@ choice!(LinearSolver, "linear solver": Cholesky = "cholesky", ConjugateGradients
 /// The diffusion time t = m h², h the mean edge length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum TimeStep {
-    /// m chosen by how even, how graded and how fine the triangles are; with conjugate gradients so large that all heat is
-    /// above their noise.
+    /// m chosen by how even, how graded and how fine the triangles are, and the gradient of −√t log u for the field, which is more
+    /// accurate; with conjugate gradients the unit field, and m so large that all heat is above their noise.
     #[default]
     Automatic,
-    /// This m; positive, no unit. Larger is smoother.
+    /// This m, and the unit field −∇u / |∇u|; positive, no unit. Larger is smoother.
     Factor(f64),
 }
 

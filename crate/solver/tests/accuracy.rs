@@ -147,7 +147,7 @@ fn default_settings_converge_on_the_sphere() {
         RelativeError::between(&distance.values, &exact).mean
     };
     let errors = [5, 6, 7].map(error);
-    assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.01, "{errors:?}");
+    assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.002, "{errors:?}");
 }
 
 /// An ellipsoid of triangles that are well shaped but nine times as long around one pole as around the other: a sphere
@@ -190,7 +190,7 @@ fn default_settings_are_better_than_heat_alone_on_graded_meshes() {
 fn the_time_factor_suits_the_triangles() {
     let chosen = |soup: &Soup| solver_with(soup, Parameters::default()).time_factor();
     let [even, uneven] = [shapes::icosphere(4), shapes::uv_sphere(40, 80)].map(|soup| chosen(&soup));
-    assert!(even == 0.3 && uneven > 0.5, "{even} {uneven}");
+    assert!(even == 0.36 && uneven > 0.5, "{even} {uneven}");
     assert!(chosen(&graded_ellipsoid(5)) > 1.5 * chosen(&shapes::icosphere(5)));
 }
 
@@ -221,9 +221,9 @@ fn geometric_mean(ratios: &[[f64; 2]], which: usize) -> f64 {
 fn default_settings_beat_the_robust_peer(meshes: &[Known]) {
     let ratios = ratios(meshes, Parameters::default());
     for ratio in &ratios {
-        assert!(ratio[0] <= 1.1 && ratio[1] <= 1.0, "{ratios:?}");
+        assert!(ratio[0] <= 1.05 && ratio[1] <= 1.0, "{ratios:?}");
     }
-    assert!(geometric_mean(&ratios, 0) <= 0.75 && geometric_mean(&ratios, 1) <= 0.4, "{ratios:?}");
+    assert!(geometric_mean(&ratios, 0) <= 0.65 && geometric_mean(&ratios, 1) <= 0.3, "{ratios:?}");
 }
 
 fn heat_alone_is_the_robust_peer(meshes: &[Known]) {

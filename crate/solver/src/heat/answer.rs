@@ -9,9 +9,9 @@ use crate::extremum::larger;
 use crate::heat::constraint::Constraint;
 use crate::heat::exact_region::ExactRegion;
 use crate::heat::factorization::Factorization;
+use crate::heat::field::divergence;
 use crate::heat::query::Query;
 use crate::heat::source_heat::SourceHeat;
-use crate::heat::unit_field::divergence;
 use crate::options::MultiSource;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED};
 use crate::refinement;
@@ -95,7 +95,8 @@ impl Factorization {
     /// The right side of the Poisson equation without an exact region.
     pub(super) fn divergence(&self, query: &Query) -> Result<Vec<f64>> {
         let heat = VertexData::from(self.question(query)?.heat);
-        let (divergence, _) = divergence(&self.operators().elements, heat.as_slice(), &ExactRegion::none(&heat));
+        let (divergence, _) =
+            divergence(&self.operators().elements, self.field(), heat.as_slice(), &ExactRegion::none(&heat));
         Ok(divergence)
     }
 
@@ -115,7 +116,7 @@ impl Factorization {
         } else {
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            let (divergence, touched) = divergence(&self.operators().elements, heat, region);
+            let (divergence, touched) = divergence(&self.operators().elements, self.field(), heat, region);
             let constraints = region.constraints(surface, &touched, &active);
             match multi_source {
                 MultiSource::Exact => self.poisson().solve_beyond(&divergence, &constraints, region.values())?,

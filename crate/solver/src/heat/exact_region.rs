@@ -19,7 +19,7 @@ const WINDOWS: f64 = 600.0;
 
 /// Vertices below which that falls with their number, so that on small meshes, too, it takes at most about twice the time
 /// of the rest of a solve.
-const FEW_VERTICES: f64 = 4000.0;
+const FEW_VERTICES: f64 = 5000.0;
 
 /// Windows that it may propagate on any mesh: some dozen faces around a source, without which the first rings are worthless.
 const LEAST_WINDOWS: f64 = 300.0;

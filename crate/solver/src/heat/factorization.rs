@@ -6,12 +6,13 @@ use crate::cost::Costs;
 use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
+use crate::heat::field::Field;
 use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow};
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::systems::Systems;
 use crate::heat::time::{suited_factor, time_factor};
 use crate::operator::Operators;
-use crate::options::{Boundary, FactorOptions, MemoryLimit};
+use crate::options::{Boundary, FactorOptions, LinearSolver, MemoryLimit, TimeStep};
 use crate::progress::{Progress, Stage, report};
 use heatwalk_surface::{Surface, VertexData, VertexId, memory};
 
@@ -23,7 +24,7 @@ const SPARE_NUMBERS: usize = 1 << 25;
 const FACTORING_SHARES: [f64; 2] = [0.3, 0.75];
 
 /// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.
-const BYTES_PER_FACE: u64 = 256;
+const BYTES_PER_FACE: u64 = 268;
 
 /// A surface with its factored heat and Poisson matrices: expensive to make, cheap to ask.
 #[derive(Debug)]
@@ -239,6 +240,15 @@ impl Factorization {
     fn time_factor_with(&self, options: FactorOptions) -> f64 {
         let mean_edge = self.operators().mean_edge();
         time_factor(options.time_step, options.solver, self.suited_factor, mean_edge, self.extent)
+    }
+
+    /// The field that stands for the gradient of distance: that of the logarithm of heat where the time was chosen for it,
+    /// that of the paper where time is given, and where the noise of conjugate gradients is all that remains of heat.
+    pub(super) fn field(&self) -> Field {
+        match (self.options.time_step, self.options.solver) {
+            (TimeStep::Automatic, LinearSolver::Cholesky) => Field::Logarithm(self.time()),
+            _ => Field::Unit,
+        }
     }
 
     fn time_with(&self, options: FactorOptions) -> f64 {

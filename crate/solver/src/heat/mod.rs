@@ -1,4 +1,5 @@
-//! Geodesic distance by the heat method: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`.
+//! Geodesic distance by the heat method: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`. Where the time is chosen, X is
+//! the gradient of −√t log u, which is nearer to that of distance.
 //!
 //! The heat matrix is divided by t, so that no number here depends on the file's unit.
 //!
@@ -13,7 +14,9 @@ mod constraint;
 mod convergence;
 mod exact_region;
 mod factorization;
+mod field;
 mod flow;
+mod logarithm;
 mod pair;
 mod poisson;
 mod query;
@@ -22,7 +25,6 @@ mod solver;
 mod source_heat;
 mod systems;
 mod time;
-mod unit_field;
 
 pub use answer::Refinement;
 pub use constraint::Constraint;

@@ -28,6 +28,20 @@ impl Element {
         0.5 * self.x1 * self.y2
     }
 
+    /// Twice the area, in the file's unit squared.
+    pub(crate) fn twice_area(&self) -> f64 {
+        self.x1 * self.y2
+    }
+
+    /// Twice the area times the sum of each corner's cotangent times the fourth power of the difference of these values along the
+    /// side opposite it.
+    pub(crate) fn quartic(&self, [a, b, c]: [f64; 3]) -> f64 {
+        let &Self { x1, x2, y2 } = self;
+        let [bc, ca, ab] = [c - b, a - c, b - a].map(|difference| difference * difference);
+        let rest = x2 * (x1 - x2);
+        x1 * x2 * (bc * bc) + x1 * (x1 - x2) * (ca * ca) + (y2 * y2 - rest) * (ab * ab)
+    }
+
     /// Cotangents of the three corner angles, cut as [`triangle::limit_cotans`] says.
     pub(crate) fn cotans(&self) -> [f64; 3] {
         let &Self { x1, x2, y2 } = self;
@@ -66,6 +80,8 @@ pub(crate) struct Elements {
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, in the same order of corners.
     pub(crate) shapes: Vec<Element>,
+    /// `#F × 3`, the triangles glued to the sides that leave corners 0, 1 and 2; the triangle itself where there is none.
+    pub(crate) neighbors: Vec<[u32; 3]>,
     /// Triangles that count for 1 and come first; those after them count for a half, being of one of two sheets.
     pub(crate) whole: usize,
     /// Mean length of the edges, in the file's unit.
@@ -120,12 +136,14 @@ impl Elements {
         edges
     }
 
-    /// Triangles that count for 1. `lengths`, `3 #F`, are those of the sides that leave each corner; `is_boundary` tells
-    /// of each side whether its edge has no other.
-    pub(crate) fn from_lengths(faces: Vec<[u32; 3]>, lengths: &[f64], is_boundary: impl Fn(usize) -> bool) -> Self {
+    /// Triangles that count for 1. `lengths`, `3 #F`, are those of the sides that leave each corner, and `twin` tells which side each
+    /// is glued to, if any; sides are counted face by face.
+    pub(crate) fn from_lengths(faces: Vec<[u32; 3]>, lengths: &[f64], twin: impl Fn(usize) -> Option<usize>) -> Self {
         let shapes = lengths.as_chunks().0.iter().map(|&sides| Element::of_lengths(sides)).collect();
-        let (mean_edge, deviation) = edge_statistics(lengths, is_boundary);
-        Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
+        let (mean_edge, deviation) = edge_statistics(lengths, |side| twin(side).is_none());
+        let neighbor = |side: usize| (twin(side).unwrap_or(side) / 3) as u32;
+        let neighbors = (0..faces.len()).map(|face| [0, 1, 2].map(|corner| neighbor(3 * face + corner))).collect();
+        Self { whole: faces.len(), faces, shapes, neighbors, mean_edge, deviation }
     }
 }
 

@@ -72,14 +72,14 @@ impl Operators {
         };
         let mut sides: Vec<usize> = (0..3 * faces.len()).collect();
         sides.sort_unstable_by_key(|&side| ends(side));
-        let mut is_boundary = vec![false; sides.len()];
-        for edge in sides.chunk_by(|&a, &b| ends(a) == ends(b)) {
-            if let [side] = *edge {
-                is_boundary[side] = true;
+        let mut twins = vec![None; sides.len()];
+        for edge in sides.chunk_by(|&a, &b| ends(a) == ends(b)).filter(|edge| edge.len() > 1) {
+            for (index, &side) in edge.iter().enumerate() {
+                twins[side] = Some(edge[(index + 1) % edge.len()]);
             }
         }
         let components = components(&faces);
-        let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| is_boundary[side]);
+        let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| twins[side]);
         Ok(Self::assemble(elements, components))
     }
 
@@ -172,12 +172,12 @@ impl Discretization for Operators {
 fn plain(surface: &Surface, costs: &[f64]) -> Elements {
     let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
     let sides = 3 * faces.len();
-    let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
+    let twin = |side: usize| Some(surface.mesh().twin(HalfedgeId(side as u32)).0 as usize).filter(|&twin| twin < sides);
     let mut lengths = surface.side_lengths();
     for (sides, cost) in lengths.chunks_exact_mut(3).zip(costs) {
         sides.iter_mut().for_each(|length| *length *= cost);
     }
-    Elements::from_lengths(faces, &lengths, is_boundary)
+    Elements::from_lengths(faces, &lengths, twin)
 }
 
 /// Per vertex, the connected component of the faces around.

@@ -1,0 +1,113 @@
+//! From heat to the right side of the Poisson equation: a field against the gradient of heat, and the gradient of exact
+//! distance where that is known.
+
+use std::ops::Range;
+
+use crate::extremum::larger;
+use crate::heat::exact_region::{ExactRegion, Touched};
+use crate::heat::logarithm::Logarithm;
+use crate::heat::scale::scale;
+use crate::operator::elements::{Element, Elements};
+
+/// What stands for the gradient of distance where that is not known.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Field {
+    /// −∇u / |∇u|, zero where heat is constant (Crane and others 2013, algorithm 1).
+    Unit,
+    /// That of the [`Logarithm`] of heat that has flowed for this time.
+    Logarithm(f64),
+}
+
+/// Triangles whose roots and divisions are taken together: one by one, each would wait for those of the one before.
+pub(super) const BLOCK: usize = 16;
+
+/// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
+/// triangles whose three corners are in the exact region, elsewhere that of `heat`. Signed so that `L φ` equals it for
+/// ∇φ = X. With it the triangles that the region touches.
+pub(super) fn divergence(
+    elements: &Elements,
+    field: Field,
+    heat: &[f64],
+    region: &ExactRegion<'_>,
+) -> (Vec<f64>, Vec<Touched>) {
+    match field {
+        Field::Unit => assembled(elements, heat, region, |block| against_gradient(elements, heat, block)),
+        Field::Logarithm(time) => {
+            let logarithm = Logarithm::new(elements, heat, time);
+            assembled(elements, heat, region, |block| {
+                let parts = logarithm.against_gradient(block.clone());
+                if parts.as_flattened().iter().all(|part| part.is_finite()) {
+                    return parts;
+                }
+                let unit = against_gradient(elements, heat, block);
+                std::array::from_fn(|place| if parts[place][0].is_finite() { parts[place] } else { unit[place] })
+            })
+        }
+    }
+}
+
+/// The same with the divergence at corners 1 and 2 of the triangles of a block of the field against the gradient of heat.
+fn assembled(
+    elements: &Elements,
+    heat: &[f64],
+    region: &ExactRegion<'_>,
+    field: impl Fn(Range<usize>) -> [[f64; 2]; BLOCK],
+) -> (Vec<f64>, Vec<Touched>) {
+    let mut divergence = vec![0.0; heat.len()];
+    let mut touched = Vec::new();
+    // A triangle where all heat is less than at every vertex of the region has none of them: no need to look.
+    let least_inside = region.values().map(|(vertex, _)| heat[vertex as usize].abs()).fold(f64::INFINITY, f64::min);
+    let mut around = Vec::new();
+    let count = elements.faces.len();
+    for first in (0..count).step_by(BLOCK) {
+        let block = first..count.min(first + BLOCK);
+        let parts = field(block.clone());
+        for (triangle, part) in block.zip(parts) {
+            let heat = elements.faces[triangle].map(|vertex| heat[vertex as usize].abs());
+            if larger(larger(heat[0], heat[1]), heat[2]) < least_inside {
+                elements.add_divergence(triangle, part, &mut divergence);
+            } else {
+                around.push((triangle, part));
+            }
+        }
+    }
+    for (triangle, part) in around {
+        let corners = elements.faces[triangle];
+        let exact = corners.map(|vertex| region.value(vertex));
+        if exact.iter().any(Option::is_some) {
+            touched.push(Touched { corners, is_inside: exact.iter().all(Option::is_some) });
+        }
+        let part = match exact {
+            [Some(a), Some(b), Some(c)] => along_distance(&elements.shapes[triangle], [a, b, c]),
+            _ => part,
+        };
+        elements.add_divergence(triangle, part, &mut divergence);
+    }
+    (divergence, touched)
+}
+
+/// Divergence at corners 1 and 2 of the unit field against the gradient of heat in a block of triangles; that at corner 0 is minus
+/// their sum.
+fn against_gradient(elements: &Elements, heat: &[f64], block: Range<usize>) -> [[f64; 2]; BLOCK] {
+    let mut products = [[0.0; 2]; BLOCK];
+    let mut squares = [1.0; BLOCK];
+    for (place, triangle) in block.enumerate() {
+        let shape = &elements.shapes[triangle];
+        let heat = elements.faces[triangle].map(|vertex| heat[vertex as usize]);
+        let scale = scale(larger(larger(heat[0].abs(), heat[1].abs()), heat[2].abs()));
+        let circulation = shape.circulation(heat.map(|value| scale * value));
+        let [x, y] = circulation;
+        products[place] = shape.edge_products(circulation);
+        // Where heat is constant the products are 0 whatever divides them.
+        squares[place] = x * x + y * y + f64::MIN_POSITIVE;
+    }
+    let factors = squares.map(|square| -0.5 / square.sqrt());
+    std::array::from_fn(|place| products[place].map(|product| factors[place] * product))
+}
+
+/// Divergence at corners 1 and 2 of the gradient of distance; that at corner 0 is minus their sum.
+fn along_distance(shape: &Element, [a, b, c]: [f64; 3]) -> [f64; 2] {
+    let [cotan_a, cotan_b, cotan_c] = shape.cotans();
+    let [ab, ac, bc] = [b - a, c - a, c - b];
+    [0.5 * (cotan_c * ab - cotan_a * bc), 0.5 * (cotan_b * ac + cotan_a * bc)]
+}
