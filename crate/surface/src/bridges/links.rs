@@ -10,7 +10,8 @@ use super::bounds::Bounds;
 use super::find::{OF_SCENE, contacts};
 use super::hierarchy::{Below, Hierarchy, Item};
 use super::scene::Scene;
-use super::search::{Candidate, Tolerance, search};
+use super::search::{Candidate, search};
+use super::tolerance::Tolerance;
 use super::{Bridges, Portal, triangles};
 use crate::parallel;
 use crate::surface::Surface;
@@ -70,7 +71,7 @@ impl Bridges {
 
         let slack = SLACK + scene.rounding;
         let mut near =
-            Tolerance { set: self.groups.clone(), reach: vec![0.0; self.group_count()], pairs: HashMap::new(), slack };
+            Tolerance { set: self.groups.clone(), reach: vec![0.0; self.group_count()], pairs: HashMap::new() };
         for place in &places {
             let groups = pair(place.components);
             near.pairs.insert(groups, place.gap + slack);
@@ -125,7 +126,7 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
     let mut waiting = Vec::new();
     for group in hierarchy.groups() {
         let own = set[group[0].component as usize];
-        let around = group.iter().map(Item::bounds).fold(Bounds::EMPTY, Bounds::around);
+        let around = group.iter().map(|item| item.bounds).fold(Bounds::EMPTY, Bounds::around);
         waiting.push((0, 0.0));
         while let Some((node, squared)) = waiting.pop() {
             let least = nearest[own as usize].map_or(f64::INFINITY, |place| place.gap);
@@ -166,12 +167,13 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
 
 /// Where two triangles are nearest to each other, if that is nearer than `least`.
 fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
-    let squared = item.bounds().squared_distance(other.bounds());
+    let squared = item.bounds.squared_distance(other.bounds);
     if squared >= least * least {
         return None;
     }
     let pair = [item.corners, other.corners];
-    if triangles::plane_distance(&pair, [item.normal, other.normal]) >= least {
+    let [one, two] = triangles::plane_distances(&pair, [item.normal, other.normal]);
+    if one.max(two) >= least {
         return None;
     }
     if squared == 0.0

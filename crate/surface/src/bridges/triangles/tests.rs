@@ -64,7 +64,7 @@ fn assert_inside(weights: [f64; 3]) {
 #[test]
 fn the_distance_is_that_of_samples() {
     let mut random = Random(1);
-    let (mut crossings, mut touching, mut apart) = (0, 0, 0);
+    let (mut crossings, mut touching, mut apart, mut beyond) = (0, 0, 0, 0);
     for number in 0..120 {
         let is_whole = number % 2 == 1;
         let triangles = [random.triangle(is_whole), random.triangle(is_whole)];
@@ -77,9 +77,14 @@ fn the_distance_is_that_of_samples() {
         let distance = if does_cross { 0.0 } else { pair.distance };
         assert!(sampled >= distance - 1e-12 && sampled <= distance + 0.01, "{sampled} {distance} {triangles:?}");
         let normals = triangles.map(|corners| triangle::unit(area_vector(corners)));
-        assert!(plane_distance(&triangles, normals) <= distance + 1e-12);
-        assert!(!are_apart(&triangles, normals, distance + 1e-12));
-        apart += u32::from(distance > 0.1 && are_apart(&triangles, normals, 0.5 * distance));
+        let heights = plane_distances(&triangles, normals);
+        let least = least_distance(&triangles, normals, heights, distance + 1e-12).expect("no more than the distance");
+        assert!(heights[0].max(heights[1]) <= least && least <= distance + 1e-12);
+        apart += u32::from(distance > 0.1 && least > 0.9 * distance);
+        beyond += u32::from(distance > 0.1 && least > 1.1 * heights[0].max(heights[1]));
+        assert!(
+            distance < 0.1 || least_distance(&triangles, normals, heights, 0.9 * least).is_none_or(|_| least == 0.0)
+        );
         // What is left out for being too far leaves the nearest points.
         if !does_cross {
             let again = nearest(&triangles, distance + 1e-12, 0.0).expect("the pair");
@@ -89,7 +94,9 @@ fn the_distance_is_that_of_samples() {
         crossings += u32::from(does_cross);
         touching += u32::from(!does_cross && distance < 1e-12);
     }
-    assert!((20..100).contains(&crossings) && touching > 0 && apart > 10, "{crossings} {touching} {apart}");
+    assert!((20..100).contains(&crossings) && touching > 0, "{crossings} {touching}");
+    // Bounds are of use, and those beyond sides more so than those of planes alone.
+    assert!(apart > 10 && beyond > 10, "{apart} {beyond}");
 }
 
 #[test]
@@ -117,7 +124,8 @@ fn points_are_spread_over_an_overlap() {
     let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let other = triangle.map(|corner| DVec3::new(0.8 - corner.x, 0.7 - corner.y, 0.01));
     let mut found = Vec::new();
-    spread(&[triangle, other], [[true; 3]; 2], 0.011, SPACING, &mut |pair| found.push(pair));
+    let all = Features { corners: [true; 3], sides: [true; 3], rims: [true; 3] };
+    spread(&[triangle, other], [all; 2], 0.011, SPACING, &mut |pair| found.push(pair));
     assert!(found.iter().all(|pair| pair.distance >= 0.01 - 1e-14 && pair.distance <= 0.011));
     let places: Vec<DVec3> = found.iter().map(|pair| point(&triangle, pair.weights[0])).collect();
     let farthest = |x: f64, y: f64| {
