@@ -5,13 +5,14 @@ use std::collections::HashMap;
 use super::hierarchy::{Hierarchy, Item};
 use super::scene::Scene;
 use super::tolerance::Tolerance;
-use super::triangles;
+use super::triangles::{self, Features};
 use super::visit::{Visitor, visit};
 
 /// The distances of components that are no farther apart than they may be, the lower number first.
 pub fn distances(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> HashMap<[u32; 2], f64> {
     let mut distances = Distances { scene, tolerance, least: HashMap::new() };
-    visit(hierarchy, hierarchy.blocks(), tolerance, &mut distances);
+    let sets = hierarchy.common(|component| tolerance.set[component as usize]);
+    visit(hierarchy, &sets, hierarchy.blocks(), tolerance, &mut distances);
     distances.least
 }
 
@@ -38,7 +39,7 @@ impl Visitor for Distances<'_> {
             return;
         }
         let does_cross = triangles::crossing(&triangles).is_some();
-        let near = || triangles::nearest(&triangles, bound, 0.0).map(|pair| pair.distance);
+        let near = || triangles::nearest(&triangles, [Features::ALL; 2], bound, 0.0).map(|pair| pair.distance);
         if let Some(distance) = if does_cross { Some(0.0) } else { near() } {
             self.least.insert(pair, distance);
         }

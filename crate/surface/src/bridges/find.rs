@@ -109,20 +109,18 @@ fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> Vec<Candida
 pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal>)> {
     // Gaps that differ by rounding alone are equal.
     let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
-    let mut pairs: Vec<[u32; 2]> = found.iter().map(|candidate| candidate.components).collect();
-    pairs.dedup();
+    let runs = || found.chunk_by(|a, b| a.components == b.components);
+    let mut pairs: Vec<[u32; 2]> = runs().map(|run| run[0].components).collect();
     pairs.sort_unstable();
     pairs.dedup();
-    let pair = |components| pairs.partition_point(|&pair| pair < components);
-    let mut last = ([0; 2], 0);
-    let key = |(place, candidate): (u32, &Candidate)| {
-        if candidate.components != last.0 {
-            last = (candidate.components, pair(candidate.components));
+    // By contact, gap and place. Of numbers above 0, and of 0, the bits are in the order of the numbers.
+    let mut order: Vec<u128> = Vec::with_capacity(found.len());
+    for run in runs() {
+        let contact = pairs.partition_point(|&pair| pair < run[0].components) as u128;
+        for candidate in run {
+            order.push(contact << 96 | u128::from(gap(candidate).to_bits()) << 32 | order.len() as u128);
         }
-        // Of numbers above 0, and of 0, the bits are in the order of the numbers.
-        (last.1 as u128) << 96 | u128::from(gap(candidate).to_bits()) << 32 | u128::from(place)
-    };
-    let mut order: Vec<u128> = (0..).zip(found).map(key).collect();
+    }
     order.sort_unstable();
     let candidates: Vec<Candidate> = order.into_iter().map(|key| found[key as u32 as usize]).collect();
     let contacts = candidates.chunk_by(|a, b| a.components == b.components);

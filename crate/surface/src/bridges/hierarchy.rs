@@ -135,9 +135,9 @@ impl Hierarchy {
         &self.nodes[node]
     }
 
-    /// Whether no more triangles are below a node than in a block.
+    /// Whether there are no more triangles below a node than in a block.
     #[inline]
-    pub fn is_below_blocks(&self, node: usize) -> bool {
+    pub fn is_block(&self, node: usize) -> bool {
         let levels = |node: usize| (node + 1).ilog2();
         levels(node) + (BLOCK / LEAF).ilog2() >= levels(self.nodes.len() - 1)
     }

@@ -12,7 +12,8 @@ use super::hierarchy::{Below, Hierarchy, Item};
 use super::scene::Scene;
 use super::search::{Candidate, search};
 use super::tolerance::Tolerance;
-use super::{Bridges, Portal, triangles};
+use super::triangles::{self, Features};
+use super::{Bridges, Portal};
 use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
@@ -172,15 +173,13 @@ fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
         return None;
     }
     let pair = [item.corners, other.corners];
-    let [one, two] = triangles::plane_distances(&pair, [item.normal, other.normal]);
-    if one.max(two) >= least {
-        return None;
-    }
+    triangles::separation(&pair, [item.normal, other.normal], least)?;
     if squared == 0.0
         && let Some([weights, _]) = triangles::crossing(&pair)
     {
         return Some(Candidate::new([item, other], weights, 0.0));
     }
-    let nearest = triangles::nearest(&pair, least, 0.0).filter(|nearest| nearest.distance < least)?;
+    let nearest =
+        triangles::nearest(&pair, [Features::ALL; 2], least, 0.0).filter(|nearest| nearest.distance < least)?;
     Some(Candidate::new([item, other], nearest.weights, nearest.distance))
 }

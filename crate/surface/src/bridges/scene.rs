@@ -154,3 +154,33 @@ impl<'a> Scene<'a> {
         self.mean_sides[a as usize].min(self.mean_sides[b as usize]).clamp(self.least_spacing, MOST_SPACING)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use std::collections::HashMap;
+
+    use super::super::tests::{assembled, cuboid, sphere};
+    use super::*;
+
+    #[test]
+    fn each_corner_and_each_side_is_told_of_by_one_face() {
+        let surface = assembled(&[cuboid([0.0; 3], [1.0; 3]), sphere([3.0, 0.0, 0.0], 1.0)]);
+        let scene = Scene::new(&surface, parallel::ONE);
+        let mut corners = vec![0; surface.vertex_count()];
+        let mut sides = HashMap::new();
+        for face in 0..surface.face_count() as u32 {
+            let (features, vertices) = (scene.features(face), surface.faces()[FaceId(face)]);
+            for k in 0..3 {
+                let (a, b) = (vertices[k], vertices[(k + 1) % 3]);
+                corners[a.index()] += u32::from(features.corners[k]);
+                *sides.entry((a.min(b), a.max(b))).or_insert(0) += u32::from(features.sides[k]);
+                assert!(features.sides[k] || !features.rims[k]);
+            }
+        }
+        assert!(corners.into_iter().all(|count| count == 1));
+        assert!(sides.into_values().all(|count| count == 1));
+    }
+}

@@ -1,14 +1,15 @@
 //! Where components pierce each other or come near.
 //!
 //! Each triangle looks for larger ones of other components, so that a pair of triangles is looked at once, and what is found is
-//! as dense as the finer of the two. Of a component that does not pierce it, a small triangle keeps the nearest place alone;
+//! as dense as the finer of the two. Of what triangles share, a corner or a side, the largest one tells: others that look for it,
+//! or that it looks for, are larger than what it looks for in turn. Of a component that does not pierce it, a small triangle keeps the nearest place alone;
 //! what is farther away is not looked at. Large triangles tell all places that are nearly as near as the nearest one.
 
 use super::cells::{cell_of, list_of};
 use super::hierarchy::{Hierarchy, Item, LEAF};
 use super::scene::Scene;
 use super::tolerance::Tolerance;
-use super::triangles::{self, Features, Pair, Weights};
+use super::triangles::{self, Features, Pair, Separation, Weights};
 use super::visit::{Visitor, visit};
 use crate::parallel;
 
@@ -61,11 +62,12 @@ pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Ve
     // Parts are dealt out in turn: where components meet, there is more to do.
     let busy = parallel::ranges(scene.surface.face_count(), scene.threads).len();
     let blocks = if busy > 1 { BLOCKS_OF_PART } else { usize::MAX };
+    let sets = hierarchy.common(|component| tolerance.set[component as usize]);
     let dealt = parallel::map(0..busy, |first| {
         let parts = hierarchy.parts(blocks).skip(first).step_by(busy);
         let mut search = Search::new(scene, tolerance);
         let found = parts.map(|blocks| {
-            visit(hierarchy, blocks, tolerance, &mut search);
+            visit(hierarchy, &sets, blocks, tolerance, &mut search);
             std::mem::take(&mut search.found)
         });
         found.collect::<Vec<_>>()
@@ -161,15 +163,11 @@ impl Visitor for Search<'_> {
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
         let normals = [items[0].normal, items[1].normal];
-        let heights = triangles::plane_distances(&pair, normals);
-        if heights[0] > bound || heights[1] > bound {
-            return;
-        }
-        let Some(least) = triangles::least_distance(&pair, normals, heights, bound) else { return };
+        let Some(Separation { least, is_by_plane }) = triangles::separation(&pair, normals, bound) else { return };
         let components = [items[0].component, items[1].component];
         let spacing = self.scene.spacing(components);
         let is_small = items[0].longest <= SMALL * spacing;
-        let crossing = if heights == [0.0; 2] { triangles::crossing(&pair) } else { None };
+        let crossing = if is_by_plane { None } else { triangles::crossing(&pair) };
         if let Some(ends) = &crossing {
             let length = triangles::point(&pair[0], ends[0][0]).distance(triangles::point(&pair[0], ends[1][0]));
             if length > SHORT * spacing {
@@ -203,7 +201,9 @@ impl Visitor for Search<'_> {
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
-            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, least + enough) {
+            // Larger triangles that share a corner or a side with the other one are met, too.
+            let features = [Features::ALL, self.features(other.face)];
+            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, features, bound, least + enough) {
                 let bound = (distance - enough).max(0.0);
                 self.nearest(group, other.component).narrow(own, bound);
                 self.put(group, own, other.component, Candidate::new(items, weights, distance));

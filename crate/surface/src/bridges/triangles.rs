@@ -35,7 +35,8 @@ pub type Triangle = [DVec3; 3];
 /// Barycentric weights of a point of each of two triangles.
 pub type Weights = [[f64; 3]; 2];
 
-/// Of the corners of a triangle and its sides, from each corner to the next, those to tell of.
+/// Of the corners of a triangle and its sides, from each corner to the next, those that it tells of: of the triangles that share
+/// one, a single one does.
 #[derive(Debug, Clone, Copy)]
 pub struct Features {
     pub corners: [bool; 3],
@@ -44,8 +45,9 @@ pub struct Features {
     pub rims: [bool; 3],
 }
 
-/// All corners, or all sides, of two triangles.
-const ALL: [[bool; 3]; 2] = [[true; 3]; 2];
+impl Features {
+    pub const ALL: Self = Self { corners: [true; 3], sides: [true; 3], rims: [true; 3] };
+}
 
 /// A point of each of two triangles, and the distance of these points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,27 +160,28 @@ fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], [one, other]: [f64
     best.0
 }
 
-/// How far from the plane of each of two triangles with these unit normals the other one is: lower bounds of their distance.
-#[inline]
-pub fn plane_distances(triangles: &[Triangle; 2], normals: [DVec3; 2]) -> [f64; 2] {
-    let to_plane = |of: usize| {
-        let (normal, origin) = (normals[of], triangles[of][0]);
-        let height = |corner: DVec3| normal.dot(corner - origin);
-        let [a, b, c] = &triangles[1 - of];
-        let (a, b, c) = (height(*a), height(*b), height(*c));
-        let (least, most) = if a < b { (a, b) } else { (b, a) };
-        let (least, most) = (if c < least { c } else { least }, if c > most { c } else { most });
-        let height = if least > -most { least } else { -most };
-        if height > 0.0 { height } else { 0.0 }
-    };
-    [to_plane(0), to_plane(1)]
+/// How far apart two triangles are for sure.
+#[derive(Debug, Clone, Copy)]
+pub struct Separation {
+    /// A lower bound of their distance.
+    pub least: f64,
+    /// Whether one of them is on one side of the plane of the other.
+    pub is_by_plane: bool,
 }
 
-/// A lower bound of the distance of two triangles with these unit normals, where that may be no more than `within`: as far as one
-/// is from the plane of the other, and beyond a side of it (separating axes; Gottschalk and others, "OBBTree", 1996). `heights`:
-/// what [`plane_distances`] tells.
+/// A lower bound of the distance of two triangles with these unit normals, where they may be no farther apart than `within`: as
+/// far as one is from the plane of the other, and beyond a side of it (separating axes; Gottschalk and others, "OBBTree", 1996).
 #[inline]
-pub fn least_distance(triangles: &[Triangle; 2], normals: [DVec3; 2], heights: [f64; 2], within: f64) -> Option<f64> {
+pub fn separation(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -> Option<Separation> {
+    let mut heights = [0.0; 2];
+    for of in 0..2 {
+        let (least, most) = range(&triangles[1 - of], normals[of], triangles[of][0]);
+        let height = if least > -most { least } else { -most };
+        if height > within {
+            return None;
+        }
+        heights[of] = if height > 0.0 { height } else { 0.0 };
+    }
     let most = within * within * ROUNDED;
     let mut squared = 0.0;
     for of in 0..2 {
@@ -187,14 +190,10 @@ pub fn least_distance(triangles: &[Triangle; 2], normals: [DVec3; 2], heights: [
         for k in 0..3 {
             let [start, end] = side(&triangles[of], k);
             let outward = (end - start).cross(normals[of]);
-            let [a, b, c] = &triangles[1 - of];
-            let beyond = |corner: DVec3| outward.dot(corner - start);
-            let (a, b, c) = (beyond(*a), beyond(*b), beyond(*c));
-            let least = if b < a { b } else { a };
-            let least = if c < least { c } else { least };
-            if least > 0.0 {
+            let (beyond, _) = range(&triangles[1 - of], outward, start);
+            if beyond > 0.0 {
                 // The normal is at right angles to what leads out of the side in the plane.
-                let both = height + least * least / outward.length_squared();
+                let both = height + beyond * beyond / outward.length_squared();
                 squared = if both > squared { both } else { squared };
             }
         }
@@ -202,7 +201,16 @@ pub fn least_distance(triangles: &[Triangle; 2], normals: [DVec3; 2], heights: [
             return None;
         }
     }
-    Some(squared.sqrt())
+    Some(Separation { least: squared.sqrt(), is_by_plane: heights != [0.0; 2] })
+}
+
+/// The least and the greatest coordinate of a triangle's corners along an axis from an origin.
+#[inline]
+fn range([a, b, c]: &Triangle, axis: DVec3, origin: DVec3) -> (f64, f64) {
+    let along = |corner: DVec3| axis.dot(corner - origin);
+    let (a, b, c) = (along(*a), along(*b), along(*c));
+    let (least, most) = if a < b { (a, b) } else { (b, a) };
+    (if c < least { c } else { least }, if c > most { c } else { most })
 }
 
 /// Whether the planes of triangles with these unit normals are at an angle of more than 30°.
@@ -210,17 +218,17 @@ pub fn are_steep([first, second]: [DVec3; 2]) -> bool {
     first.dot(second).abs() < STEEP
 }
 
-/// The nearest points of two triangles that do not cross, where they are no farther apart than `within`. Any that are no
-/// farther apart than `enough` will do.
-pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pair> {
+/// The nearest points of two triangles that do not cross, where they are no farther apart than `within`, of those that are at
+/// these features. Any that are no farther apart than `enough` will do.
+pub fn nearest(triangles: &[Triangle; 2], features: [Features; 2], within: f64, enough: f64) -> Option<Pair> {
     let mut best = None;
     let mut take = |pair: Pair| {
         best = Some(pair);
         if pair.distance <= enough { f64::NEG_INFINITY } else { pair.distance }
     };
-    let within = for_corners(triangles, ALL, within, &mut take);
+    let within = for_corners(triangles, features.map(|own| own.corners), within, &mut take);
     if within >= 0.0 {
-        for_sides(triangles, ALL, within, true, &mut take);
+        for_sides(triangles, features.map(|own| own.sides), within, true, &mut take);
     }
     best
 }

@@ -20,21 +20,23 @@ pub trait Visitor {
     fn leave(&mut self) {}
 }
 
-/// Shows the triangles of each of the blocks those larger ones of other components that may be near enough.
+/// Shows the triangles of each of the blocks those larger ones of other components that may be near enough. `sets`: the set of all
+/// components below each node, if it is one.
 pub fn visit<'a>(
     hierarchy: &Hierarchy,
+    sets: &[Option<u32>],
     blocks: impl Iterator<Item = &'a [Item]>,
     tolerance: &Tolerance,
     visitor: &mut impl Visitor,
 ) {
     let (mut waiting, mut near) = (Vec::new(), Vec::new());
     for block in blocks {
-        let mut query = Query::new(block, tolerance);
+        let mut query = Query::new(hierarchy, sets, block, tolerance);
         waiting.push((0, 0.0));
         while let Some((node, _)) = waiting.pop() {
             match hierarchy.below(node) {
-                Below::Nodes(children) if !hierarchy.is_below_blocks(node) => {
-                    waiting.extend(query.near(hierarchy, children).into_iter().flatten());
+                Below::Nodes(children) if !hierarchy.is_block(node) => {
+                    waiting.extend(query.near(children).into_iter().flatten());
                 }
                 _ => near.push(node),
             }
@@ -42,7 +44,7 @@ pub fn visit<'a>(
         for group in block.chunks(LEAF) {
             query.narrow(group);
             query.boxes = Boxes::new(group);
-            waiting.extend(near.iter().filter_map(|&node| query.may_hold(hierarchy, node)));
+            waiting.extend(near.iter().filter_map(|&node| query.may_hold(node)));
             // What is nearest is looked at first, so last in.
             waiting.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
             while let Some((node, squared)) = waiting.pop() {
@@ -54,7 +56,7 @@ pub fn visit<'a>(
                     continue;
                 }
                 match hierarchy.below(node) {
-                    Below::Nodes(children) => waiting.extend(query.near(hierarchy, children).into_iter().flatten()),
+                    Below::Nodes(children) => waiting.extend(query.near(children).into_iter().flatten()),
                     Below::Items(others) => meet(group, &query, others, visitor),
                 }
             }
@@ -83,8 +85,11 @@ fn meet(group: &[Item], query: &Query, others: &[Item], visitor: &mut impl Visit
 }
 
 /// What triangles of one component look for.
-struct Query {
-    component: u32,
+struct Query<'a> {
+    hierarchy: &'a Hierarchy,
+    sets: &'a [Option<u32>],
+    /// The set of the component.
+    own: u32,
     /// How far apart they may be from any other component.
     most: f64,
     /// The box around all of them.
@@ -95,11 +100,13 @@ struct Query {
     boxes: Boxes,
 }
 
-impl Query {
-    fn new(items: &[Item], tolerance: &Tolerance) -> Self {
+impl<'a> Query<'a> {
+    fn new(hierarchy: &'a Hierarchy, sets: &'a [Option<u32>], items: &[Item], tolerance: &Tolerance) -> Self {
         let component = items[0].component;
         let most = tolerance.of(component);
-        let mut query = Self { component, most, around: Bounds::EMPTY, shortest: 0.0, boxes: Boxes::new(&[]) };
+        let own = tolerance.set[component as usize];
+        let (around, boxes) = (Bounds::EMPTY, Boxes::new(&[]));
+        let mut query = Self { hierarchy, sets, own, most, around, shortest: 0.0, boxes };
         query.narrow(items);
         query
     }
@@ -112,17 +119,17 @@ impl Query {
 
     /// A node and the square of its distance, if there may be something near enough below it.
     #[inline]
-    fn may_hold(&self, hierarchy: &Hierarchy, node: usize) -> Option<(usize, f64)> {
-        let Node { bounds, longest, component } = hierarchy.node(node);
+    fn may_hold(&self, node: usize) -> Option<(usize, f64)> {
+        let Node { bounds, longest, .. } = self.hierarchy.node(node);
         let squared = bounds.squared_distance(self.around);
         let is_near = squared <= self.most * self.most;
-        (is_near && *longest >= self.shortest && *component != Some(self.component)).then_some((node, squared))
+        (is_near && *longest >= self.shortest && self.sets[node] != Some(self.own)).then_some((node, squared))
     }
 
     /// The same of the children of a node, the nearer one last.
     #[inline]
-    fn near(&self, hierarchy: &Hierarchy, children: [usize; 2]) -> [Option<(usize, f64)>; 2] {
-        let [first, second] = children.map(|child| self.may_hold(hierarchy, child));
+    fn near(&self, children: [usize; 2]) -> [Option<(usize, f64)>; 2] {
+        let [first, second] = children.map(|child| self.may_hold(child));
         match (first, second) {
             (Some(a), Some(b)) if a.1 < b.1 => [second, first],
             _ => [first, second],
@@ -165,5 +172,61 @@ impl Boxes {
             }
         }
         squared
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use std::collections::{HashMap, HashSet};
+
+    use super::super::scene::Scene;
+    use super::super::tests::{assembled, cuboid, sphere};
+    use super::*;
+    use crate::parallel;
+
+    /// Pairs of faces that met, the smaller one first.
+    struct Met<'a> {
+        tolerance: &'a Tolerance,
+        pairs: HashSet<[u32; 2]>,
+    }
+
+    impl Visitor for Met<'_> {
+        fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+            self.tolerance.between(group[0].component, component)
+        }
+
+        fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
+            assert_eq!(squared, group[own].bounds.squared_distance(other.bounds));
+            assert!(self.pairs.insert([group[own].face, other.face]));
+        }
+    }
+
+    #[test]
+    fn all_pairs_that_are_near_meet_once() {
+        let balls = (0..5).map(|number| sphere([1.9 * f64::from(number), 0.0, 0.0], 1.0));
+        let shapes: Vec<_> = balls.chain([cuboid([-1.0, -1.0, -2.0], [8.0, 1.0, -0.98])]).collect();
+        let surface = assembled(&shapes);
+        let scene = Scene::new(&surface, parallel::ONE);
+        let hierarchy = Hierarchy::new(&scene);
+        let items: Vec<Item> = hierarchy.groups().flatten().copied().collect();
+        for set in [vec![0, 1, 2, 3, 4, 5], vec![0, 0, 2, 3, 3, 5]] {
+            let tolerance = Tolerance { set, reach: vec![0.004; 6], pairs: HashMap::new() };
+            let sets = hierarchy.common(|component| tolerance.set[component as usize]);
+            let mut met = Met { tolerance: &tolerance, pairs: HashSet::new() };
+            visit(&hierarchy, &sets, hierarchy.blocks(), &tolerance, &mut met);
+            let pairs = items.iter().flat_map(|item| items.iter().map(move |other| [item, other]));
+            let near = pairs.filter(|[item, other]| {
+                let bound = tolerance.between(item.component, other.component);
+                let squared = item.bounds.squared_distance(other.bounds);
+                (item.longest, item.face) < (other.longest, other.face)
+                    && bound.is_some_and(|bound| squared <= bound * bound)
+            });
+            let near: HashSet<[u32; 2]> = near.map(|pair| pair.map(|item| item.face)).collect();
+            assert!(near.len() > 100, "{}", near.len());
+            assert_eq!(met.pairs, near);
+        }
     }
 }
