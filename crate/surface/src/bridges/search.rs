@@ -1,9 +1,11 @@
 //! Where components pierce each other or come near.
 //!
 //! Each triangle looks for larger ones of other components, so that a pair of triangles is looked at once, and what is found is
-//! as dense as the finer of the two. Of what triangles share, a corner or a side, the largest one tells: others that look for it,
-//! or that it looks for, are larger than what it looks for in turn. Of a component that does not pierce it, a small triangle keeps the nearest place alone;
-//! what is farther away is not looked at. Large triangles tell all places that are nearly as near as the nearest one.
+//! as dense as the finer of the two. Of a component that does not pierce it, a small triangle keeps the nearest place alone;
+//! what is farther away is not looked at. Large triangles tell all places that are near enough.
+//!
+//! Of the triangles that share a corner or a side, the largest one alone tells of it. What meets another of them meets that one,
+//! too, and it is small only where they all are.
 
 use super::cells::{cell_of, list_of};
 use super::hierarchy::{Hierarchy, Item, LEAF};
