@@ -5,10 +5,12 @@ use std::num::NonZeroUsize;
 
 use super::bounds::Bounds;
 use super::cracks::across_cracks;
+use super::distances::distances;
 use super::hierarchy::Hierarchy;
 use super::portals::portals;
 use super::scene::Scene;
-use super::search::{Candidate, Tolerance, distances, search};
+use super::search::{Candidate, search};
+use super::tolerance::Tolerance;
 use super::{BridgeRule, Bridges, Portal};
 use crate::parallel;
 use crate::surface::Surface;
@@ -79,22 +81,23 @@ fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> Vec<Candida
     let alone = (0..scene.bounds.len() as u32).collect();
     match rule {
         BridgeRule::Within(_) => {
-            let mut within = tolerance(scene, alone, f64::INFINITY, most, SLACK);
+            let mut within = tolerance(scene, alone, f64::INFINITY, most);
             if most > SLACK {
                 // Each component is a set of its own.
                 let least = distances(scene, &hierarchy, &within);
-                within.pairs = least.into_iter().map(|(pair, least)| (pair, least + within.slack)).collect();
+                let slack = SLACK + scene.rounding;
+                within.pairs = least.into_iter().map(|(pair, least)| (pair, least + slack)).collect();
             }
             // Where no component is near another, there is nothing to look for.
             if most > SLACK && within.pairs.is_empty() { Vec::new() } else { search(scene, &hierarchy, &within) }
         }
         _ => {
             let [near, farther] = OF_SCENE;
-            let first = tolerance(scene, alone, OF_SMALLER, near, near);
+            let first = tolerance(scene, alone, OF_SMALLER, near);
             let mut candidates = search(scene, &hierarchy, &first);
             let groups = groups(first.set, &candidates);
             if groups.iter().any(|&group| group != 0) {
-                let second = tolerance(scene, groups, OF_SMALLER, farther, farther);
+                let second = tolerance(scene, groups, OF_SMALLER, farther);
                 candidates.extend(search(scene, &hierarchy, &second));
             }
             candidates
@@ -106,24 +109,33 @@ fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> Vec<Candida
 pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal>)> {
     // Gaps that differ by rounding alone are equal.
     let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
-    // Of numbers above 0, and of 0, the bits are in the order of the numbers.
-    let key = |(place, candidate): (u32, &Candidate)| (candidate.components, gap(candidate).to_bits(), place);
-    let mut order: Vec<_> = (0..).zip(found).map(key).collect();
+    let runs = || found.chunk_by(|a, b| a.components == b.components);
+    let mut pairs: Vec<[u32; 2]> = runs().map(|run| run[0].components).collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    // By contact, gap and place. Of numbers above 0, and of 0, the bits are in the order of the numbers.
+    let mut order: Vec<u128> = Vec::with_capacity(found.len());
+    for run in runs() {
+        let contact = pairs.partition_point(|&pair| pair < run[0].components) as u128;
+        for candidate in run {
+            order.push(contact << 96 | u128::from(gap(candidate).to_bits()) << 32 | order.len() as u128);
+        }
+    }
     order.sort_unstable();
-    let candidates: Vec<Candidate> = order.into_iter().map(|(.., place)| found[place as usize]).collect();
+    let candidates: Vec<Candidate> = order.into_iter().map(|key| found[key as u32 as usize]).collect();
     let contacts = candidates.chunk_by(|a, b| a.components == b.components);
     contacts.map(|own| (own[0].components, portals(scene, own))).collect()
 }
 
 /// How far apart sets of components may be, given as shares of the diagonals of the smaller one and of the scene.
-fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64, slack: f64) -> Tolerance {
+fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64) -> Tolerance {
     let mut bounds = vec![Bounds::EMPTY; set.len()];
     for (&set, &own) in set.iter().zip(&scene.bounds) {
         bounds[set as usize] = bounds[set as usize].around(own);
     }
     let rounding = scene.rounding;
     let reach = bounds.into_iter().map(|bounds| most.min(share * bounds.diagonal()) + rounding).collect();
-    Tolerance { set, reach, pairs: HashMap::new(), slack: slack + rounding }
+    Tolerance { set, reach, pairs: HashMap::new() }
 }
 
 /// The sets that become one by what was found, each named by its least one.

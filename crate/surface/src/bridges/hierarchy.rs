@@ -6,12 +6,15 @@ use glam::DVec3;
 
 use super::bounds::Bounds;
 use super::scene::Scene;
-use super::triangles::{Triangle, longest_side};
+use super::triangles::Triangle;
 use crate::order::along_curve;
 use crate::parallel;
 
 /// Triangles of a leaf, but for the last one.
 pub const LEAF: usize = 4;
+
+/// Triangles of a block, a power of two times those of a leaf.
+pub const BLOCK: usize = 16 * LEAF;
 
 /// A triangle of the hierarchy.
 #[derive(Clone, Copy)]
@@ -19,18 +22,12 @@ pub struct Item {
     pub corners: Triangle,
     /// Unit normal; zero where there is none.
     pub normal: DVec3,
+    /// The least box that holds it.
+    pub bounds: Bounds,
     /// Length of its longest side.
     pub longest: f64,
     pub face: u32,
     pub component: u32,
-}
-
-impl Item {
-    /// The least box that holds it.
-    #[inline]
-    pub fn bounds(&self) -> Bounds {
-        Bounds::of_points(self.corners)
-    }
 }
 
 /// A box of the hierarchy.
@@ -53,9 +50,9 @@ impl Node {
     }
 }
 
-/// Triangles of whole leaves, in groups of neighbours of one component.
-fn groups(items: &[Item]) -> impl Iterator<Item = &[Item]> {
-    items.chunks(LEAF).flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
+/// Triangles in groups of at most so many neighbours of one component.
+fn groups(items: &[Item], most: usize) -> impl Iterator<Item = &[Item]> {
+    items.chunks(most).flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
 }
 
 /// What is below a node.
@@ -83,11 +80,12 @@ impl Hierarchy {
                 let face = faces[index as usize];
                 let corners = scene.triangle(face);
                 let normal = scene.normal(face);
-                items.push(Item { corners, normal, longest: longest_side(&corners), face, component });
+                let bounds = Bounds::of_points(corners);
+                items.push(Item { corners, normal, bounds, longest: scene.longest(face), face, component });
             }
         }
         let of_item =
-            |item: &Item| Node { bounds: item.bounds(), longest: item.longest, component: Some(item.component) };
+            |item: &Item| Node { bounds: item.bounds, longest: item.longest, component: Some(item.component) };
         let leaves = items.chunks(LEAF).filter_map(|leaf| leaf.iter().map(of_item).reduce(Node::around));
         let inner = items.len().div_ceil(LEAF) - 1;
         let empty = Node { bounds: Bounds::EMPTY, longest: 0.0, component: None };
@@ -101,12 +99,17 @@ impl Hierarchy {
 
     /// All triangles, in groups of at most [`LEAF`] neighbours of one component.
     pub fn groups(&self) -> impl Iterator<Item = &[Item]> {
-        groups(&self.items)
+        groups(&self.items, LEAF)
     }
 
-    /// The same in successive parts of so many leaves.
-    pub fn parts(&self, leaves: usize) -> impl Iterator<Item = impl Iterator<Item = &[Item]>> {
-        self.items.chunks(LEAF * leaves).map(groups)
+    /// The same in blocks of at most [`BLOCK`] neighbours.
+    pub fn blocks(&self) -> impl Iterator<Item = &[Item]> {
+        groups(&self.items, BLOCK)
+    }
+
+    /// The same blocks in successive parts of so many.
+    pub fn parts(&self, blocks: usize) -> impl Iterator<Item = impl Iterator<Item = &[Item]>> {
+        self.items.chunks(BLOCK.saturating_mul(blocks)).map(|items| groups(items, BLOCK))
     }
 
     /// What the components of all triangles below a node have in common, by node.
@@ -130,6 +133,13 @@ impl Hierarchy {
     #[inline]
     pub fn node(&self, node: usize) -> &Node {
         &self.nodes[node]
+    }
+
+    /// Whether there are no more triangles below a node than in a block.
+    #[inline]
+    pub fn is_block(&self, node: usize) -> bool {
+        let levels = |node: usize| (node + 1).ilog2();
+        levels(node) + (BLOCK / LEAF).ilog2() >= levels(self.nodes.len() - 1)
     }
 
     /// What is below it.

@@ -10,8 +10,10 @@ use super::bounds::Bounds;
 use super::find::{OF_SCENE, contacts};
 use super::hierarchy::{Below, Hierarchy, Item};
 use super::scene::Scene;
-use super::search::{Candidate, Tolerance, search};
-use super::{Bridges, Portal, triangles};
+use super::search::{Candidate, search};
+use super::tolerance::Tolerance;
+use super::triangles::{self, Features};
+use super::{Bridges, Portal};
 use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
@@ -70,7 +72,7 @@ impl Bridges {
 
         let slack = SLACK + scene.rounding;
         let mut near =
-            Tolerance { set: self.groups.clone(), reach: vec![0.0; self.group_count()], pairs: HashMap::new(), slack };
+            Tolerance { set: self.groups.clone(), reach: vec![0.0; self.group_count()], pairs: HashMap::new() };
         for place in &places {
             let groups = pair(place.components);
             near.pairs.insert(groups, place.gap + slack);
@@ -125,7 +127,7 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
     let mut waiting = Vec::new();
     for group in hierarchy.groups() {
         let own = set[group[0].component as usize];
-        let around = group.iter().map(Item::bounds).fold(Bounds::EMPTY, Bounds::around);
+        let around = group.iter().map(|item| item.bounds).fold(Bounds::EMPTY, Bounds::around);
         waiting.push((0, 0.0));
         while let Some((node, squared)) = waiting.pop() {
             let least = nearest[own as usize].map_or(f64::INFINITY, |place| place.gap);
@@ -166,19 +168,18 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
 
 /// Where two triangles are nearest to each other, if that is nearer than `least`.
 fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
-    let squared = item.bounds().squared_distance(other.bounds());
+    let squared = item.bounds.squared_distance(other.bounds);
     if squared >= least * least {
         return None;
     }
     let pair = [item.corners, other.corners];
-    if triangles::plane_distance(&pair, [item.normal, other.normal]) >= least {
-        return None;
-    }
+    triangles::separation(&pair, [item.normal, other.normal], least)?;
     if squared == 0.0
         && let Some([weights, _]) = triangles::crossing(&pair)
     {
         return Some(Candidate::new([item, other], weights, 0.0));
     }
-    let nearest = triangles::nearest(&pair, least, 0.0).filter(|nearest| nearest.distance < least)?;
+    let nearest =
+        triangles::nearest(&pair, [Features::ALL; 2], least, 0.0).filter(|nearest| nearest.distance < least)?;
     Some(Candidate::new([item, other], nearest.weights, nearest.distance))
 }

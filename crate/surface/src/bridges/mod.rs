@@ -6,6 +6,7 @@
 mod bounds;
 mod cells;
 mod cracks;
+mod distances;
 mod find;
 mod hierarchy;
 mod links;
@@ -15,7 +16,9 @@ mod scene;
 mod search;
 #[cfg(test)]
 mod tests;
+mod tolerance;
 mod triangles;
+mod visit;
 mod walls;
 
 pub use links::Link;

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::triangles::Triangle;
+use super::triangles::{Features, Triangle};
 use crate::csr::distribute;
 use crate::element::{Element, FaceId};
 use crate::parallel;
@@ -31,6 +31,8 @@ pub struct Scene<'a> {
     points: Vec<DVec3>,
     /// `#F`.
     normals: Vec<DVec3>,
+    /// `#F`, length of the longest side.
+    longest: Vec<f64>,
     /// Half the diagonal, in the file's unit: a number where the diagonal is none.
     half_diagonal: f64,
     /// Lengths below this are noise.
@@ -64,6 +66,7 @@ impl<'a> Scene<'a> {
             threads,
             points,
             normals: Vec::new(),
+            longest: vec![0.0; face_count],
             half_diagonal,
             rounding: ROUNDINGS * f64::EPSILON * farthest.max(1.0),
             least_spacing: 0.0,
@@ -75,12 +78,18 @@ impl<'a> Scene<'a> {
         let normal = |face| triangle::unit(triangle::area_vector(scene.triangle(face)));
         scene.normals = (0..face_count as u32).map(normal).collect();
         for component in 0..components {
-            let triangles = || scene.faces_of(component).iter().map(|&face| scene.triangle(face));
-            let bounds = Bounds::of_points(triangles().flatten());
-            let perimeter = |[p, q, r]: Triangle| p.distance(q) + q.distance(r) + r.distance(p);
-            let mean_side = triangles().map(perimeter).sum::<f64>() / (3 * triangles().len()) as f64;
+            let (mut bounds, mut perimeters) = (Bounds::EMPTY, 0.0);
+            let own = scene.first_face[component] as usize..scene.first_face[component + 1] as usize;
+            for index in own.clone() {
+                let face = scene.faces[index];
+                let [p, q, r] = scene.triangle(face);
+                let sides = [p.distance(q), q.distance(r), r.distance(p)];
+                bounds = bounds.around(Bounds::of_points([p, q, r]));
+                perimeters += sides[0] + sides[1] + sides[2];
+                scene.longest[face as usize] = sides[0].max(sides[1]).max(sides[2]);
+            }
             scene.bounds.push(bounds);
-            scene.mean_sides.push(mean_side);
+            scene.mean_sides.push(perimeters / (3 * own.len()) as f64);
         }
         scene
     }
@@ -107,14 +116,26 @@ impl<'a> Scene<'a> {
         self.normals[face as usize]
     }
 
-    /// Whether the surface ends or bends at the sides of a face, from each corner to the next.
-    pub fn is_rim(&self, face: u32) -> [bool; 3] {
-        let own = self.normal(face);
-        [0, 1, 2].map(|k| {
+    /// Length of the longest side of a face.
+    #[inline]
+    pub fn longest(&self, face: u32) -> f64 {
+        self.longest[face as usize]
+    }
+
+    /// What a face tells of: the corners and sides that it shares with no larger one.
+    pub fn features(&self, face: u32) -> Features {
+        let is_largest = |other: u32| (self.longest(face), face) >= (self.longest(other), other);
+        let corners = self.surface.faces()[FaceId(face)].map(|vertex| {
+            let mut around = self.surface.corners_of_vertex(vertex);
+            around.all(|(other, _)| is_largest(other.0))
+        });
+        let beyond = [0, 1, 2].map(|k| {
             let twin = self.surface.mesh().twin(FaceId(face).halfedge(k));
-            let is_outer = twin.index() >= 3 * self.surface.face_count();
-            is_outer || own.dot(self.normal(twin.triangle().0)) < BENT
-        })
+            (twin.index() < 3 * self.surface.face_count()).then(|| twin.triangle().0)
+        });
+        let sides = beyond.map(|other| other.is_none_or(is_largest));
+        let is_bent = |other: u32| self.normal(face).dot(self.normal(other)) < BENT;
+        Features { corners, sides, rims: [0, 1, 2].map(|k| sides[k] && beyond[k].is_none_or(is_bent)) }
     }
 
     /// Where a place of the surface is.
@@ -131,5 +152,35 @@ impl<'a> Scene<'a> {
     #[inline]
     pub fn spacing(&self, [a, b]: [u32; 2]) -> f64 {
         self.mean_sides[a as usize].min(self.mean_sides[b as usize]).clamp(self.least_spacing, MOST_SPACING)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use std::collections::HashMap;
+
+    use super::super::tests::{assembled, cuboid, sphere};
+    use super::*;
+
+    #[test]
+    fn each_corner_and_each_side_is_told_of_by_one_face() {
+        let surface = assembled(&[cuboid([0.0; 3], [1.0; 3]), sphere([3.0, 0.0, 0.0], 1.0)]);
+        let scene = Scene::new(&surface, parallel::ONE);
+        let mut corners = vec![0; surface.vertex_count()];
+        let mut sides = HashMap::new();
+        for face in 0..surface.face_count() as u32 {
+            let (features, vertices) = (scene.features(face), surface.faces()[FaceId(face)]);
+            for k in 0..3 {
+                let (a, b) = (vertices[k], vertices[(k + 1) % 3]);
+                corners[a.index()] += u32::from(features.corners[k]);
+                *sides.entry((a.min(b), a.max(b))).or_insert(0) += u32::from(features.sides[k]);
+                assert!(features.sides[k] || !features.rims[k]);
+            }
+        }
+        assert!(corners.into_iter().all(|count| count == 1));
+        assert!(sides.into_values().all(|count| count == 1));
     }
 }

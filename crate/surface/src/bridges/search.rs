@@ -2,15 +2,17 @@
 //!
 //! Each triangle looks for larger ones of other components, so that a pair of triangles is looked at once, and what is found is
 //! as dense as the finer of the two. Of a component that does not pierce it, a small triangle keeps the nearest place alone;
-//! what is farther away is not looked at. Large triangles tell all places that are nearly as near as the nearest one.
+//! what is farther away is not looked at. Large triangles tell all places that are near enough.
+//!
+//! Of the triangles that share a corner or a side, the largest one alone tells of it. What meets another of them meets that one,
+//! too, and it is small only where they all are.
 
-use std::collections::HashMap;
-
-use super::bounds::Bounds;
 use super::cells::{cell_of, list_of};
-use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
+use super::hierarchy::{Hierarchy, Item, LEAF};
 use super::scene::Scene;
-use super::triangles::{self, Pair, Weights};
+use super::tolerance::Tolerance;
+use super::triangles::{self, Features, Pair, Separation, Weights};
+use super::visit::{Visitor, visit};
 use crate::parallel;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
@@ -29,41 +31,8 @@ const ENOUGH: f64 = 0.001;
 /// Of places of large triangles that are in one cell, so many of which make a spacing, the nearest is enough.
 const CELLS: f64 = 8.0;
 
-/// Leaves that one thread searches at once: so few that all threads get their share of the contacts.
-const LEAVES_OF_PART: usize = 64;
-
-/// Which components may be joined. Lengths in units of the scene.
-pub struct Tolerance {
-    /// `#components`, the set of each: components of one set are not joined.
-    pub set: Vec<u32>,
-    /// `#sets`, how far apart each may be from any other.
-    pub reach: Vec<f64>,
-    /// The same of pairs of sets, the lower number first, where only these are joined; empty where all are.
-    pub pairs: HashMap<[u32; 2], f64>,
-    /// Places of a large triangle may be farther away than its nearest one by so much.
-    pub slack: f64,
-}
-
-impl Tolerance {
-    /// How far apart a component may be from any other.
-    fn of(&self, component: u32) -> f64 {
-        self.reach[self.set[component as usize] as usize]
-    }
-
-    /// How far apart places of two components may be; `None` where these are not joined however near they are.
-    #[inline]
-    fn between(&self, a: u32, b: u32) -> Option<f64> {
-        let [a, b] = [a, b].map(|component| self.set[component as usize]);
-        if a == b {
-            return None;
-        }
-        let tolerance = self.reach[a as usize].min(self.reach[b as usize]);
-        if self.pairs.is_empty() {
-            return Some(tolerance);
-        }
-        self.pairs.get(&[a.min(b), a.max(b)]).map(|most| tolerance.min(*most))
-    }
-}
+/// Blocks that one thread searches at once: so few that all threads get their share of the contacts.
+const BLOCKS_OF_PART: usize = 4;
 
 /// A place where two components pierce each other or are near.
 #[derive(Debug, Clone, Copy)]
@@ -94,12 +63,13 @@ impl Candidate {
 pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Vec<Candidate> {
     // Parts are dealt out in turn: where components meet, there is more to do.
     let busy = parallel::ranges(scene.surface.face_count(), scene.threads).len();
-    let leaves = if busy > 1 { LEAVES_OF_PART } else { usize::MAX / LEAF };
+    let blocks = if busy > 1 { BLOCKS_OF_PART } else { usize::MAX };
+    let sets = hierarchy.common(|component| tolerance.set[component as usize]);
     let dealt = parallel::map(0..busy, |first| {
-        let parts = hierarchy.parts(leaves).skip(first).step_by(busy);
+        let parts = hierarchy.parts(blocks).skip(first).step_by(busy);
         let mut search = Search::new(scene, tolerance);
-        let found = parts.map(|groups| {
-            visit(hierarchy, groups, tolerance, &mut search);
+        let found = parts.map(|blocks| {
+            visit(hierarchy, &sets, blocks, tolerance, &mut search);
             std::mem::take(&mut search.found)
         });
         found.collect::<Vec<_>>()
@@ -113,119 +83,6 @@ pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Ve
     found
 }
 
-/// The distances of components that are no farther apart than they may be, the lower number first.
-pub fn distances(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> HashMap<[u32; 2], f64> {
-    let mut distances = Distances { scene, tolerance, least: HashMap::new() };
-    visit(hierarchy, hierarchy.groups(), tolerance, &mut distances);
-    distances.least
-}
-
-/// What is done with pairs of triangles.
-trait Visitor {
-    /// How near a place of a component must be to be of use to any of a group of triangles; `None` where none is.
-    fn bound(&self, group: &[Item], component: u32) -> Option<f64>;
-
-    /// Looks at a triangle of a group and a larger one. `squared`: square of the distance of their boxes.
-    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64);
-
-    /// All triangles near this group were met.
-    fn leave(&mut self) {}
-}
-
-/// Shows the triangles of each of the groups those larger ones of other components that may be near enough, the nearest boxes
-/// first.
-fn visit<'a>(
-    hierarchy: &Hierarchy,
-    groups: impl Iterator<Item = &'a [Item]>,
-    tolerance: &Tolerance,
-    visitor: &mut impl Visitor,
-) {
-    let mut waiting = Vec::new();
-    for group in groups {
-        let mut bounds = [Bounds::EMPTY; LEAF];
-        let (mut around, mut shortest) = (Bounds::EMPTY, f64::INFINITY);
-        for (item, bounds) in group.iter().zip(&mut bounds) {
-            *bounds = item.bounds();
-            around = around.around(*bounds);
-            shortest = shortest.min(item.longest);
-        }
-        let most = tolerance.of(group[0].component);
-        let own = Some(group[0].component);
-        waiting.push((0, 0.0));
-        while let Some((node, squared)) = waiting.pop() {
-            let component = hierarchy.node(node).component;
-            let Some(bound) = component.map_or(Some(most), |other| visitor.bound(group, other)) else { continue };
-            if squared > bound * bound {
-                continue;
-            }
-            match hierarchy.below(node) {
-                Below::Items(others) => {
-                    for other in others.iter().filter(|other| other.longest >= shortest) {
-                        let Some(bound) = visitor.bound(group, other.component) else { continue };
-                        let other_bounds = other.bounds();
-                        if other_bounds.squared_distance(around) > bound * bound {
-                            continue;
-                        }
-                        for (own, item) in group.iter().enumerate() {
-                            let is_larger = other.longest > item.longest
-                                || (other.longest == item.longest && other.face > item.face);
-                            if is_larger {
-                                visitor.meet(group, own, other, bounds[own].squared_distance(other_bounds));
-                            }
-                        }
-                    }
-                }
-                Below::Nodes(children) => {
-                    let [first, second] = [hierarchy.node(children[0]), hierarchy.node(children[1])];
-                    let squared = [first.bounds.squared_distance(around), second.bounds.squared_distance(around)];
-                    let may_hold = |node: &Node, squared: f64| {
-                        squared <= most * most && node.longest >= shortest && node.component != own
-                    };
-                    let may_hold = [may_hold(first, squared[0]), may_hold(second, squared[1])];
-                    // What is nearest is looked at first, so last in.
-                    let last = usize::from(squared[0] >= squared[1]);
-                    for child in [1 - last, last] {
-                        if may_hold[child] {
-                            waiting.push((children[child], squared[child]));
-                        }
-                    }
-                }
-            }
-        }
-        visitor.leave();
-    }
-}
-
-struct Distances<'a> {
-    scene: &'a Scene<'a>,
-    tolerance: &'a Tolerance,
-    least: HashMap<[u32; 2], f64>,
-}
-
-impl Visitor for Distances<'_> {
-    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
-        let own = group[0].component;
-        let tolerance = self.tolerance.between(own, component)?;
-        let pair = [own.min(component), own.max(component)];
-        Some(self.least.get(&pair).copied().unwrap_or(tolerance))
-    }
-
-    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
-        let Some(bound) = self.bound(group, other.component) else { return };
-        let triangles = [group[own].corners, other.corners];
-        let pair = [group[own].component.min(other.component), group[own].component.max(other.component)];
-        let is_known = bound <= self.scene.rounding && self.least.contains_key(&pair);
-        if is_known || squared > bound * bound {
-            return;
-        }
-        let does_cross = triangles::crossing(&triangles).is_some();
-        let near = || triangles::nearest(&triangles, bound, 0.0).map(|pair| pair.distance);
-        if let Some(distance) = if does_cross { Some(0.0) } else { near() } {
-            self.least.insert(pair, distance);
-        }
-    }
-}
-
 /// No slot.
 const NONE: u32 = u32::MAX;
 
@@ -234,8 +91,23 @@ struct Nearest {
     component: u32,
     /// How near places must be to be of use to each.
     bounds: [f64; LEAF],
+    /// The greatest of these.
+    most: f64,
     /// The number of the nearest one, where it is the only one to be told, or [`NONE`].
     places: [u32; LEAF],
+}
+
+impl Nearest {
+    fn new(component: u32, bound: f64, count: usize) -> Self {
+        let mut bounds = [0.0; LEAF];
+        bounds[..count].fill(bound);
+        Self { component, bounds, most: bound, places: [NONE; LEAF] }
+    }
+
+    fn narrow(&mut self, own: usize, bound: f64) {
+        self.bounds[own] = bound;
+        self.most = self.bounds.into_iter().fold(0.0, |most, bound| if bound > most { bound } else { most });
+    }
 }
 
 struct Search<'a> {
@@ -250,8 +122,8 @@ struct Search<'a> {
     found: Vec<Candidate>,
     /// Where a place of large triangles of the group was found, and its number, in lists by [`list_of`].
     cells: [Vec<(Cell, usize)>; LISTS],
-    /// `#F`, what [`Scene::is_rim`] says of a face once it was asked.
-    rims: Vec<Option<[bool; 3]>>,
+    /// `#F`, what [`Scene::features`] says of a face once it was asked.
+    features: Vec<Option<Features>>,
 }
 
 /// Lists of cells; a power of two.
@@ -271,10 +143,7 @@ impl Visitor for Search<'_> {
     fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
         match self.slots[component as usize] {
             NONE => self.tolerance.between(group[0].component, component),
-            slot => {
-                let bounds = &self.reached[slot as usize].bounds[..group.len()];
-                Some(bounds.iter().fold(0.0, |most, &bound| if bound > most { bound } else { most }))
-            }
+            slot => Some(self.reached[slot as usize].most),
         }
     }
 
@@ -296,14 +165,11 @@ impl Visitor for Search<'_> {
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
         let normals = [items[0].normal, items[1].normal];
-        let apart = triangles::plane_distance(&pair, normals);
-        if apart > bound || triangles::are_apart(&pair, normals, bound) {
-            return;
-        }
+        let Some(Separation { least, is_by_plane }) = triangles::separation(&pair, normals, bound) else { return };
         let components = [items[0].component, items[1].component];
         let spacing = self.scene.spacing(components);
         let is_small = items[0].longest <= SMALL * spacing;
-        let crossing = if apart > 0.0 { None } else { triangles::crossing(&pair) };
+        let crossing = if is_by_plane { None } else { triangles::crossing(&pair) };
         if let Some(ends) = &crossing {
             let length = triangles::point(&pair[0], ends[0][0]).distance(triangles::point(&pair[0], ends[1][0]));
             if length > SHORT * spacing {
@@ -322,17 +188,9 @@ impl Visitor for Search<'_> {
             }
         }
         if !is_small {
-            let slack = self.tolerance.slack;
-            let distance = match crossing {
-                Some(_) => Some(0.0),
-                None if bound > slack => triangles::nearest(&pair, bound - slack, 0.0).map(|pair| pair.distance),
-                None => None,
-            };
-            let bound = distance.map_or(bound, |distance| bound.min(distance + slack));
-            self.nearest(group, other.component).bounds[own] = bound;
             // Where steep triangles cross, all that is near is near the crossing.
             if crossing.is_none() || !triangles::are_steep(normals) {
-                let is_rim = [self.is_rim(items[0].face), self.is_rim(items[1].face)];
+                let features = items.map(|item| self.features(item.face));
                 let sides = normals.map(|normal| normal.to_array().map(|along| along > 0.0));
                 let mut take = |Pair { weights, distance }: Pair| {
                     let middle =
@@ -341,13 +199,15 @@ impl Visitor for Search<'_> {
                     let cell = Cell { place, component: other.component, sides };
                     self.keep(cell, Candidate::new(items, weights, distance));
                 };
-                triangles::spread(&pair, is_rim, bound, spacing / DENSITY, &mut take);
+                triangles::spread(&pair, features, bound, spacing / DENSITY, &mut take);
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
-            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, bound, apart + enough) {
+            // Larger triangles that share a corner or a side with the other one are met, too.
+            let features = [Features::ALL, self.features(other.face)];
+            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, features, bound, least + enough) {
                 let bound = (distance - enough).max(0.0);
-                self.nearest(group, other.component).bounds[own] = bound;
+                self.nearest(group, other.component).narrow(own, bound);
                 self.put(group, own, other.component, Candidate::new(items, weights, distance));
             }
         }
@@ -364,14 +224,14 @@ impl<'a> Search<'a> {
             places: Vec::new(),
             found: Vec::new(),
             cells: std::array::from_fn(|_| Vec::new()),
-            rims: vec![None; scene.surface.face_count()],
+            features: vec![None; scene.surface.face_count()],
         }
     }
 
-    /// Whether the surface ends or bends at the sides of a face.
+    /// What a face tells of.
     #[inline]
-    fn is_rim(&mut self, face: u32) -> [bool; 3] {
-        *self.rims[face as usize].get_or_insert_with(|| self.scene.is_rim(face))
+    fn features(&mut self, face: u32) -> Features {
+        *self.features[face as usize].get_or_insert_with(|| self.scene.features(face))
     }
 
     /// To a triangle of a group, no place of a component is nearer than this one, or than what was found otherwise.
@@ -380,7 +240,8 @@ impl<'a> Search<'a> {
         let (bound, number) = (nearest.bounds[own], nearest.places[own]);
         if bound > 0.0 || self.places.get(number as usize).is_some_and(|place| place.gap > 0.0) {
             let nearest = self.nearest(group, component);
-            (nearest.bounds[own], nearest.places[own]) = (0.0, NONE);
+            nearest.narrow(own, 0.0);
+            nearest.places[own] = NONE;
             place.into_iter().for_each(|place| self.put(group, own, component, place));
         }
     }
@@ -426,7 +287,7 @@ impl<'a> Search<'a> {
         if *slot == NONE {
             *slot = self.reached.len() as u32;
             let bound = self.tolerance.between(group[0].component, component).unwrap_or(0.0);
-            self.reached.push(Nearest { component, bounds: [bound; LEAF], places: [NONE; LEAF] });
+            self.reached.push(Nearest::new(component, bound, group.len()));
         }
         &mut self.reached[*slot as usize]
     }

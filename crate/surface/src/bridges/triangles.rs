@@ -35,6 +35,20 @@ pub type Triangle = [DVec3; 3];
 /// Barycentric weights of a point of each of two triangles.
 pub type Weights = [[f64; 3]; 2];
 
+/// Of the corners of a triangle and its sides, from each corner to the next, those that it tells of: of the triangles that share
+/// one, a single one does.
+#[derive(Debug, Clone, Copy)]
+pub struct Features {
+    pub corners: [bool; 3],
+    pub sides: [bool; 3],
+    /// Sides where the surface ends or bends.
+    pub rims: [bool; 3],
+}
+
+impl Features {
+    pub const ALL: Self = Self { corners: [true; 3], sides: [true; 3], rims: [true; 3] };
+}
+
 /// A point of each of two triangles, and the distance of these points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
@@ -146,36 +160,57 @@ fn nearest_on_segments(first: [DVec3; 2], second: [DVec3; 2], [one, other]: [f64
     best.0
 }
 
-/// A lower bound of the distance of two triangles with these unit normals: that of one to the plane of the other.
-#[inline]
-pub fn plane_distance(triangles: &[Triangle; 2], normals: [DVec3; 2]) -> f64 {
-    let to_plane = |of: usize| {
-        let (normal, origin) = (normals[of], triangles[of][0]);
-        let height = |corner: DVec3| normal.dot(corner - origin);
-        let [a, b, c] = &triangles[1 - of];
-        let (a, b, c) = (height(*a), height(*b), height(*c));
-        let (least, most) = if a < b { (a, b) } else { (b, a) };
-        let (least, most) = (if c < least { c } else { least }, if c > most { c } else { most });
-        if least > -most { least } else { -most }
-    };
-    to_plane(0).max(to_plane(1)).max(0.0)
+/// How far apart two triangles are for sure.
+#[derive(Debug, Clone, Copy)]
+pub struct Separation {
+    /// A lower bound of their distance.
+    pub least: f64,
+    /// Whether one of them is on one side of the plane of the other.
+    pub is_by_plane: bool,
 }
 
-/// Whether the triangles with these unit normals are farther apart than `within` for sure: across a side of one, along its plane
-/// (a separating axis; Gottschalk and others, "OBBTree", 1996).
+/// A lower bound of the distance of two triangles with these unit normals, where they may be no farther apart than `within`: as
+/// far as one is from the plane of the other, and beyond a side of it (separating axes; Gottschalk and others, "OBBTree", 1996).
 #[inline]
-pub fn are_apart(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -> bool {
-    let lies_beyond = |of: usize, k: usize| {
-        let [start, end] = side(&triangles[of], k);
-        let outward = (end - start).cross(normals[of]);
-        let [a, b, c] = &triangles[1 - of];
-        let beyond = |corner: DVec3| outward.dot(corner - start);
-        let (a, b, c) = (beyond(*a), beyond(*b), beyond(*c));
-        let least = if b < a { b } else { a };
-        let least = if c < least { c } else { least };
-        least > 0.0 && least * least > within * within * ROUNDED * outward.length_squared()
-    };
-    (0..3).any(|k| lies_beyond(0, k) || lies_beyond(1, k))
+pub fn separation(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -> Option<Separation> {
+    let mut heights = [0.0; 2];
+    for of in 0..2 {
+        let (least, most) = range(&triangles[1 - of], normals[of], triangles[of][0]);
+        let height = if least > -most { least } else { -most };
+        if height > within {
+            return None;
+        }
+        heights[of] = if height > 0.0 { height } else { 0.0 };
+    }
+    let most = within * within * ROUNDED;
+    let mut squared = 0.0;
+    for of in 0..2 {
+        let height = heights[of] * heights[of];
+        squared = if height > squared { height } else { squared };
+        for k in 0..3 {
+            let [start, end] = side(&triangles[of], k);
+            let outward = (end - start).cross(normals[of]);
+            let (beyond, _) = range(&triangles[1 - of], outward, start);
+            if beyond > 0.0 {
+                // The normal is at right angles to what leads out of the side in the plane.
+                let both = height + beyond * beyond / outward.length_squared();
+                squared = if both > squared { both } else { squared };
+            }
+        }
+        if squared > most {
+            return None;
+        }
+    }
+    Some(Separation { least: squared.sqrt(), is_by_plane: heights != [0.0; 2] })
+}
+
+/// The least and the greatest coordinate of a triangle's corners along an axis from an origin.
+#[inline]
+fn range([a, b, c]: &Triangle, axis: DVec3, origin: DVec3) -> (f64, f64) {
+    let along = |corner: DVec3| axis.dot(corner - origin);
+    let (a, b, c) = (along(*a), along(*b), along(*c));
+    let (least, most) = if a < b { (a, b) } else { (b, a) };
+    (if c < least { c } else { least }, if c > most { c } else { most })
 }
 
 /// Whether the planes of triangles with these unit normals are at an angle of more than 30°.
@@ -183,33 +218,40 @@ pub fn are_steep([first, second]: [DVec3; 2]) -> bool {
     first.dot(second).abs() < STEEP
 }
 
-/// The nearest points of two triangles that do not cross, where they are no farther apart than `within`. Any that are no
-/// farther apart than `enough` will do.
-pub fn nearest(triangles: &[Triangle; 2], within: f64, enough: f64) -> Option<Pair> {
+/// The nearest points of two triangles that do not cross, where they are no farther apart than `within`, of those that are at
+/// these features. Any that are no farther apart than `enough` will do.
+pub fn nearest(triangles: &[Triangle; 2], features: [Features; 2], within: f64, enough: f64) -> Option<Pair> {
     let mut best = None;
     let mut take = |pair: Pair| {
         best = Some(pair);
         if pair.distance <= enough { f64::NEG_INFINITY } else { pair.distance }
     };
-    let within = for_corners(triangles, within, &mut take);
+    let within = for_corners(triangles, features.map(|own| own.corners), within, &mut take);
     if within >= 0.0 {
-        for_sides(triangles, within, true, &mut take);
+        for_sides(triangles, features.map(|own| own.sides), within, true, &mut take);
     }
     best
 }
 
-/// Shows each corner of one with the nearest point of the other, where these are no farther apart than `within`, which becomes
-/// what `found` says, and in the end is given back.
-fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMut(Pair) -> f64) -> f64 {
-    let boxes = [Bounds::of_points(triangles[0]), Bounds::of_points(triangles[1])];
-    for of in 0..2 {
+/// Shows each of these corners of one with the nearest point of the other, where these are no farther apart than `within`, which
+/// becomes what `found` says, and in the end is given back.
+#[inline]
+fn for_corners(
+    triangles: &[Triangle; 2],
+    which: [[bool; 3]; 2],
+    mut within: f64,
+    found: &mut impl FnMut(Pair) -> f64,
+) -> f64 {
+    for of in (0..2).filter(|&of| which[of] != [false; 3]) {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
+        let around = Bounds::of_points(*other);
         let normal = area_vector(*other);
         let squared = normal.length_squared();
-        for (k, &corner) in triangle.iter().enumerate() {
+        for k in (0..3).filter(|&k| which[of][k]) {
+            let corner = triangle[k];
             let height = normal.dot(corner - other[0]);
             let is_far = height * height > within * within * squared
-                || boxes[1 - of].squared_distance(Bounds { low: corner, high: corner }) > within * within;
+                || around.squared_distance(Bounds { low: corner, high: corner }) > within * within;
             if within < 0.0 || is_far {
                 continue;
             }
@@ -225,15 +267,22 @@ fn for_corners(triangles: &[Triangle; 2], mut within: f64, found: &mut impl FnMu
     within
 }
 
-/// The same with the nearest points of each side of one and each side of the other; without ends of sides unless `with_ends`.
-fn for_sides(triangles: &[Triangle; 2], mut within: f64, with_ends: bool, found: &mut impl FnMut(Pair) -> f64) {
+/// The same with the nearest points of each of these sides of one and each of the other; without ends of sides unless `with_ends`.
+#[inline]
+fn for_sides(
+    triangles: &[Triangle; 2],
+    which: [[bool; 3]; 2],
+    mut within: f64,
+    with_ends: bool,
+    found: &mut impl FnMut(Pair) -> f64,
+) {
     let [triangle, other_triangle] = triangles;
     let of_side = |k: usize| Bounds::of_points(side(other_triangle, k));
     let boxes = [of_side(0), of_side(1), of_side(2)];
-    for i in 0..3 {
+    for i in (0..3).filter(|&i| which[0][i]) {
         let own = side(triangle, i);
         let own_box = Bounds::of_points(own);
-        for j in 0..3 {
+        for j in (0..3).filter(|&j| which[1][j]) {
             if within < 0.0 || own_box.squared_distance(boxes[j]) > within * within {
                 continue;
             }
@@ -295,21 +344,20 @@ pub fn between([start, end]: &[Weights; 2], share: f64) -> Weights {
 }
 
 /// Points spread over the places where two triangles, the smaller first, are no farther apart than a tolerance: corners and
-/// crossings of sides, points at the spacing on sides where a surface ends or bends (`is_rim`, of the sides from each corner to
-/// the next), and points inside.
+/// crossings of sides, points at the spacing on sides where a surface ends or bends, and points inside.
 pub fn spread(
     triangles: &[Triangle; 2],
-    is_rim: [[bool; 3]; 2],
+    features: [Features; 2],
     tolerance: f64,
     spacing: f64,
     found: &mut impl FnMut(Pair),
 ) {
-    for_corners(triangles, tolerance, &mut |pair| {
+    for_corners(triangles, features.map(|own| own.corners), tolerance, &mut |pair| {
         found(pair);
         tolerance
     });
     // At the end of a side the corner tells the same.
-    for_sides(triangles, tolerance, false, &mut |pair| {
+    for_sides(triangles, features.map(|own| own.sides), tolerance, false, &mut |pair| {
         if pair.weights.iter().all(|weights| weights.iter().all(|&weight| weight < 1.0)) {
             found(pair);
         }
@@ -329,7 +377,7 @@ pub fn spread(
                 }
             }
         };
-        for k in (0..3).filter(|&k| is_rim[of][k]) {
+        for k in (0..3).filter(|&k| features[of].rims[k]) {
             let [start, end] = side(triangle, k);
             let Some([enters, leaves]) = near.clip([start, end]) else { continue };
             let length = start.distance(end) * (leaves - enters);

@@ -1,0 +1,47 @@
+//! How far apart components are.
+
+use std::collections::HashMap;
+
+use super::hierarchy::{Hierarchy, Item};
+use super::scene::Scene;
+use super::tolerance::Tolerance;
+use super::triangles::{self, Features};
+use super::visit::{Visitor, visit};
+
+/// The distances of components that are no farther apart than they may be, the lower number first.
+pub fn distances(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> HashMap<[u32; 2], f64> {
+    let mut distances = Distances { scene, tolerance, least: HashMap::new() };
+    let sets = hierarchy.common(|component| tolerance.set[component as usize]);
+    visit(hierarchy, &sets, hierarchy.blocks(), tolerance, &mut distances);
+    distances.least
+}
+
+struct Distances<'a> {
+    scene: &'a Scene<'a>,
+    tolerance: &'a Tolerance,
+    least: HashMap<[u32; 2], f64>,
+}
+
+impl Visitor for Distances<'_> {
+    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+        let own = group[0].component;
+        let tolerance = self.tolerance.between(own, component)?;
+        let pair = [own.min(component), own.max(component)];
+        Some(self.least.get(&pair).copied().unwrap_or(tolerance))
+    }
+
+    fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
+        let Some(bound) = self.bound(group, other.component) else { return };
+        let triangles = [group[own].corners, other.corners];
+        let pair = [group[own].component.min(other.component), group[own].component.max(other.component)];
+        let is_known = bound <= self.scene.rounding && self.least.contains_key(&pair);
+        if is_known || squared > bound * bound {
+            return;
+        }
+        let does_cross = triangles::crossing(&triangles).is_some();
+        let near = || triangles::nearest(&triangles, [Features::ALL; 2], bound, 0.0).map(|pair| pair.distance);
+        if let Some(distance) = if does_cross { Some(0.0) } else { near() } {
+            self.least.insert(pair, distance);
+        }
+    }
+}
