@@ -7,7 +7,7 @@ use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
 use crate::heat::logarithm::Logarithm;
 use crate::heat::scale::scale;
-use crate::operator::elements::{Element, Elements};
+use crate::operator::elements::{BLOCK, Element, Elements};
 
 /// What stands for the gradient of distance where that is not known.
 #[derive(Debug, Clone, Copy)]
@@ -17,9 +17,6 @@ pub(super) enum Field {
     /// That of the [`Logarithm`] of heat that has flowed for this time.
     Logarithm(f64),
 }
-
-/// Triangles whose roots and divisions are taken together: one by one, each would wait for those of the one before.
-pub(super) const BLOCK: usize = 16;
 
 /// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
 /// triangles whose three corners are in the exact region, elsewhere that of `heat`. Signed so that `L φ` equals it for

@@ -8,8 +8,7 @@
 use std::ops::Range;
 
 use crate::extremum::{larger, smaller};
-use crate::heat::field::BLOCK;
-use crate::operator::elements::Elements;
+use crate::operator::elements::{BLOCK, Elements};
 
 /// A slower fall than this is none of distance, and the field has this length there.
 const LEAST_LENGTH: f64 = 0.7;

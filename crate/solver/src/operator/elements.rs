@@ -2,6 +2,9 @@
 
 use heatwalk_surface::triangle;
 
+/// Triangles whose roots and divisions are best taken together: one by one, each would wait for those of the one before.
+pub(crate) const BLOCK: usize = 16;
+
 /// A triangle in the plane with corners (0, 0), (`x1`, 0) and (`x2`, `y2`), counter-clockwise.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Element {
