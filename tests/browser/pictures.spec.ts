@@ -42,7 +42,7 @@ const PICTURES: readonly (readonly [name: string, link: string])[] = [
   ['arrows-distance', `m=bunny&look=jade&show=distance&${VIEW}`],
   ['heat', `m=bunny&look=citrus&paint=heat&${VIEW}`],
   ['error', `m=bunny&look=scientific&paint=error&${VIEW}`],
-  ['crowd', `m=bunny&look=candy&crowd=300&${VIEW}`],
+  ['crowd', `m=bunny&look=candy&crowd=300&method=exact&${VIEW}`],
   ['unreachable', `m=teapot&look=porcelain&s=420&cam=0.4,0.4,3,0,0,0`],
   ['ground', `m=hike&w=none&cam=0.5,0.75,2.7,0,0,0`],
   ['walls', `m=village&w=none&slope=1&cam=0.35,0.75,2.7,0,0,0`],
