@@ -10,6 +10,7 @@ use bytemuck::Zeroable;
 use super::portals::Portals;
 use super::window::GRAZE;
 use crate::cost::Costs;
+use crate::extremum::smaller;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
 use heatwalk_surface::{parallel, triangle};
@@ -177,6 +178,9 @@ impl AngleSum {
     }
 }
 
+/// Radians of an angle defect beyond which it makes no difference how sharp a vertex is: shortest paths pass it by.
+const SHARPEST: f64 = 0.5;
+
 /// What a [`Wavefront`](super::Wavefront) needs of a surface, made once and shared by all wavefronts on it.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
@@ -224,11 +228,7 @@ impl ExactGeometry {
         };
         let bend = |number| {
             let vertex = VertexId::from_index(number);
-            let mut angle = AngleSum::default();
-            for (face, k) in surface.corners_of_vertex(vertex) {
-                let side = &geometry.frame(face.0)[k];
-                angle.add(side.cos, side.sin);
-            }
+            let angle = geometry.angle_around(vertex);
             if is_cut[number] || mesh.is_boundary_vertex(CutVertex::from_index(number)) {
                 geometry.bend(&surface, vertex, &angle)
             } else if angle.exceeds(2) {
@@ -282,6 +282,30 @@ impl ExactGeometry {
     /// The surface that it was made of.
     pub fn surface(&self) -> &Arc<Surface> {
         &self.surface
+    }
+
+    fn angle_around(&self, vertex: VertexId) -> AngleSum {
+        let mut angle = AngleSum::default();
+        for (face, k) in self.surface.corners_of_vertex(vertex) {
+            let side = &self.frame(face.0)[k];
+            angle.add(side.cos, side.sin);
+        }
+        angle
+    }
+
+    /// Root-mean-square of the angle defects, in radians, none counting for more than [`SHARPEST`]. Vertices count for these areas
+    /// (`#V`), and those on boundaries and junctions not at all.
+    pub(crate) fn bumpiness(&self, areas: &[f64]) -> f64 {
+        let (mut whole, mut sum) = (0.0, 0.0);
+        for (vertex, &area) in self.surface.vertices().zip(areas) {
+            let is_inside = matches!(self.bends[vertex.index()], Bend::Never | Bend::Saddle);
+            if is_inside && !self.surface.boundary_vertices()[vertex] {
+                whole += area;
+                let defect = smaller((self.angle_around(vertex).radians() - 2.0 * PI).abs(), SHARPEST);
+                sum += area * defect * defect;
+            }
+        }
+        if whole > 0.0 { (sum / whole).sqrt() } else { 0.0 }
     }
 
     /// How paths bend at a vertex where edges may have one face, or several.

@@ -44,6 +44,8 @@ pub struct Factorization {
     suited_factor: f64,
     /// Largest distance along edges, in the file's unit times cost.
     extent: f64,
+    /// That of the surface, in radians.
+    bumpiness: f64,
     exact: Arc<ExactGeometry>,
     /// The wavefront of the last exact region, kept for its memory.
     pub(super) front: Mutex<Option<Wavefront>>,
@@ -93,6 +95,7 @@ impl Factorization {
         let operators = Operators::weighted(&surface, costs.as_ref(), options.operator);
         let mean_edge = operators.mean_edge();
         let suited_factor = suited_factor(&operators, extent);
+        let bumpiness = exact.bumpiness(&operators.laplacian().mass);
         let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
         let neumann = Condition::Neumann;
         let dirichlet = dirichlet(&surface);
@@ -117,6 +120,7 @@ impl Factorization {
             dirichlet,
             suited_factor,
             extent,
+            bumpiness,
             exact,
             front: Mutex::default(),
         };
@@ -246,7 +250,9 @@ impl Factorization {
     /// that of the paper where time is given, and where the noise of conjugate gradients is all that remains of heat.
     pub(super) fn field(&self) -> Field {
         match (self.options.time_step, self.options.solver) {
-            (TimeStep::Automatic, LinearSolver::Cholesky) => Field::Logarithm(self.time()),
+            (TimeStep::Automatic, LinearSolver::Cholesky) => {
+                Field::Logarithm { time: self.time(), bumpiness: self.bumpiness }
+            }
             _ => Field::Unit,
         }
     }

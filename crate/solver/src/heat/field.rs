@@ -14,8 +14,8 @@ use crate::operator::elements::{BLOCK, Element, Elements};
 pub(super) enum Field {
     /// −∇u / |∇u|, zero where heat is constant (Crane and others 2013, algorithm 1).
     Unit,
-    /// That of the [`Logarithm`] of heat that has flowed for this time.
-    Logarithm(f64),
+    /// That of the [`Logarithm`] of heat that has flowed for this time, on a surface of this bumpiness.
+    Logarithm { time: f64, bumpiness: f64 },
 }
 
 /// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
@@ -29,8 +29,8 @@ pub(super) fn divergence(
 ) -> (Vec<f64>, Vec<Touched>) {
     match field {
         Field::Unit => assembled(elements, heat, region, |block| against_gradient(elements, heat, block)),
-        Field::Logarithm(time) => {
-            let logarithm = Logarithm::new(elements, heat, time);
+        Field::Logarithm { time, bumpiness } => {
+            let logarithm = Logarithm::new(elements, heat, time, bumpiness);
             assembled(elements, heat, region, |block| {
                 let parts = logarithm.against_gradient(block.clone());
                 if parts.as_flattened().iter().all(|part| part.is_finite()) {
