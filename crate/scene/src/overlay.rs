@@ -73,7 +73,7 @@ pub fn operator_edges(solver: &HeatSolver, shown: &Surface) -> Result<Vec<Segmen
         }
         let Some(front) = &mut front else { continue };
         for (high, length) in others {
-            front.advance(length * (1.0 + SAME_LENGTH), usize::MAX);
+            front.advance(length * (1.0 + SAME_LENGTH), usize::MAX)?;
             if !is_same(front.values()[high], length) {
                 continue;
             }

@@ -35,19 +35,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     if options.iter().any(|option| option == "--exact") {
         timed("exact field", || {
             let mut front = Wavefront::new(Arc::clone(&geometry), &[first])?;
-            front.advance(f64::INFINITY, usize::MAX);
+            front.advance(f64::INFINITY, usize::MAX)?;
             Ok(front.windows())
         })?;
         return Ok(());
     }
     let mut propagation = timed("first field", || {
         let mut propagation = Propagation::new(Arc::clone(&geometry), &[first], PropagationOptions::default())?;
-        propagation.advance(f64::INFINITY, usize::MAX);
+        propagation.advance(f64::INFINITY, usize::MAX)?;
         Ok(propagation)
     })?;
     timed("another field", || {
         propagation.restart(&[other])?;
-        propagation.advance(f64::INFINITY, usize::MAX);
+        propagation.advance(f64::INFINITY, usize::MAX)?;
         Ok(())
     })?;
     Ok(())

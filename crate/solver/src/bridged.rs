@@ -43,7 +43,7 @@ impl CarriedSources {
         let windows = if geometry.costs().is_some() { REFRACTED } else { Windows::default() };
         let options = PropagationOptions { windows, ..PropagationOptions::default() };
         let mut propagation = Propagation::new(Arc::clone(geometry), &carried, options)?;
-        propagation.advance(f64::INFINITY, usize::MAX);
+        propagation.advance(f64::INFINITY, usize::MAX)?;
         let Distance { values, mut crossings, .. } = propagation.distance();
         crossings.retain(|crossing| parts(crossing.from, crossing.to));
         let faces = crossings.iter().flat_map(|crossing| crossing.from.faces(surface));

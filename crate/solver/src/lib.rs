@@ -68,6 +68,7 @@ pub mod path;
 mod progress;
 pub mod propagation;
 mod refinement;
+mod room;
 pub mod solver;
 
 /// Linear algebra, which knows no surface.

@@ -32,13 +32,13 @@ pub(crate) fn start<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S]) -
 }
 
 /// Propagates about `work` windows further, where there is room for as much again as is held: memory that is refused while
-/// windows are propagated ends the program.
+/// windows are propagated ends the search.
 ///
 /// # Errors
-/// [`OutOfMemory`](crate::Error::OutOfMemory); then nothing has changed.
+/// [`OutOfMemory`](crate::Error::OutOfMemory).
 pub(crate) fn advance(front: &mut Wavefront, work: usize) -> Result<()> {
     memory::require(front.pending_bytes() as u64, STAGE)?;
-    front.advance(f64::INFINITY, work);
+    front.advance(f64::INFINITY, work)?;
     Ok(())
 }
 
@@ -63,7 +63,7 @@ impl PropagationRefinement {
     /// they have reached, beyond it the shorter of two paths.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); then nothing has changed.
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn step(&mut self, work: usize) -> Result<Distance> {
         advance(&mut self.front, work)?;
         let (radius, found) = (self.front.radius(), self.front.values());

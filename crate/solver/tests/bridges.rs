@@ -66,7 +66,7 @@ fn bridges(surface: &Surface, seed: &mut u64) -> Bridges {
 /// Exact distances from a place within its component, to all vertices and to `targets`.
 fn within(geometry: &Arc<ExactGeometry>, from: Place, targets: &[Place]) -> (Vec<f64>, Vec<f64>) {
     let mut front = Wavefront::with_targets(Arc::clone(geometry), &[from], targets).expect("places");
-    assert!(front.advance(f64::INFINITY, usize::MAX));
+    assert!(front.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
     (front.values().as_slice().to_vec(), front.target_values().to_vec())
 }
 
@@ -124,7 +124,7 @@ fn is_near(value: f64, expected: f64) -> bool {
 fn exact_distances_cross_portals() {
     for case in cases() {
         let mut front = Wavefront::new(geometry(&case), &[case.source]).expect("a source");
-        assert!(front.advance(f64::INFINITY, usize::MAX));
+        assert!(front.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
         for (vertex, (&value, &expected)) in front.values().iter().zip(&case.expected).enumerate() {
             assert!(is_near(value, expected), "vertex {vertex}: {value} for {expected}");
             let vertex = VertexId::from_index(vertex);
@@ -137,7 +137,7 @@ fn exact_distances_cross_portals() {
         }
         // In the same memory once more.
         front.restart(&[case.source]).expect("a source");
-        front.advance(f64::INFINITY, usize::MAX);
+        front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
         assert!(front.values().iter().zip(&case.expected).all(|(&value, &expected)| is_near(value, expected)));
     }
 }
@@ -149,7 +149,7 @@ fn propagated_distances_cross_portals_and_become_exact() {
         for exact in [ExactSearch::AtMost(0), ExactSearch::AtMost(300)] {
             let options = PropagationOptions { windows: Windows::default(), exact };
             let mut propagation = Propagation::new(Arc::clone(&geometry), &[case.source], options).expect("a source");
-            assert!(propagation.advance(f64::INFINITY, usize::MAX));
+            assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
             let distance = propagation.distance();
             let nearest = propagation.nearest_sources();
             for ((&value, &expected), nearest) in distance.values.iter().zip(&case.expected).zip(&nearest) {

@@ -26,7 +26,7 @@ fn start(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) ->
 
 fn finished(surface: &Arc<Surface>, sources: &[(Place, f64)], targets: &[Place]) -> Wavefront {
     let mut wavefront = start(surface, sources, targets);
-    assert!(wavefront.advance(f64::INFINITY, usize::MAX) && wavefront.is_done());
+    assert!(wavefront.advance(f64::INFINITY, usize::MAX).expect("room for windows") && wavefront.is_done());
     wavefront
 }
 
@@ -255,7 +255,7 @@ fn stopping_changes_nothing() {
     let mut radius = 0.0;
     while !steps.is_done() {
         radius += 0.37 * surface.mean_edge();
-        while !steps.advance(radius, 50) {}
+        while !steps.advance(radius, 50).expect("room for windows") {}
         assert!(steps.radius() >= radius);
         for (&value, &last) in steps.values().iter().zip(whole.values()) {
             assert!(value >= last && (last >= radius || value == last), "{value} at {radius}, {last} in the end");

@@ -26,7 +26,7 @@ fn used(soup: Soup, windows: u16) -> usize {
     let windows = Windows::AtMost(NonZeroU16::new(windows).expect("a window"));
     let options = PropagationOptions { windows, ..PropagationOptions::default() };
     let mut propagation = Propagation::new(Arc::clone(&geometry), &[VertexId(0)], options).expect("a source");
-    propagation.advance(f64::INFINITY, usize::MAX);
+    propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows");
     let distance = propagation.distance();
     distance.directions(geometry.surface()).expect("its own surface");
     ALLOCATOR.peak_usage() - before

@@ -79,7 +79,7 @@ fn wavefronts() {
     assert_eq!(refused(shortest_path(&geometry, here, &[point])), Some("point"));
     let mut front = Wavefront::new(geometry, &[here]).unwrap();
     assert_eq!(refused(front.restart(&[other.source(point, 0.0).unwrap()])), Some("source"));
-    front.advance(f64::INFINITY, usize::MAX);
+    front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
     assert_eq!(front.values()[here], 0.0, "after the refusal it goes on as before");
     let absent = front.path_from_vertex(VertexId(9999));
     assert!(matches!(absent, Err(Error::Surface(SurfaceError::NoSuchVertex { vertex: 9999, .. }))));

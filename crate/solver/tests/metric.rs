@@ -42,7 +42,7 @@ fn distances(geometry: &Arc<ExactGeometry>, places: &[VertexId], windows: Window
     let from = |&place: &VertexId| {
         let mut propagation =
             Propagation::new(Arc::clone(geometry), &[Place::Vertex(place)], options).expect("a valid source");
-        assert!(propagation.advance(f64::INFINITY, usize::MAX));
+        assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
         places.iter().map(|&to| propagation.values()[to]).collect()
     };
     places.iter().map(from).collect()

@@ -32,7 +32,7 @@ fn geometry(surface: &Arc<Surface>) -> Arc<ExactGeometry> {
 
 fn exact(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)]) -> Wavefront {
     let mut front = Wavefront::new(Arc::clone(geometry), sources).expect("valid sources");
-    front.advance(f64::INFINITY, usize::MAX);
+    front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
     front
 }
 
@@ -47,7 +47,7 @@ fn start(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) 
 
 fn propagated(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) -> Propagation {
     let mut propagation = start(geometry, sources, windows);
-    assert!(propagation.advance(f64::INFINITY, usize::MAX));
+    assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
     propagation
 }
 
@@ -158,14 +158,14 @@ fn slices_and_a_used_solver_change_nothing() {
     let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
     let geometry = geometry(&surface);
     let mut sliced = start(&geometry, &at(3), 2);
-    while !sliced.advance(f64::INFINITY, 100) {}
+    while !sliced.advance(f64::INFINITY, 100).expect("room for windows") {}
     let whole = propagated(&geometry, &at(3), 2);
     assert_eq!(sliced.values(), whole.values());
     assert_eq!(sliced.windows(), whole.windows());
 
     let mut used = propagated(&geometry, &mixed_sources(&surface, &mut 8), 2);
     used.restart(&at(3)).expect("a valid source");
-    used.advance(f64::INFINITY, usize::MAX);
+    used.advance(f64::INFINITY, usize::MAX).expect("room for windows");
     assert_eq!(used.values(), whole.values());
     assert_eq!(used.nearest_sources(), whole.nearest_sources());
 }
@@ -176,7 +176,7 @@ fn values_below_a_radius_are_final_when_it_is_reached() {
     let geometry = geometry(&surface);
     let whole = propagated(&geometry, &at(0), 1);
     let mut part = start(&geometry, &at(0), 1);
-    assert!(part.advance(1.5, usize::MAX) && part.radius() >= 1.5);
+    assert!(part.advance(1.5, usize::MAX).expect("room for windows") && part.radius() >= 1.5);
     for (&value, &last) in part.values().iter().zip(whole.values()) {
         assert!(value >= last && (last >= 1.5 || value == last), "{value} {last}");
     }
@@ -235,7 +235,7 @@ fn all_windows_are_exact_and_factors_are_for_nothing() {
         PropagationOptions { exact: ExactSearch::AtMost(usize::MAX), ..options(1) },
     ] {
         let mut all = Propagation::new(Arc::clone(&geometry), &sources, options).expect("valid sources");
-        assert!(all.advance(f64::INFINITY, usize::MAX) && all.is_done());
+        assert!(all.advance(f64::INFINITY, usize::MAX).expect("room for windows") && all.is_done());
         assert_eq!(all.values(), exact.values());
         assert_eq!(all.exact_below(), f64::INFINITY);
         let distance = all.distance();

@@ -31,7 +31,7 @@ fn case(soup: &Soup) -> Case {
     let sources = vec![at(0, 0.0), at(7, surface.mean_edge())];
     let mut propagation =
         Propagation::new(Arc::clone(&geometry), &sources, PropagationOptions::default()).expect("sources");
-    assert!(propagation.advance(f64::INFINITY, usize::MAX));
+    assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
     let propagated = propagation.distance();
     Case { geometry, sources, propagated }
 }

@@ -272,7 +272,7 @@ fn the_exact_region_is_exact_and_takes_few_windows_on_small_meshes() {
         let source = vertices(&[count as u32 / 3]);
         let distance = solver.distance(&source).expect("a source");
         let mut front = solver.wavefront(&source).expect("a source");
-        front.advance(distance.exact_below, usize::MAX);
+        front.advance(distance.exact_below, usize::MAX).expect("room for windows");
         let inside: Vec<VertexId> =
             solver.surface().vertices().filter(|&vertex| front.values()[vertex] < distance.exact_below).collect();
         assert!(inside.len() > 30, "{} of {count}", inside.len());

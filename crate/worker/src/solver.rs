@@ -133,7 +133,7 @@ impl Solver {
         let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
         let options = PropagationOptions { windows: Windows::AtMost(count), ..PropagationOptions::default() };
         let mut propagation = Propagation::reusing(self.propagation.take(), &self.geometry, sources, options)?;
-        propagation.advance(f64::INFINITY, usize::MAX);
+        propagation.advance(f64::INFINITY, usize::MAX)?;
         let distance = propagation.distance();
         self.propagation = Some(propagation);
         Ok(distance)

@@ -3,6 +3,7 @@
 use super::overlap::Overlap;
 use super::window::Window;
 use crate::extremum::smaller;
+use crate::room;
 
 #[cfg(test)]
 mod tests;
@@ -30,6 +31,17 @@ impl Lists {
     /// The number of half-edges.
     pub fn len(&self) -> usize {
         self.numbers.len()
+    }
+
+    /// Whether there was no memory for windows, which are lost.
+    pub fn is_refused(&self) -> bool {
+        self.merge.is_refused
+    }
+
+    /// Forgets all windows.
+    pub fn clear_all(&mut self) {
+        (0..self.numbers.len() as u32).for_each(|halfedge| self.clear(halfedge));
+        self.merge.is_refused = false;
     }
 
     /// The windows that wait at a half-edge.
@@ -68,10 +80,14 @@ impl Lists {
     pub fn add(&mut self, halfedge: u32, windows: &[Window]) {
         let number = &mut self.numbers[halfedge as usize];
         if *number == 0 {
-            *number = self.free.pop().unwrap_or_else(|| {
-                self.lists.push(Vec::new());
-                self.lists.len() as u32 - 1
-            });
+            *number = match self.free.pop() {
+                Some(number) => number,
+                // Every list can become free.
+                None if room::push(&mut self.lists, Vec::new()) && self.free.try_reserve(self.lists.len()).is_ok() => {
+                    self.lists.len() as u32 - 1
+                }
+                None => return self.merge.is_refused = true,
+            };
         }
         self.merge.add(&mut self.lists[*number as usize], windows);
     }
@@ -89,6 +105,8 @@ struct Merge {
     waiting: Vec<Window>,
     /// Windows of the list that begin after the next to be added, the first of them last.
     later: Vec<Window>,
+    /// Whether there was no memory for a window.
+    is_refused: bool,
 }
 
 impl Merge {
@@ -133,8 +151,8 @@ impl Merge {
         }
         match list.last_mut() {
             Some(last) if last.continues_into(window) => (last.end, last.at_end) = (window.end, window.at_end),
-            Some(last) if last.end > window.begin => divide(list, window),
-            _ => list.push(*window),
+            Some(last) if last.end > window.begin => self.is_refused |= !divide(list, window),
+            _ => self.is_refused |= !room::push(list, *window),
         }
     }
 
@@ -142,14 +160,18 @@ impl Merge {
     fn put_off(&mut self, list: &mut Vec<Window>) {
         if let Some(last) = list.pop() {
             let place = self.later.partition_point(|later| later.begin > last.begin);
-            self.later.insert(place, last);
+            if self.later.try_reserve(1).is_ok() {
+                self.later.insert(place, last);
+            } else {
+                self.is_refused = true;
+            }
         }
     }
 }
 
-/// Appends a window that overlaps the last one of a list and does not begin before it.
-fn divide(list: &mut Vec<Window>, window: &Window) {
-    let Some(last) = list.last_mut() else { return };
+/// Appends a window that overlaps the last one of a list and does not begin before it. Returns whether there was room.
+fn divide(list: &mut Vec<Window>, window: &Window) -> bool {
+    let Some(last) = list.last_mut() else { return true };
     let overlap = Overlap::new(window, last);
     let reaches_past = window.end >= last.end;
     let mut rest = *window;
@@ -157,7 +179,7 @@ fn divide(list: &mut Vec<Window>, window: &Window) {
     match (overlap.begin.1 < 0.0, overlap.end.1 < 0.0) {
         (false, false) if overlap.turn().is_none() => {
             if !reaches_past {
-                return;
+                return true;
             }
             (rest.begin, rest.at_begin) = (last.end, last.at_end + overlap.end.1);
         }
@@ -173,12 +195,13 @@ fn divide(list: &mut Vec<Window>, window: &Window) {
             let (shares, last) = (overlap.shares(), *last);
             let part = |&(is_new, begin, end)| if is_new { window } else { &last }.part(begin, end);
             list.pop();
+            if list.try_reserve(shares.as_slice().len()).is_err() {
+                return false;
+            }
             list.extend(shares.as_slice().iter().map(part).filter(Window::is_wide));
-            return;
+            return true;
         }
     }
     list.pop_if(|last| !last.is_wide());
-    if rest.is_wide() {
-        list.push(rest);
-    }
+    !rest.is_wide() || room::push(list, rest)
 }

@@ -54,7 +54,7 @@ pub(crate) const WORK_BETWEEN_CALLS: usize = 20_000;
 /// `progress` is told the distance below which all values are final, and can stop the work.
 ///
 /// # Errors
-/// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::Cancelled`].
+/// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
 pub fn exact_distance<S: ToSource>(
     surface: &Arc<Surface>,
     sources: &[S],
@@ -65,8 +65,8 @@ pub fn exact_distance<S: ToSource>(
     }
     let sources = checked_sources(surface, sources)?;
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
-    let mut wavefront = Wavefront::of_checked(geometry, sources, &[]);
-    while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS) {
+    let mut wavefront = Wavefront::of_checked(geometry, sources, &[])?;
+    while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
         if progress(wavefront.radius()).is_break() {
             return Err(Error::Cancelled);
         }
@@ -77,7 +77,8 @@ pub fn exact_distance<S: ToSource>(
 /// A shortest path to the source for which initial distance plus length is least.
 ///
 /// # Errors
-/// [`Error::NoSource`]; those of [`ToSource::to_source`] and [`ToPoint::to_point`]; [`Error::Unreachable`].
+/// [`Error::NoSource`]; those of [`ToSource::to_source`] and [`ToPoint::to_point`];
+/// [`Error::OutOfMemory`]; [`Error::Unreachable`].
 pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPoint, sources: &[S]) -> Result<Path> {
     if sources.is_empty() {
         return Err(Error::NoSource);
@@ -85,7 +86,7 @@ pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPo
     let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[from])?;
     // No path can get shorter once the front has passed the target.
     while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
-        wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS);
+        wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)?;
     }
     wavefront.path_from_target(0)
 }

@@ -1,6 +1,7 @@
 //! Monotone queues of items by distance: a ring of buckets of one width, in order between buckets, not inside.
 
 use crate::extremum::smaller;
+use crate::room;
 
 /// Buckets of the ring. Most items are pushed a few edges ahead; the rest wait in a list of their own.
 const RING: u32 = 1024;
@@ -22,6 +23,7 @@ pub(crate) struct Ring {
     /// `(bucket, item)` of later rounds.
     later: Vec<(u32, u32)>,
     waiting: usize,
+    is_refused: bool,
 }
 
 impl Ring {
@@ -34,6 +36,7 @@ impl Ring {
             ring: vec![Vec::new(); RING as usize],
             later: Vec::new(),
             waiting: 0,
+            is_refused: false,
         }
     }
 
@@ -41,7 +44,12 @@ impl Ring {
     pub fn clear(&mut self, base: f64, mut forget: impl FnMut(u32)) {
         let later = self.later.drain(..).map(|(_, item)| item);
         self.ring.iter_mut().flat_map(|bucket| bucket.drain(..)).chain(later).for_each(&mut forget);
-        (self.base, self.current, self.waiting) = (base, 0, 0);
+        (self.base, self.current, self.waiting, self.is_refused) = (base, 0, 0, false);
+    }
+
+    /// Whether there was no memory for an item, which is lost.
+    pub fn is_refused(&self) -> bool {
+        self.is_refused
     }
 
     /// Every waiting item is at least this far; infinity where none waits.
@@ -86,11 +94,20 @@ impl Ring {
 
     fn place(&mut self, number: u32, item: u32) {
         self.waiting += 1;
-        if number / RING == self.current / RING {
-            self.ring[(number % RING) as usize].push(item);
+        let is_kept = if number / RING == self.current / RING {
+            room::push(&mut self.ring[(number % RING) as usize], item)
         } else {
-            self.later.push((number, item));
+            room::push(&mut self.later, (number, item))
+        };
+        if !is_kept {
+            self.refuse();
         }
+    }
+
+    #[cold]
+    fn refuse(&mut self) {
+        self.waiting -= 1;
+        self.is_refused = true;
     }
 
     /// Takes an item out of the first bucket that has any, unless that begins at `limit` or beyond.
@@ -155,6 +172,11 @@ impl Buckets {
             forget(item);
         });
         self.waiting = 0;
+    }
+
+    /// Whether there was no memory for an item, which is lost.
+    pub fn is_refused(&self) -> bool {
+        self.ring.is_refused()
     }
 
     /// Every waiting item is at least this far; infinity where none waits.

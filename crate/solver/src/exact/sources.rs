@@ -114,8 +114,12 @@ impl Wavefront {
         let (frame, k) = geometry.frame_of(halfedge);
         let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
         let mut leaving = Leaving::default();
-        leaving.push(window, frame[k].length, ends);
-        self.deliver(&geometry, halfedge, &leaving);
+        if leaving.has_room(1) {
+            leaving.push(window, frame[k].length, ends);
+            self.deliver(&geometry, halfedge, &leaving);
+        } else {
+            self.is_refused = true;
+        }
     }
 
     /// Sends windows from a vertex that paths can bend at, into the shadow behind it.

@@ -13,8 +13,9 @@ use super::queue::Buckets;
 use super::targets::Targets;
 use super::window::{Beam, Window, length};
 use crate::error::{Error, Result};
+use crate::room;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId};
+use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId, memory};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 0.7;
@@ -42,6 +43,8 @@ pub struct Wavefront {
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
     propagated: usize,
+    /// Whether there was no memory for something, which is lost.
+    pub(super) is_refused: bool,
     /// Items of the queue that are processed now; kept for its memory.
     batch: Vec<u32>,
     /// Windows that cross now; kept for its memory.
@@ -54,17 +57,17 @@ impl Wavefront {
     /// Starts at sources on the geometry's surface.
     ///
     /// # Errors
-    /// Those of [`ToSource::to_source`].
+    /// Those of [`ToSource::to_source`]; [`Error::OutOfMemory`].
     pub fn new<S: ToSource>(geometry: Arc<ExactGeometry>, sources: &[S]) -> Result<Self> {
         let sources = checked_sources(&geometry.surface, sources)?;
         require_one_cost(&geometry)?;
-        Ok(Self::of_checked(geometry, sources, &[]))
+        Self::of_checked(geometry, sources, &[])
     }
 
     /// The same with `targets`: further points of the surface whose distance is wanted.
     ///
     /// # Errors
-    /// Those of [`ToSource::to_source`] and [`ToPoint::to_point`].
+    /// Those of [`ToSource::to_source`] and [`ToPoint::to_point`]; [`Error::OutOfMemory`].
     pub fn with_targets<S: ToSource, T: ToPoint>(
         geometry: Arc<ExactGeometry>,
         sources: &[S],
@@ -74,16 +77,22 @@ impl Wavefront {
         require_one_cost(&geometry)?;
         let place = |target: &T| Ok(target.to_point(&geometry.surface)?.place());
         let targets = targets.iter().map(place).collect::<Result<Vec<Place>>>()?;
-        Ok(Self::of_checked(geometry, sources, &targets))
+        Self::of_checked(geometry, sources, &targets)
     }
 
-    pub(crate) fn of_checked(geometry: Arc<ExactGeometry>, sources: Vec<Source>, targets: &[Place]) -> Self {
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(crate) fn of_checked(geometry: Arc<ExactGeometry>, sources: Vec<Source>, targets: &[Place]) -> Result<Self> {
         let surface = Arc::clone(&geometry.surface);
         let (halfedges, vertices) = (3 * surface.face_count(), surface.vertex_count());
         let base = base(&sources);
         let portals = geometry.portals();
         let ends = Targets::new(portals.places(), Arc::clone(portals.in_faces()));
         let items = halfedges + vertices + portals.places().len();
+        let bytes = (size_of::<f64>() + size_of::<Origin>()) * vertices + size_of::<u32>() * (halfedges + items);
+        if !memory::has_room(&[bytes as u64]) {
+            return Err(room::REFUSED);
+        }
         let mut wavefront = Self {
             targets: targets_at(&geometry, targets),
             ends,
@@ -94,6 +103,7 @@ impl Wavefront {
             waiting: Lists::new(halfedges),
             queue: Buckets::new(items, base, BUCKET * geometry.mean_edge()),
             propagated: 0,
+            is_refused: false,
             batch: Vec::new(),
             crossing: Vec::new(),
             leaving: Default::default(),
@@ -101,7 +111,7 @@ impl Wavefront {
             geometry,
         };
         wavefront.start();
-        wavefront
+        Ok(wavefront)
     }
 
     /// Starts anew at other sources, without targets, in the memory held: clears only what has been touched.
@@ -117,6 +127,13 @@ impl Wavefront {
     pub(crate) fn restart_checked(&mut self, sources: Vec<Source>) {
         self.targets = targets_at(&self.geometry, &[]);
         self.ends.clear();
+        if self.is_refused() {
+            // What has been touched is not known.
+            self.values.as_mut_slice().fill(f64::INFINITY);
+            self.origins.fill(Origin::None);
+            self.waiting.clear_all();
+            self.is_refused = false;
+        }
         for vertex in self.reached.drain(..) {
             self.values[vertex] = f64::INFINITY;
             self.origins[vertex.index()] = Origin::None;
@@ -135,12 +152,15 @@ impl Wavefront {
 
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face. Returns whether
     /// the radius was reached.
-    pub fn advance(&mut self, radius: f64, work: usize) -> bool {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but it does not grow until it is [restarted](Self::restart).
+    pub fn advance(&mut self, radius: f64, work: usize) -> Result<bool> {
         let enough = self.propagated.saturating_add(work);
         let [halfedges, vertices] = [self.waiting.len(), self.values.len()].map(|count| count as u32);
         let geometry = Arc::clone(&self.geometry);
         let mut batch = std::mem::take(&mut self.batch);
-        while self.propagated < enough {
+        while self.propagated < enough && !self.is_refused() {
             self.queue.pop_some(radius, BATCH, &mut batch);
             if batch.is_empty() {
                 break;
@@ -157,7 +177,11 @@ impl Wavefront {
             }
         }
         self.batch = batch;
-        self.radius() >= radius
+        if self.is_refused() { Err(room::REFUSED) } else { Ok(self.radius() >= radius) }
+    }
+
+    fn is_refused(&self) -> bool {
+        self.is_refused | self.waiting.is_refused() | self.queue.is_refused()
     }
 
     /// Reads what a batch will need, so that the processor waits for all of it at once instead of for one after another.
@@ -316,7 +340,7 @@ impl Wavefront {
         let before = self.values[VertexId(vertex)];
         if value < before {
             if before == f64::INFINITY {
-                self.reached.push(VertexId(vertex));
+                self.is_refused |= !room::push(&mut self.reached, VertexId(vertex));
             }
             self.values[VertexId(vertex)] = value;
             self.origins[vertex as usize] = origin;
@@ -356,6 +380,10 @@ impl Wavefront {
 
         let at_c = self.values[VertexId(c)];
         let [mut to_left, mut to_right] = std::mem::take(&mut self.leaving);
+        if !(to_left.has_room(windows.len()) && to_right.has_room(windows.len())) {
+            self.is_refused = true;
+            return;
+        }
         for window in &windows {
             let crossing = Crossing::new(window.beam(), opposite);
             if let Some(beam) = crossing.to_left(sides) {
@@ -409,8 +437,13 @@ impl Wavefront {
         let (frame, k) = geometry.frame_of(halfedge);
         for (target, is_mirrored) in geometry.across(halfedge) {
             if is_mirrored {
-                let mirrored = windows.iter().rev().map(|window| window.mirrored(frame[k].length));
-                self.waiting.add(target, &mirrored.collect::<Vec<_>>());
+                let mut mirrored = Vec::new();
+                if mirrored.try_reserve_exact(windows.len()).is_err() {
+                    self.is_refused = true;
+                    return;
+                }
+                mirrored.extend(windows.iter().rev().map(|window| window.mirrored(frame[k].length)));
+                self.waiting.add(target, &mirrored);
             } else {
                 self.waiting.add(target, windows);
             }
@@ -441,6 +474,11 @@ impl Leaving {
             self.nearest = smaller(self.nearest, window.nearest());
             self.windows.push(window);
         }
+    }
+
+    /// Whether there is room for so many windows.
+    pub fn has_room(&mut self, windows: usize) -> bool {
+        self.windows.try_reserve(windows).is_ok()
     }
 
     fn clear(&mut self) {

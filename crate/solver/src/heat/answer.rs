@@ -42,7 +42,7 @@ impl Factorization {
         if self.exact_geometry().costs().is_some() {
             let options = PropagationOptions { windows: REFRACTED, ..PropagationOptions::default() };
             let mut front = Propagation::new(Arc::clone(self.exact_geometry()), sources, options)?;
-            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge);
+            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge)?;
             return Ok(Distance { exact_below: 0.0, ..self.answer(&question, &region)? });
         }
         // A panic while the front is out leaves none, so what a lock holds is right even after one.
@@ -52,10 +52,10 @@ impl Factorization {
                 front.restart_checked(sources.clone());
                 front
             }
-            None => self.start_wavefront(sources.clone()),
+            None => Wavefront::of_checked(Arc::clone(self.exact_geometry()), sources.clone(), &[])?,
         };
         let answer = {
-            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge);
+            let region = ExactRegion::within(query.exact_radius, &mut front, sources, mean_edge)?;
             self.answer(&question, &region)
         };
         *self.front.lock().unwrap_or_else(PoisonError::into_inner) = Some(front);
@@ -74,13 +74,9 @@ impl Factorization {
     /// The wavefront of exact distances from some sources.
     ///
     /// # Errors
-    /// As [`Surface::source`](heatwalk_surface::Surface::source).
+    /// As [`Surface::source`](heatwalk_surface::Surface::source); [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn wavefront<S: ToSource>(&self, sources: &[S]) -> Result<Wavefront> {
         Wavefront::new(Arc::clone(self.exact_geometry()), sources)
-    }
-
-    fn start_wavefront(&self, sources: Vec<Source>) -> Wavefront {
-        Wavefront::of_checked(Arc::clone(self.exact_geometry()), sources, &[])
     }
 
     fn question(&self, query: &Query) -> Result<Question> {
@@ -166,7 +162,7 @@ impl Refinement {
     ///
     /// # Errors
     /// As [`Factorization::distance`]; [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a factorization
-    /// of another surface; [`Error::OutOfMemory`](crate::Error::OutOfMemory) for the windows, before any is propagated.
+    /// of another surface; [`Error::OutOfMemory`](crate::Error::OutOfMemory) for the windows.
     pub fn step(&mut self, factorization: &Factorization, work: usize) -> Result<Distance> {
         factorization.surface().require_own(self.front.surface().id(), "refinement")?;
         refinement::advance(&mut self.front, work)?;

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::heat::constraint::Constraint;
 use crate::options::ExactRadius;
@@ -33,7 +34,10 @@ fn windows(vertices: usize) -> usize {
 /// What grows outward from the sources.
 pub(super) trait Outward {
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face.
-    fn advance(&mut self, radius: f64, work: usize);
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    fn advance(&mut self, radius: f64, work: usize) -> Result<()>;
 
     /// Every value below this is final; infinity when all is done.
     fn radius(&self) -> f64;
@@ -46,8 +50,9 @@ pub(super) trait Outward {
 }
 
 impl Outward for Wavefront {
-    fn advance(&mut self, radius: f64, work: usize) {
-        self.advance(radius, work);
+    fn advance(&mut self, radius: f64, work: usize) -> Result<()> {
+        self.advance(radius, work)?;
+        Ok(())
     }
 
     fn radius(&self) -> f64 {
@@ -64,8 +69,9 @@ impl Outward for Wavefront {
 }
 
 impl Outward for Propagation {
-    fn advance(&mut self, radius: f64, work: usize) {
-        self.advance(radius, work);
+    fn advance(&mut self, radius: f64, work: usize) -> Result<()> {
+        self.advance(radius, work)?;
+        Ok(())
     }
 
     fn radius(&self) -> f64 {
@@ -110,24 +116,32 @@ impl<'a> ExactRegion<'a> {
     }
 
     /// The region of this radius around the sources that a wavefront starts from.
-    pub(super) fn within(radius: ExactRadius, front: &'a mut impl Outward, sources: &[Source], mean_edge: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn within(
+        radius: ExactRadius,
+        front: &'a mut impl Outward,
+        sources: &[Source],
+        mean_edge: f64,
+    ) -> Result<Self> {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, f64::min);
-        match radius {
+        Ok(match radius {
             ExactRadius::Edges(0.0) => Self { distances: front.values(), reached: front.reached(), radius: least },
             ExactRadius::Edges(edges) => {
                 let radius = least + edges * mean_edge;
-                front.advance(radius, usize::MAX);
+                front.advance(radius, usize::MAX)?;
                 Self::of(front, radius)
             }
             ExactRadius::Automatic => {
-                front.advance(f64::INFINITY, windows(front.values().len()));
+                front.advance(f64::INFINITY, windows(front.values().len()))?;
                 if sources.len() == 1 {
-                    return Self::of(front, f64::INFINITY);
+                    return Ok(Self::of(front, f64::INFINITY));
                 }
                 let steps = ((front.radius() - least) / mean_edge).log(RADIUS_STEP).floor();
                 Self::of(front, least + mean_edge * RADIUS_STEP.powf(steps))
             }
-        }
+        })
     }
 
     /// The distance of a vertex, if it is in the region.

@@ -29,7 +29,7 @@ impl PathSearch {
     /// Propagates about `work` windows further. Gives the path once no other can be shorter.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]; then nothing has changed. [`Error::Unreachable`].
+    /// [`Error::OutOfMemory`]; [`Error::Unreachable`].
     pub fn step(&mut self, work: usize) -> Result<Option<Path>> {
         refinement::advance(&mut self.front, work)?;
         let is_found = self.front.is_done() || self.front.radius() > self.front.target_values()[0];

@@ -10,6 +10,7 @@ use super::medium::{Medium, Uniform, head_wave, refracted};
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
+use crate::room::{REFUSED, refilled};
 use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
@@ -24,13 +25,22 @@ pub(super) const NOWHERE: u32 = u32::MAX;
 /// What grows outward by a few windows of each half-edge, however many.
 pub(super) trait Grow: Debug + Send + Sync {
     /// Goes on, alone, from where an exact search has come to.
-    fn start(&mut self, exact: &Wavefront);
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    fn start(&mut self, exact: &Wavefront) -> Result<()>;
 
     /// Goes on, alone, from sources.
-    fn start_at(&mut self, sources: &[Source]);
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    fn start_at(&mut self, sources: &[Source]) -> Result<()>;
 
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face.
-    fn advance(&mut self, radius: f64, work: usize);
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); then it does not grow until it starts anew.
+    fn advance(&mut self, radius: f64, work: usize) -> Result<()>;
 
     /// Every value below this is final; infinity when all is done.
     fn radius(&self) -> f64;
@@ -80,6 +90,8 @@ struct Front<C, M> {
     /// `#V`, whether a vertex has still to send windows.
     waits: Vec<bool>,
     crossed: usize,
+    /// Whether there was no memory for windows that cross, which are lost.
+    is_refused: bool,
     /// Items that are processed now; kept for its memory.
     batch: Vec<u32>,
     /// Windows that cross now, each with its half-edge; kept for its memory.
@@ -98,6 +110,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             ends: Vec::new(),
             waits: Vec::new(),
             crossed: 0,
+            is_refused: false,
             batch: Vec::new(),
             entering: Vec::new(),
             surface,
@@ -157,6 +170,10 @@ impl<C: Count, M: Medium> Front<C, M> {
     /// Takes the windows that wait at some half-edges, and are still of use, each with its half-edge.
     fn enter(&mut self, geometry: &ExactGeometry, batch: &[u32], entering: &mut Vec<(u32, Beam)>) {
         entering.clear();
+        if entering.try_reserve(batch.len() * self.labels.stretches()).is_err() {
+            self.is_refused = true;
+            return;
+        }
         for &halfedge in batch {
             let (frame, k) = geometry.frame_of(halfedge);
             let cost = self.medium.cost(halfedge / 3);
@@ -406,22 +423,27 @@ impl<C: Count, M: Medium> Front<C, M> {
     }
 
     /// Forgets all that was found from earlier sources, to begin from so many at the least distance.
-    fn clear(&mut self, least: f64) {
+    fn clear(&mut self, least: f64) -> Result<()> {
         let vertices = self.surface.vertex_count();
-        self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY).into();
-        self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE).into();
-        self.waits = refilled(std::mem::take(&mut self.waits), vertices, false);
+        self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY)?.into();
+        self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE)?.into();
+        self.waits = refilled(std::mem::take(&mut self.waits), vertices, false)?;
         self.labels.clear();
         self.crossing.clear(least, |_| ());
         self.sending.clear(least, |_| ());
-        self.crossed = 0;
+        (self.crossed, self.is_refused) = (0, false);
+        Ok(())
+    }
+
+    fn is_refused(&self) -> bool {
+        self.is_refused | self.labels.is_refused() | self.crossing.is_refused() | self.sending.is_refused()
     }
 }
 
 impl<C: Count, M: Medium> Grow for Front<C, M> {
-    fn start(&mut self, exact: &Wavefront) {
+    fn start(&mut self, exact: &Wavefront) -> Result<()> {
         let vertices = self.surface.vertex_count();
-        self.clear(exact.base());
+        self.clear(exact.base())?;
         let found = (0..).zip(exact.end_values());
         self.ends = found
             .map(|(end, &value)| End {
@@ -450,11 +472,12 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             corners.into_iter().for_each(|vertex| self.send_from(vertex));
             self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners) });
         }
+        Ok(())
     }
 
-    fn start_at(&mut self, sources: &[Source]) {
+    fn start_at(&mut self, sources: &[Source]) -> Result<()> {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller);
-        self.clear(least);
+        self.clear(least)?;
         let geometry = Arc::clone(&self.geometry);
         self.ends.clear();
         let unreached = End { value: f64::INFINITY, source: NOWHERE, is_entered: false };
@@ -464,15 +487,16 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
                 self.light(&geometry, at, source.initial_distance(), number);
             }
         }
+        Ok(())
     }
 
-    fn advance(&mut self, radius: f64, work: usize) {
+    fn advance(&mut self, radius: f64, work: usize) -> Result<()> {
         let enough = self.crossed.saturating_add(work);
         let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
         let vertices = self.waits.len() as u32;
         let mut batch = std::mem::take(&mut self.batch);
         let mut entering = std::mem::take(&mut self.entering);
-        while self.crossed < enough && self.radius() < radius {
+        while self.crossed < enough && self.radius() < radius && !self.is_refused() {
             // Vertices wait for the windows of their bucket, which may bring them shorter paths.
             self.crossing.pop_some(smaller(radius, self.sending.ceiling()), BATCH, &mut batch);
             self.fetch(&batch);
@@ -492,6 +516,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             }
         }
         (self.batch, self.entering) = (batch, entering);
+        if self.is_refused() { Err(REFUSED) } else { Ok(()) }
     }
 
     fn radius(&self) -> f64 {
@@ -551,11 +576,4 @@ struct End {
     source: u32,
     /// Whether it was reached through the portal.
     is_entered: bool,
-}
-
-/// So many copies of a value, in memory that is there already.
-fn refilled<T: Copy>(mut memory: Vec<T>, count: usize, value: T) -> Vec<T> {
-    memory.clear();
-    memory.resize(count, value);
-    memory
 }

@@ -3,9 +3,10 @@
 use std::fmt::Debug;
 use std::num::NonZeroUsize;
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::exact::{Beam, Window};
 use crate::extremum::smaller;
+use crate::room::REFUSED;
 use heatwalk_surface::parallel;
 
 #[cfg(test)]
@@ -82,16 +83,18 @@ pub(super) struct Labels<C> {
     waiting: Vec<Beam>,
     /// Places in it that are free.
     free: Vec<u32>,
+    /// Whether there was no memory for a window, which is lost.
+    is_refused: bool,
 }
 
 impl<C: Count> Labels<C> {
     /// Makes room for them, with the help of so many threads.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn new(halfedges: usize, stretches: C, mean_edge: f64, threads: NonZeroUsize) -> Result<Self> {
         let (mut labels, count) = (Vec::new(), halfedges * stretches.get());
-        labels.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { stage: "keeping windows" })?;
+        labels.try_reserve_exact(count).map_err(|_| REFUSED)?;
         parallel::touch(&mut labels, threads);
         Ok(Self {
             stretches,
@@ -101,6 +104,7 @@ impl<C: Count> Labels<C> {
             labels,
             waiting: Vec::new(),
             free: Vec::new(),
+            is_refused: false,
         })
     }
 
@@ -110,6 +114,12 @@ impl<C: Count> Labels<C> {
         self.labels.resize(self.halfedges * self.stretches(), UNREACHED);
         self.waiting.clear();
         self.free.clear();
+        self.is_refused = false;
+    }
+
+    /// Whether there was no memory for a window, which is lost.
+    pub fn is_refused(&self) -> bool {
+        self.is_refused
     }
 
     /// Distance of the middle of a half-edge's first stretch, in mean edges; infinite for no window.
@@ -173,12 +183,25 @@ impl<C: Count> Labels<C> {
             } else if let Some(place) = self.free.pop() {
                 label.place = place;
                 self.waiting[place as usize] = beam;
-            } else {
+            } else if self.waiting.len() < self.waiting.capacity() {
                 label.place = self.waiting.len() as u32;
                 self.waiting.push(beam);
+            } else {
+                self.grow(first + stretch, beam);
             }
         }
         kept.map(|window| window.nearest())
+    }
+
+    /// Makes room for more windows, and for the places of all that become free; keeps one for a label.
+    #[cold]
+    fn grow(&mut self, label: usize, beam: Beam) {
+        if self.waiting.try_reserve(1).is_ok() && self.free.try_reserve(self.waiting.capacity()).is_ok() {
+            self.labels[label].place = self.waiting.len() as u32;
+            self.waiting.push(beam);
+        } else {
+            self.is_refused = true;
+        }
     }
 
     /// The window kept for a stretch of a half-edge, where it waits to cross the face and is still of use. It no longer

@@ -56,7 +56,7 @@ impl Propagation {
             return Err(Error::NoSource);
         }
         let sources = checked_sources(geometry.surface(), sources)?;
-        let exact = Wavefront::of_checked(Arc::clone(&geometry), sources, &[]);
+        let exact = Wavefront::of_checked(Arc::clone(&geometry), sources, &[])?;
         let faces = geometry.surface().face_count();
         let front = match options.windows {
             Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
@@ -68,16 +68,17 @@ impl Propagation {
             ExactSearch::AtMost(windows) => windows,
         };
         let mut propagation = Self { options, geometry, exact, exact_windows, front, is_beyond: false };
-        propagation.begin();
+        propagation.begin()?;
         Ok(propagation)
     }
 
     /// Lets the front begin at the sources where no exact search may go first.
-    fn begin(&mut self) {
+    fn begin(&mut self) -> Result<()> {
         self.is_beyond = self.geometry.costs().is_some();
         if let Some(front) = self.front.as_mut().filter(|_| self.is_beyond) {
-            front.start_at(self.exact.sources());
+            front.start_at(self.exact.sources())?;
         }
+        Ok(())
     }
 
     /// Starts at sources, in the memory of an earlier one where that has the same geometry and options.
@@ -103,34 +104,36 @@ impl Propagation {
     /// Starts anew at other sources, in the memory held.
     ///
     /// # Errors
-    /// [`Error::NoSource`]; those of [`ToSource::to_source`]. Then nothing has changed.
+    /// [`Error::NoSource`]; those of [`ToSource::to_source`]. Then nothing has changed. [`Error::OutOfMemory`].
     pub fn restart<S: ToSource>(&mut self, sources: &[S]) -> Result<()> {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
         self.exact.restart(sources)?;
-        self.begin();
-        Ok(())
+        self.begin()
     }
 
     /// Grows until every value below `radius` is final, or about `work` windows have crossed a face. Returns whether the
     /// radius was reached.
-    pub fn advance(&mut self, radius: f64, work: usize) -> bool {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but it does not grow until it is [restarted](Self::restart).
+    pub fn advance(&mut self, radius: f64, work: usize) -> Result<bool> {
         let Some(front) = &mut self.front else { return self.exact.advance(radius, work) };
         let mut left = work;
         if !self.is_beyond {
             let before = self.exact.windows();
             let allowed = self.exact_windows.saturating_sub(before);
-            self.exact.advance(radius, left.min(allowed));
+            self.exact.advance(radius, left.min(allowed))?;
             left -= left.min(self.exact.windows() - before);
             if self.exact.windows() < self.exact_windows || self.exact.is_done() {
-                return self.exact.radius() >= radius;
+                return Ok(self.exact.radius() >= radius);
             }
-            front.start(&self.exact);
+            front.start(&self.exact)?;
             self.is_beyond = true;
         }
-        front.advance(radius, left);
-        front.radius() >= radius
+        front.advance(radius, left)?;
+        Ok(front.radius() >= radius)
     }
 
     /// The front that has come farthest, unless that is the exact search.
@@ -215,7 +218,7 @@ pub fn propagated_distance<S: ToSource>(
 ) -> Result<Distance> {
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut propagation = Propagation::new(geometry, sources, options)?;
-    while !propagation.advance(f64::INFINITY, crate::exact::WORK_BETWEEN_CALLS) {
+    while !propagation.advance(f64::INFINITY, crate::exact::WORK_BETWEEN_CALLS)? {
         if progress(propagation.radius()).is_break() {
             return Err(Error::Cancelled);
         }

@@ -31,7 +31,7 @@ impl Search {
         let propagation = self.kept.insert(propagation);
         // A value of just the maximum distance is final, too.
         let radius = asked.max_distance.next_up();
-        while !propagation.advance(radius, WORK_BETWEEN_CALLS) {
+        while !propagation.advance(radius, WORK_BETWEEN_CALLS)? {
             if progress(Step::Radius(propagation.radius())).is_break() {
                 return Err(Error::Cancelled);
             }
