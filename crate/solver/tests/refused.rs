@@ -71,6 +71,7 @@ fn an_exact_search_says_so_and_can_be_started_anew() {
         for _ in 0..2 {
             let refused = within(bytes, || front.advance(f64::INFINITY, usize::MAX));
             assert!(is_out_of_memory(&refused), "{bytes} bytes: {refused:?}");
+            assert!(!front.is_done());
         }
         front.restart(&[VertexId(0)]).expect("a source");
         assert!(front.advance(f64::INFINITY, usize::MAX).expect("memory"));
@@ -103,6 +104,7 @@ fn a_propagation_says_so_and_can_be_started_anew() {
             for _ in 0..2 {
                 let refused = within(bytes, || propagation.advance(f64::INFINITY, usize::MAX));
                 assert!(is_out_of_memory(&refused), "{windows} windows, {bytes} bytes: {refused:?}");
+                assert!(!propagation.is_done());
             }
             propagation.restart(&[VertexId(0)]).expect("a source");
             assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("memory"));

@@ -154,7 +154,8 @@ impl Wavefront {
     /// the radius was reached.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but it does not grow until it is [restarted](Self::restart).
+    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but none is final, and it does not grow until it is
+    /// [restarted](Self::restart).
     pub fn advance(&mut self, radius: f64, work: usize) -> Result<bool> {
         let enough = self.propagated.saturating_add(work);
         let [halfedges, vertices] = [self.waiting.len(), self.values.len()].map(|count| count as u32);
@@ -210,12 +211,12 @@ impl Wavefront {
 
     /// Every value below this is final; infinity when all is done.
     pub fn radius(&self) -> f64 {
-        self.queue.floor()
+        if self.is_refused() { f64::NEG_INFINITY } else { self.queue.floor() }
     }
 
     /// Whether every value is final.
     pub fn is_done(&self) -> bool {
-        self.queue.floor() == f64::INFINITY
+        self.radius() == f64::INFINITY
     }
 
     /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.

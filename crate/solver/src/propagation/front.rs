@@ -520,7 +520,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
     }
 
     fn radius(&self) -> f64 {
-        smaller(self.crossing.floor(), self.sending.floor())
+        if self.is_refused() { f64::NEG_INFINITY } else { smaller(self.crossing.floor(), self.sending.floor()) }
     }
 
     fn values(&self) -> &VertexData<f64> {

@@ -117,7 +117,8 @@ impl Propagation {
     /// radius was reached.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but it does not grow until it is [restarted](Self::restart).
+    /// [`Error::OutOfMemory`]; then values are still lengths of paths, but it may not grow until it is
+    /// [restarted](Self::restart), and none is final before.
     pub fn advance(&mut self, radius: f64, work: usize) -> Result<bool> {
         let Some(front) = &mut self.front else { return self.exact.advance(radius, work) };
         let mut left = work;
