@@ -23,7 +23,7 @@ struct Distances<'a> {
 }
 
 impl Visitor for Distances<'_> {
-    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+    fn bound(&self, group: &[Item], component: u32, _: f64) -> Option<f64> {
         let own = group[0].component;
         let tolerance = self.tolerance.between(own, component)?;
         let pair = [own.min(component), own.max(component)];
@@ -31,7 +31,7 @@ impl Visitor for Distances<'_> {
     }
 
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
-        let Some(bound) = self.bound(group, other.component) else { return };
+        let Some(bound) = self.bound(group, other.component, other.longest) else { return };
         let triangles = [group[own].corners, other.corners];
         let pair = [group[own].component.min(other.component), group[own].component.max(other.component)];
         let is_known = bound <= self.scene.rounding && self.least.contains_key(&pair);

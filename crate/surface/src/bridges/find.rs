@@ -141,8 +141,8 @@ fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64) -> Tolerance {
 /// The sets that become one by what was found, each named by its least one.
 fn groups(sets: Vec<u32>, found: &[Candidate]) -> Vec<u32> {
     let joined = UnionFind::new(sets.len());
-    for candidate in found {
-        joined.join(candidate.components[0], candidate.components[1]);
+    for run in found.chunk_by(|a, b| a.components == b.components) {
+        joined.join(run[0].components[0], run[0].components[1]);
     }
     sets.into_iter().map(|set| joined.least(set)).collect()
 }

@@ -1,20 +1,27 @@
 //! A bounding volume hierarchy over the triangles of all components: component after component along a Morton curve, the
-//! triangles of each along one of their own, in leaves of a few, under a complete binary tree (Lauterbach and others, "Fast
-//! BVH construction on GPUs", 2009). Nearly every box holds a single component.
+//! triangles of each along one of their own, in leaves of a few, under a complete tree (Lauterbach and others, "Fast BVH
+//! construction on GPUs", 2009) whose nodes have as many children, so that all are compared at once (Dammertz, Hanika & Keller,
+//! "Shallow bounding volume hierarchies", 2008). Nearly every box holds a single component.
+
+use std::ops::Range;
 
 use glam::DVec3;
 
 use super::bounds::Bounds;
+use super::boxes::{Boxes, WIDTH};
 use super::scene::Scene;
 use super::triangles::Triangle;
 use crate::order::along_curve;
 use crate::parallel;
 
 /// Triangles of a leaf, but for the last one.
-pub const LEAF: usize = 4;
+pub const LEAF: usize = WIDTH;
 
-/// Triangles of a block, a power of two times those of a leaf.
-pub const BLOCK: usize = 16 * LEAF;
+/// Nodes on the way from a block to a leaf.
+const LEVELS_OF_BLOCK: u32 = 2;
+
+/// Triangles of a block.
+const BLOCK: usize = LEAF * WIDTH.pow(LEVELS_OF_BLOCK);
 
 /// A triangle of the hierarchy.
 #[derive(Clone, Copy)]
@@ -57,15 +64,19 @@ fn groups(items: &[Item], most: usize) -> impl Iterator<Item = &[Item]> {
 
 /// What is below a node.
 pub enum Below<'a> {
-    Nodes([usize; 2]),
+    Nodes(Range<usize>),
     Items(&'a [Item]),
 }
 
 /// The triangles of a scene in boxes.
 pub struct Hierarchy {
     items: Vec<Item>,
-    /// The root, then the children of node `i` at `2 i + 1` and `2 i + 2`; the leaves come last.
+    /// The root, then the children of node `i` from `4 i + 1` to `4 i + 4`, as far as there are nodes; the leaves come last.
     nodes: Vec<Node>,
+    /// `#nodes`, the boxes of what is below each.
+    boxes: Vec<Boxes>,
+    /// How many nodes are no leaves.
+    inner: usize,
 }
 
 impl Hierarchy {
@@ -87,14 +98,22 @@ impl Hierarchy {
         let of_item =
             |item: &Item| Node { bounds: item.bounds, longest: item.longest, component: Some(item.component) };
         let leaves = items.chunks(LEAF).filter_map(|leaf| leaf.iter().map(of_item).reduce(Node::around));
-        let inner = items.len().div_ceil(LEAF) - 1;
+        let leaf_count = items.len().div_ceil(LEAF);
+        let inner = (leaf_count - 1).div_ceil(WIDTH - 1);
         let empty = Node { bounds: Bounds::EMPTY, longest: 0.0, component: None };
         let mut nodes = vec![empty; inner];
         nodes.extend(leaves);
+        let mut hierarchy = Self { items, nodes, boxes: Vec::new(), inner };
         for node in (0..inner).rev() {
-            nodes[node] = nodes[2 * node + 1].around(nodes[2 * node + 2]);
+            let below = hierarchy.children(node);
+            hierarchy.nodes[node] = below.map(|child| hierarchy.nodes[child]).reduce(Node::around).unwrap_or(empty);
         }
-        Self { items, nodes }
+        let of_node = |node| match hierarchy.below(node) {
+            Below::Nodes(children) => Boxes::new(children.map(|child| hierarchy.nodes[child].bounds)),
+            Below::Items(items) => Boxes::new(items.iter().map(|item| item.bounds)),
+        };
+        hierarchy.boxes = (0..hierarchy.nodes.len()).map(of_node).collect();
+        hierarchy
     }
 
     /// All triangles, in groups of at most [`LEAF`] neighbours of one component.
@@ -118,7 +137,10 @@ impl Hierarchy {
         for node in (0..self.nodes.len()).rev() {
             common[node] = match (self.below(node), self.nodes[node].component) {
                 (_, Some(component)) => Some(of(component)),
-                (Below::Nodes([first, second]), None) => common[first].filter(|_| common[first] == common[second]),
+                (Below::Nodes(children), None) => {
+                    let first = common[children.start];
+                    first.filter(|_| common[children].iter().all(|&other| other == first))
+                }
                 (Below::Items(items), None) => {
                     let mut values = items.iter().map(|item| of(item.component));
                     let first = values.next();
@@ -135,21 +157,33 @@ impl Hierarchy {
         &self.nodes[node]
     }
 
+    /// The boxes of what is below a node.
+    #[inline]
+    pub fn boxes(&self, node: usize) -> &Boxes {
+        &self.boxes[node]
+    }
+
     /// Whether there are no more triangles below a node than in a block.
     #[inline]
     pub fn is_block(&self, node: usize) -> bool {
-        let levels = |node: usize| (node + 1).ilog2();
-        levels(node) + (BLOCK / LEAF).ilog2() >= levels(self.nodes.len() - 1)
+        let level = |node: usize| ((WIDTH - 1) * node + 1).ilog(WIDTH);
+        level(node) + LEVELS_OF_BLOCK >= level(self.nodes.len() - 1)
     }
 
-    /// What is below it.
+    /// The nodes below a node that is no leaf.
+    #[inline]
+    fn children(&self, node: usize) -> Range<usize> {
+        let first = WIDTH * node + 1;
+        first..self.nodes.len().min(first + WIDTH)
+    }
+
+    /// What is below a node.
     #[inline]
     pub fn below(&self, node: usize) -> Below<'_> {
-        let inner = self.nodes.len() / 2;
-        if node < inner {
-            return Below::Nodes([2 * node + 1, 2 * node + 2]);
+        if node < self.inner {
+            return Below::Nodes(self.children(node));
         }
-        let first = LEAF * (node - inner);
+        let first = LEAF * (node - self.inner);
         Below::Items(&self.items[first..self.items.len().min(first + LEAF)])
     }
 }

@@ -152,13 +152,10 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
                     }
                 }
                 Below::Nodes(children) => {
-                    let mut children =
-                        children.map(|node| (node, hierarchy.node(node).bounds.squared_distance(around)));
+                    let first = waiting.len();
+                    waiting.extend(children.zip(hierarchy.boxes(node).squared_distances(around)));
                     // What is nearest is looked at first, so last in.
-                    if children[0].1 < children[1].1 {
-                        children.swap(0, 1);
-                    }
-                    waiting.extend(children);
+                    waiting[first..].sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
                 }
             }
         }
@@ -173,7 +170,7 @@ fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
         return None;
     }
     let pair = [item.corners, other.corners];
-    triangles::separation(&pair, [item.normal, other.normal], least)?;
+    triangles::separation([&item.corners, &other.corners], [item.normal, other.normal], least)?;
     if squared == 0.0
         && let Some([weights, _]) = triangles::crossing(&pair)
     {

@@ -4,6 +4,7 @@
 //! to another. Portals let distance and paths across. They lead across cracks within a component, too.
 
 mod bounds;
+mod boxes;
 mod cells;
 mod cracks;
 mod distances;

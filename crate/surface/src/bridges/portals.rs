@@ -105,7 +105,8 @@ fn farthest(spots: &[Spot], kept: &[usize], least: f64) -> Option<usize> {
 /// No spot.
 const NONE: u32 = u32::MAX;
 
-/// Kept spots by cells as large as the spacing, in lists that cells share.
+/// Kept spots by cells twice as large as the spacing, in lists that cells share: what is within the spacing of a spot is in its
+/// cell or in those beyond the sides, edges and corner that it is nearest to.
 struct Grid<'a> {
     spots: &'a [Spot],
     spacing: f64,
@@ -121,8 +122,9 @@ impl<'a> Grid<'a> {
         Self { spots, spacing, last, before: vec![NONE; spots.len()] }
     }
 
-    fn cell(&self, index: usize) -> [i64; 3] {
-        cell_of(self.spots[index].point / self.spacing)
+    /// Where a spot is, in cells.
+    fn place(&self, index: usize) -> DVec3 {
+        self.spots[index].point / (2.0 * self.spacing)
     }
 
     fn list(&self, cell: [i64; 3]) -> usize {
@@ -130,18 +132,54 @@ impl<'a> Grid<'a> {
     }
 
     fn insert(&mut self, index: usize) {
-        let list = self.list(self.cell(index));
+        let list = self.list(cell_of(self.place(index)));
         self.before[index] = std::mem::replace(&mut self.last[list], index as u32);
     }
 
     fn has_one_for(&self, index: usize) -> bool {
-        let [x, y, z] = self.cell(index);
-        let stands_in = |cell: [i64; 3]| {
-            let kept = |&index: &u32| index != NONE;
-            let first = Some(self.last[self.list(cell)]).filter(kept);
-            let mut others = std::iter::successors(first, |&other| Some(self.before[other as usize]).filter(kept));
+        let place = self.place(index);
+        let cell = cell_of(place);
+        let beyond = [0, 1, 2].map(|axis| if place[axis] - (cell[axis] as f64) < 0.5 { -1 } else { 1 });
+        let kept = |&index: &u32| index != NONE;
+        let mut around = (0..8).map(|which| [0, 1, 2].map(|axis| cell[axis] + (which >> axis & 1) * beyond[axis]));
+        around.any(|cell| {
+            let last = Some(self.last[self.list(cell)]).filter(kept);
+            let mut others = std::iter::successors(last, |&other| Some(self.before[other as usize]).filter(kept));
             others.any(|other| self.spots[other as usize].stands_for(&self.spots[index], self.spacing))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use super::*;
+
+    #[test]
+    fn spots_that_no_kept_one_stands_for_are_kept_and_no_others() {
+        const SPACING: f64 = 0.07;
+        let mut state = 5_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
-        stands_in([x, y, z]) || (-1..=1).any(|i| (-1..=1).any(|j| (-1..=1).any(|k| stands_in([x + i, y + j, z + k]))))
+        let spots: Vec<Spot> = (0..3000)
+            .map(|number| {
+                let normals = [DVec3::Z, if random() > 0.0 { DVec3::Z } else { -DVec3::Z }];
+                Spot { point: DVec3::new(random(), random(), 0.3 * random()), normals, gap: f64::from(number) }
+            })
+            .collect();
+        let stands_for_one =
+            |kept: &[usize], spot: &Spot| kept.iter().any(|&other| spots[other].stands_for(spot, SPACING));
+        let mut expected = Vec::new();
+        for (index, spot) in spots.iter().enumerate() {
+            if !stands_for_one(&expected, spot) {
+                expected.push(index);
+            }
+        }
+        assert!(expected.len() > 300, "{}", expected.len());
+        assert_eq!(thinned(&spots, SPACING), expected);
     }
 }

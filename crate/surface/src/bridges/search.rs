@@ -89,24 +89,29 @@ const NONE: u32 = u32::MAX;
 /// What the triangles of a group know of a component.
 struct Nearest {
     component: u32,
+    /// Length of the longest side of each.
+    longest: [f64; LEAF],
     /// How near places must be to be of use to each.
     bounds: [f64; LEAF],
-    /// The greatest of these.
-    most: f64,
     /// The number of the nearest one, where it is the only one to be told, or [`NONE`].
     places: [u32; LEAF],
 }
 
 impl Nearest {
-    fn new(component: u32, bound: f64, count: usize) -> Self {
-        let mut bounds = [0.0; LEAF];
-        bounds[..count].fill(bound);
-        Self { component, bounds, most: bound, places: [NONE; LEAF] }
+    fn new(component: u32, bound: f64, group: &[Item]) -> Self {
+        let mut nearest = Self { component, longest: [0.0; LEAF], bounds: [0.0; LEAF], places: [NONE; LEAF] };
+        for (own, item) in group.iter().enumerate() {
+            (nearest.longest[own], nearest.bounds[own]) = (item.longest, bound);
+        }
+        nearest
     }
 
-    fn narrow(&mut self, own: usize, bound: f64) {
-        self.bounds[own] = bound;
-        self.most = self.bounds.into_iter().fold(0.0, |most, bound| if bound > most { bound } else { most });
+    /// The greatest bound of those with no side longer than this.
+    #[inline]
+    fn most(&self, longest: f64) -> f64 {
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        let of = |own: usize| if self.longest[own] <= longest { self.bounds[own] } else { 0.0 };
+        larger(larger(of(0), of(1)), larger(of(2), of(3)))
     }
 }
 
@@ -140,10 +145,10 @@ struct Cell {
 
 impl Visitor for Search<'_> {
     #[inline]
-    fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+    fn bound(&self, group: &[Item], component: u32, longest: f64) -> Option<f64> {
         match self.slots[component as usize] {
             NONE => self.tolerance.between(group[0].component, component),
-            slot => Some(self.reached[slot as usize].most),
+            slot => Some(self.reached[slot as usize].most(longest)),
         }
     }
 
@@ -157,15 +162,26 @@ impl Visitor for Search<'_> {
         self.places.clear();
     }
 
+    #[inline]
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
-        let Some(bound) = self.bound_of(group, own, other.component) else { return };
-        if squared > bound * bound {
-            return;
+        let item = &group[own];
+        if let Some(bound) = self.bound_of(group, own, other.component)
+            && squared <= bound * bound
+            && let Some(separation) =
+                triangles::separation([&item.corners, &other.corners], [item.normal, other.normal], bound)
+        {
+            self.look(group, own, other, bound, separation);
         }
+    }
+}
+
+impl<'a> Search<'a> {
+    /// Looks at a triangle of a group and a larger one, whose places must be so near to be of use.
+    fn look(&mut self, group: &[Item], own: usize, other: &Item, bound: f64, separation: Separation) {
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
         let normals = [items[0].normal, items[1].normal];
-        let Some(Separation { least, is_by_plane }) = triangles::separation(&pair, normals, bound) else { return };
+        let Separation { least, is_by_plane } = separation;
         let components = [items[0].component, items[1].component];
         let spacing = self.scene.spacing(components);
         let is_small = items[0].longest <= SMALL * spacing;
@@ -205,16 +221,15 @@ impl Visitor for Search<'_> {
             let enough = ENOUGH * spacing;
             // Larger triangles that share a corner or a side with the other one are met, too.
             let features = [Features::ALL, self.features(other.face)];
-            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, features, bound, least + enough) {
+            // Middles are no nearer to each other than the triangles.
+            let within = bound.min(triangles::offset(&pair) + self.scene.rounding);
+            if let Some(Pair { weights, distance }) = triangles::nearest(&pair, features, within, least + enough) {
                 let bound = (distance - enough).max(0.0);
-                self.nearest(group, other.component).narrow(own, bound);
-                self.put(group, own, other.component, Candidate::new(items, weights, distance));
+                self.put(group, own, other.component, bound, Candidate::new(items, weights, distance));
             }
         }
     }
-}
 
-impl<'a> Search<'a> {
     fn new(scene: &'a Scene<'a>, tolerance: &'a Tolerance) -> Self {
         Self {
             scene,
@@ -239,17 +254,22 @@ impl<'a> Search<'a> {
         let nearest = self.nearest(group, component);
         let (bound, number) = (nearest.bounds[own], nearest.places[own]);
         if bound > 0.0 || self.places.get(number as usize).is_some_and(|place| place.gap > 0.0) {
-            let nearest = self.nearest(group, component);
-            nearest.narrow(own, 0.0);
-            nearest.places[own] = NONE;
-            place.into_iter().for_each(|place| self.put(group, own, component, place));
+            match place {
+                Some(place) => self.put(group, own, component, 0.0, place),
+                None => {
+                    let nearest = self.nearest(group, component);
+                    (nearest.bounds[own], nearest.places[own]) = (0.0, NONE);
+                }
+            }
         }
     }
 
-    /// The nearest place of a component to a triangle of a group.
-    fn put(&mut self, group: &[Item], own: usize, component: u32, place: Candidate) {
+    /// The nearest place of a component to a triangle of a group, and how near others must be.
+    fn put(&mut self, group: &[Item], own: usize, component: u32, bound: f64, place: Candidate) {
         let next = self.places.len() as u32;
-        let number = &mut self.nearest(group, component).places[own];
+        let nearest = self.nearest(group, component);
+        nearest.bounds[own] = bound;
+        let number = &mut nearest.places[own];
         if *number == NONE {
             *number = next;
             self.places.push(place);
@@ -287,7 +307,7 @@ impl<'a> Search<'a> {
         if *slot == NONE {
             *slot = self.reached.len() as u32;
             let bound = self.tolerance.between(group[0].component, component).unwrap_or(0.0);
-            self.reached.push(Nearest::new(component, bound, group.len()));
+            self.reached.push(Nearest::new(component, bound, group));
         }
         &mut self.reached[*slot as usize]
     }

@@ -70,6 +70,13 @@ pub fn point(triangle: &Triangle, weights: [f64; 3]) -> DVec3 {
     triangle[0] * weights[0] + triangle[1] * weights[1] + triangle[2] * weights[2]
 }
 
+/// Distance of the middles of two triangles.
+#[inline]
+pub fn offset(triangles: &[Triangle; 2]) -> f64 {
+    let [first, second] = triangles.map(|[a, b, c]| a + b + c);
+    first.distance(second) / 3.0
+}
+
 /// Length of the longest side.
 pub fn longest_side([p, q, r]: &Triangle) -> f64 {
     p.distance_squared(*q).max(q.distance_squared(*r)).max(r.distance_squared(*p)).sqrt()
@@ -172,10 +179,10 @@ pub struct Separation {
 /// A lower bound of the distance of two triangles with these unit normals, where they may be no farther apart than `within`: as
 /// far as one is from the plane of the other, and beyond a side of it (separating axes; Gottschalk and others, "OBBTree", 1996).
 #[inline]
-pub fn separation(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -> Option<Separation> {
+pub fn separation(triangles: [&Triangle; 2], normals: [DVec3; 2], within: f64) -> Option<Separation> {
     let mut heights = [0.0; 2];
     for of in 0..2 {
-        let (least, most) = range(&triangles[1 - of], normals[of], triangles[of][0]);
+        let (least, most) = range(triangles[1 - of], normals[of], triangles[of][0]);
         let height = if least > -most { least } else { -most };
         if height > within {
             return None;
@@ -183,25 +190,43 @@ pub fn separation(triangles: &[Triangle; 2], normals: [DVec3; 2], within: f64) -
         heights[of] = if height > 0.0 { height } else { 0.0 };
     }
     let most = within * within * ROUNDED;
-    let mut squared = 0.0;
-    for of in 0..2 {
-        let height = heights[of] * heights[of];
-        squared = if height > squared { height } else { squared };
-        for k in 0..3 {
-            let [start, end] = side(&triangles[of], k);
-            let outward = (end - start).cross(normals[of]);
-            let (beyond, _) = range(&triangles[1 - of], outward, start);
-            if beyond > 0.0 {
-                // The normal is at right angles to what leads out of the side in the plane.
-                let both = height + beyond * beyond / outward.length_squared();
-                squared = if both > squared { both } else { squared };
-            }
-        }
-        if squared > most {
-            return None;
-        }
-    }
+    let [first, second] = triangles;
+    let least = beyond_sides(first, normals[0], second, heights[0] * heights[0], most)?;
+    let other = beyond_sides(second, normals[1], first, heights[1] * heights[1], most)?;
+    let squared = if least > other { least } else { other };
     Some(Separation { least: squared.sqrt(), is_by_plane: heights != [0.0; 2] })
+}
+
+/// The square of how far a triangle is for sure from another one, given the square of its height above that one's plane: how far it
+/// is beyond a side, too. `None` where that is more than `most`.
+#[inline(always)]
+fn beyond_sides([a, b, c]: &Triangle, normal: DVec3, other: &Triangle, height: f64, most: f64) -> Option<f64> {
+    let middle = other[0] + other[1] + other[2];
+    let first = beyond_side([*a, *b], normal, other, middle, height);
+    if first > most {
+        return None;
+    }
+    let second = beyond_side([*b, *c], normal, other, middle, height);
+    if second > most {
+        return None;
+    }
+    let third = beyond_side([*c, *a], normal, other, middle, height);
+    let squared = if first > second { first } else { second };
+    let squared = if third > squared { third } else { squared };
+    (squared <= most).then_some(squared)
+}
+
+/// The same for one side. `middle`: that of the other triangle, three times.
+#[inline(always)]
+fn beyond_side([start, end]: [DVec3; 2], normal: DVec3, other: &Triangle, middle: DVec3, height: f64) -> f64 {
+    let outward = (end - start).cross(normal);
+    // What is beyond a side has its middle there.
+    if outward.dot(middle - 3.0 * start) <= 0.0 {
+        return height;
+    }
+    let (beyond, _) = range(other, outward, start);
+    // The normal is at right angles to what leads out of the side in the plane.
+    if beyond > 0.0 { height + beyond * beyond / outward.length_squared() } else { height }
 }
 
 /// The least and the greatest coordinate of a triangle's corners along an axis from an origin.
@@ -276,6 +301,9 @@ fn for_sides(
     with_ends: bool,
     found: &mut impl FnMut(Pair) -> f64,
 ) {
+    if which.contains(&[false; 3]) {
+        return;
+    }
     let [triangle, other_triangle] = triangles;
     let of_side = |k: usize| Bounds::of_points(side(other_triangle, k));
     let boxes = [of_side(0), of_side(1), of_side(2)];
@@ -330,11 +358,18 @@ pub fn crossing(triangles: &[Triangle; 2]) -> Option<[Weights; 2]> {
 }
 
 /// Weights of a point of the plane of a triangle, where it is inside. `normal`: twice the area, along the unit normal.
+#[inline]
 fn weights_inside(point: DVec3, [a, b, c]: &Triangle, normal: DVec3) -> Option<[f64; 3]> {
-    let part = |p: DVec3, q: DVec3| normal.dot((p - point).cross(q - point));
-    let areas = [part(*b, *c), part(*c, *a), part(*a, *b)];
-    let sum: f64 = areas.iter().sum();
-    (sum > 0.0 && areas.iter().all(|&area| area >= 0.0)).then(|| areas.map(|area| area / sum))
+    let to = [*a - point, *b - point, *c - point];
+    let mut areas = [0.0; 3];
+    for k in 0..3 {
+        areas[k] = normal.dot(to[(k + 1) % 3].cross(to[(k + 2) % 3]));
+        if areas[k] < 0.0 {
+            return None;
+        }
+    }
+    let sum = areas[0] + areas[1] + areas[2];
+    (sum > 0.0).then(|| areas.map(|area| area / sum))
 }
 
 /// The point at this share of the way between two points of the triangles.

@@ -2,16 +2,32 @@
 //! larger one.
 //!
 //! Blocks of neighbours go down the hierarchy together as far as its boxes hold as many triangles as they; from there on, groups
-//! of a few go on alone, to the nearest boxes first.
+//! of a few go on alone, to the boxes with the nearest middles first: where parts overlap, most boxes do.
+
+use std::ops::Range;
 
 use super::bounds::Bounds;
+use super::boxes::{Boxes, WIDTH};
 use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
 use super::tolerance::Tolerance;
 
+/// Triangles of a part of a block, for which boxes are put in order.
+const PART: usize = LEAF * WIDTH;
+
+/// A node that is near what is looked for.
+struct Near {
+    node: usize,
+    /// Square of the distance of the boxes.
+    squared: f64,
+    /// The same of the middles of the boxes.
+    apart: f64,
+}
+
 /// What is done with pairs of triangles.
 pub trait Visitor {
-    /// How near a place of a component must be to be of use to any of a group of triangles; `None` where none is.
-    fn bound(&self, group: &[Item], component: u32) -> Option<f64>;
+    /// How near a place of a component must be to be of use to any of a group of triangles with sides of this length at most;
+    /// `None` where none is.
+    fn bound(&self, group: &[Item], component: u32, longest: f64) -> Option<f64>;
 
     /// Looks at a triangle of a group and a larger one. `squared`: square of the distance of their boxes.
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64);
@@ -29,49 +45,57 @@ pub fn visit<'a>(
     tolerance: &Tolerance,
     visitor: &mut impl Visitor,
 ) {
-    let (mut waiting, mut near) = (Vec::new(), Vec::new());
+    let (mut waiting, mut near, mut near_part) = (Vec::new(), Vec::new(), Vec::new());
     for block in blocks {
         let mut query = Query::new(hierarchy, sets, block, tolerance);
-        waiting.push((0, 0.0));
-        while let Some((node, _)) = waiting.pop() {
+        waiting.push(Near { node: 0, squared: 0.0, apart: 0.0 });
+        while let Some(Near { node, .. }) = waiting.pop() {
             match hierarchy.below(node) {
                 Below::Nodes(children) if !hierarchy.is_block(node) => {
-                    waiting.extend(query.near(children).into_iter().flatten());
+                    query.near(node, children, query.most, &mut waiting);
                 }
                 _ => near.push(node),
             }
         }
-        for group in block.chunks(LEAF) {
-            query.narrow(group);
-            query.boxes = Boxes::new(group);
-            waiting.extend(near.iter().filter_map(|&node| query.may_hold(node)));
+        for part in block.chunks(PART) {
+            query.narrow(part);
+            near_part.extend(near.iter().filter_map(|&node| query.may_hold(node)));
             // What is nearest is looked at first, so last in.
-            waiting.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
-            while let Some((node, squared)) = waiting.pop() {
-                let bound = match hierarchy.node(node).component {
-                    Some(component) => visitor.bound(group, component),
-                    None => Some(query.most),
-                };
-                if bound.is_none_or(|bound| squared > bound * bound) {
-                    continue;
+            near_part.sort_unstable_by(|a, b| b.apart.total_cmp(&a.apart));
+            for group in part.chunks(LEAF) {
+                query.narrow(group);
+                query.boxes = Boxes::new(group.iter().map(|item| item.bounds));
+                waiting.extend(near_part.iter().filter_map(|near| query.may_hold(near.node)));
+                while let Some(Near { node, squared, .. }) = waiting.pop() {
+                    let Node { component, longest, .. } = *hierarchy.node(node);
+                    let bound = match component {
+                        Some(component) => visitor.bound(group, component, longest),
+                        None => Some(query.most),
+                    };
+                    let Some(bound) = bound.filter(|bound| squared <= bound * bound) else { continue };
+                    match hierarchy.below(node) {
+                        Below::Nodes(children) => query.near(node, children, bound, &mut waiting),
+                        Below::Items(others) => meet(group, &query, node, others, bound, visitor),
+                    }
                 }
-                match hierarchy.below(node) {
-                    Below::Nodes(children) => waiting.extend(query.near(children).into_iter().flatten()),
-                    Below::Items(others) => meet(group, &query, others, visitor),
-                }
+                visitor.leave();
             }
-            visitor.leave();
+            near_part.clear();
         }
         near.clear();
     }
 }
 
-/// Shows the triangles of a group those larger ones of a leaf that may be near enough.
+/// Shows the triangles of a group those larger ones of a leaf that may be near enough, and no farther away than `within`.
 #[inline]
-fn meet(group: &[Item], query: &Query, others: &[Item], visitor: &mut impl Visitor) {
-    for other in others.iter().filter(|other| other.longest >= query.shortest) {
-        let Some(bound) = visitor.bound(group, other.component) else { continue };
-        if other.bounds.squared_distance(query.around) > bound * bound {
+fn meet(group: &[Item], query: &Query, leaf: usize, others: &[Item], within: f64, visitor: &mut impl Visitor) {
+    let apart = query.hierarchy.boxes(leaf).squared_distances(query.around);
+    for (other, apart) in others.iter().zip(apart) {
+        if apart > within * within || other.longest < query.shortest {
+            continue;
+        }
+        let Some(bound) = visitor.bound(group, other.component, other.longest) else { continue };
+        if apart > bound * bound {
             continue;
         }
         let squared = query.boxes.squared_distances(other.bounds);
@@ -105,7 +129,7 @@ impl<'a> Query<'a> {
         let component = items[0].component;
         let most = tolerance.of(component);
         let own = tolerance.set[component as usize];
-        let (around, boxes) = (Bounds::EMPTY, Boxes::new(&[]));
+        let (around, boxes) = (Bounds::EMPTY, Boxes::new([]));
         let mut query = Self { hierarchy, sets, own, most, around, shortest: 0.0, boxes };
         query.narrow(items);
         query
@@ -117,61 +141,36 @@ impl<'a> Query<'a> {
         self.shortest = items.iter().map(|item| item.longest).fold(f64::INFINITY, f64::min);
     }
 
-    /// A node and the square of its distance, if there may be something near enough below it.
+    /// A node, if there may be something near enough below it.
     #[inline]
-    fn may_hold(&self, node: usize) -> Option<(usize, f64)> {
+    fn may_hold(&self, node: usize) -> Option<Near> {
         let Node { bounds, longest, .. } = self.hierarchy.node(node);
         let squared = bounds.squared_distance(self.around);
         let is_near = squared <= self.most * self.most;
-        (is_near && *longest >= self.shortest && self.sets[node] != Some(self.own)).then_some((node, squared))
+        (is_near && *longest >= self.shortest && self.sets[node] != Some(self.own)).then(|| Near {
+            node,
+            squared,
+            apart: bounds.squared_offset(self.around),
+        })
     }
 
-    /// The same of the children of a node, the nearer one last.
+    /// The same of the children of a node that are no farther away than `within`, the one whose middle is nearest last.
     #[inline]
-    fn near(&self, children: [usize; 2]) -> [Option<(usize, f64)>; 2] {
-        let [first, second] = children.map(|child| self.may_hold(child));
-        match (first, second) {
-            (Some(a), Some(b)) if a.1 < b.1 => [second, first],
-            _ => [first, second],
-        }
-    }
-}
-
-/// The boxes of a group, coordinate by coordinate, so that all are compared at once. Where there is no triangle, the box is that
-/// of nothing.
-struct Boxes {
-    low: [[f64; LEAF]; 3],
-    high: [[f64; LEAF]; 3],
-}
-
-impl Boxes {
-    #[inline]
-    fn new(group: &[Item]) -> Self {
-        let mut boxes = Self { low: [[f64::INFINITY; LEAF]; 3], high: [[f64::NEG_INFINITY; LEAF]; 3] };
-        for (own, item) in group.iter().enumerate() {
-            let (low, high) = (item.bounds.low.to_array(), item.bounds.high.to_array());
-            for axis in 0..3 {
-                boxes.low[axis][own] = low[axis];
-                boxes.high[axis][own] = high[axis];
+    fn near(&self, node: usize, children: Range<usize>, within: f64, waiting: &mut Vec<Near>) {
+        let first = waiting.len();
+        for (child, squared) in children.zip(self.hierarchy.boxes(node).squared_distances(self.around)) {
+            let Node { bounds, longest, .. } = self.hierarchy.node(child);
+            if squared > within * within || *longest < self.shortest || self.sets[child] == Some(self.own) {
+                continue;
+            }
+            let apart = bounds.squared_offset(self.around);
+            let mut place = waiting.len();
+            waiting.push(Near { node: child, squared, apart });
+            while place > first && waiting[place - 1].apart < apart {
+                waiting.swap(place - 1, place);
+                place -= 1;
             }
         }
-        boxes
-    }
-
-    /// Squares of the distances to a box.
-    #[inline]
-    fn squared_distances(&self, other: Bounds) -> [f64; LEAF] {
-        let (low, high) = (other.low.to_array(), other.high.to_array());
-        let mut squared = [0.0; LEAF];
-        for axis in 0..3 {
-            for own in 0..LEAF {
-                let (below, above) = (low[axis] - self.high[axis][own], self.low[axis][own] - high[axis]);
-                let apart = if above > below { above } else { below };
-                let apart = if apart > 0.0 { apart } else { 0.0 };
-                squared[own] += apart * apart;
-            }
-        }
-        squared
     }
 }
 
@@ -194,7 +193,7 @@ mod tests {
     }
 
     impl Visitor for Met<'_> {
-        fn bound(&self, group: &[Item], component: u32) -> Option<f64> {
+        fn bound(&self, group: &[Item], component: u32, _: f64) -> Option<f64> {
             self.tolerance.between(group[0].component, component)
         }
 

@@ -77,7 +77,7 @@ fn the_distance_is_that_of_samples() {
         let distance = if does_cross { 0.0 } else { pair.distance };
         assert!(sampled >= distance - 1e-12 && sampled <= distance + 0.01, "{sampled} {distance} {triangles:?}");
         let normals = triangles.map(|corners| triangle::unit(area_vector(corners)));
-        let apart_by = |within: f64| separation(&triangles, normals, within);
+        let apart_by = |within: f64| separation([&triangles[0], &triangles[1]], normals, within);
         let Separation { least, is_by_plane } = apart_by(distance + 1e-12).expect("no more than the distance");
         assert!(least <= distance + 1e-12);
         assert!(least == 0.0 || apart_by(0.9 * least).is_none());
