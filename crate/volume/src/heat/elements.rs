@@ -12,7 +12,7 @@ use crate::march::Medium;
 use crate::mesh::{EDGES, FACES, TetId, TetMesh, six_volumes};
 
 /// The shape of one tetrahedron.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Element {
     /// Gradients of the barycentric coordinates of corners 1 to 3; that of corner 0 is minus their sum.
     gradients: [DVec3; 3],
@@ -20,12 +20,11 @@ pub(super) struct Element {
     volume: f64,
 }
 
-/// Operators of a mesh. Fields have one vector a tetrahedron.
+/// Operators of a mesh.
 #[derive(Debug)]
 pub(crate) struct Elements {
     laplacian: Laplacian,
     components: Vec<u32>,
-    shapes: Vec<Element>,
 }
 
 impl Discretization for Elements {
@@ -41,10 +40,8 @@ impl Discretization for Elements {
 impl Elements {
     /// Of the tetrahedra of a mesh that are no walls. Vertices that only walls have are components of their own.
     pub(crate) fn new(mesh: &TetMesh, medium: &Medium) -> Self {
-        let shapes: Vec<Element> =
-            (0..mesh.tetrahedron_count() as u32).map(|tetrahedron| shape(mesh.corners(TetId(tetrahedron)))).collect();
         let vertices = mesh.vertex_count();
-        let open = || (0..shapes.len() as u32).filter(|&tetrahedron| medium.cost(tetrahedron).is_finite());
+        let open = || (0..mesh.tetrahedron_count() as u32).filter(|&tetrahedron| medium.cost(tetrahedron).is_finite());
         let ends = |tetrahedron: u32| {
             let corners = mesh.tetrahedra()[tetrahedron as usize];
             EDGES.map(|ends| ends.map(|corner| corners[corner]))
@@ -60,7 +57,7 @@ impl Elements {
         let mut entries = vec![(0, 0.0); start[vertices] as usize];
         let (mut diagonal, mut mass) = (vec![0.0; vertices], vec![0.0; vertices]);
         for tetrahedron in open() {
-            let shape = &shapes[tetrahedron as usize];
+            let shape = Element::of(mesh.corners(TetId(tetrahedron)));
             let cost = medium.cost(tetrahedron);
             for vertex in mesh.tetrahedra()[tetrahedron as usize] {
                 mass[vertex as usize] += cost.powi(3) * shape.volume / 4.0;
@@ -83,16 +80,22 @@ impl Elements {
             }
         }
         let stiffness = SymmetricMatrix::from_entries(&diagonal, &start, &mut entries);
-        Self { laplacian: Laplacian { stiffness, mass }, components: components(mesh, medium), shapes }
-    }
-
-    /// The shapes of the tetrahedra.
-    pub(super) fn shapes(&self) -> &[Element] {
-        &self.shapes
+        Self { laplacian: Laplacian { stiffness, mass }, components: components(mesh, medium) }
     }
 }
 
 impl Element {
+    /// Gradients are the inward normals of the faces opposite, over the heights.
+    #[inline]
+    pub(super) fn of(corners: [DVec3; 4]) -> Self {
+        let six = six_volumes(corners);
+        let gradient = |corner: usize| {
+            let [a, b, c] = FACES[corner].map(|corner| corners[corner]);
+            -(b - a).cross(c - a) / six
+        };
+        Self { gradients: [gradient(1), gradient(2), gradient(3)], volume: six / 6.0 }
+    }
+
     /// The integrated divergence at its corners of a field that has `vector` in it: summed over elements, `L φ` equals it where the
     /// field is ∇φ.
     #[inline]
@@ -114,19 +117,9 @@ impl Element {
     }
 }
 
-/// Gradients are the inward normals of the faces opposite, over the heights.
-fn shape(corners: [DVec3; 4]) -> Element {
-    let six = six_volumes(corners);
-    let gradient = |corner: usize| {
-        let [a, b, c] = FACES[corner].map(|corner| corners[corner]);
-        -(b - a).cross(c - a) / six
-    };
-    Element { gradients: [gradient(1), gradient(2), gradient(3)], volume: six / 6.0 }
-}
-
 /// The gradient in a tetrahedron of a function given at its corners.
 pub(crate) fn gradient_in(corners: [DVec3; 4], values: [f64; 4]) -> DVec3 {
-    shape(corners).gradient(values)
+    Element::of(corners).gradient(values)
 }
 
 /// Component of each vertex by the tetrahedra that are no walls, counted from 0 in the order of their first vertices.

@@ -1,10 +1,13 @@
 //! The heat method on tetrahedra: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`, with exact distances around the sources.
 //!
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), section 3.2.3 for tetrahedra. Distances around the sources are those of the
-//! [march](crate::march): in tetrahedra whose four corners it reached, X is their gradient.
+//! [march](crate::march): in tetrahedra whose four corners it reached, X is their gradient. Where the time step is automatic, X is
+//! the field of the [`Logarithm`] of heat.
 
 mod elements;
+mod logarithm;
 mod region;
+mod unit;
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -12,6 +15,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
+use heatwalk::operator::Discretization;
 use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
 
 use crate::error::Result;
@@ -19,10 +23,17 @@ use crate::march::Medium;
 use crate::mesh::TetMesh;
 use crate::point::TetSource;
 pub(crate) use elements::{Elements, gradient_in};
-use region::Region;
+use logarithm::Logarithm;
+use region::{Region, Right};
 
-/// m in t = m h² where it is chosen and edges are even: of those measured on cubes, balls and tubes the one of the least mean error.
-const TIME_FACTOR: f64 = 0.5;
+/// What stands for the gradient of distance where that is not known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Field {
+    /// −∇u / |∇u|.
+    Unit,
+    /// That of the [`Logarithm`] of heat.
+    Logarithm,
+}
 
 /// Of the edges, all but this share are no long ones.
 const LONG_EDGES: f64 = 0.01;
@@ -49,6 +60,7 @@ pub(crate) struct VolumeHeat {
     poisson: Poisson<Elements>,
     flows: Vec<HeatFlow<Elements>>,
     lengths: Lengths,
+    logarithm: Logarithm,
 }
 
 /// Lengths in a mesh, at the costs around.
@@ -87,7 +99,8 @@ impl VolumeHeat {
         for condition in conditions {
             flows.push(HeatFlow::new(&systems, time, condition)?);
         }
-        Ok(Self { options, systems, poisson, flows, lengths })
+        let logarithm = Logarithm::new(medium.is_on_boundary(mesh));
+        Ok(Self { options, systems, poisson, flows, lengths, logarithm })
     }
 
     /// Changes the options; factors the heat matrices anew where that is needed.
@@ -143,18 +156,49 @@ impl VolumeHeat {
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
         let SourceHeat { values: heat, is_active } =
             SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
-        let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.lengths.mean_edge);
+        let field = Field::of(self.options);
+        let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.lengths.mean_edge, field.work());
         let elements = self.systems.operators();
-        let field = region.field(mesh, medium, elements, &heat);
+        let Right { divergence, rims: mut constraints } = match field {
+            Field::Unit => unit::right(mesh, medium, &heat, &region),
+            Field::Logarithm => self.logarithm.right(elements.laplacian(), &heat, self.flows[0].time(), &region),
+        };
         let active: Vec<TetSource> =
             sources.iter().zip(is_active).filter(|&(_, active)| active).map(|(&source, _)| source).collect();
-        let constraints = region.constraints(mesh, &field.touched, &active);
+        constraints.extend(region.beyond(mesh, &active));
         let mut values = match parameters.sources {
-            MultiSource::Exact => self.poisson.solve(&field.divergence, &constraints)?,
-            MultiSource::Summed => self.poisson.solve_in_mean(&field.divergence, &constraints)?,
+            MultiSource::Exact => self.poisson.solve(&divergence, &constraints)?,
+            MultiSource::Summed => self.poisson.solve_in_mean(&divergence, &constraints)?,
         };
-        region.complete(mesh, heatwalk::operator::Discretization::components(elements), sources, &mut values);
+        region.complete(mesh, elements.components(), sources, &mut values);
         Ok(Found { values, heat, exact_below: region.radius() })
+    }
+}
+
+impl Field {
+    /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
+    fn of(options: FactorOptions) -> Self {
+        match (options.time_step, options.solver, options.boundary) {
+            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) => Self::Logarithm,
+            _ => Self::Unit,
+        }
+    }
+
+    /// m in t = m h² where it is chosen and edges are even: of those measured on cubes, balls and tubes the one of the least mean
+    /// error.
+    fn time_factor(self) -> f64 {
+        match self {
+            Self::Unit => 0.5,
+            Self::Logarithm => 0.6,
+        }
+    }
+
+    /// Work of the march in the exact region for each vertex.
+    fn work(self) -> f64 {
+        match self {
+            Self::Unit => 5.5,
+            Self::Logarithm => 3.0,
+        }
     }
 }
 
@@ -164,7 +208,7 @@ fn conditions(mesh: &TetMesh, systems: &Systems<Elements>, boundary: Boundary) -
         return vec![Condition::Neumann];
     }
     let is_on_boundary = mesh.is_on_boundary();
-    let components = heatwalk::operator::Discretization::components(systems.operators());
+    let components = systems.operators().components();
     let mut has_inside = vec![false; components.iter().max().map_or(0, |&last| last as usize + 1)];
     for (&component, is_on_boundary) in components.iter().zip(&is_on_boundary) {
         has_inside[component as usize] |= !is_on_boundary;
@@ -230,7 +274,9 @@ impl Lengths {
             _ => EFOLDS,
         };
         let factor = match options.time_step {
-            TimeStep::Automatic => (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(TIME_FACTOR, 1.0),
+            TimeStep::Automatic => {
+                (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(Field::of(options).time_factor(), 1.0)
+            }
             TimeStep::Factor(factor) => factor,
         };
         (factor * self.mean_edge * self.mean_edge).max((self.extent / efolds).powi(2))

@@ -1,23 +1,14 @@
-//! Exact distances around the sources, and the field of which distance beyond is the potential.
+//! Exact distances around the sources, and what distance beyond has to meet.
 
-use glam::DVec3;
 use heatwalk::ExactRadius;
-use heatwalk::heat::{Constraint, scale};
+use heatwalk::heat::Constraint;
 
-use crate::heat::elements::Elements;
 use crate::march::{March, Medium};
 use crate::mesh::TetMesh;
 use crate::point::TetSource;
 
-/// Work of the march for each vertex of the mesh where the radius is chosen: it takes about half as long as the rest of a solve. Where
-/// all vertices see the sources, the region has half of them; around obstacles it is smaller.
-const WORK: f64 = 5.5;
-
-/// Work on any mesh: that of some 300 vertices.
+/// Work of the march on any mesh: that of some 300 vertices.
 const LEAST_WORK: f64 = 3000.0;
-
-/// Tetrahedra whose lengths are divided by together: one by one, each would wait for the root and the division before.
-const BLOCK: usize = 16;
 
 /// Exact distances below a radius.
 pub(super) struct Region {
@@ -25,27 +16,31 @@ pub(super) struct Region {
     radius: f64,
 }
 
-/// Right side of the Poisson equation, and the tetrahedra that are partly in the region.
-pub(super) struct Field {
+/// Right side of the Poisson equation.
+pub(super) struct Right {
+    /// `#V`, integrated divergence of the field that should be the gradient of distance.
     pub(super) divergence: Vec<f64>,
-    /// Corners, and whether all are in the region.
-    pub(super) touched: Vec<([u32; 4], bool)>,
+    /// On the rim of each patch of the region the mean of the exact distances.
+    pub(super) rims: Vec<Constraint>,
 }
 
 impl Region {
+    /// Where the radius is chosen, the march takes so much work for each vertex of the mesh. Where all vertices see the sources, half
+    /// of them take 5.5; around obstacles each takes more.
     pub(super) fn new(
         mesh: &TetMesh,
         medium: &Medium,
         sources: &[TetSource],
         radius: ExactRadius,
         mean_edge: f64,
+        work: f64,
     ) -> Self {
         let least = sources.iter().map(|source| source.initial_distance).fold(f64::INFINITY, f64::min);
         let mut march = March::new(mesh, medium, sources);
         let radius = match radius {
             ExactRadius::Edges(edges) => march.advance(least + edges * mean_edge, usize::MAX),
             ExactRadius::Automatic => {
-                let work = (WORK * mesh.vertex_count() as f64).max(LEAST_WORK);
+                let work = (work * mesh.vertex_count() as f64).max(LEAST_WORK);
                 march.advance(f64::INFINITY, work as usize)
             }
         };
@@ -58,68 +53,17 @@ impl Region {
     }
 
     /// The distance of a vertex, if it is in the region.
-    fn value(&self, vertex: u32) -> Option<f64> {
+    #[inline]
+    pub(super) fn value(&self, vertex: u32) -> Option<f64> {
         Some(self.distances[vertex as usize]).filter(|&distance| distance < self.radius)
     }
 
-    /// The field that should be the gradient of distance: that of exact distance in tetrahedra whose corners are all in the region,
-    /// elsewhere of length w against the gradient of heat, as the metric w² g has it, and zero where heat is constant.
-    pub(super) fn field(&self, mesh: &TetMesh, medium: &Medium, elements: &Elements, heat: &[f64]) -> Field {
-        let mut divergence = vec![0.0; mesh.vertex_count()];
-        let mut touched = Vec::new();
-        let blocks = mesh.tetrahedra().chunks(BLOCK).zip(elements.shapes().chunks(BLOCK));
-        for (block, (tetrahedra, shapes)) in blocks.enumerate() {
-            let mut vectors = [DVec3::ZERO; BLOCK];
-            // Squared lengths that divide them.
-            let mut squares = [1.0; BLOCK];
-            for (place, (corners, shape)) in tetrahedra.iter().zip(shapes).enumerate() {
-                let cost = medium.cost((block * BLOCK + place) as u32);
-                if cost.is_infinite() {
-                    continue;
-                }
-                let exact = corners.map(|vertex| self.distances[vertex as usize]);
-                let inside = exact.iter().filter(|&&distance| distance < self.radius).count();
-                if inside > 0 {
-                    touched.push((*corners, inside == exact.len()));
-                }
-                // The stiffness of w² g is w times that of g.
-                if inside == exact.len() {
-                    vectors[place] = cost * shape.gradient(exact);
-                    continue;
-                }
-                let heat = corners.map(|vertex| heat[vertex as usize]);
-                let sum: f64 = heat.iter().map(|value| value.abs()).sum();
-                let scale = scale(sum);
-                let gradient = shape.gradient(heat.map(|value| scale * value));
-                vectors[place] = -cost * cost * gradient;
-                // Where heat is constant the vector is 0 whatever divides it.
-                squares[place] = gradient.length_squared() + f64::MIN_POSITIVE;
-            }
-            let factors = squares.map(|square| 1.0 / square.sqrt());
-            for (((corners, shape), vector), factor) in tetrahedra.iter().zip(shapes).zip(vectors).zip(factors) {
-                for (&vertex, part) in corners.iter().zip(shape.divergence(factor * vector)) {
-                    divergence[vertex as usize] += part;
-                }
-            }
-        }
-        Field { divergence, touched }
-    }
-
-    /// What distance beyond the region has to meet: on the rim of each patch of it the mean of the exact distances, and the initial
-    /// distances of sources that no patch contains.
-    pub(super) fn constraints(
-        &self,
-        mesh: &TetMesh,
-        touched: &[([u32; 4], bool)],
-        sources: &[TetSource],
-    ) -> Vec<Constraint> {
-        let touched = touched.iter().copied();
-        let mut constraints = Constraint::of_rims(mesh.vertex_count(), touched, |vertex| self.value(vertex));
+    /// The initial distances of sources that the region does not contain.
+    pub(super) fn beyond(&self, mesh: &TetMesh, sources: &[TetSource]) -> impl Iterator<Item = Constraint> {
         let is_beyond =
             |source: &&TetSource| source.point.support(mesh).any(|(vertex, _)| self.value(vertex.0).is_none());
         let at_source = |source: &TetSource| Constraint::new(source.point.support(mesh), source.initial_distance);
-        constraints.extend(sources.iter().filter(is_beyond).map(at_source));
-        constraints
+        sources.iter().filter(is_beyond).map(at_source)
     }
 
     /// Puts exact values in their places, and infinity where no source is.
