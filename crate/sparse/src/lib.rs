@@ -28,7 +28,7 @@ pub use factor::Factor;
 pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
-pub use scalar::{Pair, Scalar};
+pub use scalar::{Entry, Pair, Scalar};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;
 pub use symbolic::{FactorMemory, Symbolic};

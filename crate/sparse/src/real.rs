@@ -1,11 +1,11 @@
 //! Real numbers as scalars.
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-use core::arch::wasm32::{f64x2_add, f64x2_mul, v128};
+use core::arch::wasm32::{f64x2_add, f64x2_mul, f64x2_promote_low_f32x4, v128};
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 use crate::scalar::Pair;
-use crate::scalar::Scalar;
+use crate::scalar::{Entry, Scalar};
 
 impl Scalar for f64 {
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -43,6 +43,26 @@ impl Scalar for f64 {
     #[inline(always)]
     fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
         if FUSED { a.mul_add(b, c) } else { a * b + c }
+    }
+}
+
+/// Rounded to single precision.
+impl Entry<f64> for f32 {
+    #[inline(always)]
+    fn number(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    #[inline(always)]
+    fn pair([first, second]: [Self; 2]) -> Register {
+        Register(f64x2_promote_low_f32x4(bytemuck::cast([first, second, 0.0, 0.0])))
+    }
+
+    #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+    #[inline(always)]
+    fn pair(entries: [Self; 2]) -> [f64; 2] {
+        entries.map(f64::from)
     }
 }
 

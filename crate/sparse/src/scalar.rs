@@ -87,3 +87,24 @@ impl<T: Scalar> Pair<T> for [T; 2] {
         array(|i| T::multiply_add::<FUSED>(a[i], b[i], self[i]))
     }
 }
+
+/// How an entry of a factor is kept: as the number itself, or rounded.
+pub trait Entry<T: Scalar>: Copy + Default + Debug + Send + Sync + 'static {
+    /// The number.
+    fn number(self) -> T;
+
+    /// Two numbers.
+    fn pair(entries: [Self; 2]) -> T::Pair;
+}
+
+impl<T: Scalar> Entry<T> for T {
+    #[inline(always)]
+    fn number(self) -> T {
+        self
+    }
+
+    #[inline(always)]
+    fn pair(entries: [Self; 2]) -> T::Pair {
+        T::Pair::new(entries)
+    }
+}

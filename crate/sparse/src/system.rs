@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::error::Result;
 use crate::factor::Factor;
+use crate::scalar::Entry;
 use crate::schur::{Functional, Kind, SchurColumn, evaluate};
 
 #[cfg(test)]
@@ -15,6 +16,8 @@ mod tests;
 pub enum System {
     /// By its Cholesky factor.
     Cholesky(Factor),
+    /// By its Cholesky factor in single precision.
+    Rounded(Factor<f64, f32>),
     /// By conjugate gradients.
     ConjugateGradients(ConjugateGradients),
 }
@@ -32,6 +35,7 @@ impl System {
     pub fn size(&self) -> usize {
         match self {
             Self::Cholesky(factor) => factor.size(),
+            Self::Rounded(factor) => factor.size(),
             Self::ConjugateGradients(matrix) => matrix.size(),
         }
     }
@@ -40,6 +44,7 @@ impl System {
     pub fn factor_nonzeros(&self) -> usize {
         match self {
             Self::Cholesky(factor) => factor.nonzeros(),
+            Self::Rounded(factor) => factor.nonzeros(),
             Self::ConjugateGradients(_) => 0,
         }
     }
@@ -51,6 +56,7 @@ impl System {
     pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.solve(right)),
+            Self::Rounded(factor) => Ok(factor.solve(right)),
             Self::ConjugateGradients(matrix) => matrix.solve(right),
         }
     }
@@ -62,6 +68,7 @@ impl System {
     pub fn solve_sparse(&self, right: &Functional) -> Result<Vec<f64>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.solve_sparse(right)),
+            Self::Rounded(factor) => Ok(factor.solve_sparse(right)),
             Self::ConjugateGradients(matrix) => matrix.solve(&dense(matrix.size(), right)),
         }
     }
@@ -72,11 +79,8 @@ impl System {
     /// [`Error::NotConverged`](crate::Error::NotConverged).
     pub fn schur_columns(&self, functionals: &[Functional]) -> Result<Vec<Arc<SchurColumn>>> {
         match self {
-            Self::Cholesky(factor) => {
-                let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
-                let vectors = factor.forward_sparse_all(&rights);
-                Ok(vectors.into_iter().map(|vector| Arc::new(SchurColumn(Kind::Forward(vector)))).collect())
-            }
+            Self::Cholesky(factor) => Ok(forward_columns(factor, functionals)),
+            Self::Rounded(factor) => Ok(forward_columns(factor, functionals)),
             Self::ConjugateGradients(matrix) => {
                 let solve = |functional: &Functional| {
                     let solution = matrix.solve(&dense(matrix.size(), functional))?;
@@ -94,6 +98,7 @@ impl System {
     pub fn partial_solve(&self, right: &[f64]) -> Result<PartialSolve<'_>> {
         let vector = match self {
             Self::Cholesky(factor) => factor.forward(right),
+            Self::Rounded(factor) => factor.forward(right),
             Self::ConjugateGradients(matrix) => matrix.solve(right)?,
         };
         Ok(PartialSolve { system: self, vector })
@@ -125,9 +130,17 @@ impl PartialSolve<'_> {
     pub fn finish(self) -> Vec<f64> {
         match self.system {
             System::Cholesky(factor) => factor.backward(self.vector),
+            System::Rounded(factor) => factor.backward(self.vector),
             System::ConjugateGradients(_) => self.vector,
         }
     }
+}
+
+/// The Schur columns of constraints by a factor.
+fn forward_columns<E: Entry<f64>>(factor: &Factor<f64, E>, functionals: &[Functional]) -> Vec<Arc<SchurColumn>> {
+    let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
+    let vectors = factor.forward_sparse_all(&rights);
+    vectors.into_iter().map(|vector| Arc::new(SchurColumn(Kind::Forward(vector)))).collect()
 }
 
 /// A functional as a vector.

@@ -8,7 +8,7 @@ use crate::operator::{Discretization, Operators};
 use crate::options::{LinearSolver, MemoryLimit};
 use crate::progress::{Progress, Stage, report};
 use heatwalk_sparse::{
-    ConjugateGradients, Functional, Permutation, SchurCache, SchurColumn, Symbolic, SymmetricMatrix, System,
+    ConjugateGradients, Factor, Functional, Permutation, SchurCache, SchurColumn, Symbolic, SymmetricMatrix, System,
 };
 use heatwalk_surface::memory;
 
@@ -106,10 +106,15 @@ impl<D: Discretization> Systems<D> {
             Some(symbolic) => {
                 let names = matrices.each_ref().map(|&(_, name)| name);
                 let factors = symbolic.factor(matrices.each_ref().map(|(matrix, _)| matrix), progress);
-                factors.map_err(|error| Error::of_matrices(&error, &names))?.map(System::Cholesky)
+                factors.map_err(|error| Error::of_matrices(&error, &names))?.map(Self::kept)
             }
             None => matrices.map(|(matrix, _)| System::ConjugateGradients(ConjugateGradients::new(matrix))),
         })
+    }
+
+    fn kept(factor: Factor) -> System {
+        let rounded = if D::ROUNDS { factor.rounded() } else { Err(factor) };
+        rounded.map_or_else(System::Cholesky, System::Rounded)
     }
 
     pub(super) fn system(&self, matrix: SymmetricMatrix, name: &'static str) -> Result<System> {

@@ -20,6 +20,9 @@ pub struct Laplacian {
 
 /// Linear elements of some kind, as linear systems see them: matrices alone.
 pub trait Discretization {
+    /// Whether factors are kept in single precision where their entries allow it, for speed.
+    const ROUNDS: bool = false;
+
     /// Stiffness and mass.
     fn laplacian(&self) -> &Laplacian;
 

@@ -28,6 +28,8 @@ pub(crate) struct Elements {
 }
 
 impl Discretization for Elements {
+    const ROUNDS: bool = true;
+
     fn laplacian(&self) -> &Laplacian {
         &self.laplacian
     }
