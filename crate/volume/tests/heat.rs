@@ -75,9 +75,9 @@ fn the_exact_region_takes_work_not_vertices() {
         inside as f64 / mesh.vertex_count() as f64
     };
     let straight = share(&shapes::cube(12, 0.2), DVec3::ZERO);
-    assert!((0.4..0.6).contains(&straight), "{straight}");
+    assert!((0.2..0.35).contains(&straight), "{straight}");
     let bent = share(&shapes::pierced_cube(0.4, 6, 0.15), DVec3::new(-0.4, 0.0, 0.4));
-    assert!((0.05..0.35).contains(&bent), "{bent}");
+    assert!((0.03..0.2).contains(&bent), "{bent}");
 }
 
 #[test]
@@ -87,9 +87,9 @@ fn the_time_step_is_longer_where_some_edges_are() {
         solver.distance(&[VertexId(0)], &by_heat()).unwrap();
         solver.time_factor().unwrap()
     };
-    assert_eq!(factor(&shapes::cube(6, 0.2)), 0.5);
+    assert_eq!(factor(&shapes::cube(6, 0.2)), 0.6);
     let pierced = factor(&shapes::pierced_cube(0.4, 4, 0.15));
-    assert!((0.6..0.7).contains(&pierced), "{pierced}");
+    assert!((0.62..0.7).contains(&pierced), "{pierced}");
     let mut long = shapes::cube(6, 0.2);
     long.positions.iter_mut().filter(|position| position.x > 0.99).for_each(|position| position.x = 20.0);
     assert_eq!(factor(&long), 1.0);

@@ -35,70 +35,91 @@ impl Logarithm {
     /// Of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Between vertices of the region, differences
     /// are those of exact distance.
     pub(super) fn right(&self, laplacian: &Laplacian, heat: &[f64], time: f64, region: &Region) -> Right {
-        // Stiffness of obtuse tetrahedra may let heat fall below 0, where its size still is that of the heat around.
-        let mut values: Vec<f64> = heat.iter().map(|heat| heat.abs().max(f64::MIN_POSITIVE).ln()).collect();
-        let rates = rates(laplacian, &values, time);
-        for (value, _) in values.iter_mut().zip(&self.reflects).filter(|&(_, &reflects)| reflects) {
-            *value -= REFLECTED;
+        let mut nodes = nodes(laplacian, heat, time);
+        for (vertex, (node, &reflects)) in nodes.iter_mut().zip(&self.reflects).enumerate() {
+            node.exact = region.value(vertex as u32).unwrap_or(f64::INFINITY);
+            if reflects {
+                node.value -= REFLECTED;
+            }
         }
-        let mut divergence = vec![0.0; values.len()];
-        let mut touched = Vec::new();
-        for vertex in 0..values.len() {
-            let (own, rate, exact) = (values[vertex], rates[vertex], region.value(vertex as u32));
+        let mut divergence = vec![0.0; nodes.len()];
+        let mut inside = Vec::new();
+        let mut is_on_rim = vec![false; nodes.len()];
+        for (vertex, own) in nodes.iter().enumerate() {
             let mut sum = 0.0;
             for (row, weight) in edges(laplacian, vertex) {
-                let exact = [exact, region.value(row as u32)];
-                if exact != [None; 2] {
-                    touched.push(([vertex as u32, row as u32], exact[0].is_some() && exact[1].is_some()));
+                let other = &nodes[row];
+                let mut difference = 0.5 * (own.rate + other.rate) * (other.value - own.value);
+                if other.exact < f64::INFINITY {
+                    if own.exact < f64::INFINITY {
+                        inside.push([vertex as u32, row as u32]);
+                        difference = own.exact - other.exact;
+                    } else {
+                        is_on_rim[row] = true;
+                    }
+                } else if own.exact < f64::INFINITY {
+                    is_on_rim[vertex] = true;
                 }
-                let difference = match exact {
-                    [Some(own), Some(other)] => own - other,
-                    _ => 0.5 * (rate + rates[row]) * (values[row] - own),
-                };
-                sum += weight * difference;
-                divergence[row] -= weight * difference;
+                let flux = weight * difference;
+                sum += flux;
+                divergence[row] -= flux;
             }
             divergence[vertex] += sum;
         }
-        let rims = Constraint::of_rims(values.len(), touched, |vertex| region.value(vertex));
+        let on_rim = (0..).zip(is_on_rim).filter(|&(_, is_on_rim)| is_on_rim).map(|(vertex, _)| ([vertex; 2], false));
+        let touched = inside.into_iter().map(|edge| (edge, true)).chain(on_rim);
+        let rims = Constraint::of_rims(nodes.len(), touched, |vertex| region.value(vertex));
         Right { divergence, rims }
     }
 }
 
-/// How much distance a unit of the logarithm is around each vertex, so that there the field is as long as it should be.
-fn rates(laplacian: &Laplacian, values: &[f64], time: f64) -> Vec<f64> {
-    // Σ l cot Δ² / 6 and Σ l cot Δ⁴ / 6 over the edges of each vertex, with Δ the difference along an edge.
-    let mut sums = vec![[0.0; 2]; values.len()];
-    for vertex in 0..values.len() {
-        let mut own = [0.0; 2];
+/// What the field is made of at a vertex.
+#[derive(Clone, Copy)]
+struct Node {
+    /// The logarithm of heat.
+    value: f64,
+    /// How much distance a unit of the logarithm is, so that the field around is as long as it should be.
+    rate: f64,
+    /// Exact distance; infinite where that is not known.
+    exact: f64,
+}
+
+/// Of vertices where no distance is known.
+fn nodes(laplacian: &Laplacian, heat: &[f64], time: f64) -> Vec<Node> {
+    // Of Δ² and Δ⁴, with Δ the difference along an edge, the sums over the edges of each vertex times their weights. Stiffness of obtuse
+    // tetrahedra may let heat fall below 0, where its size still is that of the heat around.
+    let value = |heat: &f64| heat.abs().max(f64::MIN_POSITIVE).ln();
+    let mut sums: Vec<(f64, [f64; 2])> = heat.iter().map(|heat| (value(heat), [0.0; 2])).collect();
+    for vertex in 0..sums.len() {
+        let (value, mut own) = sums[vertex];
         for (row, weight) in edges(laplacian, vertex) {
-            let square = (values[row] - values[vertex]).powi(2);
-            let part = [weight * square, weight * square * square];
-            for (power, part) in part.into_iter().enumerate() {
-                own[power] += part;
-                sums[row][power] += part;
-            }
+            let (other, sums) = &mut sums[row];
+            let square = (*other - value) * (*other - value);
+            let [squares, quartics] = [weight * square, weight * square * square];
+            own = [own[0] + squares, own[1] + quartics];
+            *sums = [sums[0] + squares, sums[1] + quartics];
         }
-        for (sum, own) in sums[vertex].iter_mut().zip(own) {
-            *sum += own;
-        }
+        sums[vertex].1 = own;
     }
     let least = 1.0 / (MOST_RATE * MOST_RATE * time);
-    let rate = |(&[squares, quartics], &mass): (&[f64; 2], &f64)| {
-        let mass = 2.0 * mass;
+    let rate = |[squares, quartics]: [f64; 2], mass: f64| {
         if squares < least * mass {
             return time.sqrt();
         }
         // The sum of squares is 2 M k² for e^(−k·x). It solves `(M / t + L) u = 0` on alike tetrahedra where
-        // M / t = Σ l cot (cosh Δ − 1) / 6: k² is less than 1 / t by a 24th of the sum of fourth powers over M, which c makes up for.
-        let length_squared =
-            (time * squares / mass + quartics / (12.0 * squares)).clamp(LEAST_LENGTH * LEAST_LENGTH, 1.0);
-        (length_squared * mass / squares).sqrt()
+        // M / t = Σ w (cosh Δ − 1): k² is less than 1 / t by a 24th of the sum of fourth powers over M, which c makes up for.
+        let square = time * squares / mass + quartics / (12.0 * squares);
+        (square.clamp(LEAST_LENGTH * LEAST_LENGTH, 1.0) * mass / squares).sqrt()
     };
-    sums.iter().zip(&laplacian.mass).map(rate).collect()
+    let node = |(&(value, sums), &mass): (&(f64, [f64; 2]), &f64)| Node {
+        value,
+        rate: rate(sums, 2.0 * mass),
+        exact: f64::INFINITY,
+    };
+    sums.iter().zip(&laplacian.mass).map(node).collect()
 }
 
-/// The other ends of the edges whose lower end is a vertex, and their weights l cot θ / 6.
+/// The other ends of the edges whose lower end is a vertex, and their weights w, l cot θ / 6.
 #[inline]
 fn edges(laplacian: &Laplacian, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
     // The diagonal comes first.
