@@ -19,6 +19,9 @@ const SIDE_BY_SIDE: usize = 2;
 /// and twice as many faces as vertices), distance, their right sides and what is answered.
 const SOLVE_NUMBERS: usize = 32;
 
+/// Factors of fewer entries stay in a cache, where substitutions do not wait for memory.
+const ROUNDED_ENTRIES: usize = 1 << 20;
+
 const BYTES_PER_NUMBER: u64 = size_of::<f64>() as u64;
 
 /// Share of the progress before ordering, and before analysing.
@@ -113,7 +116,8 @@ impl<D: Discretization> Systems<D> {
     }
 
     fn kept(factor: Factor) -> System {
-        let rounded = if D::ROUNDS { factor.rounded() } else { Err(factor) };
+        let rounds = D::ROUNDS && factor.nonzeros() >= ROUNDED_ENTRIES;
+        let rounded = if rounds { factor.rounded() } else { Err(factor) };
         rounded.map_or_else(System::Cholesky, System::Rounded)
     }
 

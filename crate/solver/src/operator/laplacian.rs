@@ -20,7 +20,7 @@ pub struct Laplacian {
 
 /// Linear elements of some kind, as linear systems see them: matrices alone.
 pub trait Discretization {
-    /// Whether factors are kept in single precision where their entries allow it, for speed.
+    /// Whether large factors are kept in single precision where their entries allow it, for speed.
     const ROUNDS: bool = false;
 
     /// Stiffness and mass.
