@@ -12,6 +12,7 @@ use crate::ordering::Permutation;
 use crate::pattern::Pattern;
 use crate::samples::{Mesh, assemble, both_systems, right_side};
 use crate::schur::{Functional, SchurComplement, evaluate};
+use crate::system::System;
 
 /// Share of the right side by which a solution may miss it: rounding, by the length of the sums and the growth in the
 /// factor.
@@ -52,6 +53,47 @@ fn solutions_satisfy_their_matrices() {
             assert_solves(matrix, &both.solve_sparse(&few), &right);
             assert_eq!(both.nonzeros(), symbolic.factor_nonzeros());
         }
+    }
+}
+
+#[test]
+fn a_rounded_factor_is_that_of_a_matrix_nearby() {
+    let mesh = Mesh::grid(40, 30, 3.0, 1.0);
+    let matrix = mesh.heat();
+    let factor = || {
+        let [factor] = analysed(matrix.pattern()).factor([&matrix], &mut go_on).expect("positive definite");
+        factor
+    };
+    let rounded = System::Rounded(factor().rounded().expect("entries near 1"));
+    let whole = System::Cholesky(factor());
+    assert_eq!(rounded.factor_nonzeros(), whole.factor_nonzeros());
+    let right = right_side(matrix.size());
+    let few: Functional = vec![(3, 2.0), (0, -1.0)];
+    let solutions = |system: &System| {
+        let columns = system.schur_columns(std::slice::from_ref(&few)).expect("a factor");
+        let mut partial = system.partial_solve(&right).expect("a factor");
+        partial.add(1.5, &columns[0]);
+        [system.solve(&right), system.solve_sparse(&few), Ok(partial.finish())].map(|solution| solution.expect("a factor"))
+    };
+    for (rounded, whole) in solutions(&rounded).iter().zip(solutions(&whole)) {
+        let size = whole.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        let missed = rounded.iter().zip(&whole).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max);
+        // Rounding by half of 2⁻²³, in a matrix whose condition number is some tens.
+        assert!(missed > 0.0 && missed < 1e-5 * size, "{missed} of {size}");
+    }
+}
+
+#[test]
+fn a_factor_of_entries_that_single_precision_lacks_is_not_rounded() {
+    let mesh = Mesh::grid(4, 4, 0.0, 1.0);
+    for scale in [1e-90, 1e90] {
+        let (pattern, values) = mesh.heat().into_parts();
+        let values = values.into_iter().map(|value| scale * value).collect();
+        let matrix = SymmetricMatrix::new(pattern, values).expect("values of the pattern");
+        let [factor] = analysed(matrix.pattern()).factor([&matrix], &mut go_on).expect("positive definite");
+        let kept = factor.rounded().expect_err("out of range");
+        let right: Vec<f64> = right_side(matrix.size()).iter().map(|value| scale * value).collect();
+        assert!(kept.solve(&right).iter().all(|value| value.is_finite() && *value != 0.0));
     }
 }
 

@@ -184,8 +184,7 @@ impl Field {
         }
     }
 
-    /// m in t = m h² where it is chosen and edges are even: of those measured on cubes, balls and tubes the one of the least mean
-    /// error.
+    /// m in t = m h² where it is chosen and edges are even, by errors measured on cubes, balls and tubes.
     fn time_factor(self) -> f64 {
         match self {
             Self::Unit => 0.5,
