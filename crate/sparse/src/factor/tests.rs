@@ -68,12 +68,13 @@ fn a_rounded_factor_is_that_of_a_matrix_nearby() {
     let whole = System::Cholesky(factor());
     assert_eq!(rounded.factor_nonzeros(), whole.factor_nonzeros());
     let right = right_side(matrix.size());
-    let few: Functional = vec![(3, 2.0), (0, -1.0)];
+    let few: Functional = vec![(40, 2.0), (200, -1.0)];
     let solutions = |system: &System| {
         let columns = system.schur_columns(std::slice::from_ref(&few)).expect("a factor");
         let mut partial = system.partial_solve(&right).expect("a factor");
         partial.add(1.5, &columns[0]);
-        [system.solve(&right), system.solve_sparse(&few), Ok(partial.finish())].map(|solution| solution.expect("a factor"))
+        [system.solve(&right), system.solve_sparse(&few), Ok(partial.finish())]
+            .map(|solution| solution.expect("a factor"))
     };
     for (rounded, whole) in solutions(&rounded).iter().zip(solutions(&whole)) {
         let size = whole.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
@@ -93,7 +94,9 @@ fn a_factor_of_entries_that_single_precision_lacks_is_not_rounded() {
         let [factor] = analysed(matrix.pattern()).factor([&matrix], &mut go_on).expect("positive definite");
         let kept = factor.rounded().expect_err("out of range");
         let right: Vec<f64> = right_side(matrix.size()).iter().map(|value| scale * value).collect();
-        assert!(kept.solve(&right).iter().all(|value| value.is_finite() && *value != 0.0));
+        let solution = kept.solve(&right);
+        let largest = solution.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        assert!(solution.iter().all(|value| value.is_finite()) && largest > 0.01, "{largest}");
     }
 }
 
