@@ -65,6 +65,35 @@ fn sources_have_their_initial_distances_exactly() {
     }
 }
 
+/// Mean error with an exact region of a few edges, at the time that is chosen and where the same is given.
+fn errors_by_field(soup: &TetSoup) -> [f64; 2] {
+    let mut solver = VolumeSolver::new(mesh(soup));
+    let mesh = Arc::clone(solver.mesh());
+    let source = nearest(&mesh, DVec3::ZERO);
+    let truth = truth(&mesh, mesh.position(source), DVec3::distance);
+    let mut options = by_heat();
+    options.heat.exact_radius = ExactRadius::Edges(3.0);
+    let chosen = errors(&solver.distance(&[source], &options).unwrap().values, &truth)[0];
+    options.heat.time_step = TimeStep::Factor(solver.time_factor().unwrap());
+    [chosen, errors(&solver.distance(&[source], &options).unwrap().values, &truth)[0]]
+}
+
+#[test]
+fn the_field_of_the_logarithm_is_more_accurate() {
+    let [logarithm, unit] = errors_by_field(&shapes::cube(14, 0.1));
+    assert!(logarithm < 0.8 * unit, "{logarithm} and {unit}");
+}
+
+#[test]
+fn among_obtuse_tetrahedra_the_field_is_that_of_the_paper() {
+    let mut soup = shapes::cube(10, 0.15);
+    for position in &mut soup.positions {
+        position.x += 1.2 * position.y;
+    }
+    let [chosen, given] = errors_by_field(&soup);
+    assert!((chosen / given - 1.0).abs() < 1e-9, "{chosen} and {given}");
+}
+
 #[test]
 fn the_exact_region_takes_work_not_vertices() {
     let share = |soup: &TetSoup, place: DVec3| {

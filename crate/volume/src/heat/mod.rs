@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
 use heatwalk::operator::Discretization;
+use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
 
 use crate::error::Result;
@@ -37,6 +38,10 @@ enum Field {
 
 /// Of the edges, all but this share are no long ones.
 const LONG_EDGES: f64 = 0.01;
+
+/// Of the weights of all edges, at most this share may be negative for the field of the logarithm: obtuse tetrahedra let heat through
+/// against its fall, and their edges do not tell how it falls.
+const NEGATIVE_SHARE: f64 = 0.13;
 
 /// Where some edges are long, √t is at least this share of them, so that heat is not lost within one; but m is at most that of the
 /// paper, 1.
@@ -60,6 +65,8 @@ pub(crate) struct VolumeHeat {
     poisson: Poisson<Elements>,
     flows: Vec<HeatFlow<Elements>>,
     lengths: Lengths,
+    /// Whether nearly all edges have positive weights.
+    is_monotone: bool,
     logarithm: Logarithm,
 }
 
@@ -88,7 +95,8 @@ impl VolumeHeat {
         }
         let lengths = Lengths::of(mesh, medium);
         let systems = Systems::new(Elements::new(mesh, medium), options.solver, progress)?;
-        let time = lengths.time(options);
+        let is_monotone = negative_share(systems.operators().laplacian()) <= NEGATIVE_SHARE;
+        let time = lengths.time(options, Field::of(options, is_monotone));
         let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
         let first = conditions.next().unwrap_or(Condition::Neumann);
         systems.check_memory(0, 2 + conditions.len(), options.memory)?;
@@ -100,7 +108,7 @@ impl VolumeHeat {
             flows.push(HeatFlow::new(&systems, time, condition)?);
         }
         let logarithm = Logarithm::new(medium.is_on_boundary(mesh));
-        Ok(Self { options, systems, poisson, flows, lengths, logarithm })
+        Ok(Self { options, systems, poisson, flows, lengths, is_monotone, logarithm })
     }
 
     /// Changes the options; factors the heat matrices anew where that is needed.
@@ -119,7 +127,7 @@ impl VolumeHeat {
             *self = Self::new(mesh, medium, options, progress)?;
             return Ok(());
         }
-        let time = self.lengths.time(options);
+        let time = self.lengths.time(options, Field::of(options, self.is_monotone));
         let mut flows = Vec::new();
         for condition in conditions(mesh, &self.systems, options.boundary) {
             if progress(Stage::Factoring, 0.0).is_break() {
@@ -156,7 +164,7 @@ impl VolumeHeat {
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
         let SourceHeat { values: heat, is_active } =
             SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
-        let field = Field::of(self.options);
+        let field = Field::of(self.options, self.is_monotone);
         let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.lengths.mean_edge, field.work());
         let elements = self.systems.operators();
         let Right { divergence, rims: mut constraints } = match field {
@@ -177,9 +185,9 @@ impl VolumeHeat {
 
 impl Field {
     /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
-    fn of(options: FactorOptions) -> Self {
+    fn of(options: FactorOptions, is_monotone: bool) -> Self {
         match (options.time_step, options.solver, options.boundary) {
-            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) => Self::Logarithm,
+            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) if is_monotone => Self::Logarithm,
             _ => Self::Unit,
         }
     }
@@ -267,19 +275,33 @@ impl Lengths {
     }
 
     /// t = m h², but long enough for heat to reach everywhere.
-    fn time(self, options: FactorOptions) -> f64 {
+    fn time(self, options: FactorOptions, field: Field) -> f64 {
         let efolds = match (options.time_step, options.solver) {
             (TimeStep::Automatic, LinearSolver::ConjugateGradients) => ITERATED_EFOLDS,
             _ => EFOLDS,
         };
         let factor = match options.time_step {
             TimeStep::Automatic => {
-                (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(Field::of(options).time_factor(), 1.0)
+                (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(field.time_factor(), 1.0)
             }
             TimeStep::Factor(factor) => factor,
         };
         (factor * self.mean_edge * self.mean_edge).max((self.extent / efolds).powi(2))
     }
+}
+
+/// Share of the weights of all edges that is negative.
+fn negative_share(laplacian: &Laplacian) -> f64 {
+    let (mut negative, mut whole) = (0.0, 0.0);
+    for vertex in 0..laplacian.size() {
+        // The diagonal comes first; a weight is minus the entry.
+        let entries = laplacian.column(vertex);
+        for &entry in &laplacian.stiffness.values()[entries.start + 1..entries.end] {
+            negative += entry.max(0.0);
+            whole += entry.abs();
+        }
+    }
+    if whole > 0.0 { negative / whole } else { 0.0 }
 }
 
 /// The least cost of the tetrahedra around an edge.
