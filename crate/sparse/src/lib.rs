@@ -32,4 +32,4 @@ pub use scalar::{Entry, Pair, Scalar};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;
 pub use symbolic::{FactorMemory, Symbolic};
-pub use system::{PartialSolve, System};
+pub use system::{PartialSolve, Substitute, System};

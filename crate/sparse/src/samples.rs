@@ -154,7 +154,7 @@ pub(crate) fn both_systems(matrix: &SymmetricMatrix) -> [(System, f64); 2] {
     let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
     let [factor] = symbolic.factor([matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
     let iterative = ConjugateGradients::new(matrix.clone());
-    [(System::Cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)]
+    [(System::cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)]
 }
 
 /// Values between −1 and 1 that repeat late.

@@ -1,5 +1,6 @@
 //! Linear systems with a few linear constraints, without factoring again: bordered (Schur complement) solves.
 
+use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::conjugate_gradients::ConjugateGradients;
@@ -15,11 +16,58 @@ mod tests;
 #[derive(Debug)]
 pub enum System {
     /// By its Cholesky factor.
-    Cholesky(Factor),
-    /// By its Cholesky factor in single precision.
-    Rounded(Factor<f64, f32>),
+    Cholesky(Box<dyn Substitute>),
     /// By conjugate gradients.
     ConjugateGradients(ConjugateGradients),
+}
+
+/// A Cholesky factor, whatever its entries are kept as. What no program makes is not in it.
+pub trait Substitute: Debug + Send + Sync {
+    /// Number of rows.
+    fn size(&self) -> usize;
+
+    /// Number of nonzeros, zeros inside supernodes counted.
+    fn nonzeros(&self) -> usize;
+
+    /// The solution for a right side that is zero but at a few rows, given as `(row, value)`.
+    fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64>;
+
+    /// `C⁻¹ right`, in the elimination order.
+    fn forward(&self, right: &[f64]) -> Vec<f64>;
+
+    /// `C⁻ᴴ x` for a vector in the elimination order; the result is in the order of the matrix.
+    fn backward(&self, x: Vec<f64>) -> Vec<f64>;
+
+    /// The Schur columns of constraints.
+    fn columns(&self, functionals: &[Functional]) -> Vec<Arc<SchurColumn>>;
+}
+
+impl<E: Entry<f64>> Substitute for Factor<f64, E> {
+    fn size(&self) -> usize {
+        self.size()
+    }
+
+    fn nonzeros(&self) -> usize {
+        self.nonzeros()
+    }
+
+    fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+        self.solve_sparse(right)
+    }
+
+    fn forward(&self, right: &[f64]) -> Vec<f64> {
+        self.forward(right)
+    }
+
+    fn backward(&self, x: Vec<f64>) -> Vec<f64> {
+        self.backward(x)
+    }
+
+    fn columns(&self, functionals: &[Functional]) -> Vec<Arc<SchurColumn>> {
+        let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
+        let vectors = self.forward_sparse_all(&rights);
+        vectors.into_iter().map(|vector| Arc::new(SchurColumn(Kind::Forward(vector)))).collect()
+    }
 }
 
 /// A solve whose right side can still be changed by constraints.
@@ -31,11 +79,15 @@ pub struct PartialSolve<'a> {
 }
 
 impl System {
+    /// By a Cholesky factor.
+    pub fn cholesky<E: Entry<f64>>(factor: Factor<f64, E>) -> Self {
+        Self::Cholesky(Box::new(factor))
+    }
+
     /// Number of rows.
     pub fn size(&self) -> usize {
         match self {
             Self::Cholesky(factor) => factor.size(),
-            Self::Rounded(factor) => factor.size(),
             Self::ConjugateGradients(matrix) => matrix.size(),
         }
     }
@@ -44,7 +96,6 @@ impl System {
     pub fn factor_nonzeros(&self) -> usize {
         match self {
             Self::Cholesky(factor) => factor.nonzeros(),
-            Self::Rounded(factor) => factor.nonzeros(),
             Self::ConjugateGradients(_) => 0,
         }
     }
@@ -55,8 +106,7 @@ impl System {
     /// [`Error::NotConverged`](crate::Error::NotConverged).
     pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
         match self {
-            Self::Cholesky(factor) => Ok(factor.solve(right)),
-            Self::Rounded(factor) => Ok(factor.solve(right)),
+            Self::Cholesky(factor) => Ok(factor.backward(factor.forward(right))),
             Self::ConjugateGradients(matrix) => matrix.solve(right),
         }
     }
@@ -68,7 +118,6 @@ impl System {
     pub fn solve_sparse(&self, right: &Functional) -> Result<Vec<f64>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.solve_sparse(right)),
-            Self::Rounded(factor) => Ok(factor.solve_sparse(right)),
             Self::ConjugateGradients(matrix) => matrix.solve(&dense(matrix.size(), right)),
         }
     }
@@ -79,8 +128,7 @@ impl System {
     /// [`Error::NotConverged`](crate::Error::NotConverged).
     pub fn schur_columns(&self, functionals: &[Functional]) -> Result<Vec<Arc<SchurColumn>>> {
         match self {
-            Self::Cholesky(factor) => Ok(forward_columns(factor, functionals)),
-            Self::Rounded(factor) => Ok(forward_columns(factor, functionals)),
+            Self::Cholesky(factor) => Ok(factor.columns(functionals)),
             Self::ConjugateGradients(matrix) => {
                 let solve = |functional: &Functional| {
                     let solution = matrix.solve(&dense(matrix.size(), functional))?;
@@ -98,7 +146,6 @@ impl System {
     pub fn partial_solve(&self, right: &[f64]) -> Result<PartialSolve<'_>> {
         let vector = match self {
             Self::Cholesky(factor) => factor.forward(right),
-            Self::Rounded(factor) => factor.forward(right),
             Self::ConjugateGradients(matrix) => matrix.solve(right)?,
         };
         Ok(PartialSolve { system: self, vector })
@@ -130,17 +177,9 @@ impl PartialSolve<'_> {
     pub fn finish(self) -> Vec<f64> {
         match self.system {
             System::Cholesky(factor) => factor.backward(self.vector),
-            System::Rounded(factor) => factor.backward(self.vector),
             System::ConjugateGradients(_) => self.vector,
         }
     }
-}
-
-/// The Schur columns of constraints by a factor.
-fn forward_columns<E: Entry<f64>>(factor: &Factor<f64, E>, functionals: &[Functional]) -> Vec<Arc<SchurColumn>> {
-    let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
-    let vectors = factor.forward_sparse_all(&rights);
-    vectors.into_iter().map(|vector| Arc::new(SchurColumn(Kind::Forward(vector)))).collect()
 }
 
 /// A functional as a vector.

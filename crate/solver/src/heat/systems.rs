@@ -116,9 +116,11 @@ impl<D: Discretization> Systems<D> {
     }
 
     fn kept(factor: Factor) -> System {
-        let rounds = D::ROUNDS && factor.nonzeros() >= ROUNDED_ENTRIES;
-        let rounded = if rounds { factor.rounded() } else { Err(factor) };
-        rounded.map_or_else(System::Cholesky, System::Rounded)
+        if D::ROUNDS && factor.nonzeros() >= ROUNDED_ENTRIES {
+            factor.rounded().map_or_else(System::cholesky, System::cholesky)
+        } else {
+            System::cholesky(factor)
+        }
     }
 
     pub(super) fn system(&self, matrix: SymmetricMatrix, name: &'static str) -> Result<System> {

@@ -64,8 +64,8 @@ fn a_rounded_factor_is_that_of_a_matrix_nearby() {
         let [factor] = analysed(matrix.pattern()).factor([&matrix], &mut go_on).expect("positive definite");
         factor
     };
-    let rounded = System::Rounded(factor().rounded().expect("entries near 1"));
-    let whole = System::Cholesky(factor());
+    let rounded = System::cholesky(factor().rounded().expect("entries near 1"));
+    let whole = System::cholesky(factor());
     assert_eq!(rounded.factor_nonzeros(), whole.factor_nonzeros());
     let right = right_side(matrix.size());
     let few: Functional = vec![(40, 2.0), (200, -1.0)];

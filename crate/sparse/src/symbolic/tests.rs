@@ -45,7 +45,7 @@ fn the_work_of_constraints_counts_the_rows_that_they_reach() {
     assert!(matrix.size() <= CONSTRAINT_SAMPLES, "every row is a sample");
     let [factor] = symbolic.factor([&matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
     let functionals: Vec<_> = (0..matrix.size() as u32).map(|row| vec![(row, 1.0)]).collect();
-    let columns = System::Cholesky(factor).schur_columns(&functionals).expect("memory");
+    let columns = System::cholesky(factor).schur_columns(&functionals).expect("memory");
     let reached: usize = columns.iter().map(|column| column.nonzeros()).sum();
     // The part of the work that is quadratic in their number.
     let rows = symbolic.constraint_work(2) - 2.0 * symbolic.constraint_work(1) - 1.0;
