@@ -39,8 +39,10 @@ export class CrowdWalk {
     });
   }
 
-  /** Resolves when the step under way is shown. */
+  /** Resolves when the step under way is shown, and who is wanted since: the next frame, which asks for them, may be long in coming. */
   async settled(): Promise<void> {
+    await this.#waiting;
+    this.advance(0);
     await this.#waiting;
   }
 
