@@ -20,6 +20,10 @@ const MOST_RATE: f64 = 3.0;
 /// Along the boundary it is not; half of that is taken off.
 const REFLECTED: f64 = 0.35;
 
+/// Of the weights of all edges, at most this share may be negative for the field of the logarithm: obtuse tetrahedra let heat through
+/// against its fall, and their edges do not tell how it falls.
+const NEGATIVE_SHARE: f64 = 0.13;
+
 /// Where the logarithm of heat is too great.
 #[derive(Debug)]
 pub(super) struct Logarithm {
@@ -71,6 +75,16 @@ impl Logarithm {
         let rims = Constraint::of_rims(nodes.len(), touched, |vertex| region.value(vertex));
         Right { divergence, rims }
     }
+}
+
+/// Whether nearly all edges have positive weights, so that heat falls along them.
+pub(super) fn is_monotone(laplacian: &Laplacian) -> bool {
+    let (mut negative, mut whole) = (0.0, 0.0);
+    for (_, weight) in (0..laplacian.size()).flat_map(|vertex| edges(laplacian, vertex)) {
+        negative += (-weight).max(0.0);
+        whole += weight.abs();
+    }
+    negative <= NEGATIVE_SHARE * whole
 }
 
 /// What the field is made of at a vertex.

@@ -16,7 +16,6 @@ use std::sync::Arc;
 
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
 use heatwalk::operator::Discretization;
-use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
 
 use crate::error::Result;
@@ -38,10 +37,6 @@ enum Field {
 
 /// Of the edges, all but this share are no long ones.
 const LONG_EDGES: f64 = 0.01;
-
-/// Of the weights of all edges, at most this share may be negative for the field of the logarithm: obtuse tetrahedra let heat through
-/// against its fall, and their edges do not tell how it falls.
-const NEGATIVE_SHARE: f64 = 0.13;
 
 /// Where some edges are long, √t is at least this share of them, so that heat is not lost within one; but m is at most that of the
 /// paper, 1.
@@ -95,7 +90,7 @@ impl VolumeHeat {
         }
         let lengths = Lengths::of(mesh, medium);
         let systems = Systems::new(Elements::new(mesh, medium), options.solver, progress)?;
-        let is_monotone = negative_share(systems.operators().laplacian()) <= NEGATIVE_SHARE;
+        let is_monotone = logarithm::is_monotone(systems.operators().laplacian());
         let time = lengths.time(options, Field::of(options, is_monotone));
         let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
         let first = conditions.next().unwrap_or(Condition::Neumann);
@@ -288,20 +283,6 @@ impl Lengths {
         };
         (factor * self.mean_edge * self.mean_edge).max((self.extent / efolds).powi(2))
     }
-}
-
-/// Share of the weights of all edges that is negative.
-fn negative_share(laplacian: &Laplacian) -> f64 {
-    let (mut negative, mut whole) = (0.0, 0.0);
-    for vertex in 0..laplacian.size() {
-        // The diagonal comes first; a weight is minus the entry.
-        let entries = laplacian.column(vertex);
-        for &entry in &laplacian.stiffness.values()[entries.start + 1..entries.end] {
-            negative += entry.max(0.0);
-            whole += entry.abs();
-        }
-    }
-    if whole > 0.0 { negative / whole } else { 0.0 }
 }
 
 /// The least cost of the tetrahedra around an edge.
