@@ -13,6 +13,7 @@
 //! does not matter for the result, only for the time, and a queue of buckets will do.
 
 mod crossing;
+mod envelope;
 mod geometry;
 mod lists;
 mod origin;

@@ -2,7 +2,7 @@
 
 use std::hint::select_unpredictable;
 
-use super::window::Window;
+use super::window::Beam;
 use crate::extremum::{larger, smaller};
 
 #[cfg(test)]
@@ -11,10 +11,12 @@ mod tests;
 /// Two overlapping windows of one half-edge, and the first's distance less the second's where their overlap begins and
 /// ends. A tie is the second's.
 pub(super) struct Overlap<'a> {
-    pub first: &'a Window,
-    pub second: &'a Window,
+    pub first: &'a Beam,
+    pub second: &'a Beam,
     pub begin: (f64, f64),
     pub end: (f64, f64),
+    /// The larger of the second's distances there.
+    farther: f64,
 }
 
 /// Intervals of two windows in order, each with whether it is the first's. At most: one alone, three turns, one alone.
@@ -39,42 +41,17 @@ impl Shares {
     }
 }
 
-/// A place where both distances are the same, nearly.
-pub(super) struct Meeting {
-    pub place: f64,
-    /// The distance by each window.
-    pub first: f64,
-    pub second: f64,
-}
-
-impl Meeting {
-    fn lead(&self) -> f64 {
-        self.first - self.second
-    }
-}
-
 impl<'a> Overlap<'a> {
-    pub fn new(first: &'a Window, second: &'a Window) -> Self {
-        let begin = if first.begin < second.begin {
-            (second.begin, first.at(second.begin) - second.at_begin)
-        } else {
-            (first.begin, first.at_begin - second.at(first.begin))
-        };
-        let end = if first.end > second.end {
-            (second.end, first.at(second.end) - second.at_end)
-        } else {
-            (first.end, first.at_end - second.at(first.end))
-        };
-        Self { first, second, begin, end }
+    pub fn new(first: &'a Beam, second: &'a Beam) -> Self {
+        let ends = [larger(first.begin, second.begin), smaller(first.end, second.end)];
+        let [of_first, of_second] = [first, second].map(|window| ends.map(|place| window.at(place)));
+        let [begin, end] = [0, 1].map(|k| (ends[k], of_first[k] - of_second[k]));
+        Self { first, second, begin, end, farther: larger(of_second[0], of_second[1]) }
     }
 
-    fn distances(&self, place: f64) -> Meeting {
-        Meeting { place, first: self.first.at(place), second: self.second.at(place) }
-    }
-
-    /// Where the lead changes once, from begin to end.
-    pub fn change(&self) -> Meeting {
-        self.zero(self.begin, self.end)
+    /// The lead there.
+    fn lead(&self, place: f64) -> f64 {
+        self.first.at(place) - self.second.at(place)
     }
 
     /// Where one leads where the other does at begin and end, and the lead there.
@@ -89,7 +66,7 @@ impl<'a> Overlap<'a> {
             return None;
         }
         let in_line = across / apart;
-        let lead = self.distances(in_line).lead();
+        let lead = self.lead(in_line);
         ((lead < 0.0) != (self.begin.1 < 0.0)).then_some((in_line, lead))
     }
 
@@ -105,13 +82,13 @@ impl<'a> Overlap<'a> {
         let mut from = begin;
         if (begin.1 < 0.0) == (end.1 < 0.0) {
             if let Some(turn) = self.turn() {
-                let change = self.zero(begin, turn).place;
+                let change = self.zero(begin, turn);
                 shares.push(begin.1 < 0.0, begin.0, change);
-                from = (self.zero(turn, end).place, end.1);
+                from = (self.zero(turn, end), end.1);
                 shares.push(turn.1 < 0.0, change, from.0);
             }
         } else {
-            from = (self.change().place, end.1);
+            from = (self.change(), end.1);
             shares.push(begin.1 < 0.0, begin.0, from.0);
         }
         shares.push(from.1 < 0.0, from.0, end.0);
@@ -124,12 +101,18 @@ impl<'a> Overlap<'a> {
     }
 
     /// Where the lead is zero, between two positions where its signs differ. Positions come with the lead there.
-    fn zero(&self, low: (f64, f64), high: (f64, f64)) -> Meeting {
+    fn zero(&self, begin: (f64, f64), end: (f64, f64)) -> f64 {
+        Self { begin, end, ..*self }.change()
+    }
+
+    /// Where the lead changes, from begin to end, where its signs differ there; of no meaning where they do not.
+    #[inline(always)]
+    pub fn change(&self) -> f64 {
+        let (low, high) = (self.begin, self.end);
         let (first, second) = (self.first, self.second);
         // Rounding of a lead, and a share of the leads around that moves the zero by as much of the overlap: a
         // sliver in which the slower ray is kept meets the faster one within as little.
-        let enough =
-            larger(4.0 * f64::EPSILON * larger(second.at_begin, second.at_end), 1e-11 * (high.1 - low.1).abs());
+        let enough = larger(4.0 * f64::EPSILON * self.farther, 1e-11 * (high.1 - low.1).abs());
         // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`; with p x + q of δ's sign.
         let (a, b) = (first.x - low.0, second.x - low.0);
         let delta = second.offset - first.offset;
@@ -144,26 +127,27 @@ impl<'a> Overlap<'a> {
         let width = high.0 - low.0;
         let [x, other] = [root / square, constant / root];
         let is_inside = (x >= 0.0) & (x <= width) & ((p * x + q) * delta >= 0.0);
-        let meeting = self.distances(low.0 + smaller(larger(select_unpredictable(is_inside, x, other), 0.0), width));
-        if meeting.lead().abs() <= enough { meeting } else { self.search(low, high, enough) }
+        let meeting = low.0 + smaller(larger(select_unpredictable(is_inside, x, other), 0.0), width);
+        let is_enough = (self.lead(meeting).abs() <= enough) | ((low.1 < 0.0) == (high.1 < 0.0));
+        if is_enough { meeting } else { self.search(low, high, enough) }
     }
 
     /// The same by the Illinois variant of the secant method, until the lead is small enough.
     #[cold]
-    fn search(&self, mut low: (f64, f64), mut high: (f64, f64), enough: f64) -> Meeting {
+    fn search(&self, mut low: (f64, f64), mut high: (f64, f64), enough: f64) -> f64 {
         for _ in 0..60 {
             let x = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).max(low.0.min(high.0)).min(low.0.max(high.0));
-            let meeting = self.distances(x);
-            if meeting.lead().abs() <= enough {
-                return meeting;
+            let lead = self.lead(x);
+            if lead.abs() <= enough {
+                return x;
             }
-            if (meeting.lead() < 0.0) == (high.1 < 0.0) {
+            if (lead < 0.0) == (high.1 < 0.0) {
                 low.1 *= 0.5;
             } else {
                 low = high;
             }
-            high = (x, meeting.lead());
+            high = (x, lead);
         }
-        self.distances(high.0)
+        high.0
     }
 }

@@ -190,6 +190,11 @@ impl Buckets {
         self.ring.waiting().filter(is_there).map(|(_, item)| item)
     }
 
+    /// Whether an item waits.
+    pub fn holds(&self, item: u32) -> bool {
+        self.bucket[item as usize] != 0
+    }
+
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         4 * self.bucket.capacity() + self.ring.bytes()

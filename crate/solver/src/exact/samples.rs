@@ -1,6 +1,6 @@
 //! Random windows for tests.
 
-use super::window::Window;
+use super::window::Beam;
 
 /// Numbers from 0 to 1 that repeat late.
 pub struct Numbers(pub u64);
@@ -12,8 +12,8 @@ impl Numbers {
     }
 
     /// A window of a half-edge of length 1 that sees its source at up to 1.5 from the half-edge.
-    pub fn window(&mut self, offset: f64) -> Window {
+    pub fn window(&mut self, offset: f64) -> Beam {
         let [begin, end] = [0.5 * self.next(), 0.5 + 0.5 * self.next()];
-        Window::new(begin, end, [2.0 * self.next() - 0.5, 0.02 + 1.5 * self.next()], offset, 0)
+        Beam { begin, end, x: 2.0 * self.next() - 0.5, depth: 0.02 + 1.5 * self.next(), offset, root: 0 }
     }
 }

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
 use super::portals::Portals;
-use super::wavefront::{Leaving, Root, Wavefront};
-use super::window::{Window, length};
+use super::wavefront::{Root, Wavefront};
+use super::window::{Beam, Window, length};
 use crate::extremum::{larger, smaller};
+use crate::room;
 use heatwalk_surface::VertexId;
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
@@ -78,7 +79,8 @@ impl Wavefront {
             let [x, depth] = frame.place(k, weights);
             self.offer(frame[k].vertex, value + length(x, depth), Origin::Straight { face, root });
             if depth > 0.0 {
-                let all = Window::new(0.0, frame[k].length, [frame[k].length - x, depth], value, root);
+                let (x, offset) = (frame[k].length - x, value);
+                let all = Beam { begin: 0.0, end: frame[k].length, x, depth, offset, root };
                 self.leave(face * 3 + k as u32, all);
             }
         }
@@ -109,14 +111,17 @@ impl Wavefront {
     }
 
     /// Sends a window out of a face, cut by the values at the edge's ends.
-    fn leave(&mut self, halfedge: u32, window: Window) {
+    fn leave(&mut self, halfedge: u32, window: Beam) {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
         let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
-        let mut leaving = Leaving::default();
-        if leaving.has_room(1) {
-            leaving.push(window, frame[k].length, ends);
-            self.deliver(&geometry, halfedge, &leaving);
+        let mut window = Window::from(window);
+        if !(window.is_wide() && window.clip(frame[k].length, ends)) {
+            return;
+        }
+        let mut leaving = Vec::new();
+        if room::push(&mut leaving, window.beam()) {
+            self.deliver(&geometry, halfedge, &mut leaving);
         } else {
             self.is_refused = true;
         }
@@ -227,8 +232,7 @@ impl Wavefront {
             |[cos, sin]: [f64; 2]| along - frame[k].length * sin / (frame[out].cos * sin + frame[out].sin * cos);
         let begin = to.map_or(0.0, |to| larger(meets(to), 0.0));
         let end = from.map_or(along, |from| smaller(meets(from), along));
-        let place = [frame[last].length * frame[last].cos, frame[k].length * frame[out].sin];
-        let window = Window::new(begin, end, place, value, root);
-        self.leave(face * 3 + out as u32, window);
+        let (x, depth) = (frame[last].length * frame[last].cos, frame[k].length * frame[out].sin);
+        self.leave(face * 3 + out as u32, Beam { begin, end, x, depth, offset: value, root });
     }
 }

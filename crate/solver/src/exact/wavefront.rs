@@ -11,7 +11,7 @@ use super::points::PointsInFaces;
 use super::portals::Portals;
 use super::queue::Buckets;
 use super::targets::Targets;
-use super::window::{Beam, Window, length};
+use super::window::{self, Beam, length};
 use crate::error::{Error, Result};
 use crate::room;
 use heatwalk_surface::surface::Surface;
@@ -48,9 +48,9 @@ pub struct Wavefront {
     /// Items of the queue that are processed now; kept for its memory.
     batch: Vec<u32>,
     /// Windows that cross now; kept for its memory.
-    crossing: Vec<Window>,
+    crossing: Vec<Beam>,
     /// Those that leave by either half-edge; kept for its memory.
-    leaving: [Leaving; 2],
+    leaving: [Vec<Beam>; 2],
 }
 
 impl Wavefront {
@@ -193,7 +193,9 @@ impl Wavefront {
             sum += self.waiting.at(halfedge).first().map_or(0.0, |window| window.begin);
             sum += self.values[VertexId(frame[before(k)].vertex)];
             for out in [after(k), before(k)] {
-                sum += self.waiting.at(frame[out].next_on_edge >> 2).first().map_or(0.0, |window| window.begin);
+                let across = frame[out].next_on_edge >> 2;
+                sum += f64::from(u8::from(self.queue.holds(across)));
+                sum += self.waiting.at(across).first().map_or(0.0, |window| window.begin);
             }
         }
         std::hint::black_box(sum);
@@ -311,8 +313,8 @@ impl Wavefront {
     pub(crate) fn waiting(&self) -> impl Iterator<Item = (u32, Beam)> + '_ {
         let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.waiting.len());
         halfedges.flat_map(move |halfedge| {
-            let beams = self.waiting.at(halfedge).iter().map(Window::beam);
-            beams.map(move |beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
+            let beams = self.waiting.at(halfedge).iter();
+            beams.map(move |&beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
         })
     }
 
@@ -358,68 +360,57 @@ impl Wavefront {
         let sides = frame.seen_from(k);
         let [a, b, c] = sides.map(|side| side.vertex);
         let opposite = frame.opposite(k);
-        let [at_a, at_b] = [a, b].map(|vertex| self.values[VertexId(vertex)]);
 
         let mut windows = std::mem::take(&mut self.crossing);
         self.waiting.take(halfedge, &mut windows);
-        let mut kept = 0;
-        for place in 0..windows.len() {
-            let mut window = windows[place];
+        windows.retain(|window| {
             let at_root = self.values.get(VertexId(window.root)).copied();
-            let is_current = at_root.unwrap_or_else(|| self.value_of_root(window.root)) >= window.offset;
-            if is_current && window.clip(sides[0].length, [at_a, at_b]) {
-                self.reach(halfedge, c, opposite, &window);
-                windows[kept] = window;
-                kept += 1;
-            }
-        }
-        windows.truncate(kept);
+            at_root.unwrap_or_else(|| self.value_of_root(window.root)) >= window.offset
+        });
+        window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.values[VertexId(vertex)]));
         self.propagated += windows.len();
         if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
             self.see(frame, halfedge, &windows);
         }
 
-        let at_c = self.values[VertexId(c)];
         let [mut to_left, mut to_right] = std::mem::take(&mut self.leaving);
-        if !(to_left.has_room(windows.len()) && to_right.has_room(windows.len())) {
+        if to_left.try_reserve(windows.len()).is_err() || to_right.try_reserve(windows.len()).is_err() {
             self.is_refused = true;
             return;
         }
         for window in &windows {
-            let crossing = Crossing::new(window.beam(), opposite);
-            if let Some(beam) = crossing.to_left(sides) {
-                to_left.push(beam, sides[2].length, [at_a, at_c]);
+            let crossing = Crossing::new(*window, opposite);
+            if crossing.sees_corner() {
+                self.reach(halfedge, c, opposite, &crossing);
             }
-            if let Some(beam) = crossing.to_right(sides) {
-                to_right.push(beam, sides[1].length, [at_c, at_b]);
+            if let Some(beam) = crossing.to_left(sides).filter(Beam::is_wide) {
+                to_left.push(beam);
+            }
+            if let Some(beam) = crossing.to_right(sides).filter(Beam::is_wide) {
+                to_right.push(beam);
             }
         }
         windows.clear();
-        let first = halfedge - k as u32;
-        self.deliver(geometry, first + before(k) as u32, &to_left);
-        self.deliver(geometry, first + after(k) as u32, &to_right);
-        to_left.clear();
-        to_right.clear();
-        self.leaving = [to_left, to_right];
         self.crossing = windows;
+        let first = halfedge - k as u32;
+        self.deliver(geometry, first + before(k) as u32, &mut to_left);
+        self.deliver(geometry, first + after(k) as u32, &mut to_right);
+        self.leaving = [to_left, to_right];
     }
 
     /// Offers the targets and the ends of portals in a half-edge's face the windows that enter there.
     #[cold]
-    fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Window]) {
+    fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Beam]) {
         let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
-        for window in windows.iter().map(Window::beam) {
-            self.targets.see(frame, halfedge, &window, |_, _| ());
-            self.ends.see(frame, halfedge, &window, |end, value| queue.push(first + end, value));
+        for window in windows {
+            self.targets.see(frame, halfedge, window, |_, _| ());
+            self.ends.see(frame, halfedge, window, |end, value| queue.push(first + end, value));
         }
     }
 
-    /// Offers the corner opposite a half-edge the path through a window that enters there.
-    fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], window: &Window) {
-        let crossing = Crossing::new(window.beam(), opposite);
-        if !crossing.sees_corner() {
-            return;
-        }
+    /// Offers the corner opposite a half-edge the path through a window that enters there and sees it.
+    fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], crossing: &Crossing) {
+        let window = &crossing.beam;
         let at = smaller(larger(crossing.splits(), window.begin), window.end);
         let value = window.at(at) + length(opposite[0] - at, opposite[1]);
         if value < self.values[VertexId(corner)] {
@@ -429,62 +420,37 @@ impl Wavefront {
     }
 
     /// Brings windows that leave a face by a half-edge, in order along that edge against the half-edge's direction, to the
-    /// half-edges on the other faces of the edge.
-    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, leaving: &Leaving) {
-        let Leaving { windows, nearest } = leaving;
-        if windows.is_empty() {
-            return;
+    /// half-edges on the other faces of the edge. None is left in `windows`.
+    pub(super) fn deliver(&mut self, geometry: &ExactGeometry, halfedge: u32, windows: &mut Vec<Beam>) {
+        let Some(nearest) = window::nearest(windows) else { return };
+        let (frame, k) = geometry.frame_of(halfedge);
+        if let Some(twin) = frame[k].twin() {
+            self.waiting.add(twin, windows);
+            self.queue.push(twin, nearest);
+        } else {
+            self.deliver_to_fan(geometry, halfedge, windows, nearest);
         }
+        windows.clear();
+    }
+
+    /// The same for an edge that is not between two faces of one orientation.
+    #[cold]
+    fn deliver_to_fan(&mut self, geometry: &ExactGeometry, halfedge: u32, windows: &[Beam], nearest: f64) {
         let (frame, k) = geometry.frame_of(halfedge);
         for (target, is_mirrored) in geometry.across(halfedge) {
-            if is_mirrored {
-                let mut mirrored = Vec::new();
-                if mirrored.try_reserve_exact(windows.len()).is_err() {
-                    self.is_refused = true;
-                    return;
-                }
-                mirrored.extend(windows.iter().rev().map(|window| window.mirrored(frame[k].length)));
-                self.waiting.add(target, &mirrored);
-            } else {
-                self.waiting.add(target, windows);
+            let mut copy = Vec::new();
+            if copy.try_reserve_exact(windows.len()).is_err() {
+                self.is_refused = true;
+                return;
             }
-            self.queue.push(target, *nearest);
+            if is_mirrored {
+                copy.extend(windows.iter().rev().map(|window| window.mirrored(frame[k].length)));
+            } else {
+                copy.extend_from_slice(windows);
+            }
+            self.waiting.add(target, &mut copy);
+            self.queue.push(target, nearest);
         }
-    }
-}
-
-/// Windows that leave a face by one half-edge, as the half-edge across sees them, and their least distance.
-#[derive(Debug)]
-pub(super) struct Leaving {
-    windows: Vec<Window>,
-    nearest: f64,
-}
-
-impl Default for Leaving {
-    fn default() -> Self {
-        Self { windows: Vec::new(), nearest: f64::INFINITY }
-    }
-}
-
-impl Leaving {
-    /// Adds what is left of a window that is [cut](Window::clip) by the distances of the half-edge's ends, if anything.
-    #[inline(always)]
-    pub fn push(&mut self, window: impl Into<Window>, length: f64, ends: [f64; 2]) {
-        let mut window = window.into();
-        if window.is_wide() && window.clip(length, ends) {
-            self.nearest = smaller(self.nearest, window.nearest());
-            self.windows.push(window);
-        }
-    }
-
-    /// Whether there is room for so many windows.
-    pub fn has_room(&mut self, windows: usize) -> bool {
-        self.windows.try_reserve(windows).is_ok()
-    }
-
-    fn clear(&mut self) {
-        self.windows.clear();
-        self.nearest = f64::INFINITY;
     }
 }
 

@@ -12,6 +12,11 @@ pub(super) const GRAZE: f64 = 1e-11;
 /// Windows seen under a smaller angle, radians, are dropped: what they see, their neighbours reach within [`GRAZE`].
 const THIN: f64 = 1e-13;
 
+/// Windows of one half-edge may overlap by what is seen under a smaller angle, radians. Most windows end at a ray that the
+/// next one begins with, at the border of a shadow, which is taken wider by a tenth of this: who is nearer there
+/// is up to rounding, and nothing is lost where both are kept.
+const SLIVER: f64 = 1e-8;
+
 /// Nothing is dropped unless it is longer by this share than what replaces it: rounding of lengths stays below, so
 /// a shortest path is never lost to a tie with itself.
 const MARGIN: f64 = 1e-12;
@@ -46,6 +51,50 @@ impl Beam {
     /// The same window on a half-edge in the opposite direction.
     pub fn mirrored(self, length: f64) -> Self {
         Self { begin: length - self.end, end: length - self.begin, x: length - self.x, ..self }
+    }
+
+    /// The same window for a part of its interval.
+    pub fn part(&self, begin: f64, end: f64) -> Self {
+        Self { begin, end, ..*self }
+    }
+
+    /// Whether the interval is worth following. Also false where something is not a number.
+    #[inline(always)]
+    pub fn is_wide(&self) -> bool {
+        self.exceeds(THIN)
+    }
+
+    /// Whether the interval is seen from the source under more than a small angle, in radians.
+    #[inline(always)]
+    fn exceeds(&self, angle: f64) -> bool {
+        let middle = 0.5 * (self.begin + self.end) - self.x;
+        (self.end - self.begin) * self.depth > angle * (middle * middle + self.depth * self.depth)
+    }
+
+    /// The least distance in the interval.
+    #[inline(always)]
+    fn nearest(&self) -> f64 {
+        let aside = larger(larger(self.begin - self.x, self.x - self.end), 0.0);
+        self.offset + length(aside, self.depth)
+    }
+
+    /// Whether another window that does not begin before this one begins well before its end.
+    #[inline(always)]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.part(other.begin, self.end).exceeds(SLIVER)
+    }
+
+    /// Whether another window begins where this one ends and has the same source, at the same distance: that of a vertex
+    /// may have fallen between the two.
+    #[inline(always)]
+    pub fn continues_into(&self, other: &Self) -> bool {
+        let close = SAME * (self.depth + (self.end - self.x).abs());
+        // No branches: one alone is often true, all together hardly ever.
+        ((self.end - other.begin).abs() <= close)
+            & (self.root == other.root)
+            & (self.offset == other.offset)
+            & ((self.x - other.x).abs() <= close)
+            & ((self.depth - other.depth).abs() <= close)
     }
 }
 
@@ -108,31 +157,7 @@ impl Window {
 
     /// Whether the interval is worth following. Also false where something is not a number.
     pub fn is_wide(&self) -> bool {
-        is_wide(self, self.begin, self.end)
-    }
-
-    /// Whether another window begins where this one ends and has the same source, at the same distance: that of a vertex
-    /// may have fallen between the two.
-    pub fn continues_into(&self, other: &Self) -> bool {
-        let close = SAME * (self.at_end - self.offset);
-        // No branches: one alone is often true, all together hardly ever.
-        ((self.end - other.begin).abs() <= close)
-            & (self.root == other.root)
-            & (self.offset == other.offset)
-            & ((self.x - other.x).abs() <= close)
-            & ((self.depth - other.depth).abs() <= close)
-    }
-
-    /// The same window on a half-edge in the opposite direction.
-    pub fn mirrored(self, length: f64) -> Self {
-        Self {
-            begin: length - self.end,
-            end: length - self.begin,
-            x: length - self.x,
-            at_begin: self.at_end,
-            at_end: self.at_begin,
-            ..self
-        }
+        self.beam().is_wide()
     }
 
     /// Cuts off what is farther than by way of the half-edge's ends (Xin & Wang 2009, theorem 3.2, for every ray instead
@@ -162,10 +187,25 @@ impl Window {
     }
 }
 
-/// Whether a part of a window is seen from its source under an angle worth following.
-fn is_wide(window: &Window, begin: f64, end: f64) -> bool {
-    let middle = 0.5 * (begin + end) - window.x;
-    (end - begin) * window.depth > THIN * (middle * middle + window.depth * window.depth)
+/// The least distance along some windows, if there are any.
+pub(super) fn nearest(windows: &[Beam]) -> Option<f64> {
+    windows.iter().map(Beam::nearest).reduce(smaller)
+}
+
+/// [Clips](Window::clip) a list of windows. Where they touch, distance changes no faster than place from one to the next,
+/// so that only the outermost can be too far.
+pub(super) fn clip(windows: &mut Vec<Beam>, length: f64, values: [f64; 2]) {
+    let is_left = |beam: &mut Beam| {
+        let mut window = Window::from(*beam);
+        let is_left = window.clip(length, values);
+        *beam = window.beam();
+        is_left
+    };
+    let lost = windows.iter_mut().position(is_left).unwrap_or(windows.len());
+    if lost > 0 {
+        windows.drain(..lost);
+    }
+    while windows.pop_if(|window| !is_left(window)).is_some() {}
 }
 
 /// Euclidean length. The numbers are of the mesh's size, so that squares are safe.

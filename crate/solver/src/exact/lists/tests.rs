@@ -4,6 +4,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use super::super::samples::Numbers;
+use super::super::window::nearest;
 use super::*;
 
 /// Places of the half-edge that are looked at.
@@ -11,19 +12,23 @@ const SAMPLES: u32 = 256;
 /// What a window that is not kept may be nearer by: a border is found to 1e-11 of the leads around it.
 const BOUND: f64 = 1e-10;
 
-fn least(windows: &[Window], place: f64) -> f64 {
-    let covers = |window: &&Window| window.begin <= place && place <= window.end;
+/// Rounding of distances of about 2.
+const EPSILON: f64 = 4.0 * f64::EPSILON;
+
+fn least(windows: &[Beam], place: f64) -> f64 {
+    let covers = |window: &&Beam| window.begin <= place && place <= window.end;
     windows.iter().filter(covers).map(|window| window.at(place)).fold(f64::INFINITY, f64::min)
 }
 
 /// Windows of one source each, as they leave a face: nearly in order, with gaps and overlaps.
-fn leaving(numbers: &mut Numbers, first_root: u32) -> Vec<Window> {
-    let mut windows: Vec<Window> = (0..6)
+fn leaving(numbers: &mut Numbers, first_root: u32) -> Vec<Beam> {
+    let mut windows: Vec<Beam> = (0..6)
         .map(|number| {
-            let Window { x, depth, .. } = numbers.window(0.0);
+            let Beam { x, depth, .. } = numbers.window(0.0);
             let begin = (f64::from(number) + numbers.next()) / 7.0;
             let end = begin + 0.3 * numbers.next();
-            Window::new(begin, end.min(1.0), [x, depth], 1.5 - depth + 0.1 * numbers.next(), first_root + number)
+            let offset = 1.5 - depth + 0.1 * numbers.next();
+            Beam { begin, end: end.min(1.0), x, depth, offset, root: first_root + number }
         })
         .collect();
     if numbers.next() < 0.3 {
@@ -40,22 +45,23 @@ fn a_list_keeps_the_nearest_window_of_each_place() {
         let mut lists = Lists::new(2);
         let mut all = Vec::new();
         for batch in 0..3 {
-            let windows = leaving(&mut numbers, 100 * batch);
-            lists.add(1, &windows);
-            all.extend(windows);
+            let mut windows = leaving(&mut numbers, 100 * batch);
+            all.extend_from_slice(&windows);
+            lists.add(1, &mut windows);
         }
         let list = lists.at(1);
-        assert!(list.iter().all(Window::is_wide));
+        assert!(list.iter().all(Beam::is_wide));
         assert!(list.windows(2).all(|pair| pair[0].end <= pair[1].begin), "{list:#?}");
         for sample in 0..SAMPLES {
             let place = (f64::from(sample) + 0.5) / f64::from(SAMPLES);
             let (expected, found) = (least(&all, place), least(list, place));
             assert!(found == expected || (found - expected).abs() < BOUND, "{found} for {expected} at {place}");
         }
-        for window in list {
-            assert!((window.at(window.begin) - window.at_begin).abs() < BOUND, "{window:?}");
-            assert!((window.at(window.end) - window.at_end).abs() < BOUND, "{window:?}");
-        }
+        let nearest = nearest(list).expect("windows");
+        let ends = list.iter().flat_map(|window| [window.at(window.begin), window.at(window.end)]);
+        let samples = (0..SAMPLES).map(|sample| least(list, f64::from(sample) / f64::from(SAMPLES)));
+        let found = ends.chain(samples).fold(f64::INFINITY, f64::min);
+        assert!((nearest - EPSILON..nearest + 1.0 / f64::from(SAMPLES)).contains(&found), "{nearest}, {found}");
         kept += list.len();
         let mut taken = Vec::new();
         lists.take(1, &mut taken);
@@ -66,17 +72,38 @@ fn a_list_keeps_the_nearest_window_of_each_place() {
 
 #[test]
 fn windows_of_one_source_become_one_unless_its_distance_has_fallen() {
-    let source = [0.4, 0.5];
-    let [left, right] = [(0.0, 0.5), (0.5, 1.0)].map(|(begin, end)| Window::new(begin, end, source, 2.0, 3));
+    let left = Beam { begin: 0.0, end: 0.5, x: 0.4, depth: 0.5, offset: 2.0, root: 3 };
+    let right = left.part(0.5, 1.0);
     for windows in [[left, right], [right, left]] {
         let mut lists = Lists::new(1);
-        lists.add(0, &windows[..1]);
-        lists.add(0, &windows[1..]);
+        windows.map(|window| lists.add(0, &mut vec![window]));
         assert_eq!(lists.at(0).iter().map(|window| (window.begin, window.end)).collect::<Vec<_>>(), [(0.0, 1.0)]);
     }
-    let fallen = Window::new(0.5, 1.0, source, 1.9, 3);
+    let fallen = Beam { offset: 1.9, ..right };
     let mut lists = Lists::new(1);
-    lists.add(0, &[left]);
-    lists.add(0, &[fallen]);
+    [left, fallen].map(|window| lists.add(0, &mut vec![window]));
     assert_eq!(lists.at(0).iter().map(|window| window.offset).collect::<Vec<_>>(), [2.0, 1.9]);
+}
+
+#[test]
+fn windows_that_share_a_ray_stay_as_they_are() {
+    let left = Beam { begin: 0.0, end: 0.5, x: 0.4, depth: 0.5, offset: 2.0, root: 3 };
+    // From a source on the ray through 0.5, or nearly so.
+    for overlap in [-1e-10, 0.0, 1e-10] {
+        let right = Beam {
+            begin: 0.5 - overlap,
+            end: 1.0,
+            x: 0.45,
+            depth: 0.25,
+            offset: left.at(0.5) - 0.065_f64.sqrt(),
+            root: 4,
+        };
+        let mut lists = Lists::new(1);
+        lists.add(0, &mut vec![left, right]);
+        assert_eq!(lists.at(0), [left, right]);
+    }
+    let far = Beam { begin: 0.5 - 1e-6, end: 1.0, offset: 2.5, root: 4, ..left };
+    let mut lists = Lists::new(1);
+    lists.add(0, &mut vec![left, far]);
+    assert_eq!(lists.at(0), [left, far.part(0.5, 1.0)]);
 }

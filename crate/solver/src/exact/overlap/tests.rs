@@ -13,13 +13,13 @@ const BOUND: f64 = 1e-10;
 
 impl Numbers {
     /// Two windows with a lead of some thousandths at a random place of their overlap, so that it may change twice.
-    fn overlap(&mut self) -> [Window; 2] {
+    fn overlap(&mut self) -> [Beam; 2] {
         let first = self.window(0.5);
         let second = self.window(0.0);
         let (begin, end) = (first.begin.max(second.begin), first.end.min(second.end));
         let place = begin + (end - begin) * self.next();
         let offset = first.at(place) - second.at(place) + 4e-3 * (self.next() - 0.5);
-        [first, Window::new(second.begin, second.end, [second.x, second.depth], offset, 1)]
+        [first, Beam { offset, root: 1, ..second }]
     }
 }
 
@@ -34,7 +34,7 @@ fn each_place_is_kept_by_the_nearer_window() {
         assert_eq!(shares[0].1, first.begin.min(second.begin));
         assert_eq!(shares[shares.len() - 1].2, first.end.max(second.end));
         assert!(shares.windows(2).all(|pair| pair[0].2 == pair[1].1 && pair[0].0 != pair[1].0), "{shares:?}");
-        let covers = |window: &Window, place: f64| window.begin <= place && place <= window.end;
+        let covers = |window: &Beam, place: f64| window.begin <= place && place <= window.end;
         for &(is_first, begin, end) in shares {
             let (keeper, other) = if is_first { (&first, &second) } else { (&second, &first) };
             for sample in 0..SAMPLES {
@@ -56,8 +56,8 @@ fn each_place_is_kept_by_the_nearer_window() {
 
 #[test]
 fn windows_that_touch_keep_what_they_have() {
-    let first = Window::new(0.0, 0.5, [0.2, 1.0], 0.0, 0);
-    let second = Window::new(0.5, 1.0, [0.8, 1.0], 0.0, 1);
+    let first = Beam { begin: 0.0, end: 0.5, x: 0.2, depth: 1.0, offset: 0.0, root: 0 };
+    let second = Beam { begin: 0.5, end: 1.0, x: 0.8, root: 1, ..first };
     assert_eq!(Overlap::new(&first, &second).shares().as_slice(), [(true, 0.0, 0.5), (false, 0.5, 1.0)]);
     assert_eq!(Overlap::new(&second, &first).shares().as_slice(), [(false, 0.0, 0.5), (true, 0.5, 1.0)]);
 }
