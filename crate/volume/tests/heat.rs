@@ -7,10 +7,13 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{errors, mesh, nearest, truth};
+use common::{around_cylinder, around_sphere, errors, mesh, nearest, truth};
 use glam::DVec3;
 use heatwalk::{Boundary, ExactRadius, LinearSolver, MultiSource, TimeStep, VertexId};
 use heatwalk_volume::{TetId, TetPoint, TetSoup, TetSource, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+
+/// Exact distance between two places.
+type Exact = Box<dyn Fn(DVec3, DVec3) -> f64>;
 
 fn by_heat() -> VolumeOptions {
     VolumeOptions::by(VolumeMethod::Heat)
@@ -29,7 +32,26 @@ fn errors_are_small_and_fall_with_the_cells() {
         assert!(answer.heat().is_some() && answer.exact_below > 0.0);
         before = mean;
     }
-    assert!(before < 0.02, "{before}");
+    assert!(before < 0.01, "{before}");
+}
+
+#[test]
+fn errors_are_small_behind_obstacles() {
+    let cases: [(TetSoup, DVec3, Exact); 4] = [
+        (shapes::pierced_cube(0.4, 4, 0.15), DVec3::new(-0.4, 0.0, 0.4), Box::new(around_cylinder(0.4))),
+        (shapes::pierced_cube(0.4, 6, 0.15), DVec3::new(0.0, 0.4, 0.0), Box::new(around_cylinder(0.4))),
+        (shapes::cave(0.5, 4, 0.15), DVec3::new(-0.5, 0.0, 0.0), Box::new(around_sphere(0.5))),
+        (shapes::cave(0.5, 4, 0.15), DVec3::new(-0.7, 0.1, 0.2), Box::new(around_sphere(0.5))),
+    ];
+    for (soup, place, exact) in cases {
+        let mut solver = VolumeSolver::new(mesh(&soup));
+        let mesh = Arc::clone(solver.mesh());
+        let source = nearest(&mesh, place);
+        let values = solver.distance(&[source], &by_heat()).unwrap().values;
+        let [mean, largest] = errors(&values, &truth(&mesh, mesh.position(source), exact));
+        // A quarter more than measured. libigl has 5.5 to 8.2 % and 24 to 35 %.
+        assert!(mean < 0.025 && largest < 0.17, "{place}: {mean} {largest}");
+    }
 }
 
 #[test]
@@ -81,7 +103,62 @@ fn errors_by_field(soup: &TetSoup) -> [f64; 2] {
 #[test]
 fn the_field_of_the_logarithm_is_more_accurate() {
     let [logarithm, unit] = errors_by_field(&shapes::cube(14, 0.1));
-    assert!(logarithm < 0.8 * unit, "{logarithm} and {unit}");
+    assert!(logarithm < 0.4 * unit, "{logarithm} and {unit}");
+}
+
+#[test]
+fn the_poisson_matrix_is_factored_when_the_unit_field_needs_it() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(5, 0.2)));
+    let mut ask = |step| {
+        let mut options = by_heat();
+        options.heat.time_step = step;
+        let values = solver.distance(&[VertexId(3)], &options).unwrap().values;
+        (values, solver.factor_nonzeros())
+    };
+    let (chosen, of_heat) = ask(TimeStep::Automatic);
+    let (given, of_both) = ask(TimeStep::Factor(1.0));
+    assert_eq!(of_both, 2 * of_heat);
+    assert_eq!(ask(TimeStep::Automatic), (chosen, of_both), "the same answer after another time step");
+    let mut fresh = VolumeSolver::new(Arc::clone(solver.mesh()));
+    let mut options = by_heat();
+    options.heat.time_step = TimeStep::Factor(1.0);
+    let [_, largest] = errors(&fresh.distance(&[VertexId(3)], &options).unwrap().values, &given);
+    assert!(largest < 1e-9, "factored alone or together: {largest}");
+}
+
+#[test]
+fn without_an_exact_region_distance_starts_at_the_sources() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(6, 0.2)));
+    let mesh = Arc::clone(solver.mesh());
+    let mut options = by_heat();
+    options.heat.exact_radius = ExactRadius::Edges(0.0);
+    let point = TetPoint::Inside { tetrahedron: TetId(700), weights: [0.1, 0.2, 0.3, 0.4] };
+    let source = TetSource { initial_distance: 0.3, ..TetSource::from(point) };
+    let values = solver.distance(&[source], &options).unwrap().values;
+    let truth = truth(&mesh, point.position(&mesh), |a, b| 0.3 + a.distance(b));
+    for corner in mesh.tetrahedra()[700] {
+        assert!((values[corner as usize] - truth[corner as usize]).abs() < 1e-12, "straight to the corners around");
+    }
+    let [mean, _] = errors(&values, &truth);
+    // Around a source, heat is farthest from its law for short times.
+    assert!(mean < 0.1, "{mean}");
+}
+
+#[test]
+fn sources_of_different_initial_distances_meet_where_they_should() {
+    let mut solver = VolumeSolver::new(mesh(&shapes::cube(10, 0.2)));
+    let mesh = Arc::clone(solver.mesh());
+    let places =
+        [(DVec3::new(-0.8, -0.3, 0.1), 0.2), (DVec3::new(0.7, 0.4, 0.0), 0.0), (DVec3::new(0.0, 0.9, 0.9), 0.4)];
+    let sources = places
+        .map(|(place, initial_distance)| TetSource { initial_distance, ..TetSource::from(nearest(&mesh, place)) });
+    let values = solver.distance(&sources, &by_heat()).unwrap().values;
+    let from =
+        |source: &TetSource, place: DVec3| source.initial_distance + source.point.position(&mesh).distance(place);
+    let exact = |&place: &DVec3| sources.iter().map(|source| from(source, place)).fold(f64::INFINITY, f64::min);
+    let truth: Vec<f64> = mesh.positions().iter().map(exact).collect();
+    let [mean, largest] = errors(&values, &truth);
+    assert!(mean < 0.02 && largest < 0.15, "{mean} {largest}");
 }
 
 #[test]

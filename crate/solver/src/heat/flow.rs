@@ -1,6 +1,7 @@
 //! Heat after time t, from any supply and under any constraints.
 
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::Result;
@@ -58,7 +59,21 @@ impl<D: Discretization> HeatFlow<D> {
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
     /// [`OutOfMemory`](crate::Error::OutOfMemory).
     pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition) -> Result<Self> {
-        let system = systems.system(Self::matrix(systems, time, &condition), HEAT_MATRIX)?;
+        Self::with_progress(systems, time, condition, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// The same. `progress` is told the share of the work done, 0 to 1.
+    ///
+    /// # Errors
+    /// As [`HeatFlow::new`]; [`Cancelled`](crate::Error::Cancelled).
+    pub fn with_progress(
+        systems: &Arc<Systems<D>>,
+        time: f64,
+        condition: Condition,
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Self> {
+        let matrix = Self::matrix(systems, time, &condition);
+        let [system] = systems.systems([(matrix, HEAT_MATRIX)], progress)?;
         Ok(Self::with_system(systems, time, condition, system))
     }
 

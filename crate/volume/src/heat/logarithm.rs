@@ -1,14 +1,23 @@
-//! The field of the logarithm of heat, −√(t + c) ∇log u, no longer than 1, as what it adds along each edge.
+//! The field of the logarithm of heat, −√(t + c) ∇log u, no longer than 1, as what it adds along each edge, and distance along it.
 //!
 //! Distance is the limit of −√t log u for short times (Varadhan, "On the behavior of the fundamental solution of the heat
 //! equation with variable coefficients", 1967). Heat falls exponentially, so that its logarithm is what is nearly linear in a
 //! tetrahedron: it points along distance where the gradient of heat leans towards the warmest corner. A difference along an edge is
 //! all that stiffness takes of a field, so that no tetrahedron is looked at, and costs are those of stiffness and mass.
+//!
+//! Distance φ grows along the field X as fast as X is long, `X · ∇φ = |X|²`. Stiffness makes of that a sum over edges for each vertex,
+//! and of these only those to warmer vertices are taken, as upwind schemes do (Courant, Isaacson, Rees, "On the solution of nonlinear
+//! hyperbolic differential equations by finite differences", 1952). So each vertex follows from warmer ones, and nothing is solved.
+//! Least squares, `L φ = div X`, would spread what the field errs by somewhere over all of the mesh.
 
-use heatwalk::heat::Constraint;
+use std::f64::consts::PI;
+
+use glam::DVec3;
 use heatwalk::operator::laplacian::Laplacian;
 
-use crate::heat::region::{Region, Right};
+use crate::heat::lengths::edge_cost;
+use crate::march::Medium;
+use crate::mesh::{FACES, TetId, TetMesh};
 
 /// A slower fall than this is none of distance, and the field has this length there.
 const LEAST_LENGTH: f64 = 0.7;
@@ -16,65 +25,187 @@ const LEAST_LENGTH: f64 = 0.7;
 /// At no vertex is a unit of the logarithm more than so many √t of distance.
 const MOST_RATE: f64 = 3.0;
 
-/// Where heat meets a boundary that lets none through head-on it is twice that of the wave alone, and its logarithm greater by log 2.
-/// Along the boundary it is not; half of that is taken off.
-const REFLECTED: f64 = 0.35;
+/// Where heat comes head-on to a vertex that sees a solid angle Ω of 4π, it is 4π / Ω times that of the wave alone, as none leaves
+/// through the boundary, and its logarithm is greater by that of 4π / Ω. Along the boundary it is not; this share of it is taken off.
+const REFLECTED: f64 = 0.4;
+
+/// Of the heat that a vertex takes in, at least this share comes by edges of positive weight from warmer vertices. Where less does,
+/// obtuse tetrahedra have let heat through against its fall, and it tells nothing of distance.
+const LEAST_INFLOW: f64 = 0.1;
 
 /// Of the weights of all edges, at most this share may be negative for the field of the logarithm: obtuse tetrahedra let heat through
 /// against its fall, and their edges do not tell how it falls.
 const NEGATIVE_SHARE: f64 = 0.13;
 
-/// Where the logarithm of heat is too great.
+/// What distance along the field needs of a mesh.
 #[derive(Debug)]
 pub(super) struct Logarithm {
-    /// `#V`, whether heat is thrown back there.
-    reflects: Vec<bool>,
+    /// `#V`, what the logarithm of heat is too great by.
+    reflected: Vec<f64>,
+    /// `#V + 1`, where the edges of each vertex begin.
+    start: Vec<u32>,
+    edges: Vec<Edge>,
+    /// The unit of lengths and weights, so that they are near 1.
+    unit: f64,
+}
+
+/// An edge of a vertex.
+#[derive(Debug, Clone, Copy, Default)]
+struct Edge {
+    other: u32,
+    weight: f32,
+    length: f32,
 }
 
 impl Logarithm {
-    pub(super) fn new(reflects: Vec<bool>) -> Self {
-        Self { reflects }
+    /// At the least cost around each edge; `unit` is a usual length.
+    pub(super) fn new(mesh: &TetMesh, medium: &Medium, laplacian: &Laplacian, unit: f64) -> Self {
+        let vertices = laplacian.size();
+        let mut start = vec![0_u32; vertices + 1];
+        for [a, b] in (0..vertices).flat_map(|vertex| edges(laplacian, vertex).map(move |(row, _)| [vertex, row])) {
+            start[a + 1] += 1;
+            start[b + 1] += 1;
+        }
+        for vertex in 0..vertices {
+            start[vertex + 1] += start[vertex];
+        }
+        let mut next = start.clone();
+        let mut both = vec![Edge::default(); start[vertices] as usize];
+        for vertex in 0..vertices {
+            for (row, weight) in edges(laplacian, vertex) {
+                let length = edge_cost(mesh, medium, [vertex as u32, row as u32]) / unit;
+                for [own, other] in [[vertex, row], [row, vertex]] {
+                    both[next[own] as usize] =
+                        Edge { other: other as u32, weight: (weight / unit) as f32, length: length as f32 };
+                    next[own] += 1;
+                }
+            }
+        }
+        let too_great = |angle: f64| if angle > 0.0 { REFLECTED * (4.0 * PI / angle).ln() } else { 0.0 };
+        let reflected = solid_angles(mesh, medium).into_iter().map(too_great).collect();
+        Self { reflected, start, edges: both, unit }
     }
 
-    /// Of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Between vertices of the region, differences
-    /// are those of exact distance.
-    pub(super) fn right(&self, laplacian: &Laplacian, heat: &[f64], time: f64, region: &Region) -> Right {
-        let mut nodes = nodes(laplacian, heat, time);
-        for (vertex, (node, &reflects)) in nodes.iter_mut().zip(&self.reflects).enumerate() {
-            node.exact = region.value(vertex as u32).unwrap_or(f64::INFINITY);
-            if reflects {
-                node.value -= REFLECTED;
+    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
+    /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
+    pub(super) fn distances(&self, laplacian: &Laplacian, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
+        let nodes = self.nodes(laplacian, heat, time);
+        let mut distances = known;
+        let unknown = (0..).zip(&distances).filter(|&(_, distance)| distance.is_infinite());
+        let mut order: Vec<u64> =
+            unknown.map(|(vertex, _)| warmest_first(nodes[vertex as usize].heat, vertex)).collect();
+        order.sort_unstable();
+        let mut left: Vec<u32> = Vec::new();
+        for key in order {
+            let vertex = key as u32;
+            let least = LEAST_INFLOW * laplacian.mass[vertex as usize] / (time * self.unit);
+            match self.upwind(&nodes, &distances, vertex, least) {
+                Some(distance) => distances[vertex as usize] = distance,
+                None => left.push(vertex),
             }
         }
-        let mut divergence = vec![0.0; nodes.len()];
-        let mut inside = Vec::new();
-        let mut is_on_rim = vec![false; nodes.len()];
-        for (vertex, own) in nodes.iter().enumerate() {
-            let mut sum = 0.0;
-            for (row, weight) in edges(laplacian, vertex) {
-                let other = &nodes[row];
-                let mut difference = 0.5 * (own.rate + other.rate) * (other.value - own.value);
-                if other.exact < f64::INFINITY {
-                    if own.exact < f64::INFINITY {
-                        inside.push([vertex as u32, row as u32]);
-                        difference = own.exact - other.exact;
-                    } else {
-                        is_on_rim[row] = true;
-                    }
-                } else if own.exact < f64::INFINITY {
-                    is_on_rim[vertex] = true;
-                }
-                let flux = weight * difference;
-                sum += flux;
-                divergence[row] -= flux;
+        // What heat does not tell is no farther than along the edges.
+        loop {
+            let before = left.len();
+            left.retain(|&vertex| {
+                let through = |edge: &Edge| distances[edge.other as usize] + self.unit * f64::from(edge.length);
+                let least = self.edges(vertex).iter().map(through).fold(f64::INFINITY, f64::min);
+                distances[vertex as usize] = least;
+                least.is_infinite()
+            });
+            if left.is_empty() || left.len() == before {
+                return distances;
             }
-            divergence[vertex] += sum;
         }
-        let on_rim = (0..).zip(is_on_rim).filter(|&(_, is_on_rim)| is_on_rim).map(|(vertex, _)| ([vertex; 2], false));
-        let touched = inside.into_iter().map(|edge| (edge, true)).chain(on_rim);
-        let rims = Constraint::of_rims(nodes.len(), touched, |vertex| region.value(vertex));
-        Right { divergence, rims }
     }
+
+    /// The distance of a vertex by the warmer ones around whose distances are known; none where less than `least` heat comes from them,
+    /// relative to the vertex's own.
+    #[inline]
+    fn upwind(&self, nodes: &[Node], distances: &[f64], vertex: u32, least: f64) -> Option<f64> {
+        let own = nodes[vertex as usize];
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for edge in self.edges(vertex) {
+            let (node, distance) = (&nodes[edge.other as usize], distances[edge.other as usize]);
+            if distance < f64::INFINITY {
+                let increment = 0.5 * (own.rate + node.rate) * (node.value - own.value);
+                let length = self.unit * f64::from(edge.length);
+                let weight = f64::from(edge.weight.max(0.0)) * (node.heat - own.heat).max(0.0);
+                sum += weight * (distance + increment.clamp(-length, length));
+                weights += weight;
+            }
+        }
+        (weights > least).then(|| sum / weights)
+    }
+
+    fn edges(&self, vertex: u32) -> &[Edge] {
+        &self.edges[self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize]
+    }
+
+    /// What the field is made of at each vertex.
+    fn nodes(&self, laplacian: &Laplacian, heat: &[f64], time: f64) -> Vec<Node> {
+        // Of Δ² and Δ⁴, with Δ the difference along an edge, the sums over the edges of each vertex times their weights. Stiffness of obtuse
+        // tetrahedra may let heat fall below 0, where its size still is that of the heat around.
+        let value = |heat: &f64| heat.abs().max(f64::MIN_POSITIVE).ln();
+        let mut sums: Vec<(f64, [f64; 2])> = heat.iter().map(|heat| (value(heat), [0.0; 2])).collect();
+        for vertex in 0..sums.len() {
+            let (value, mut own) = sums[vertex];
+            for (row, weight) in edges(laplacian, vertex) {
+                let (other, sums) = &mut sums[row];
+                let square = (*other - value) * (*other - value);
+                let [squares, quartics] = [weight * square, weight * square * square];
+                own = [own[0] + squares, own[1] + quartics];
+                *sums = [sums[0] + squares, sums[1] + quartics];
+            }
+            sums[vertex].1 = own;
+        }
+        let least = 1.0 / (MOST_RATE * MOST_RATE * time);
+        let rate = |[squares, quartics]: [f64; 2], mass: f64| {
+            if squares < least * mass {
+                return time.sqrt();
+            }
+            // The sum of squares is 2 M k² for e^(−k·x). It solves `(M / t + L) u = 0` on alike tetrahedra where
+            // M / t = Σ w (cosh Δ − 1): k² is less than 1 / t by a 24th of the sum of fourth powers over M, which c makes up for.
+            let square = time * squares / mass + quartics / (12.0 * squares);
+            (square.clamp(LEAST_LENGTH * LEAST_LENGTH, 1.0) * mass / squares).sqrt()
+        };
+        let node = |((&(heat, sums), &mass), &reflected): ((&(f64, [f64; 2]), &f64), &f64)| Node {
+            heat,
+            value: heat - reflected,
+            rate: rate(sums, 2.0 * mass),
+        };
+        sums.iter().zip(&laplacian.mass).zip(&self.reflected).map(node).collect()
+    }
+}
+
+/// The solid angle (`#V`) of the tetrahedra around each vertex that are no walls.
+fn solid_angles(mesh: &TetMesh, medium: &Medium) -> Vec<f64> {
+    let mut angles = vec![0.0; mesh.vertex_count()];
+    for (tetrahedron, corners) in (0..).zip(mesh.tetrahedra()) {
+        if medium.cost(tetrahedron).is_finite() {
+            let places = mesh.corners(TetId(tetrahedron));
+            for (corner, &vertex) in corners.iter().enumerate() {
+                let others = FACES[corner].map(|other| places[other] - places[corner]);
+                angles[vertex as usize] += solid_angle(others);
+            }
+        }
+    }
+    angles
+}
+
+/// Of three directions (Van Oosterom and Strackee 1983).
+fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let [long_a, long_b, long_c] = [a, b, c].map(DVec3::length);
+    let whole = long_a * long_b * long_c + a.dot(b) * long_c + b.dot(c) * long_a + c.dot(a) * long_b;
+    2.0 * a.dot(b.cross(c)).abs().atan2(whole)
+}
+
+/// Orders vertices by falling logarithms of heat, to 24 bits, and in its lower half is the vertex.
+fn warmest_first(logarithm: f64, vertex: u32) -> u64 {
+    let bits = (logarithm as f32).to_bits();
+    // As integers, the bits of negative numbers order the other way round.
+    let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
+    u64::from(falling) << 32 | u64::from(vertex)
 }
 
 /// Whether nearly all edges have positive weights, so that heat falls along them.
@@ -91,46 +222,11 @@ pub(super) fn is_monotone(laplacian: &Laplacian) -> bool {
 #[derive(Clone, Copy)]
 struct Node {
     /// The logarithm of heat.
+    heat: f64,
+    /// The same without what is thrown back.
     value: f64,
     /// How much distance a unit of the logarithm is, so that the field around is as long as it should be.
     rate: f64,
-    /// Exact distance; infinite where that is not known.
-    exact: f64,
-}
-
-/// Of vertices where no distance is known.
-fn nodes(laplacian: &Laplacian, heat: &[f64], time: f64) -> Vec<Node> {
-    // Of Δ² and Δ⁴, with Δ the difference along an edge, the sums over the edges of each vertex times their weights. Stiffness of obtuse
-    // tetrahedra may let heat fall below 0, where its size still is that of the heat around.
-    let value = |heat: &f64| heat.abs().max(f64::MIN_POSITIVE).ln();
-    let mut sums: Vec<(f64, [f64; 2])> = heat.iter().map(|heat| (value(heat), [0.0; 2])).collect();
-    for vertex in 0..sums.len() {
-        let (value, mut own) = sums[vertex];
-        for (row, weight) in edges(laplacian, vertex) {
-            let (other, sums) = &mut sums[row];
-            let square = (*other - value) * (*other - value);
-            let [squares, quartics] = [weight * square, weight * square * square];
-            own = [own[0] + squares, own[1] + quartics];
-            *sums = [sums[0] + squares, sums[1] + quartics];
-        }
-        sums[vertex].1 = own;
-    }
-    let least = 1.0 / (MOST_RATE * MOST_RATE * time);
-    let rate = |[squares, quartics]: [f64; 2], mass: f64| {
-        if squares < least * mass {
-            return time.sqrt();
-        }
-        // The sum of squares is 2 M k² for e^(−k·x). It solves `(M / t + L) u = 0` on alike tetrahedra where
-        // M / t = Σ w (cosh Δ − 1): k² is less than 1 / t by a 24th of the sum of fourth powers over M, which c makes up for.
-        let square = time * squares / mass + quartics / (12.0 * squares);
-        (square.clamp(LEAST_LENGTH * LEAST_LENGTH, 1.0) * mass / squares).sqrt()
-    };
-    let node = |(&(value, sums), &mass): (&(f64, [f64; 2]), &f64)| Node {
-        value,
-        rate: rate(sums, 2.0 * mass),
-        exact: f64::INFINITY,
-    };
-    sums.iter().zip(&laplacian.mass).map(node).collect()
 }
 
 /// The other ends of the edges whose lower end is a vertex, and their weights w, l cot θ / 6.

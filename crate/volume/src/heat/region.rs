@@ -5,7 +5,7 @@ use heatwalk::heat::Constraint;
 
 use crate::march::{March, Medium};
 use crate::mesh::TetMesh;
-use crate::point::TetSource;
+use crate::point::{TetPoint, TetSource};
 
 /// Work of the march on any mesh: that of some 300 vertices.
 const LEAST_WORK: f64 = 3000.0;
@@ -14,14 +14,6 @@ const LEAST_WORK: f64 = 3000.0;
 pub(super) struct Region {
     distances: Vec<f64>,
     radius: f64,
-}
-
-/// Right side of the Poisson equation.
-pub(super) struct Right {
-    /// `#V`, integrated divergence of the field that should be the gradient of distance.
-    pub(super) divergence: Vec<f64>,
-    /// On the rim of each patch of the region the mean of the exact distances.
-    pub(super) rims: Vec<Constraint>,
 }
 
 impl Region {
@@ -56,6 +48,25 @@ impl Region {
     #[inline]
     pub(super) fn value(&self, vertex: u32) -> Option<f64> {
         Some(self.distances[vertex as usize]).filter(|&distance| distance < self.radius)
+    }
+
+    /// Distances in the region and at sources that it does not contain (`#V`, infinite elsewhere).
+    pub(super) fn known(&self, mesh: &TetMesh, medium: &Medium, sources: &[TetSource]) -> Vec<f64> {
+        let inside = |&distance: &f64| if distance < self.radius { distance } else { f64::INFINITY };
+        let mut known: Vec<f64> = self.distances.iter().map(inside).collect();
+        for source in sources {
+            let place = source.point.position(mesh);
+            let cost = match source.point {
+                TetPoint::Vertex(_) => 0.0,
+                TetPoint::Inside { tetrahedron, .. } => medium.cost(tetrahedron.0),
+            };
+            for (vertex, _) in source.point.support(mesh) {
+                let distance = source.initial_distance + cost * place.distance(mesh.position(vertex));
+                let known = &mut known[vertex.0 as usize];
+                *known = known.min(distance);
+            }
+        }
+        known
     }
 
     /// The initial distances of sources that the region does not contain.

@@ -4,12 +4,20 @@ use glam::DVec3;
 use heatwalk::heat::{Constraint, scale};
 
 use crate::heat::elements::Element;
-use crate::heat::region::{Region, Right};
+use crate::heat::region::Region;
 use crate::march::Medium;
 use crate::mesh::{TetId, TetMesh};
 
 /// Tetrahedra whose lengths are divided by together: one by one, each would wait for the root and the division before.
 const BLOCK: usize = 16;
+
+/// Right side of the Poisson equation.
+pub(super) struct Right {
+    /// `#V`, integrated divergence of the field that should be the gradient of distance.
+    pub(super) divergence: Vec<f64>,
+    /// On the rim of each patch of the region the mean of the exact distances.
+    pub(super) rims: Vec<Constraint>,
+}
 
 /// Of the field that should be the gradient of distance: that of exact distance in tetrahedra whose corners are all in the region,
 /// elsewhere of length w against the gradient of heat, as the metric w² g has it, and zero where heat is constant.

@@ -85,21 +85,6 @@ impl Medium {
         self.neighbors.is_some()
     }
 
-    /// Whether each vertex (`#V`) is on the boundary of the tetrahedra that are no walls.
-    pub(crate) fn is_on_boundary(&self, mesh: &TetMesh) -> Vec<bool> {
-        let mut is_on_boundary = vec![false; mesh.vertex_count()];
-        for (tetrahedron, (corners, neighbors)) in mesh.tetrahedra().iter().zip(self.sight(mesh).neighbors).enumerate()
-        {
-            if self.cost(tetrahedron as u32).is_infinite() {
-                continue;
-            }
-            for (face, _) in FACES.iter().zip(neighbors).filter(|&(_, &neighbor)| neighbor == NONE) {
-                face.iter().for_each(|&corner| is_on_boundary[corners[corner] as usize] = true);
-            }
-        }
-        is_on_boundary
-    }
-
     /// The other ends of the concave edges at a vertex.
     pub(crate) fn concave(&self, vertex: u32) -> &[u32] {
         self.concave.row(vertex)

@@ -21,9 +21,11 @@ const SMOOTH: f64 = 0.05;
 /// Waves that a vertex remembers to have been offered: one offer says all.
 const REMEMBERED: usize = 4;
 
-/// What a vertex that gets its distance and an offer that waits count as work: as many faces are passed in the time.
+/// What a vertex that gets its distance, a distance that is computed for an offer, and an offer that waits count as work: as many faces
+/// are passed in the time.
 const SETTLED: usize = 8;
-const OFFERED: usize = 2;
+const COMPUTED: usize = 1;
+const OFFERED: usize = 1;
 
 /// An offer: the distance as bits, which order as positive numbers do, vertex, wave.
 type Offer = Reverse<(u64, u32, u32)>;
@@ -123,6 +125,7 @@ impl<'a> Search<'a> {
         if offered.contains(&wave) {
             return;
         }
+        self.work += COMPUTED;
         let distance = self.waves[wave as usize].ray(self.mesh.positions()[vertex as usize]).distance;
         if distance < self.distances[vertex as usize] * (1.0 - GAIN) {
             offered.rotate_right(1);
@@ -202,7 +205,7 @@ impl<'a> Search<'a> {
         let positions = ends.map(|end| self.mesh.positions()[end as usize]);
         let distances = ends.map(|end| self.distances[end as usize]);
         let waves = ends.map(|end| self.wave_of[end as usize]);
-        let cost = self.medium_cost_at(ends);
+        let cost = self.least_cost_at(ends);
         let initials = waves.map(|wave| if wave == NONE { 0.0 } else { self.waves[wave as usize].initial() });
         let length = positions[0].distance(positions[1]);
         // What the wave at one end makes of the other end.
@@ -263,18 +266,19 @@ impl<'a> Search<'a> {
         (distance, wave)
     }
 
-    /// The least cost around an edge.
-    fn medium_cost_at(&self, [a, b]: [u32; 2]) -> f64 {
-        let around = self.mesh.around().row(a).iter();
-        let at_edge = around.filter(|&&tetrahedron| self.mesh.tetrahedra()[tetrahedron as usize].contains(&b));
-        at_edge.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
+    /// The least cost around an edge, or around a vertex that is both of its ends.
+    fn least_cost_at(&self, [a, b]: [u32; 2]) -> f64 {
+        self.medium.uniform_cost().unwrap_or_else(|| {
+            let around = self.mesh.around().row(a).iter();
+            let at_edge = around.filter(|&&tetrahedron| self.mesh.tetrahedra()[tetrahedron as usize].contains(&b));
+            at_edge.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
+        })
     }
 
     /// Sends a wave from a vertex.
     fn send_from(&mut self, vertex: u32) {
         let (mesh, distance) = (self.mesh, self.distances[vertex as usize]);
-        let around = mesh.around().row(vertex).iter();
-        let cost = around.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
+        let cost = self.least_cost_at([vertex; 2]);
         let parents = [self.wave_of[vertex as usize], NONE];
         let place = mesh.positions()[vertex as usize];
         let wave = self.add(Wave::from_place(place, distance, cost, Some(vertex)).after(parents));
