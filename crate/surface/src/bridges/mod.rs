@@ -10,6 +10,7 @@ mod cracks;
 mod distances;
 mod find;
 mod hierarchy;
+mod lanes;
 mod links;
 mod portals;
 mod rule;
