@@ -199,60 +199,59 @@ impl<C: Count, M: Medium> Front<C, M> {
     fn cross(&mut self, geometry: &ExactGeometry, entering: &[(u32, Beam)]) {
         let mut exits = [Exit::CLOSED; 2 * BATCH];
         let mut at_corners = [0.0; BATCH];
-        for ((&(halfedge, beam), exits), at_corner) in entering.iter().zip(exits.as_chunks_mut().0).zip(&mut at_corners)
-        {
+        let mut corners = [[0; 3]; BATCH];
+        let places = exits.as_chunks_mut().0.iter_mut().zip(&mut at_corners).zip(&mut corners);
+        for (&(halfedge, beam), ((exits, at_corner), corners)) in entering.iter().zip(places) {
             let (frame, k) = geometry.frame_of(halfedge);
             let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
-            let [a, b, c] = sides.map(|side| side.vertex);
             let crossing = Crossing::new(beam, opposite);
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
             *at_corner = beam.at(at) + length(opposite[0] - at, opposite[1]);
             let first = halfedge - k as u32;
-            let exit = |(is_open, beam): (bool, Beam), k: usize, side: &Side, ends: [u32; 2]| Exit {
+            let exit = |(is_open, beam): (bool, Beam), k: usize, side: &Side| Exit {
                 from: first + k as u32,
                 to: side.twin().unwrap_or(NO_TWIN),
-                ends,
-                length: side.length,
+                bar: Bar { length: side.length, ends: [0.0; 2] },
                 is_open,
                 beam,
             };
             let [to_left, to_right] = crossing.exits(sides);
-            *exits = [exit(to_left, before(k), sides[2], [a, c]), exit(to_right, after(k), sides[1], [c, b])];
+            *exits = [exit(to_left, before(k), sides[2]), exit(to_right, after(k), sides[1])];
+            *corners = sides.map(|side| side.vertex);
         }
-        for (&(halfedge, beam), &at_corner) in entering.iter().zip(&at_corners) {
-            let (frame, k) = geometry.frame_of(halfedge);
-            self.offer(frame[before(k)].vertex, self.medium.cost(halfedge / 3) * at_corner, beam.root);
+        for ((&(halfedge, beam), &at_corner), &[_, _, corner]) in entering.iter().zip(&at_corners).zip(&corners) {
+            self.offer(corner, self.medium.cost(halfedge / 3) * at_corner, beam.root);
             if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
         }
         let mut leaving = [0_u8; 2 * BATCH];
         let mut count = 0;
-        for (number, exit) in (0..).zip(&exits[..2 * entering.len()]) {
-            leaving[count] = number;
-            count += usize::from(exit.is_open & self.is_sooner(exit));
+        let pairs = exits.as_chunks_mut::<2>().0.iter_mut().zip(&corners);
+        for ((&(halfedge, _), (exits, &corners)), number) in entering.iter().zip(pairs).zip((0..).step_by(2)) {
+            let cost = self.medium.cost(halfedge / 3);
+            let [at_a, at_b, at_c] = corners.map(|vertex| self.values[VertexId(vertex)] / cost);
+            exits[0].bar.ends = [at_a, at_c];
+            exits[1].bar.ends = [at_c, at_b];
+            for (exit, number) in exits.iter().zip(number..) {
+                leaving[count] = number;
+                count += usize::from(exit.is_open & self.is_sooner(exit));
+            }
         }
         for &number in &leaving[..count] {
             let exit = &exits[usize::from(number)];
-            let bar = self.bar_of(exit);
             if exit.to == NO_TWIN {
-                self.leave_fan(geometry, exit.from, &exit.beam, &bar);
+                self.leave_fan(geometry, exit.from, &exit.beam, &exit.bar);
             } else {
-                self.keep_behind((exit.from, exit.to), &exit.beam, &bar);
+                self.keep_behind((exit.from, exit.to), &exit.beam, &exit.bar);
             }
         }
-    }
-
-    fn bar_of(&self, exit: &Exit) -> Bar {
-        let cost = self.medium.cost(exit.from / 3);
-        let ends = self.distances(exit.ends).map(|value| value / cost);
-        Bar { length: exit.length, ends }
     }
 
     /// Whether what leaves a face may be kept, as far as is easily told.
     #[inline(always)]
     fn is_sooner(&self, exit: &Exit) -> bool {
-        !M::IS_UNIFORM || exit.to == NO_TWIN || self.labels.is_sooner(exit.to, &exit.beam, &self.bar_of(exit))
+        !M::IS_UNIFORM || exit.to == NO_TWIN || self.labels.is_sooner(exit.to, &exit.beam, &exit.bar)
     }
 
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
@@ -549,9 +548,8 @@ struct Exit {
     from: u32,
     /// The half-edge that runs against it, or [`NO_TWIN`].
     to: u32,
-    /// The edge's ends, as a half-edge against `from` sees them.
-    ends: [u32; 2],
-    length: f64,
+    /// The edge with the distances of its ends, as a half-edge against `from` sees it.
+    bar: Bar,
     /// Whether any of it does.
     is_open: bool,
     beam: Beam,
@@ -561,8 +559,7 @@ impl Exit {
     const CLOSED: Self = Self {
         from: 0,
         to: NO_TWIN,
-        ends: [0; 2],
-        length: 0.0,
+        bar: Bar { length: 0.0, ends: [0.0; 2] },
         is_open: false,
         beam: Beam { begin: 0.0, end: 0.0, x: 0.0, depth: 0.0, offset: 0.0, root: 0 },
     };
