@@ -93,9 +93,9 @@ test('windows are answered with and without factors, by the same distances, and 
   expect(unfactored.factor_nonzeros()).toBe(0);
   expect(solver.factor_nonzeros()).toBeGreaterThan(0);
   for (const windows of WINDOWS) {
-    const field = unfactored.propagate(SOURCES, windows);
+    const field = unfactored.propagate(SOURCES, windows, false);
     expect([field.windows, field.timeFactor]).toEqual([windows, undefined]);
-    expect(solver.propagate(SOURCES, windows).distance).toEqual(field.distance);
+    expect(solver.propagate(SOURCES, windows, false).distance).toEqual(field.distance);
     const refined = unfactored.refine(1_000_000);
     expect(refined.exactBelow).toBe(Infinity);
     const { distance } = refined;
@@ -104,11 +104,11 @@ test('windows are answered with and without factors, by the same distances, and 
   }
   expect(() => unfactored.solve(SOURCES, false)).toThrow('nothing is factored');
   expect(() => unfactored.heat()).toThrow('ask for the heat method');
-  expect(() => unfactored.propagate(SOURCES, 0)).toThrow('one window at least');
+  expect(() => unfactored.propagate(SOURCES, 0, false)).toThrow('one window at least');
 });
 
 test('the exact path is found step by step, and is that of one go', () => {
-  solver.propagate(SOURCES, 1);
+  solver.propagate(SOURCES, 1, false);
   const length = solver.path({ vertex: 80 }, 'exact').length;
   let steps = 0;
   let found;

@@ -38,7 +38,7 @@ fn surfaces() -> Vec<Surface> {
 /// Distances between some places: `PLACES × PLACES`.
 fn distances(geometry: &Arc<ExactGeometry>, places: &[VertexId], windows: Windows) -> Vec<Vec<f64>> {
     // Without an exact search, which would find all of these surfaces exactly.
-    let options = PropagationOptions { windows, exact: ExactSearch::AtMost(0) };
+    let options = PropagationOptions { windows, exact: ExactSearch::AtMost(0), ..PropagationOptions::default() };
     let from = |&place: &VertexId| {
         let mut propagation =
             Propagation::new(Arc::clone(geometry), &[Place::Vertex(place)], options).expect("a valid source");

@@ -15,7 +15,8 @@ use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
     CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch, Propagation,
-    PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract, straighten,
+    PropagationOptions, Query, Senders, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract,
+    straighten,
 };
 use heatwalk_bindings::{Failure, Result, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
@@ -129,9 +130,10 @@ impl Solver {
         Ok(carried.distance(heat.factorization().distance(&Query { exact_radius, ..query })?))
     }
 
-    fn propagated_distance(&mut self, sources: &[Source], windows: u16) -> Result<Distance> {
+    fn propagated_distance(&mut self, sources: &[Source], windows: u16, quick: bool) -> Result<Distance> {
         let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
-        let options = PropagationOptions { windows: Windows::AtMost(count), ..PropagationOptions::default() };
+        let senders = if quick { Senders::NotPassed } else { Senders::All };
+        let options = PropagationOptions { windows: Windows::AtMost(count), senders, ..PropagationOptions::default() };
         let mut propagation = Propagation::reusing(self.propagation.take(), &self.geometry, sources, options)?;
         propagation.advance(f64::INFINITY, usize::MAX)?;
         let distance = propagation.distance();
@@ -248,14 +250,15 @@ impl Solver {
         self.answer(Solved::new(sources, distance, origin))
     }
 
-    /// Distance to the nearest of `sources` by so many windows of each half-edge. Needs no factors.
+    /// Distance to the nearest of `sources` by so many windows of each half-edge, of fewer vertices when `quick`. Needs no factors.
     pub fn propagate(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
         windows: u16,
+        quick: bool,
     ) -> Result<Field> {
         let sources = self.sources(sources)?;
-        let distance = self.propagated_distance(&sources, windows)?;
+        let distance = self.propagated_distance(&sources, windows, quick)?;
         self.answer(Solved::new(sources, distance, Origin::Windows(windows)))
     }
 

@@ -98,7 +98,7 @@ const api: SolverApi = {
     const solver = drawing.factor({}, () => undefined);
     const sources = [{ vertex: 0 }];
     for (const quick of [false, true]) solver.solve(sources, quick).free();
-    for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows).free();
+    for (const windows of [1, DEFAULT_WINDOWS]) solver.propagate(sources, windows, windows === 1).free();
     solver.refine(FIRST_WORK).free();
     lookForContacts(plain(drawing.take_mesh()));
     for (const used of [solver, drawing, surface, file]) used.free();
@@ -270,7 +270,7 @@ const api: SolverApi = {
     request: PathRequest | null,
   ): Promise<Solved | null> {
     if (quick && !(await moves.isLast())) return null;
-    return firstField(false, ({ solver }) => messageOf(solver.propagate(known(sources), windows)), request);
+    return firstField(false, ({ solver }) => messageOf(solver.propagate(known(sources), windows, quick)), request);
   },
 
   refine(request: PathRequest | null): Promise<Solved> {

@@ -16,7 +16,7 @@ export interface MeshSolver {
   configure(parameters: Parameters, progress: (stage: string, fraction: number) => void): void;
   factor_nonzeros(): number;
   solve(sources: readonly Source[], quick: boolean): FieldObject;
-  propagate(sources: readonly Source[], windows: number): FieldObject;
+  propagate(sources: readonly Source[], windows: number, quick: boolean): FieldObject;
   path(from: MeshPoint, kind: PathKind): wasm.SurfacePath | interior.InnerPath;
   tangents(): Int8Array;
   gradients(kind: FaceField): Float32Array;

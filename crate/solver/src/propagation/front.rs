@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::labels::{Bar, Count, Fixed, Labels};
 use super::medium::{Medium, Uniform, head_wave, refracted};
+use super::options::Senders;
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
@@ -62,12 +63,12 @@ pub(super) trait Grow: Debug + Send + Sync {
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize) -> Result<Box<dyn Grow>> {
+pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize, senders: Senders) -> Result<Box<dyn Grow>> {
     Ok(match (geometry.costs().cloned(), stretches) {
-        (Some(costs), _) => Box::new(Front::new(geometry, costs, stretches)?),
-        (None, 1) => Box::new(Front::new(geometry, Uniform, Fixed::<1>)?),
-        (None, 2) => Box::new(Front::new(geometry, Uniform, Fixed::<2>)?),
-        (None, _) => Box::new(Front::new(geometry, Uniform, stretches)?),
+        (Some(costs), _) => Box::new(Front::new(geometry, costs, stretches, senders)?),
+        (None, 1) => Box::new(Front::new(geometry, Uniform, Fixed::<1>, senders)?),
+        (None, 2) => Box::new(Front::new(geometry, Uniform, Fixed::<2>, senders)?),
+        (None, _) => Box::new(Front::new(geometry, Uniform, stretches, senders)?),
     })
 }
 
@@ -76,6 +77,7 @@ struct Front<C, M> {
     surface: Arc<Surface>,
     geometry: Arc<ExactGeometry>,
     medium: M,
+    senders: Senders,
     /// `#V`, as its other lists empty before the first start.
     values: VertexData<f64>,
     /// `#V`, number of the source that each value comes from.
@@ -99,7 +101,7 @@ struct Front<C, M> {
 }
 
 impl<C: Count, M: Medium> Front<C, M> {
-    fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C) -> Result<Self> {
+    fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C, senders: Senders) -> Result<Self> {
         let surface = Arc::clone(geometry.surface());
         Ok(Self {
             values: VertexData::default(),
@@ -116,6 +118,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             surface,
             geometry,
             medium,
+            senders,
         })
     }
 
@@ -228,14 +231,19 @@ impl<C: Count, M: Medium> Front<C, M> {
         let mut leaving = [0_u8; 2 * BATCH];
         let mut count = 0;
         let pairs = exits.as_chunks_mut::<2>().0.iter_mut().zip(&corners);
-        for ((&(halfedge, _), (exits, &corners)), number) in entering.iter().zip(pairs).zip((0..).step_by(2)) {
+        let numbers = (0..).step_by(2).zip(&at_corners);
+        for ((&(halfedge, _), (exits, &corners)), (number, &at_corner)) in entering.iter().zip(pairs).zip(numbers) {
             let cost = self.medium.cost(halfedge / 3);
             let [at_a, at_b, at_c] = corners.map(|vertex| self.values[VertexId(vertex)] / cost);
             exits[0].bar.ends = [at_a, at_c];
             exits[1].bar.ends = [at_c, at_b];
+            let before = count;
             for (exit, number) in exits.iter().zip(number..) {
                 leaving[count] = number;
                 count += usize::from(exit.is_open & self.is_sooner(exit));
+            }
+            if self.passes(exits, count - before) && at_c == at_corner {
+                self.waits[corners[2] as usize] = false;
             }
         }
         for &number in &leaving[..count] {
@@ -248,6 +256,14 @@ impl<C: Count, M: Medium> Front<C, M> {
         }
     }
 
+    /// Whether a window goes on at both sides of the corner that it reaches, inside of the surface, where that sends none
+    /// by itself then. `sooner`: how many of what leaves may be kept.
+    #[inline(always)]
+    fn passes(&self, exits: &[Exit; 2], sooner: usize) -> bool {
+        let is_inside = exits.iter().all(|exit| exit.to != NO_TWIN);
+        M::IS_UNIFORM & (self.senders == Senders::NotPassed) & (sooner == 2) & is_inside
+    }
+
     /// Whether what leaves a face may be kept, as far as is easily told.
     #[inline(always)]
     fn is_sooner(&self, exit: &Exit) -> bool {
@@ -256,8 +272,8 @@ impl<C: Count, M: Medium> Front<C, M> {
 
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
     ///
-    /// Every vertex does, whether paths can bend there or not: where a window is missing, because a half-edge keeps but a
-    /// few, the vertices on its rim take its place.
+    /// Every vertex does, whether paths can bend there or not, unless it is [passed](Self::passes): where a window is missing,
+    /// because a half-edge keeps but a few, the vertices on its rim take its place.
     fn emit(&mut self, geometry: &ExactGeometry, surface: &Surface, vertex: u32) {
         if !std::mem::take(&mut self.waits[vertex as usize]) {
             return;

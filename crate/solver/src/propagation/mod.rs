@@ -18,7 +18,7 @@ mod options;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-pub use options::{ALL, ExactSearch, PropagationOptions, REFRACTED, Windows};
+pub use options::{ALL, ExactSearch, PropagationOptions, REFRACTED, Senders, Windows};
 
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::{Error, Result};
@@ -61,7 +61,7 @@ impl Propagation {
         let front = match options.windows {
             Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
             Windows::All => None,
-            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), usize::from(count.get()))?),
+            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), usize::from(count.get()), options.senders)?),
         };
         let exact_windows = match options.exact {
             ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,

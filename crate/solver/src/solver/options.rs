@@ -66,9 +66,12 @@ impl DistanceOptions {
         let affordable = AFFORDABLE_WINDOWS.max(AFFORDABLE_WINDOWS_PER_FACE * faces);
         match self.method {
             Method::Heat => None,
-            Method::Exact => Some(PropagationOptions { windows: Windows::All, exact: ExactSearch::Automatic }),
-            Method::Propagation => Some(PropagationOptions { windows, exact: ExactSearch::Automatic }),
-            Method::Auto => Some(PropagationOptions { windows, exact: ExactSearch::AtMost(affordable) }),
+            Method::Exact => Some(PropagationOptions { windows: Windows::All, ..PropagationOptions::default() }),
+            Method::Propagation => Some(PropagationOptions { windows, ..PropagationOptions::default() }),
+            Method::Auto => {
+                let exact = ExactSearch::AtMost(affordable);
+                Some(PropagationOptions { windows, exact, ..PropagationOptions::default() })
+            }
         }
     }
 
@@ -77,12 +80,12 @@ impl DistanceOptions {
     /// # Errors
     /// [`Error::NotExact`] for exact distances.
     pub(super) fn refraction(&self) -> Result<Option<PropagationOptions>> {
-        let exact = ExactSearch::Automatic;
+        let by = |windows| Ok(Some(PropagationOptions { windows, ..PropagationOptions::default() }));
         match (self.method, self.windows) {
             (Method::Heat, _) => Ok(None),
             (Method::Exact, _) | (_, Windows::All) => Err(Error::NotExact),
-            (Method::Auto, windows) => Ok(Some(PropagationOptions { windows: windows.max(REFRACTED), exact })),
-            (Method::Propagation, windows) => Ok(Some(PropagationOptions { windows, exact })),
+            (Method::Auto, windows) => by(windows.max(REFRACTED)),
+            (Method::Propagation, windows) => by(windows),
         }
     }
 }

@@ -92,7 +92,7 @@ impl Solver {
     ) -> Result<Leg> {
         let [from, to] = self.ends(from, to)?;
         let windows = if self.geometry.costs().is_some() { REFRACTED_WINDOWS } else { WINDOWS };
-        let distance = self.propagated_distance(&[Source::from(to)], windows)?;
+        let distance = self.propagated_distance(&[Source::from(to)], windows, false)?;
         let surface = self.geometry.surface();
         let steepest = descend(surface, &distance, from)?;
         let path = match self.geometry.costs() {
