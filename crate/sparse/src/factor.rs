@@ -21,6 +21,9 @@ mod tests;
 /// Sparse right sides that are gone through side by side.
 const LANES: usize = 8;
 
+/// Entries that are looked at and rounded while they are in a cache.
+const ROUNDED_AT_ONCE: usize = 1024;
+
 /// The Cholesky factor `C` of one matrix `A = C Cᴴ` of numbers `T`, whose entries are kept as `E`.
 #[derive(Debug)]
 pub struct Factor<T = f64, E = T> {
@@ -140,11 +143,15 @@ impl Factor {
     /// time. Every substitution is that of a matrix whose entries differ by 10⁻⁷ or so. The factor itself where some entries
     /// are too large or too small for that.
     pub fn rounded(self) -> std::result::Result<Factor<f64, f32>, Self> {
-        let range = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
-        if !self.values.iter().all(|&value| value == 0.0 || range.contains(&value.abs())) {
-            return Err(self);
+        let [least, most] = [f32::MIN_POSITIVE, f32::MAX].map(f64::from);
+        let mut values = Vec::with_capacity(self.values.len());
+        for block in self.values.chunks(ROUNDED_AT_ONCE) {
+            let is_beyond = |&value: &f64| (value.abs() < least) & (value != 0.0) | !(value.abs() <= most);
+            if block.iter().fold(false, |any, value| any | is_beyond(value)) {
+                return Err(self);
+            }
+            values.extend(block.iter().map(|&value| value as f32));
         }
-        let values = self.values.iter().map(|&value| value as f32).collect();
         Ok(Factor { symbolic: self.symbolic, values, numbers: PhantomData })
     }
 }

@@ -159,6 +159,8 @@ impl Operators {
 }
 
 impl Discretization for Operators {
+    const ROUNDS: bool = true;
+
     fn laplacian(&self) -> &Laplacian {
         &self.laplacian
     }
