@@ -91,8 +91,7 @@ impl Factorization {
     /// The right side of the Poisson equation without an exact region.
     pub(super) fn divergence(&self, query: &Query) -> Result<Vec<f64>> {
         let heat = VertexData::from(self.question(query)?.heat);
-        let (divergence, _) =
-            divergence(&self.operators().elements, self.field(), heat.as_slice(), &ExactRegion::none(&heat));
+        let (divergence, _) = divergence(self.operators(), self.field(), heat.as_slice(), &ExactRegion::none(&heat));
         Ok(divergence)
     }
 
@@ -112,7 +111,7 @@ impl Factorization {
         } else {
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            let (divergence, touched) = divergence(&self.operators().elements, self.field(), heat, region);
+            let (divergence, touched) = divergence(self.operators(), self.field(), heat, region);
             let constraints = region.constraints(surface, &touched, &active);
             match multi_source {
                 MultiSource::Exact => self.poisson().solve_beyond(&divergence, &constraints, region.values())?,

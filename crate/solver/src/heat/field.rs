@@ -7,6 +7,7 @@ use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
 use crate::heat::logarithm::Logarithm;
 use crate::heat::scale::scale;
+use crate::operator::Operators;
 use crate::operator::elements::{BLOCK, Element, Elements};
 
 /// What stands for the gradient of distance where that is not known.
@@ -22,15 +23,16 @@ pub(super) enum Field {
 /// triangles whose three corners are in the exact region, elsewhere that of `heat`. Signed so that `L φ` equals it for
 /// ∇φ = X. With it the triangles that the region touches.
 pub(super) fn divergence(
-    elements: &Elements,
+    operators: &Operators,
     field: Field,
     heat: &[f64],
     region: &ExactRegion<'_>,
 ) -> (Vec<f64>, Vec<Touched>) {
+    let elements = &operators.elements;
     match field {
         Field::Unit => assembled(elements, heat, region, |block| against_gradient(elements, heat, block)),
         Field::Logarithm { time, bumpiness } => {
-            let logarithm = Logarithm::new(elements, heat, time, bumpiness);
+            let logarithm = Logarithm::new(operators, heat, time, bumpiness);
             assembled(elements, heat, region, |block| {
                 let parts = logarithm.against_gradient(block.clone());
                 if parts.as_flattened().iter().all(|part| part.is_finite()) {

@@ -83,8 +83,6 @@ pub(crate) struct Elements {
     pub(crate) faces: Vec<[u32; 3]>,
     /// `#F`, in the same order of corners.
     pub(crate) shapes: Vec<Element>,
-    /// `#F × 3`, the triangles glued to the sides that leave corners 0, 1 and 2; the triangle itself where there is none.
-    pub(crate) neighbors: Vec<[u32; 3]>,
     /// Triangles that count for 1 and come first; those after them count for a half, being of one of two sheets.
     pub(crate) whole: usize,
     /// Mean length of the edges, in the file's unit.
@@ -139,14 +137,12 @@ impl Elements {
         edges
     }
 
-    /// Triangles that count for 1. `lengths`, `3 #F`, are those of the sides that leave each corner, and `twin` tells which side each
-    /// is glued to, if any; sides are counted face by face.
-    pub(crate) fn from_lengths(faces: Vec<[u32; 3]>, lengths: &[f64], twin: impl Fn(usize) -> Option<usize>) -> Self {
+    /// Triangles that count for 1. `lengths`, `3 #F`, are those of the sides that leave each corner, and `is_boundary` tells of each
+    /// side whether no other is glued to it; sides are counted face by face.
+    pub(crate) fn from_lengths(faces: Vec<[u32; 3]>, lengths: &[f64], is_boundary: impl Fn(usize) -> bool) -> Self {
         let shapes = lengths.as_chunks().0.iter().map(|&sides| Element::of_lengths(sides)).collect();
-        let (mean_edge, deviation) = edge_statistics(lengths, |side| twin(side).is_none());
-        let neighbor = |side: usize| (twin(side).unwrap_or(side) / 3) as u32;
-        let neighbors = (0..faces.len()).map(|face| [0, 1, 2].map(|corner| neighbor(3 * face + corner))).collect();
-        Self { whole: faces.len(), faces, shapes, neighbors, mean_edge, deviation }
+        let (mean_edge, deviation) = edge_statistics(lengths, is_boundary);
+        Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
     }
 }
 

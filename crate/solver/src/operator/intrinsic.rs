@@ -255,22 +255,9 @@ impl IntrinsicTriangulation {
         let (alone, mut order): (Vec<usize>, Vec<usize>) = (0..sheet).partition(|&face| is_alone(face));
         let whole = order.len();
         order.extend(alone.into_iter().flat_map(|face| [face, face + sheet]));
-        // A face that is there once stands for both of its copies.
-        let mut places = vec![0; self.faces.len()];
-        for (&face, place) in order.iter().zip(0..) {
-            places[face] = place;
-            if (place as usize) < whole && self.sheets == 2 {
-                places[face + sheet] = place;
-            }
-        }
-        let neighbor = |slot: usize| {
-            let glued = if self.is_open(slot) { slot } else { self.twins[slot] as usize };
-            places[glued / 3]
-        };
-        let neighbors = order.iter().map(|&face| [0, 1, 2].map(|corner| neighbor(3 * face + corner))).collect();
         let faces = order.iter().map(|&face| self.faces[face]).collect();
         let shapes = order.iter().map(|&face| Element::of_lengths(lengths[face])).collect();
-        Elements { faces, shapes, neighbors, whole, mean_edge, deviation }
+        Elements { faces, shapes, whole, mean_edge, deviation }
     }
 }
 

@@ -1,5 +1,7 @@
 //! All operators of one metric.
 
+use heatwalk_sparse::Pattern;
+use heatwalk_surface::csr::Csr;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{HalfedgeId, VertexId};
@@ -19,6 +21,8 @@ use crate::options::Operator;
 pub struct Operators {
     pub(crate) elements: Elements,
     laplacian: Laplacian,
+    /// The vertices at the other ends of each vertex's edges.
+    adjacent: Csr<VertexId, VertexId>,
     /// Per vertex, counted from 0 in the order of their first vertices.
     components: Vec<u32>,
 }
@@ -72,19 +76,21 @@ impl Operators {
         };
         let mut sides: Vec<usize> = (0..3 * faces.len()).collect();
         sides.sort_unstable_by_key(|&side| ends(side));
-        let mut twins = vec![None; sides.len()];
-        for edge in sides.chunk_by(|&a, &b| ends(a) == ends(b)).filter(|edge| edge.len() > 1) {
-            for (index, &side) in edge.iter().enumerate() {
-                twins[side] = Some(edge[(index + 1) % edge.len()]);
+        let mut is_boundary = vec![false; sides.len()];
+        for edge in sides.chunk_by(|&a, &b| ends(a) == ends(b)) {
+            if let [side] = *edge {
+                is_boundary[side] = true;
             }
         }
         let components = components(&faces);
-        let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| twins[side]);
+        let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| is_boundary[side]);
         Ok(Self::assemble(elements, components))
     }
 
     fn assemble(elements: Elements, components: Vec<u32>) -> Self {
-        Self { laplacian: Laplacian::of_elements(components.len(), &elements), elements, components }
+        let laplacian = Laplacian::of_elements(components.len(), &elements);
+        let adjacent = adjacent(laplacian.pattern());
+        Self { elements, laplacian, adjacent, components }
     }
 
     /// Number of vertices.
@@ -105,6 +111,11 @@ impl Operators {
     /// Stiffness and mass.
     pub fn laplacian(&self) -> &Laplacian {
         &self.laplacian
+    }
+
+    /// The vertices at the other ends of each vertex's edges.
+    pub(crate) fn adjacent(&self) -> &Csr<VertexId, VertexId> {
+        &self.adjacent
     }
 
     /// The connected component of each vertex (`#V`), counted from 0 in the order of their first vertices.
@@ -174,12 +185,20 @@ impl Discretization for Operators {
 fn plain(surface: &Surface, costs: &[f64]) -> Elements {
     let faces: Vec<[u32; 3]> = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
     let sides = 3 * faces.len();
-    let twin = |side: usize| Some(surface.mesh().twin(HalfedgeId(side as u32)).0 as usize).filter(|&twin| twin < sides);
+    let is_boundary = |side: usize| surface.mesh().twin(HalfedgeId(side as u32)).0 as usize >= sides;
     let mut lengths = surface.side_lengths();
     for (sides, cost) in lengths.chunks_exact_mut(3).zip(costs) {
         sides.iter_mut().for_each(|length| *length *= cost);
     }
-    Elements::from_lengths(faces, &lengths, twin)
+    Elements::from_lengths(faces, &lengths, is_boundary)
+}
+
+/// Per vertex, the others that an entry of a symmetric matrix joins it with.
+fn adjacent(pattern: &Pattern) -> Csr<VertexId, VertexId> {
+    let below = |column: usize| &pattern.rows()[pattern.column(column)][1..];
+    let entries = |column: usize| below(column).iter().map(move |&row| [VertexId(column as u32), VertexId(row)]);
+    let entries: Vec<[VertexId; 2]> = (0..pattern.size()).flat_map(entries).collect();
+    Csr::adjacent(pattern.size(), &entries)
 }
 
 /// Per vertex, the connected component of the faces around.
