@@ -13,7 +13,7 @@ use glam::{DVec3, dvec3};
 use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
 use heatwalk::{
     Bridges, DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, Method, Place, Portal, Propagation,
-    PropagationOptions, PropagationRefinement, Surface, VertexId, descend, straighten,
+    PropagationOptions, PropagationRefinement, Senders, Surface, VertexId, descend, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -146,8 +146,11 @@ fn exact_distances_cross_portals() {
 fn propagated_distances_cross_portals_and_become_exact() {
     for case in cases() {
         let geometry = geometry(&case);
-        for exact in [ExactSearch::AtMost(0), ExactSearch::AtMost(300)] {
-            let options = PropagationOptions { exact, ..PropagationOptions::default() };
+        let searches = [ExactSearch::AtMost(0), ExactSearch::AtMost(300)];
+        for (exact, senders) in
+            searches.into_iter().flat_map(|exact| [(exact, Senders::All), (exact, Senders::NotPassed)])
+        {
+            let options = PropagationOptions { exact, senders, ..PropagationOptions::default() };
             let mut propagation = Propagation::new(Arc::clone(&geometry), &[case.source], options).expect("a source");
             assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
             let distance = propagation.distance();

@@ -146,7 +146,8 @@ impl Factor {
         let [least, most] = [f32::MIN_POSITIVE, f32::MAX].map(f64::from);
         let mut values = Vec::with_capacity(self.values.len());
         for block in self.values.chunks(ROUNDED_AT_ONCE) {
-            let is_beyond = |&value: &f64| (value.abs() < least) & (value != 0.0) | !(value.abs() <= most);
+            let is_beyond =
+                |&value: &f64| ((value != 0.0) & (value.abs() < least)) | (value.abs() > most) | value.is_nan();
             if block.iter().fold(false, |any, value| any | is_beyond(value)) {
                 return Err(self);
             }

@@ -17,11 +17,11 @@ const EVENNESS: [f64; 2] = [0.07, 0.15];
 /// m of even triangles up to so many mean edges of extent. Beyond, it grows with the power of 2/3: what heat errs by for
 /// following the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls
 /// with the size of the edges.
-const EVEN: (f64, f64) = (0.36 * 0.8, 80.0);
+const EVEN: (f64, f64) = (0.31, 80.0);
 
 /// m of others, where so short a time would follow the edges, on surfaces of at least so many mean edges in width. On
 /// narrower ones, where rounding costs more, it falls with the fifth root.
-const UNEVEN: (f64, f64) = (1.2 * 0.8, 100.0);
+const UNEVEN: (f64, f64) = (1.02, 100.0);
 
 /// m grows with the grading up to this. Beyond, it would round off too much where triangles are small.
 const MOST_GRADING: f64 = 2.0;
