@@ -147,16 +147,17 @@ fn propagated_distances_cross_portals_and_become_exact() {
     for case in cases() {
         let geometry = geometry(&case);
         let searches = [ExactSearch::AtMost(0), ExactSearch::AtMost(300)];
-        for (exact, senders) in
-            searches.into_iter().flat_map(|exact| [(exact, Senders::All), (exact, Senders::NotPassed)])
-        {
+        // Few senders have twice the errors.
+        let senders = [(Senders::All, 1.03), (Senders::NotPassed, 1.06)];
+        for (exact, (senders, most)) in searches.into_iter().flat_map(|exact| senders.map(|senders| (exact, senders))) {
             let options = PropagationOptions { exact, senders, ..PropagationOptions::default() };
             let mut propagation = Propagation::new(Arc::clone(&geometry), &[case.source], options).expect("a source");
             assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
             let distance = propagation.distance();
             let nearest = propagation.nearest_sources();
             for ((&value, &expected), nearest) in distance.values.iter().zip(&case.expected).zip(&nearest) {
-                assert!(value >= expected * (1.0 - ROUNDING) && (value <= 1.03 * expected + 1e-3 || value == expected));
+                let is_near = value <= most * expected + 1e-3 || value == expected;
+                assert!(value >= expected * (1.0 - ROUNDING) && is_near, "{value} for {expected}");
                 assert_eq!(*nearest, (value < f64::INFINITY).then_some(0));
             }
             let mut refinement = PropagationRefinement::new(&geometry, &[case.source], distance).expect("room");

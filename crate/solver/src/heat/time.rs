@@ -17,7 +17,7 @@ const EVENNESS: [f64; 2] = [0.07, 0.15];
 /// m of even triangles up to so many mean edges of extent. Beyond, it grows with the power of 2/3: what heat errs by for
 /// following the edges falls as 1/m, what it errs by for rounding the distance off grows as √t, and so their sum falls
 /// with the size of the edges.
-const EVEN: (f64, f64) = (0.31, 80.0);
+const EVEN: (f64, f64) = (0.36, 80.0);
 
 /// m of others, where so short a time would follow the edges, on surfaces of at least so many mean edges in width. On
 /// narrower ones, where rounding costs more, it falls with the fifth root.
@@ -27,7 +27,7 @@ const UNEVEN: (f64, f64) = (1.02, 100.0);
 const MOST_GRADING: f64 = 2.0;
 
 /// Width in mean edges for each unit of grading that m may grow with, for the same reason.
-const WIDTH_PER_GRADING: f64 = 70.0;
+const WIDTH_PER_GRADING: f64 = 60.0;
 
 /// m in t = m h², as given or chosen, but large enough for heat to reach everywhere.
 pub(super) fn time_factor(
