@@ -5,16 +5,17 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
+use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use common::pieces::{CHANGES, Errors, Pieces, wholes};
 use common::random;
 use glam::DVec3;
-use heatwalk::exact::shortest_path;
+use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
 use heatwalk::{
-    BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, Method, Path, Soup, Surface, VertexId,
-    WeldRule, descend, straighten,
+    BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, ExactSearch, Method, Path, Place,
+    Propagation, PropagationOptions, Soup, Surface, VertexId, WeldRule, Windows, descend, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -58,6 +59,26 @@ fn a_surface_in_pieces_has_nearly_the_distances_of_the_whole() {
             assert!(exact.mean <= MOST_MEAN && exact.high <= MOST_HIGH, "{name}");
             assert!(excess <= MOST_EXCESS, "{excess} edges, {name}");
             assert!(heat.mean <= of_whole.mean + MOST_OF_HEAT, "{name}");
+        }
+    }
+}
+
+#[test]
+fn exact_distances_of_parts_are_nowhere_longer_than_by_a_few_windows() {
+    let surface = Arc::new(Surface::build(&shapes::by_name("robot").expect("a shape")).expect("a surface"));
+    let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+    let portals = Arc::new(ExactGeometry::new(Arc::clone(&surface)).bridged(&bridges));
+    for source in [0, 1000] {
+        let source = [Place::Vertex(VertexId(source))];
+        let mut exact = Wavefront::new(Arc::clone(&portals), &source).expect("a source");
+        assert!(exact.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
+        // None of them by the exact search, which is what is tested.
+        let windows = Windows::AtMost(NonZeroU16::new(8).expect("some"));
+        let options = PropagationOptions { windows, exact: ExactSearch::AtMost(0), ..PropagationOptions::default() };
+        let mut propagation = Propagation::new(Arc::clone(&portals), &source, options).expect("a source");
+        assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
+        for (&exact, &most) in exact.values().iter().zip(propagation.values()) {
+            assert!(exact <= most * (1.0 + 1e-9), "{exact} for {most}");
         }
     }
 }

@@ -365,7 +365,7 @@ impl Wavefront {
         self.waiting.take(halfedge, &mut windows);
         windows.retain(|window| {
             let at_root = self.values.get(VertexId(window.root)).copied();
-            at_root.unwrap_or_else(|| self.value_of_root(window.root)) >= window.offset
+            window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)))
         });
         window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.values[VertexId(vertex)]));
         self.propagated += windows.len();

@@ -58,6 +58,13 @@ impl Beam {
         Self { begin, end, ..*self }
     }
 
+    /// Whether the root has the distance that the window starts from, or one that is less by rounding: the window may have won a
+    /// tie against the next one of the same root, which is lost then.
+    #[inline(always)]
+    pub fn is_current(&self, at_root: f64) -> bool {
+        self.offset <= at_root + MARGIN * at_root.abs()
+    }
+
     /// Whether the interval is worth following. Also false where something is not a number.
     #[inline(always)]
     pub fn is_wide(&self) -> bool {

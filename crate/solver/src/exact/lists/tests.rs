@@ -76,13 +76,25 @@ fn windows_of_one_source_become_one_unless_its_distance_has_fallen() {
     let right = left.part(0.5, 1.0);
     for windows in [[left, right], [right, left]] {
         let mut lists = Lists::new(1);
-        windows.map(|window| lists.add(0, &mut vec![window]));
+        for window in windows {
+            lists.add(0, &mut vec![window]);
+        }
         assert_eq!(lists.at(0).iter().map(|window| (window.begin, window.end)).collect::<Vec<_>>(), [(0.0, 1.0)]);
     }
     let fallen = Beam { offset: 1.9, ..right };
     let mut lists = Lists::new(1);
-    [left, fallen].map(|window| lists.add(0, &mut vec![window]));
+    for window in [left, fallen] {
+        lists.add(0, &mut vec![window]);
+    }
     assert_eq!(lists.at(0).iter().map(|window| window.offset).collect::<Vec<_>>(), [2.0, 1.9]);
+}
+
+#[test]
+fn a_window_is_current_until_its_root_is_nearer_by_more_than_rounding() {
+    let window = Beam { begin: 0.0, end: 0.5, x: 0.4, depth: 0.5, offset: 2.0, root: 3 };
+    assert!(window.is_current(2.0) && window.is_current(2.0_f64.next_down()) && !window.is_current(2.0 - 1e-9));
+    let from_source = Beam { offset: 0.0, ..window };
+    assert!(from_source.is_current(0.0) && !from_source.is_current(-1e-9));
 }
 
 #[test]
