@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use heatwalk::{FactorOptions, LinearSolver, TimeStep};
 
-use crate::heat::Field;
+use crate::heat::field::Field;
 use crate::march::Medium;
 use crate::mesh::TetMesh;
 

@@ -5,6 +5,7 @@
 //! the field of the [`Logarithm`] of heat, and distance follows it from vertex to vertex.
 
 mod elements;
+mod field;
 mod lengths;
 mod logarithm;
 mod region;
@@ -15,26 +16,18 @@ use std::sync::Arc;
 
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, SourceHeat, Systems, factor_pair};
 use heatwalk::operator::Discretization;
-use heatwalk::{Boundary, FactorOptions, LinearSolver, MultiSource, Parameters, Progress, Stage, TimeStep, VertexData};
+use heatwalk::{Boundary, FactorOptions, MultiSource, Parameters, Progress, Stage, VertexData};
 
 use crate::error::Result;
 use crate::march::Medium;
 use crate::mesh::TetMesh;
 use crate::point::TetSource;
 pub(crate) use elements::{Elements, gradient_in};
+use field::Field;
 use lengths::Lengths;
 use logarithm::Logarithm;
 use region::Region;
 use unit::Right;
-
-/// What stands for the gradient of distance where that is not known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Field {
-    /// −∇u / |∇u|.
-    Unit,
-    /// That of the [`Logarithm`] of heat.
-    Logarithm,
-}
 
 /// Share of the progress before factoring.
 const FACTORING_SHARE: f64 = 0.3;
@@ -176,32 +169,6 @@ impl VolumeHeat {
         };
         region.complete(mesh, elements.components(), sources, &mut values);
         Ok(Found { values, heat, exact_below: region.radius() })
-    }
-}
-
-impl Field {
-    /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
-    fn of(options: FactorOptions, is_monotone: bool) -> Self {
-        match (options.time_step, options.solver, options.boundary) {
-            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) if is_monotone => Self::Logarithm,
-            _ => Self::Unit,
-        }
-    }
-
-    /// m in t = m h² where it is chosen and edges are even, by errors measured on cubes, balls and tubes.
-    fn time_factor(self) -> f64 {
-        match self {
-            Self::Unit => 0.5,
-            Self::Logarithm => 0.6,
-        }
-    }
-
-    /// Work of the march in the exact region for each vertex.
-    fn work(self) -> f64 {
-        match self {
-            Self::Unit => 5.5,
-            Self::Logarithm => 2.5,
-        }
     }
 }
 
