@@ -21,7 +21,7 @@ const QUICK_EDGES: f64 = 3.0;
 
 /// Most memory of factors where no limit is given. In three dimensions more take minutes, and what the work on them leaves free in
 /// between need not hold the last of them even below 4 GiB.
-const MOST_OF_FACTORS: MemoryLimit = MemoryLimit::Bytes(1 << 31);
+const MOST_OF_FACTORS: MemoryLimit = MemoryLimit::Bytes(1 << 30);
 
 /// Starts the crowd's random numbers: the same walkers every time.
 const CROWD_SEED: u64 = 1;
