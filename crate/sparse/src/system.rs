@@ -1,6 +1,6 @@
 //! Linear systems with a few linear constraints, without factoring again: bordered (Schur complement) solves.
 
-use std::fmt::Debug;
+use std::fmt;
 use std::sync::Arc;
 
 use crate::conjugate_gradients::ConjugateGradients;
@@ -22,7 +22,7 @@ pub enum System {
 }
 
 /// A Cholesky factor, whatever its entries are kept as. What no program makes is not in it.
-pub trait Substitute: Debug + Send + Sync {
+pub trait Substitute: Send + Sync {
     /// Number of rows.
     fn size(&self) -> usize;
 
@@ -40,6 +40,14 @@ pub trait Substitute: Debug + Send + Sync {
 
     /// The Schur columns of constraints.
     fn columns(&self, functionals: &[Functional]) -> Vec<Arc<SchurColumn>>;
+}
+
+/// Not its nonzeros, which are millions.
+impl fmt::Debug for dyn Substitute {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let mut factor = formatter.debug_struct("Factor");
+        factor.field("size", &self.size()).field("nonzeros", &self.nonzeros()).finish_non_exhaustive()
+    }
 }
 
 impl<E: Entry<f64>> Substitute for Factor<f64, E> {

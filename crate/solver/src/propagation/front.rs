@@ -2,7 +2,7 @@
 //! across faces. Windows of a half-edge have distances in units of the cost of its face, so that a face is crossed in the
 //! same way whatever it costs; values of vertices and the queues have distances themselves.
 
-use std::fmt::Debug;
+use std::fmt;
 use std::sync::Arc;
 
 use super::labels::{Bar, Count, Fixed, Labels};
@@ -24,7 +24,7 @@ const BATCH: usize = 32;
 pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// What grows outward by a few windows of each half-edge, however many.
-pub(super) trait Grow: Debug + Send + Sync {
+pub(super) trait Grow: Send + Sync {
     /// Goes on, alone, from where an exact search has come to.
     ///
     /// # Errors
@@ -59,6 +59,14 @@ pub(super) trait Grow: Debug + Send + Sync {
     fn crossed(&self) -> usize;
 }
 
+/// Not its windows, which are millions, and whose formatting would be part of every program that links a front.
+impl fmt::Debug for dyn Grow {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let mut front = formatter.debug_struct("Front");
+        front.field("radius", &self.radius()).field("crossed", &self.crossed()).finish_non_exhaustive()
+    }
+}
+
 /// A front that is nowhere yet, with so many stretches of each half-edge.
 ///
 /// # Errors
@@ -72,7 +80,6 @@ pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize, senders: Sen
     })
 }
 
-#[derive(Debug)]
 struct Front<C, M> {
     surface: Arc<Surface>,
     geometry: Arc<ExactGeometry>,

@@ -1,6 +1,5 @@
 //! The windows kept: of each half-edge one for each of its stretches.
 
-use std::fmt::Debug;
 use std::num::NonZeroUsize;
 
 use crate::error::Result;
@@ -45,7 +44,7 @@ impl Bar {
 const MARGIN: f32 = 1e-6;
 
 /// A number of stretches; one that is part of the type costs no loop.
-pub(super) trait Count: Copy + Debug + Send + Sync + 'static {
+pub(super) trait Count: Copy + Send + Sync + 'static {
     fn get(self) -> usize;
 }
 

@@ -1,14 +1,12 @@
 //! What paths cost where the front goes, and how windows bend where that changes.
 
-use std::fmt::Debug;
-
 use crate::cost::Costs;
 use crate::exact::{Beam, length};
 use crate::extremum::{larger, smaller};
 use heatwalk_surface::FaceId;
 
 /// What a unit of length costs in each face.
-pub(super) trait Medium: Debug + Send + Sync + 'static {
+pub(super) trait Medium: Send + Sync + 'static {
     /// Whether it is 1 everywhere, which takes no work.
     const IS_UNIFORM: bool;
 
