@@ -19,8 +19,8 @@ use crate::view::InnerView;
 /// Mean edges around the sources that are marched ahead of heat while something is dragged.
 const QUICK_EDGES: f64 = 3.0;
 
-/// Most memory of factors where no limit is given. In three dimensions more take minutes, and what the work on them leaves free in
-/// between need not hold the last of them even below 4 GiB.
+/// Most memory of factors where no limit is given. In three dimensions more take half a minute and longer, and what the work on
+/// them leaves free in between need not hold the last of them even below 4 GiB.
 const MOST_OF_FACTORS: MemoryLimit = MemoryLimit::Bytes(1 << 30);
 
 /// Starts the crowd's random numbers: the same walkers every time.

@@ -1,5 +1,5 @@
 //! Errors and times of distances inside of meshes, against closed forms: `cargo run --release -p heatwalk-volume --example inside
-//! [--large] [--write FOLDER]`. With `--large`, also meshes of half a million tetrahedra, by the march alone. With `--write`, each
+//! [--large] [--write FOLDER]`. With `--large`, also meshes of half a million tetrahedra. With `--write`, each
 //! mesh is left in FOLDER with its source and its exact distances, for other programs to be asked the same, and `million.msh` is a cube
 //! of a million tetrahedra. The time of a source is the median of nine, after another source.
 
@@ -64,7 +64,7 @@ fn main() {
             ),
         ];
         for (name, soup, sources, exact) in cases {
-            measure(name, &soup, &sources, exact, (size < 2, folder.map(Path::new)));
+            measure(name, &soup, &sources, exact, folder.map(Path::new));
         }
     }
     if let Some(folder) = folder {
@@ -73,13 +73,7 @@ fn main() {
     }
 }
 
-fn measure(
-    name: &str,
-    soup: &TetSoup,
-    sources: &[(&str, DVec3)],
-    exact: Exact,
-    (has_heat, folder): (bool, Option<&Path>),
-) {
+fn measure(name: &str, soup: &TetSoup, sources: &[(&str, DVec3)], exact: Exact, folder: Option<&Path>) {
     let mesh = TetMesh::build(soup).expect("a generated mesh");
     let first = VertexId(0);
     let mut march = VolumeSolver::new(mesh);
@@ -87,9 +81,7 @@ fn measure(
     let mut heat = VolumeSolver::new(mesh.clone());
     let by_heat = VolumeOptions::by(VolumeMethod::Heat);
     let start = Instant::now();
-    if has_heat {
-        heat.prepare(&by_heat, &mut |_, _| ControlFlow::Continue(())).expect("a generated mesh");
-    }
+    heat.prepare(&by_heat, &mut |_, _| ControlFlow::Continue(())).expect("a generated mesh");
     let precompute = milliseconds(start);
     for &(place, near) in sources {
         let nearest = |a: &usize, b: &usize| {
@@ -100,15 +92,13 @@ fn measure(
         let truth: Vec<f64> = mesh.positions().iter().map(|&position| exact(mesh.position(source), position)).collect();
         march.distance(&[first], &VolumeOptions::default()).expect("a vertex");
         let (marched, march_ms) = timed(|| march.distance(&[source], &VolumeOptions::default()).expect("a vertex"));
-        let (heat_errors, heat_ms) = if has_heat {
-            heat.distance(&[first], &by_heat).expect("a vertex");
-            let (heated, heat_ms) = timed(|| heat.distance(&[source], &by_heat).expect("a vertex"));
-            (errors(&heated.values, &truth), format!("{precompute:.0} / {heat_ms:.2}"))
-        } else {
-            ("–".to_owned(), "–".to_owned())
-        };
-        let (tetrahedra, march_errors) = (mesh.tetrahedron_count(), errors(&marched.values, &truth));
-        println!("| {name} | {tetrahedra} | {place} | {march_errors} | {heat_errors} | {march_ms:.2} | {heat_ms} |");
+        heat.distance(&[first], &by_heat).expect("a vertex");
+        let (heated, heat_ms) = timed(|| heat.distance(&[source], &by_heat).expect("a vertex"));
+        let [march_errors, heat_errors] = [marched, heated].map(|distance| errors(&distance.values, &truth));
+        let tetrahedra = mesh.tetrahedron_count();
+        println!(
+            "| {name} | {tetrahedra} | {place} | {march_errors} | {heat_errors} | {march_ms:.2} | {precompute:.0} / {heat_ms:.2} |"
+        );
         if let Some(folder) = folder {
             write(&folder.join(format!("{name} {} {place}.txt", mesh.tetrahedron_count())), &mesh, source, &truth);
         }
