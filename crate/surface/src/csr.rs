@@ -61,18 +61,6 @@ impl<R: Element, I: Element> Csr<R, I> {
     }
 }
 
-impl<E: Element + Into<Option<E>> + Sync> Csr<E, E> {
-    /// For each of `count` elements those that it shares an edge with, each edge being given once.
-    pub fn adjacent(count: usize, edges: &[[E; 2]]) -> Self {
-        let ends = edges.as_flattened();
-        let mut adjacent = Self::group(count, ends, NonZeroUsize::MIN);
-        for item in adjacent.items_mut() {
-            *item = ends[item.index() ^ 1];
-        }
-        adjacent
-    }
-}
-
 /// Items `0..count` in order of their rows, those of one row in their own order, and before them where each row begins, and the
 /// last one ends. Items without a row are left out.
 pub(crate) fn distribute<T: Zeroable + Send>(

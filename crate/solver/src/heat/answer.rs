@@ -91,8 +91,7 @@ impl Factorization {
     /// The right side of the Poisson equation without an exact region.
     pub(super) fn divergence(&self, query: &Query) -> Result<Vec<f64>> {
         let heat = VertexData::from(self.question(query)?.heat);
-        let (divergence, _) = divergence(self.operators(), self.field(), heat.as_slice(), &ExactRegion::none(&heat));
-        Ok(divergence)
+        Ok(divergence(&self.operators().elements, heat.as_slice(), &ExactRegion::none(&heat)).0)
     }
 
     /// Distance where that of a region is exact.
@@ -111,11 +110,21 @@ impl Factorization {
         } else {
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            let (divergence, touched) = divergence(self.operators(), self.field(), heat, region);
-            let constraints = region.constraints(surface, &touched, &active);
-            match multi_source {
-                MultiSource::Exact => self.poisson().solve_beyond(&divergence, &constraints, region.values())?,
-                MultiSource::Summed => self.poisson().solve_in_mean(&divergence, &constraints)?,
+            match (self.logarithm(), multi_source) {
+                (Some(logarithm), MultiSource::Exact) => {
+                    let known = region.known(surface, self.exact_geometry().costs(), &active);
+                    logarithm.distances(self.operators(), heat, self.time(), known)
+                }
+                _ => {
+                    let (divergence, touched) = divergence(&self.operators().elements, heat, region);
+                    let constraints = region.constraints(surface, &touched, &active);
+                    match multi_source {
+                        MultiSource::Exact => {
+                            self.poisson()?.solve_beyond(&divergence, &constraints, region.values())?
+                        }
+                        MultiSource::Summed => self.poisson()?.solve_in_mean(&divergence, &constraints)?,
+                    }
+                }
             }
         };
         for (value, &component) in values.iter_mut().zip(surface.components()) {

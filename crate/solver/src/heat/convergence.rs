@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::heat::factorization::Factorization;
-use crate::heat::flow::{HEAT_MATRIX, HeatFlow};
+use crate::heat::flow::HEAT_MATRIX;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::query::Query;
 use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix};
@@ -45,8 +45,8 @@ impl Factorization {
                 supply[vertex as usize] += weight;
             }
         }
-        let divergence = self.poisson().grounded_right(&self.divergence(query)?);
-        let heat = HeatFlow::matrix(flow.systems(), flow.time(), flow.condition());
+        let divergence = self.poisson()?.grounded_right(&self.divergence(query)?);
+        let heat = flow.step().matrix(flow.systems().operators().laplacian());
         let poisson = Poisson::matrix(flow.systems());
         let pattern = heat.pattern();
         let symbolic = Arc::new(Symbolic::analyse(pattern, Permutation::fill_reducing(pattern)?)?);

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use crate::cost::Costs;
 use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::heat::constraint::Constraint;
@@ -152,6 +153,28 @@ impl<'a> ExactRegion<'a> {
     /// The vertices of the region with their distances.
     pub(super) fn values(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
         self.reached.iter().filter_map(|&vertex| Some((vertex.0, self.value(vertex.0)?)))
+    }
+
+    /// Distances (`#V`) in the region and at sources that it does not contain, infinite elsewhere.
+    pub(super) fn known(&self, surface: &Surface, costs: Option<&Costs>, sources: &[Source]) -> Vec<f64> {
+        let mut known = vec![f64::INFINITY; surface.vertex_count()];
+        for (vertex, distance) in self.values() {
+            known[vertex as usize] = distance;
+        }
+        for source in sources {
+            let place = source.place();
+            let position = place.position(surface);
+            let least = |costs: &Costs| {
+                place.faces(surface).into_iter().map(|face| costs.of(face)).fold(f64::INFINITY, f64::min)
+            };
+            let cost = costs.map_or(1.0, least);
+            for (vertex, _) in place.support(surface) {
+                let distance = source.initial_distance() + cost * position.distance(surface.position(vertex));
+                let known = &mut known[vertex.0 as usize];
+                *known = known.min(distance);
+            }
+        }
+        known
     }
 
     /// What distance beyond the region has to meet: on the rim of each patch of the region the mean of the exact

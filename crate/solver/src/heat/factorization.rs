@@ -1,18 +1,20 @@
 //! All that is factored of a surface.
 
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::cost::Costs;
 use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
+use crate::extremum::larger;
 use crate::heat::field::Field;
-use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow};
+use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
+use crate::heat::logarithm::Logarithm;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::systems::Systems;
-use crate::heat::time::{suited_factor, time_factor};
+use crate::heat::time::{long_edge_factor, suited_factor, time_factor};
 use crate::operator::Operators;
-use crate::options::{Boundary, FactorOptions, LinearSolver, MemoryLimit, TimeStep};
+use crate::options::{Boundary, FactorOptions, MemoryLimit, Operator};
 use crate::progress::{Progress, Stage, report};
 use heatwalk_surface::{Surface, VertexData, VertexId, memory};
 
@@ -20,8 +22,8 @@ use heatwalk_surface::{Surface, VertexData, VertexId, memory};
 /// boundary condition is free: 256 MiB.
 const SPARE_NUMBERS: usize = 1 << 25;
 
-/// Share of the progress before factoring, and of that, with the first heat matrix, in all.
-const FACTORING_SHARES: [f64; 2] = [0.3, 0.75];
+/// Share of the progress before factoring.
+const FACTORING_SHARE: f64 = 0.3;
 
 /// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.
 const BYTES_PER_FACE: u64 = 268;
@@ -34,18 +36,24 @@ pub struct Factorization {
     costs: Option<Costs>,
     options: FactorOptions,
     systems: Arc<Systems>,
-    poisson: Poisson,
+    /// Made when it is first needed: distance along the field of the logarithm does without.
+    poisson: OnceLock<Poisson>,
     /// Those that the options need, after others that were needed before.
     flows: Vec<HeatFlow>,
     /// Neumann, and Dirichlet if any vertex is cold then.
     neumann: Condition,
     dirichlet: Option<Condition>,
+    /// `#V`: a third of the triangles around each vertex, and, on the Delaunay triangulation, the part of them that is nearest to it.
+    lumped_mass: Arc<[f64]>,
+    circumcentric_mass: Option<Arc<[f64]>>,
+    /// On the Delaunay triangulation.
+    logarithm: Option<Logarithm>,
     /// The m that suits the triangles that carry the operators.
     suited_factor: f64,
+    /// The least m for the field of the logarithm.
+    long_edge_factor: f64,
     /// Largest distance along edges, in the file's unit times cost.
     extent: f64,
-    /// That of the surface, in radians.
-    bumpiness: f64,
     exact: Arc<ExactGeometry>,
     /// The wavefront of the last exact region, kept for its memory.
     pub(super) front: Mutex<Option<Wavefront>>,
@@ -93,38 +101,33 @@ impl Factorization {
         progress: Progress<'_>,
     ) -> Result<Self> {
         let operators = Operators::weighted(&surface, costs.as_ref(), options.operator);
-        let mean_edge = operators.mean_edge();
+        let lumped_mass: Arc<[f64]> = operators.laplacian().mass.as_slice().into();
         let suited_factor = suited_factor(&operators, extent);
-        let bumpiness = exact.bumpiness(&operators.laplacian().mass);
+        let long_edge_factor = long_edge_factor(&operators);
+        let is_delaunay = options.operator == Operator::Delaunay;
+        let logarithm = is_delaunay.then(|| Logarithm::new(&operators, exact.bumpiness(&lumped_mass)));
+        let circumcentric_mass = is_delaunay.then(|| operators.circumcentric_mass().into());
         let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
-        let neumann = Condition::Neumann;
         let dirichlet = dirichlet(&surface);
-        let factor = time_factor(options.time_step, options.solver, suited_factor, mean_edge, extent);
-        let time = factor * mean_edge * mean_edge;
-        let needed = conditions(options.boundary, &neumann, dirichlet.as_ref());
-        systems.check_memory(0, 1 + needed.len(), options.memory)?;
-        let condition = needed[0].clone();
-        let matrices =
-            [(Poisson::matrix(&systems), POISSON_MATRIX), (HeatFlow::matrix(&systems, time, &condition), HEAT_MATRIX)];
-        let [from, to] = FACTORING_SHARES;
-        let [poisson, heat] =
-            systems.systems(matrices, &mut |share| progress(Stage::Factoring, from + (to - from) * share))?;
         let mut factorization = Self {
-            poisson: Poisson::with_system(&systems, poisson),
-            flows: vec![HeatFlow::with_system(&systems, time, condition, heat)],
             surface,
             costs,
             options,
             systems,
-            neumann,
+            poisson: OnceLock::new(),
+            flows: Vec::new(),
+            neumann: Condition::Neumann,
             dirichlet,
+            lumped_mass,
+            circumcentric_mass,
+            logarithm,
             suited_factor,
+            long_edge_factor,
             extent,
-            bumpiness,
             exact,
             front: Mutex::default(),
         };
-        factorization.factor_heat(options, to, progress)?;
+        factorization.factor(options, FACTORING_SHARE, progress)?;
         Ok(factorization)
     }
 
@@ -137,7 +140,7 @@ impl Factorization {
     pub fn set_options(&mut self, options: FactorOptions, progress: Progress<'_>) -> Result<()> {
         options.check()?;
         if (options.operator, options.solver) == (self.options.operator, self.options.solver) {
-            return self.factor_heat(options, 0.0, progress);
+            return self.factor(options, 0.0, progress);
         }
         report(progress, Stage::Assembling, 0.0)?;
         let (surface, exact) = (Arc::clone(&self.surface), Arc::clone(&self.exact));
@@ -145,21 +148,41 @@ impl Factorization {
         Ok(())
     }
 
-    /// Factors the heat matrices that are needed and absent, and drops those longest unneeded where there are many.
-    fn factor_heat(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
-        let is_absent =
-            |&(time, condition): &(f64, &Condition)| !self.flows.iter().any(|flow| is(flow, time, condition));
-        let absent: Vec<(f64, Condition)> =
-            self.needed(options).filter(is_absent).map(|(time, condition)| (time, condition.clone())).collect();
-        self.make_room(absent.len(), options.memory)?;
-        let count = absent.len() as f64;
-        let mut made = Vec::with_capacity(absent.len());
-        for (index, (time, condition)) in absent.into_iter().enumerate() {
-            let matrix = HeatFlow::matrix(&self.systems, time, &condition);
-            let [system] = self.systems.systems([(matrix, HEAT_MATRIX)], &mut |share| {
-                progress(Stage::Factoring, done + (1.0 - done) * (index as f64 + share) / count)
-            })?;
-            made.push(HeatFlow::with_system(&self.systems, time, condition, system));
+    /// Factors the matrices that are needed and absent, and drops those longest unneeded where there are many.
+    fn factor(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
+        let is_absent = |step: &Step| !self.flows.iter().any(|flow| flow.step().is_same(step));
+        let mut steps: Vec<Step> = self.needed(options).into_iter().filter(is_absent).collect();
+        let needs_poisson = self.field_with(options) == Field::Unit && self.poisson.get().is_none();
+        let count = steps.len() + usize::from(needs_poisson);
+        self.make_room(count, options.memory)?;
+        let mut made = Vec::with_capacity(steps.len());
+        let mut factored = 0;
+        let mut poisson = None;
+        let laplacian = self.systems.operators().laplacian();
+        let mut told = |factored: usize, share: f64, by: usize| {
+            let share = (factored as f64 + by as f64 * share) / count as f64;
+            progress(Stage::Factoring, done + (1.0 - done) * share)
+        };
+        if needs_poisson && let Some(step) = steps.pop() {
+            let matrices = [(Poisson::matrix(&self.systems), POISSON_MATRIX), (step.matrix(laplacian), HEAT_MATRIX)];
+            let [system, heat] = self.systems.systems(matrices, &mut |share| told(0, share, 2))?;
+            poisson = Some(Poisson::with_system(&self.systems, system));
+            made.push(HeatFlow::with_system(&self.systems, step, heat));
+            factored = 2;
+        } else if needs_poisson {
+            let matrix = (Poisson::matrix(&self.systems), POISSON_MATRIX);
+            let [system] = self.systems.systems([matrix], &mut |share| told(0, share, 1))?;
+            poisson = Some(Poisson::with_system(&self.systems, system));
+            factored = 1;
+        }
+        for step in steps {
+            let matrix = (step.matrix(laplacian), HEAT_MATRIX);
+            let [system] = self.systems.systems([matrix], &mut |share| told(factored, share, 1))?;
+            made.push(HeatFlow::with_system(&self.systems, step, system));
+            factored += 1;
+        }
+        if let Some(poisson) = poisson {
+            self.poisson = poisson.into();
         }
         self.options = options;
         let flows = std::mem::take(&mut self.flows);
@@ -187,18 +210,23 @@ impl Factorization {
 
     fn check_memory(&self, matrices: usize, limit: MemoryLimit) -> Result<()> {
         let flows = self.flows.iter().map(HeatFlow::factor_nonzeros);
-        self.systems.check_memory(self.poisson.factor_nonzeros() + flows.sum::<usize>(), matrices, limit)
+        self.systems.check_memory(self.poisson_nonzeros() + flows.sum::<usize>(), matrices, limit)
     }
 
-    /// Time and condition of the heat systems that options need.
-    fn needed(&self, options: FactorOptions) -> impl Iterator<Item = (f64, &Condition)> {
+    /// The heat systems that options need; at least one.
+    fn needed(&self, options: FactorOptions) -> Vec<Step> {
+        let mass = match (self.field_with(options), &self.circumcentric_mass) {
+            (Field::Logarithm, Some(mass)) => mass,
+            _ => &self.lumped_mass,
+        };
         let time = self.time_with(options);
         let conditions = conditions(options.boundary, &self.neumann, self.dirichlet.as_ref());
-        conditions.into_iter().map(move |condition| (time, condition))
+        let step = |condition: &Condition| Step { time, condition: condition.clone(), mass: Arc::clone(mass) };
+        conditions.into_iter().map(step).collect()
     }
 
     fn is_needed(&self, flow: &HeatFlow) -> bool {
-        self.needed(self.options).any(|(time, condition)| is(flow, time, condition))
+        self.needed(self.options).iter().any(|step| flow.step().is_same(step))
     }
 
     /// The heat systems that the options need.
@@ -206,9 +234,18 @@ impl Factorization {
         self.flows.iter().filter(|flow| self.is_needed(flow))
     }
 
-    /// The Poisson system.
-    pub(super) fn poisson(&self) -> &Poisson {
-        &self.poisson
+    /// The Poisson system, factored now if it was not before.
+    pub(super) fn poisson(&self) -> Result<&Poisson> {
+        if let Some(poisson) = self.poisson.get() {
+            return Ok(poisson);
+        }
+        self.check_memory(1, self.options.memory)?;
+        let poisson = Poisson::new(&self.systems)?;
+        Ok(self.poisson.get_or_init(|| poisson))
+    }
+
+    fn poisson_nonzeros(&self) -> usize {
+        self.poisson.get().map_or(0, Poisson::factor_nonzeros)
     }
 
     /// The surface.
@@ -243,18 +280,25 @@ impl Factorization {
 
     fn time_factor_with(&self, options: FactorOptions) -> f64 {
         let mean_edge = self.operators().mean_edge();
-        time_factor(options.time_step, options.solver, self.suited_factor, mean_edge, self.extent)
+        let suited = match self.field_with(options) {
+            Field::Unit => self.suited_factor,
+            Field::Logarithm => larger(self.suited_factor, self.long_edge_factor),
+        };
+        time_factor(options.time_step, options.solver, suited, mean_edge, self.extent)
     }
 
-    /// The field that stands for the gradient of distance: that of the logarithm of heat where the time was chosen for it,
-    /// that of the paper where time is given, and where the noise of conjugate gradients is all that remains of heat.
+    /// What stands for the gradient of distance.
     pub(super) fn field(&self) -> Field {
-        match (self.options.time_step, self.options.solver) {
-            (TimeStep::Automatic, LinearSolver::Cholesky) => {
-                Field::Logarithm { time: self.time(), bumpiness: self.bumpiness }
-            }
-            _ => Field::Unit,
-        }
+        self.field_with(self.options)
+    }
+
+    fn field_with(&self, options: FactorOptions) -> Field {
+        if self.logarithm.is_some() { Field::of(options) } else { Field::Unit }
+    }
+
+    /// Distance along the field of the logarithm of heat.
+    pub(super) fn logarithm(&self) -> Option<&Logarithm> {
+        self.logarithm.as_ref().filter(|_| self.field() == Field::Logarithm)
     }
 
     fn time_with(&self, options: FactorOptions) -> f64 {
@@ -264,13 +308,8 @@ impl Factorization {
 
     /// Stored entries of all factors that the options need, zeros inside supernodes counted; 0 for conjugate gradients.
     pub fn factor_nonzeros(&self) -> usize {
-        self.poisson.factor_nonzeros() + self.needed_flows().map(HeatFlow::factor_nonzeros).sum::<usize>()
+        self.poisson_nonzeros() + self.needed_flows().map(HeatFlow::factor_nonzeros).sum::<usize>()
     }
-}
-
-/// Whether a flow is of this time and condition.
-fn is(flow: &HeatFlow, time: f64, condition: &Condition) -> bool {
-    flow.time() == time && flow.condition().is_same(condition)
 }
 
 /// What becomes of heat at the boundary in the systems that a boundary condition needs; at least one.

@@ -5,53 +5,33 @@ use std::ops::Range;
 
 use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
-use crate::heat::logarithm::Logarithm;
 use crate::heat::scale::scale;
-use crate::operator::Operators;
 use crate::operator::elements::{BLOCK, Element, Elements};
+use crate::options::{Boundary, FactorOptions, LinearSolver, TimeStep};
 
 /// What stands for the gradient of distance where that is not known.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Field {
     /// −∇u / |∇u|, zero where heat is constant (Crane and others 2013, algorithm 1).
     Unit,
-    /// That of the [`Logarithm`] of heat that has flowed for this time, on a surface of this bumpiness.
-    Logarithm { time: f64, bumpiness: f64 },
+    /// That of the [`Logarithm`](super::logarithm::Logarithm) of heat.
+    Logarithm,
 }
 
-/// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
-/// triangles whose three corners are in the exact region, elsewhere that of `heat`. Signed so that `L φ` equals it for
-/// ∇φ = X. With it the triangles that the region touches.
-pub(super) fn divergence(
-    operators: &Operators,
-    field: Field,
-    heat: &[f64],
-    region: &ExactRegion<'_>,
-) -> (Vec<f64>, Vec<Touched>) {
-    let elements = &operators.elements;
-    match field {
-        Field::Unit => assembled(elements, heat, region, |block| against_gradient(elements, heat, block)),
-        Field::Logarithm { time, bumpiness } => {
-            let logarithm = Logarithm::new(operators, heat, time, bumpiness);
-            assembled(elements, heat, region, |block| {
-                let parts = logarithm.against_gradient(block.clone());
-                if parts.as_flattened().iter().all(|part| part.is_finite()) {
-                    return parts;
-                }
-                let unit = against_gradient(elements, heat, block);
-                std::array::from_fn(|place| if parts[place][0].is_finite() { parts[place] } else { unit[place] })
-            })
+impl Field {
+    /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
+    pub(super) fn of(options: FactorOptions) -> Self {
+        match (options.time_step, options.solver, options.boundary) {
+            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) => Self::Logarithm,
+            _ => Self::Unit,
         }
     }
 }
 
-/// The same with the divergence at corners 1 and 2 of the triangles of a block of the field against the gradient of heat.
-fn assembled(
-    elements: &Elements,
-    heat: &[f64],
-    region: &ExactRegion<'_>,
-    field: impl Fn(Range<usize>) -> [[f64; 2]; BLOCK],
-) -> (Vec<f64>, Vec<Touched>) {
+/// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
+/// triangles whose three corners are in the exact region, elsewhere the unit field of `heat`. Signed so that `L φ` equals it for
+/// ∇φ = X. With it the triangles that the region touches.
+pub(super) fn divergence(elements: &Elements, heat: &[f64], region: &ExactRegion<'_>) -> (Vec<f64>, Vec<Touched>) {
     let mut divergence = vec![0.0; heat.len()];
     let mut touched = Vec::new();
     // A triangle where all heat is less than at every vertex of the region has none of them: no need to look.
@@ -60,7 +40,7 @@ fn assembled(
     let count = elements.faces.len();
     for first in (0..count).step_by(BLOCK) {
         let block = first..count.min(first + BLOCK);
-        let parts = field(block.clone());
+        let parts = against_gradient(elements, heat, block.clone());
         for (triangle, part) in block.zip(parts) {
             let heat = elements.faces[triangle].map(|vertex| heat[vertex as usize].abs());
             if larger(larger(heat[0], heat[1]), heat[2]) < least_inside {

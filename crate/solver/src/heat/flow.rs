@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
-use crate::operator::{Discretization, Operators};
+use crate::operator::{Discretization, Laplacian, Operators};
 use heatwalk_sparse::{Functional, SchurComplement, SymmetricMatrix, System};
 use heatwalk_surface::{VertexData, VertexId};
 
@@ -42,13 +42,44 @@ impl Condition {
     }
 }
 
+/// What a heat matrix is made of beside the stiffness.
+#[derive(Debug, Clone)]
+pub(super) struct Step {
+    /// In the unit of the lengths, squared.
+    pub(super) time: f64,
+    pub(super) condition: Condition,
+    /// `#V`.
+    pub(super) mass: Arc<[f64]>,
+}
+
+impl Step {
+    /// With the lumped mass of the operators.
+    pub(super) fn lumped(systems: &Systems<impl Discretization>, time: f64, condition: Condition) -> Self {
+        Self { time, condition, mass: systems.operators().laplacian().mass.as_slice().into() }
+    }
+
+    /// Whether this is the other or a clone of it.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.time == other.time && self.condition.is_same(&other.condition) && Arc::ptr_eq(&self.mass, &other.mass)
+    }
+
+    /// `M / t + L`, with cold vertices constrained.
+    pub(super) fn matrix(&self, laplacian: &Laplacian) -> SymmetricMatrix {
+        laplacian.combine(|vertex| self.share(vertex), |vertex| self.condition.is_cold(vertex as u32))
+    }
+
+    /// Diagonal entry of `M / t`.
+    pub(super) fn share(&self, vertex: usize) -> f64 {
+        self.mass[vertex] / self.time
+    }
+}
+
 /// Heat `u` after one implicit step of time t: `(M / t + L) u = supply`. It is linear in the supply, and any function will
 /// do as one: a point, a curve, or a coordinate of a vector field.
 #[derive(Debug)]
 pub struct HeatFlow<D = Operators> {
     systems: Arc<Systems<D>>,
-    time: f64,
-    condition: Condition,
+    step: Step,
     system: CachedSystem,
 }
 
@@ -72,23 +103,24 @@ impl<D: Discretization> HeatFlow<D> {
         condition: Condition,
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self> {
-        let matrix = Self::matrix(systems, time, &condition);
-        let [system] = systems.systems([(matrix, HEAT_MATRIX)], progress)?;
-        Ok(Self::with_system(systems, time, condition, system))
-    }
-
-    pub(super) fn matrix(systems: &Systems<D>, time: f64, condition: &Condition) -> SymmetricMatrix {
-        systems.operators().laplacian().combine(1.0 / time, |vertex| condition.is_cold(vertex as u32))
+        let step = Step::lumped(systems, time, condition);
+        let [system] = systems.systems([(step.matrix(systems.operators().laplacian()), HEAT_MATRIX)], progress)?;
+        Ok(Self::with_system(systems, step, system))
     }
 
     /// With the matrix made ready elsewhere.
-    pub(super) fn with_system(systems: &Arc<Systems<D>>, time: f64, condition: Condition, system: System) -> Self {
-        Self { systems: Arc::clone(systems), time, condition, system: CachedSystem::new(system) }
+    pub(super) fn with_system(systems: &Arc<Systems<D>>, step: Step, system: System) -> Self {
+        Self { systems: Arc::clone(systems), step, system: CachedSystem::new(system) }
+    }
+
+    /// What its matrix is made of.
+    pub(super) fn step(&self) -> &Step {
+        &self.step
     }
 
     /// The time t, in the unit of the lengths, squared.
     pub fn time(&self) -> f64 {
-        self.time
+        self.step.time
     }
 
     /// How the system is solved.
@@ -98,7 +130,7 @@ impl<D: Discretization> HeatFlow<D> {
 
     /// What becomes of heat at the boundary.
     pub fn condition(&self) -> &Condition {
-        &self.condition
+        &self.step.condition
     }
 
     /// Stored entries of the factor, zeros inside supernodes counted; 0 for conjugate gradients.
@@ -111,7 +143,8 @@ impl<D: Discretization> HeatFlow<D> {
     /// # Errors
     /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients.
     pub fn solve(&self, supply: &[f64]) -> Result<Vec<f64>> {
-        let cold = |(vertex, &value): (usize, &f64)| if self.condition.is_cold(vertex as u32) { 0.0 } else { value };
+        let cold =
+            |(vertex, &value): (usize, &f64)| if self.step.condition.is_cold(vertex as u32) { 0.0 } else { value };
         Ok(self.system.system.solve(&supply.iter().enumerate().map(cold).collect::<Vec<_>>())?)
     }
 
@@ -122,7 +155,7 @@ impl<D: Discretization> HeatFlow<D> {
 
     /// Heat from a supply (`#V`) where some vertices have prescribed values (`#V`, 0 elsewhere), all of them cold.
     pub(super) fn solve_prescribed(&self, supply: &[f64], prescribed: &[f64]) -> Result<Vec<f64>> {
-        let right = self.lifted(supply, prescribed, |vertex| self.condition.is_cold(vertex));
+        let right = self.lifted(supply, prescribed, |vertex| self.step.condition.is_cold(vertex));
         let mut values = self.system.system.solve(&right)?;
         for (value, level) in values.iter_mut().zip(prescribed) {
             *value += level;
@@ -140,14 +173,14 @@ impl<D: Discretization> HeatFlow<D> {
         let laplacian = self.systems.operators().laplacian();
         let vertices: Vec<u32> = constraints.iter().filter_map(Constraint::vertex).collect();
         let count = laplacian.size();
-        let mut is_fixed: Vec<bool> = (0..count as u32).map(|vertex| self.condition.is_cold(vertex)).collect();
+        let mut is_fixed: Vec<bool> = (0..count as u32).map(|vertex| self.step.condition.is_cold(vertex)).collect();
         let factored;
         let factors_anew = vertices.len() > 1 && self.systems.is_cheaper_to_factor(vertices.len());
         let system = if factors_anew {
             for &vertex in &vertices {
                 is_fixed[vertex as usize] = true;
             }
-            let matrix = laplacian.combine(1.0 / self.time, |vertex| is_fixed[vertex]);
+            let matrix = laplacian.combine(|vertex| self.step.share(vertex), |vertex| is_fixed[vertex]);
             factored = self.systems.system(matrix, HEAT_MATRIX)?;
             &factored
         } else {
@@ -202,7 +235,7 @@ impl<D: Discretization> HeatFlow<D> {
             for (value, level) in values.iter_mut().zip(&prescribed) {
                 *value += level;
             }
-            let put_in = laplacian.apply(1.0 / self.time, &values);
+            let put_in = laplacian.apply(|vertex| self.step.share(vertex), &values);
             for (constraint, given) in constraints.iter().zip(&mut supplies) {
                 if let Some(vertex) = constraint.vertex().filter(|&vertex| is_fixed[vertex as usize]) {
                     *given = put_in[vertex as usize] - supply[vertex as usize];
@@ -216,7 +249,7 @@ impl<D: Discretization> HeatFlow<D> {
     fn lifted(&self, supply: &[f64], prescribed: &[f64], is_fixed: impl Fn(u32) -> bool) -> Vec<f64> {
         let mut right = supply.to_vec();
         if prescribed.iter().any(|&level| level != 0.0) {
-            let outflow = self.systems.operators().laplacian().apply(1.0 / self.time, prescribed);
+            let outflow = self.systems.operators().laplacian().apply(|vertex| self.step.share(vertex), prescribed);
             for (value, outflow) in right.iter_mut().zip(outflow) {
                 *value -= outflow;
             }

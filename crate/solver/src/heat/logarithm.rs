@@ -1,121 +1,125 @@
-//! The field of the logarithm of heat: −√(t + c) ∇log u, no longer than 1, and on a bumpy surface than somewhat less.
+//! The field of the logarithm of heat, and distance along it: in each triangle the unit vector against the gradient of log u, on a
+//! bumpy surface somewhat shorter.
 //!
 //! Distance is the limit of −√t log u for short times (Varadhan, "On the behavior of the fundamental solution of the heat
 //! equation with variable coefficients", 1967). Heat falls exponentially, so that its logarithm is what is nearly linear in a
-//! triangle: it points along distance where the gradient of heat leans towards the warmest corner. Where heat arrives from
-//! two sides it falls more slowly, as the mean of distance does in a triangle that the cut locus crosses.
-//!
-//! It also falls more slowly where a front draws together, as on the far side of a ball, and distance does not. But it does so over
-//! a wide region, while the valley that the cut locus lies in is a few √t wide. So only what is lower than its surroundings counts.
+//! triangle: it points along distance where the gradient of heat leans towards the warmest corner.
 //!
 //! Shortest paths on a bumpy surface bend around its bumps, while heat, which takes all paths, goes on straight. A field so
 //! straight would gain on distance with a length of 1.
 
-use std::ops::Range;
-
 use crate::extremum::{larger, smaller};
-use crate::heat::closing::closed;
-use crate::operator::Operators;
+use crate::heat::upwind::{EdgeField, Upwind};
 use crate::operator::elements::{BLOCK, Elements};
+use crate::operator::{Laplacian, Operators};
 
-/// A slower fall than this is none of distance, and the field has this length there.
-const LEAST_LENGTH: f64 = 0.4;
+/// What the length is less than 1 by, times the square of the surface's bumpiness in radians: how much longer a path over a bump is
+/// grows with the square of the slope.
+const LOSS: f64 = 0.3;
 
-/// What the greatest length is less than 1 by, for each radian of the surface's bumpiness.
-const LOSS_PER_RADIAN: f64 = 0.07;
+/// In no triangle is a unit of the logarithm more than so many √t of distance. Where heat meets from all sides it would be.
+const MOST_RATE: f64 = 10.0;
 
-/// So fast a fall in a triangle is that of no wave. Triangles where there is no heat count as this, which leaves those around them a
-/// length of 1.
-const MOST_LENGTH: f64 = 1.14;
+/// Of what both triangles make of an edge the mean is taken by the cotangents opposite, as the stiffness matrix does, but none counts
+/// less than this.
+const LEAST_COTAN: f64 = 1e-3;
 
-/// Half the width of the widest valley that the cut locus may lie in, in edges.
-const VALLEY: usize = 3;
-
-/// The logarithm of heat on linear elements.
-pub(super) struct Logarithm<'a> {
-    elements: &'a Elements,
-    /// `#V`; infinite or not a number where there is no heat.
-    values: Vec<f64>,
-    /// `#V`, square of the field's length around each vertex.
-    squares: Vec<f32>,
+/// What distance along the field needs of a surface.
+#[derive(Debug)]
+pub(super) struct Logarithm {
+    upwind: Upwind,
+    /// `#F`, the sides opposite each corner.
+    sides: Vec<[Side; 3]>,
+    /// The unit of lengths.
+    unit: f64,
+    /// Length of the field.
+    length: f64,
 }
 
-impl<'a> Logarithm<'a> {
-    /// Of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared, on a surface of this
-    /// [bumpiness](crate::exact::ExactGeometry::bumpiness).
-    pub(super) fn new(operators: &'a Operators, heat: &[f64], time: f64, bumpiness: f64) -> Self {
-        let elements = &operators.elements;
-        let values: Vec<f64> = heat.iter().map(|heat| heat.ln()).collect();
-        let limit = 1.0 - LOSS_PER_RADIAN * bumpiness;
-        let [least, limit] = [LEAST_LENGTH, limit].map(|length| (length * length) as f32);
-        // Lengths in single triangles are above and below that of the wave. Cut one by one, only those above would change.
-        let sums = sums_around(elements, &values, time);
-        let unit = square_unit(elements);
-        let mean = |(&sum, &mass): (&f32, &f64)| {
-            let mean = sum / (mass / unit) as f32;
-            if mean < limit { mean } else { limit }
-        };
-        let mut squares: Vec<f32> = sums.iter().zip(&operators.laplacian().mass).map(mean).collect();
-        let surroundings = closed(operators.adjacent(), &squares, limit, VALLEY);
-        for (square, surroundings) in squares.iter_mut().zip(surroundings) {
-            *square = (limit - (surroundings - *square)).max(least);
-        }
-        Self { elements, values, squares }
+/// A side of a triangle.
+#[derive(Debug, Clone, Copy, Default)]
+struct Side {
+    /// Which of the [edges](Laplacian::edges) it is.
+    edge: u32,
+    /// What the triangle counts for there; those of all triangles at an edge sum to 1.
+    share: f32,
+}
+
+impl Logarithm {
+    /// On a surface of this [bumpiness](crate::exact::ExactGeometry::bumpiness).
+    pub(super) fn new(operators: &Operators, bumpiness: f64) -> Self {
+        let (elements, laplacian) = (&operators.elements, operators.laplacian());
+        let unit = operators.mean_edge();
+        let (sides, lengths) = sides(elements, laplacian, unit);
+        let upwind = Upwind::new(laplacian, unit, lengths);
+        Self { upwind, sides, unit, length: 1.0 - LOSS * bumpiness * bumpiness }
     }
 
-    /// Divergence of the field at corners 1 and 2 of a block of triangles, minus their sum being that at corner 0; not finite
-    /// where there is no heat, or the logarithm has no gradient.
-    pub(super) fn against_gradient(&self, block: Range<usize>) -> [[f64; 2]; BLOCK] {
-        let elements = self.elements;
-        let mut products = [[0.0; 2]; BLOCK];
-        let [mut circulations, mut means] = [[1.0; BLOCK]; 2];
-        for (place, triangle) in block.enumerate() {
-            let (face, shape) = (elements.faces[triangle], &elements.shapes[triangle]);
-            let circulation = shape.circulation(face.map(|vertex| self.values[vertex as usize]));
-            let [x, y] = circulation;
-            products[place] = shape.edge_products(circulation);
-            circulations[place] = x * x + y * y;
-            let [a, b, c] = face.map(|vertex| self.squares[vertex as usize]);
-            means[place] = f64::from(a + b + c) / 3.0;
-        }
-        let factors: [f64; BLOCK] = std::array::from_fn(|place| -0.5 * (means[place] / circulations[place]).sqrt());
-        std::array::from_fn(|place| products[place].map(|product| factors[place] * product))
-    }
-}
-
-/// Areas are divided by it, so that they are in the range of single precision on a surface of any size.
-fn square_unit(elements: &Elements) -> f64 {
-    elements.mean_edge * elements.mean_edge
-}
-
-/// `#V`, the square of the length of −√(t + c) ∇log u in the triangles around each vertex, times a third of their areas.
-fn sums_around(elements: &Elements, values: &[f64], time: f64) -> Vec<f32> {
-    let (root, sixth) = (time.sqrt(), 1.0 / (6.0 * square_unit(elements)));
-    let mut sums = vec![0.0_f32; values.len()];
-    let mut first = 0;
-    for (faces, shapes) in elements.faces.chunks(BLOCK).zip(elements.shapes.chunks(BLOCK)) {
-        let [mut circulations, mut quartics, mut areas] = [[1.0; BLOCK]; 3];
-        for (place, (face, shape)) in faces.iter().zip(shapes).enumerate() {
-            let values = face.map(|vertex| values[vertex as usize]);
-            let [x, y] = shape.circulation(values);
-            circulations[place] = x * x + y * y;
-            quartics[place] = shape.quartic(values);
-            areas[place] = shape.twice_area();
-        }
-        // A wave e^(−k·x) on triangles of one shape solves `(M / t + L) u = 0` where A / t = Σ cot (cosh Δ − 1), with Δ the
-        // differences of its logarithm along the sides: k² is less than 1 / t by Σ cot Δ⁴ / 24 A, which c makes up for.
-        let squares: [f64; BLOCK] = std::array::from_fn(|place| {
-            let (share, circulation) = (root / areas[place], circulations[place]);
-            let square = circulation * share * share + quartics[place] / (12.0 * circulation);
-            larger(smaller(square, MOST_LENGTH * MOST_LENGTH), 0.0)
-        });
-        for (place, face) in faces.iter().enumerate() {
-            let part = (sixth * elements.share(first + place) * areas[place] * squares[place]) as f32;
-            for &vertex in face {
-                sums[vertex as usize] += part;
+    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
+    /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
+    pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
+        let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
+        let mut field = self.rates(&operators.elements, &logarithms, MOST_RATE * time.sqrt() / self.unit);
+        let laplacian = operators.laplacian();
+        for (low, &own) in logarithms.iter().enumerate() {
+            let (first, entries) = laplacian.edges_of_column(low);
+            let weights = &laplacian.stiffness.values()[entries.clone()];
+            let edges = &mut field[first..first + entries.len()];
+            for ((edge, &high), weight) in edges.iter_mut().zip(&laplacian.rows()[entries]).zip(weights) {
+                let fall = own - logarithms[high as usize];
+                *edge = EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * edge.rise };
             }
         }
-        first += faces.len();
+        self.upwind.distances(&field, &logarithms, known, |_| 0.0)
     }
-    sums
+
+    /// `#E`, as `rise` what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length
+    /// of the gradient in the triangles beside it.
+    fn rates(&self, elements: &Elements, logarithms: &[f64], most: f64) -> Vec<EdgeField> {
+        let mut field = vec![EdgeField::default(); self.upwind.lengths().len()];
+        let blocks = elements.faces.chunks(BLOCK).zip(elements.shapes.chunks(BLOCK)).zip(self.sides.chunks(BLOCK));
+        for ((faces, shapes), sides) in blocks {
+            let [mut squares, mut areas] = [[1.0; BLOCK]; 2];
+            for (place, (face, shape)) in faces.iter().zip(shapes).enumerate() {
+                let [x, y] = shape.circulation(face.map(|vertex| logarithms[vertex as usize]));
+                squares[place] = x * x + y * y + f64::MIN_POSITIVE;
+                areas[place] = shape.twice_area();
+            }
+            let inverse: [f64; BLOCK] = std::array::from_fn(|place| areas[place] / squares[place].sqrt() / self.unit);
+            for (sides, inverse) in sides.iter().zip(inverse) {
+                let rate = smaller(inverse, most) as f32;
+                for side in sides {
+                    field[side.edge as usize].rise += side.share * rate;
+                }
+            }
+        }
+        field
+    }
+}
+
+/// The sides of all triangles, and the lengths (`#E`) of the edges that they are, in this unit.
+fn sides(elements: &Elements, laplacian: &Laplacian, unit: f64) -> (Vec<[Side; 3]>, Vec<f32>) {
+    let edge_count = laplacian.rows().len() - laplacian.size();
+    let (mut shares, mut lengths) = (vec![0.0_f32; edge_count], vec![f32::INFINITY; edge_count]);
+    let mut sides = Vec::with_capacity(elements.faces.len());
+    for (index, (&[a, b, c], shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
+        let [ab, bc, ca] = shape.sides();
+        let mut own = [Side::default(); 3];
+        for (((side, ends), cotan), length) in
+            own.iter_mut().zip([[b, c], [c, a], [a, b]]).zip(shape.cotans()).zip([bc, ca, ab])
+        {
+            // A side from a vertex to itself is no edge, and counts for nothing.
+            if let Some(edge) = laplacian.edge(ends) {
+                let share = (elements.share(index) * larger(cotan, LEAST_COTAN)) as f32;
+                shares[edge] += share;
+                lengths[edge] = lengths[edge].min((length / unit) as f32);
+                *side = Side { edge: edge as u32, share };
+            }
+        }
+        sides.push(own);
+    }
+    for side in sides.as_flattened_mut() {
+        side.share /= shares[side.edge as usize];
+    }
+    (sides, lengths)
 }

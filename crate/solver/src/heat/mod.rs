@@ -10,7 +10,6 @@
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
 
 mod answer;
-mod closing;
 mod constraint;
 mod convergence;
 mod exact_region;
@@ -26,6 +25,7 @@ mod solver;
 mod source_heat;
 mod systems;
 mod time;
+mod upwind;
 
 pub use answer::Refinement;
 pub use constraint::Constraint;
@@ -39,3 +39,4 @@ pub use scale::scale;
 pub use solver::HeatSolver;
 pub use source_heat::SourceHeat;
 pub use systems::Systems;
+pub use upwind::{EdgeField, Upwind};

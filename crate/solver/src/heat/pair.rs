@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::Result;
-use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow};
+use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::systems::Systems;
 use crate::operator::Discretization;
@@ -21,7 +21,8 @@ pub fn factor_pair<D: Discretization>(
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<(HeatFlow<D>, Poisson<D>)> {
     let poisson = Poisson::matrix(systems);
-    let heat = HeatFlow::matrix(systems, time, &condition);
+    let step = Step::lumped(systems, time, condition);
+    let heat = step.matrix(systems.operators().laplacian());
     let [poisson, heat] = systems.systems([(poisson, POISSON_MATRIX), (heat, HEAT_MATRIX)], progress)?;
-    Ok((HeatFlow::with_system(systems, time, condition, heat), Poisson::with_system(systems, poisson)))
+    Ok((HeatFlow::with_system(systems, step, heat), Poisson::with_system(systems, poisson)))
 }

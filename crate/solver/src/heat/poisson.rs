@@ -197,7 +197,7 @@ impl<D: Discretization> Poisson<D> {
             for (&vertex, &value) in &prescribed.values {
                 levels[vertex as usize] = value;
             }
-            for (right, outflow) in right.iter_mut().zip(self.systems.operators().laplacian().apply(0.0, &levels)) {
+            for (right, outflow) in right.iter_mut().zip(self.systems.operators().laplacian().apply(|_| 0.0, &levels)) {
                 *right -= outflow;
             }
         }
@@ -240,7 +240,7 @@ fn constrained_matrix(systems: &Systems<impl Discretization>, vertices: impl Ite
     for vertex in vertices {
         is_constrained[vertex as usize] = true;
     }
-    laplacian.combine(0.0, |vertex| is_constrained[vertex])
+    laplacian.combine(|_| 0.0, |vertex| is_constrained[vertex])
 }
 
 /// The first vertex of each component.

@@ -100,7 +100,7 @@ fn summed(flow: &HeatFlow<impl Discretization>, sources: &[Constraint]) -> Resul
     let mut prescribed = vec![0.0; supply.len()];
     for vertex in (0..supply.len()).filter(|&vertex| flow.condition().is_cold(vertex as u32) && supply[vertex] > 0.0) {
         let diagonal = laplacian.stiffness[laplacian.column(vertex).start];
-        prescribed[vertex] = supply[vertex] / (diagonal + laplacian.mass[vertex] / flow.time());
+        prescribed[vertex] = supply[vertex] / (diagonal + flow.step().share(vertex));
     }
     let values = flow.solve_prescribed(&supply, &prescribed)?;
     Ok(SourceHeat { values, is_active: vec![true; sources.len()] })

@@ -21,7 +21,7 @@ impl Element {
     }
 
     /// Lengths of the sides that leave corners 0, 1 and 2.
-    fn sides(&self) -> [f64; 3] {
+    pub(crate) fn sides(&self) -> [f64; 3] {
         let &Self { x1, x2, y2 } = self;
         [x1, triangle::hypotenuse(x2 - x1, y2), triangle::hypotenuse(x2, y2)]
     }
@@ -34,15 +34,6 @@ impl Element {
     /// Twice the area, in the file's unit squared.
     pub(crate) fn twice_area(&self) -> f64 {
         self.x1 * self.y2
-    }
-
-    /// Twice the area times the sum of each corner's cotangent times the fourth power of the difference of these values along the
-    /// side opposite it.
-    pub(crate) fn quartic(&self, [a, b, c]: [f64; 3]) -> f64 {
-        let &Self { x1, x2, y2 } = self;
-        let [bc, ca, ab] = [c - b, a - c, b - a].map(|difference| difference * difference);
-        let rest = x2 * (x1 - x2);
-        x1 * x2 * (bc * bc) + x1 * (x1 - x2) * (ca * ca) + (y2 * y2 - rest) * (ab * ab)
     }
 
     /// Cotangents of the three corner angles, cut as [`triangle::limit_cotans`] says.

@@ -2,6 +2,7 @@
 //!
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), section 3.2; Pinkall and Polthier (1993) for the weights.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::operator::elements::Elements;
@@ -75,8 +76,31 @@ impl Laplacian {
     }
 
     /// Stored entries of one column, as a range into `rows` and `stiffness`.
-    pub fn column(&self, vertex: usize) -> std::ops::Range<usize> {
+    pub fn column(&self, vertex: usize) -> Range<usize> {
         self.pattern().column(vertex)
+    }
+
+    /// The first of the [`edges`](Self::edges) whose lower vertex is this one, and the entries of all of them.
+    pub(crate) fn edges_of_column(&self, vertex: usize) -> (usize, Range<usize>) {
+        let column = self.column(vertex);
+        // Of each column the diagonal comes first, which is no edge.
+        (column.start - vertex, column.start + 1..column.end)
+    }
+
+    /// All edges: their vertices, the lower first, and their weights, which are minus the entries off the diagonal.
+    pub fn edges(&self) -> impl Iterator<Item = ([u32; 2], f64)> {
+        let below = |vertex: usize| {
+            let (_, entries) = self.edges_of_column(vertex);
+            let weights = &self.stiffness.values()[entries.clone()];
+            self.rows()[entries].iter().zip(weights).map(move |(&row, &value)| ([vertex as u32, row], -value))
+        };
+        (0..self.size()).flat_map(below)
+    }
+
+    /// Which of the [`edges`](Self::edges) joins two vertices; none where they are one, or share no element.
+    pub(crate) fn edge(&self, [a, b]: [u32; 2]) -> Option<usize> {
+        let (first, entries) = self.edges_of_column(a.min(b) as usize);
+        self.rows()[entries].binary_search(&a.max(b)).ok().map(|place| first + place)
     }
 
     /// Row of each stored entry.
@@ -84,15 +108,18 @@ impl Laplacian {
         self.pattern().rows()
     }
 
-    /// `L + mass_scale · M` with the constrained rows and columns replaced by those of the identity, whose 1 is of the order
+    /// `L + D`, D being a diagonal (`#V`), with the constrained rows and columns replaced by those of the identity, whose 1 is of the order
     /// of the other diagonal entries. Zeros are stored, so that every such matrix has the same pattern.
-    pub(crate) fn combine(&self, mass_scale: f64, is_constrained: impl Fn(usize) -> bool) -> SymmetricMatrix {
+    pub(crate) fn combine(
+        &self,
+        added: impl Fn(usize) -> f64,
+        is_constrained: impl Fn(usize) -> bool,
+    ) -> SymmetricMatrix {
         let mut values = self.stiffness.values().to_vec();
         let is_constrained: Vec<bool> = (0..self.size()).map(is_constrained).collect();
         for vertex in 0..self.size() {
             let diagonal = self.column(vertex).start;
-            values[diagonal] =
-                if is_constrained[vertex] { 1.0 } else { values[diagonal] + mass_scale * self.mass[vertex] };
+            values[diagonal] = if is_constrained[vertex] { 1.0 } else { values[diagonal] + added(vertex) };
         }
         if is_constrained.contains(&true) {
             for vertex in 0..self.size() {
@@ -106,10 +133,9 @@ impl Laplacian {
         SymmetricMatrix::new(Arc::clone(self.pattern()), values).expect("the values are those of the pattern")
     }
 
-    /// `(L + mass_scale · M) x` with every vertex free.
-    pub(crate) fn apply(&self, mass_scale: f64, vector: &[f64]) -> Vec<f64> {
-        let mut result: Vec<f64> =
-            vector.iter().zip(&self.mass).map(|(value, mass)| mass_scale * mass * value).collect();
+    /// `(L + D) x` with every vertex free, D being a diagonal (`#V`).
+    pub(crate) fn apply(&self, added: impl Fn(usize) -> f64, vector: &[f64]) -> Vec<f64> {
+        let mut result: Vec<f64> = vector.iter().enumerate().map(|(vertex, value)| added(vertex) * value).collect();
         self.stiffness.multiply_add(vector, &mut result);
         result
     }

@@ -1,7 +1,5 @@
 //! All operators of one metric.
 
-use heatwalk_sparse::Pattern;
-use heatwalk_surface::csr::Csr;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{HalfedgeId, VertexId};
@@ -21,8 +19,6 @@ use crate::options::Operator;
 pub struct Operators {
     pub(crate) elements: Elements,
     laplacian: Laplacian,
-    /// The vertices at the other ends of each vertex's edges.
-    adjacent: Csr<VertexId, VertexId>,
     /// Per vertex, counted from 0 in the order of their first vertices.
     components: Vec<u32>,
 }
@@ -89,8 +85,7 @@ impl Operators {
 
     fn assemble(elements: Elements, components: Vec<u32>) -> Self {
         let laplacian = Laplacian::of_elements(components.len(), &elements);
-        let adjacent = adjacent(laplacian.pattern());
-        Self { elements, laplacian, adjacent, components }
+        Self { elements, laplacian, components }
     }
 
     /// Number of vertices.
@@ -113,9 +108,21 @@ impl Operators {
         &self.laplacian
     }
 
-    /// The vertices at the other ends of each vertex's edges.
-    pub(crate) fn adjacent(&self) -> &Csr<VertexId, VertexId> {
-        &self.adjacent
+    /// `#V`, the part of the triangles around each vertex that is nearer to it than to their other corners, in the file's unit squared:
+    /// ¼ Σ w l² over its edges (Meyer, Desbrun, Schröder, Barr, "Discrete differential-geometry operators for triangulated
+    /// 2-manifolds", 2003, section 3.3). Not negative where no weight w is.
+    pub(crate) fn circumcentric_mass(&self) -> Vec<f64> {
+        let mut mass = vec![0.0; self.vertex_count()];
+        for (index, (&face, shape)) in self.elements.faces.iter().zip(&self.elements.shapes).enumerate() {
+            let eighth = 0.125 * self.elements.share(index);
+            let [ab, bc, ca] = shape.sides();
+            for ((cotan, side), opposite) in shape.cotans().into_iter().zip([bc, ca, ab]).zip(0..) {
+                for end in [(opposite + 1) % 3, (opposite + 2) % 3] {
+                    mass[face[end] as usize] += eighth * cotan * side * side;
+                }
+            }
+        }
+        mass
     }
 
     /// The connected component of each vertex (`#V`), counted from 0 in the order of their first vertices.
@@ -191,14 +198,6 @@ fn plain(surface: &Surface, costs: &[f64]) -> Elements {
         sides.iter_mut().for_each(|length| *length *= cost);
     }
     Elements::from_lengths(faces, &lengths, is_boundary)
-}
-
-/// Per vertex, the others that an entry of a symmetric matrix joins it with.
-fn adjacent(pattern: &Pattern) -> Csr<VertexId, VertexId> {
-    let below = |column: usize| &pattern.rows()[pattern.column(column)][1..];
-    let entries = |column: usize| below(column).iter().map(move |&row| [VertexId(column as u32), VertexId(row)]);
-    let entries: Vec<[VertexId; 2]> = (0..pattern.size()).flat_map(entries).collect();
-    Csr::adjacent(pattern.size(), &entries)
 }
 
 /// Per vertex, the connected component of the faces around.

@@ -7,5 +7,5 @@ pub mod laplacian;
 mod metric;
 mod relocate;
 
-pub use laplacian::Discretization;
+pub use laplacian::{Discretization, Laplacian};
 pub use metric::Operators;
