@@ -189,7 +189,7 @@ fn heat_does_not_run_ahead_along_flat_tetrahedra() {
         let mut options = by_heat();
         options.heat.time_step = step;
         let [mean, largest] = errors(&solver.distance(&[source], &options).unwrap().values, &truth);
-        // Twice as much as measured. Where flat tetrahedra conduct without bound, it is 44 and 78 %, and 15 and 50 % by the unit field.
+        // Twice as much as measured. Where flat tetrahedra conduct without bound, it is 15 and 50 %.
         assert!(mean < 0.006 && largest < 0.032, "{step:?}: {mean} {largest}");
     }
 }
