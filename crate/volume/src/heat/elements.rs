@@ -8,7 +8,7 @@
 //! as √t, and along a row of flat tetrahedra it can alternate in sign instead of falling, so that it arrives before its wave. Such a
 //! tetrahedron has next to no volume, and need not conduct across: stiffness there is bounded by the shortest edge.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use heatwalk::operator::Discretization;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::sparse::SymmetricMatrix;
@@ -83,10 +83,10 @@ impl Elements {
                 mass[vertex as usize] += cost.powi(3) * shape.volume / 4.0;
             }
             let gradients = shape.all_gradients();
-            let conductance = cost * shape.volume;
+            let flows = gradients.map(|gradient| cost * shape.volume * shape.conducted(gradient));
             for (ends, [a, b]) in EDGES.into_iter().zip(ends(tetrahedron)) {
                 // −V ∇λ·∇λ' is l cot θ / 6 of the edge opposite.
-                let weight = -conductance * gradients[ends[0]].dot(shape.conducted(gradients[ends[1]]));
+                let weight = -gradients[ends[0]].dot(flows[ends[1]]);
                 negative += (-weight).max(0.0);
                 whole += weight.abs();
                 diagonal[a as usize] += weight;
@@ -137,17 +137,20 @@ impl Element {
     #[inline]
     fn bounded(&self, most: f64) -> DVec3 {
         let gradients = self.all_gradients();
-        let squares = gradients.map(DVec3::length_squared);
-        let sum: f64 = squares.iter().sum();
-        let steeper = |direction: DVec3| {
-            gradients.iter().map(|&gradient| gradient.dot(direction) * gradient).sum::<DVec3>() / sum
-        };
-        let steepest = |one: usize, other: usize| if squares[other] > squares[one] { other } else { one };
+        let outer = |by: DVec3| DMat3::from_cols(by.x * by, by.y * by, by.z * by);
+        // In a direction d the sum of the squared slopes is d·Sd, relative to `most`.
+        let slopes = gradients.map(outer).into_iter().sum::<DMat3>() / most;
+        let norm_squared: f64 = [slopes.x_axis, slopes.y_axis, slopes.z_axis].map(DVec3::length_squared).iter().sum();
+        // The Frobenius norm bounds it, and spares most tetrahedra the rest.
+        if norm_squared <= 1.0 {
+            return DVec3::ZERO;
+        }
         // Where a tetrahedron is flat, its largest face is nearly in its plane, so that two steps of the power method are enough.
-        let first = gradients[(1..4).fold(0, steepest)];
-        let direction = steeper(steeper(first)).normalize();
-        let steepness = sum * direction.dot(steeper(direction));
-        (1.0 - most / steepness).max(0.0).sqrt() * direction
+        let steepest =
+            |one: DVec3, other: DVec3| if other.length_squared() > one.length_squared() { other } else { one };
+        let direction = (slopes * (slopes * gradients.into_iter().fold(DVec3::ZERO, steepest))).normalize();
+        let steepness = direction.dot(slopes * direction);
+        (1.0 - 1.0 / steepness).max(0.0).sqrt() * direction
     }
 
     /// What flows where a function has this gradient.
