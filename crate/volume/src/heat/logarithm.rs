@@ -33,10 +33,6 @@ const REFLECTED: f64 = 0.4;
 /// obtuse tetrahedra have let heat through against its fall, and it tells nothing of distance.
 const LEAST_INFLOW: f64 = 0.1;
 
-/// Of the weights of all edges, at most this share may be negative for the field of the logarithm: obtuse tetrahedra let heat through
-/// against its fall, and their edges do not tell how it falls.
-const NEGATIVE_SHARE: f64 = 0.13;
-
 /// What distance along the field needs of a mesh.
 #[derive(Debug)]
 pub(super) struct Logarithm {
@@ -206,16 +202,6 @@ fn warmest_first(logarithm: f64, vertex: u32) -> u64 {
     // As integers, the bits of negative numbers order the other way round.
     let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
     u64::from(falling) << 32 | u64::from(vertex)
-}
-
-/// Whether nearly all edges have positive weights, so that heat falls along them.
-pub(super) fn is_monotone(laplacian: &Laplacian) -> bool {
-    let (mut negative, mut whole) = (0.0, 0.0);
-    for (_, weight) in (0..laplacian.size()).flat_map(|vertex| edges(laplacian, vertex)) {
-        negative += (-weight).max(0.0);
-        whole += weight.abs();
-    }
-    negative <= NEGATIVE_SHARE * whole
 }
 
 /// What the field is made of at a vertex.

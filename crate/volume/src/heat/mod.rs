@@ -41,8 +41,6 @@ pub(crate) struct VolumeHeat {
     poisson: Option<Poisson<Elements>>,
     flows: Vec<HeatFlow<Elements>>,
     lengths: Lengths,
-    /// Whether nearly all edges have positive weights.
-    is_monotone: bool,
     logarithm: Logarithm,
 }
 
@@ -61,8 +59,7 @@ impl VolumeHeat {
         }
         let lengths = Lengths::of(mesh, medium);
         let systems = Systems::new(Elements::new(mesh, medium), options.solver, progress)?;
-        let is_monotone = logarithm::is_monotone(systems.operators().laplacian());
-        let field = Field::of(options, is_monotone);
+        let field = Field::of(options, systems.operators().is_monotone());
         let time = lengths.time(options, field);
         let mut conditions = conditions(mesh, &systems, options.boundary).into_iter();
         let first = conditions.next().unwrap_or(Condition::Neumann);
@@ -83,7 +80,7 @@ impl VolumeHeat {
             flows.push(HeatFlow::new(&systems, time, condition)?);
         }
         let logarithm = Logarithm::new(mesh, medium, systems.operators().laplacian(), lengths.mean_edge);
-        Ok(Self { options, systems, poisson, flows, lengths, is_monotone, logarithm })
+        Ok(Self { options, systems, poisson, flows, lengths, logarithm })
     }
 
     /// Changes the options; factors the heat matrices anew where that is needed, and the Poisson matrix where it was not before.
@@ -102,7 +99,7 @@ impl VolumeHeat {
             *self = Self::new(mesh, medium, options, progress)?;
             return Ok(());
         }
-        let field = Field::of(options, self.is_monotone);
+        let field = Field::of(options, self.systems.operators().is_monotone());
         if field == Field::Unit && self.poisson.is_none() {
             if progress(Stage::Factoring, 0.0).is_break() {
                 return Err(heatwalk::Error::Cancelled.into());
@@ -148,7 +145,7 @@ impl VolumeHeat {
         let constraints: Vec<Constraint> = sources.iter().map(constraint).collect();
         let SourceHeat { values: heat, is_active } =
             SourceHeat::new(self.flows.iter(), &constraints, parameters.sources)?;
-        let field = Field::of(self.options, self.is_monotone);
+        let field = Field::of(self.options, self.systems.operators().is_monotone());
         let region = Region::new(mesh, medium, sources, parameters.exact_radius, self.lengths.mean_edge, field.work());
         let active: Vec<TetSource> =
             sources.iter().zip(is_active).filter(|&(_, active)| active).map(|(&source, _)| source).collect();
