@@ -2,6 +2,8 @@
 //!
 //! Botsch, Kobbelt, Pauly, Alliez, Lévy, "Polygon Mesh Processing" (2010), section 3.3.3.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::distance::Distance;
@@ -9,6 +11,9 @@ use crate::error::Result;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
 use heatwalk_surface::{FaceData, VertexData};
+
+/// Squared lengths that neither under- nor overflow, however small a part of them is.
+const PLAIN_SQUARES: Range<f64> = 1e-280..1e280;
 
 /// `#F × 3`, gradient of the linear interpolation of `values` (`#V`) on each face; zero where it is not finite.
 pub fn face_gradients(surface: &Surface, values: &VertexData<f64>) -> FaceData<DVec3> {
@@ -53,7 +58,9 @@ pub fn vertex_directions(surface: &Surface, values: &VertexData<f64>) -> VertexD
         }
     }
     for direction in &mut directions {
-        *direction = triangle::unit(*direction);
+        let squared = direction.length_squared();
+        let is_plain = PLAIN_SQUARES.contains(&squared);
+        *direction = if is_plain { squared.sqrt().recip() * *direction } else { triangle::unit(*direction) };
     }
     directions
 }

@@ -11,6 +11,7 @@ pub mod element;
 mod error;
 pub mod halfedge;
 pub mod io;
+pub mod lanes;
 pub mod memory;
 mod merge;
 pub mod motion;

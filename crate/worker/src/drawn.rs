@@ -99,9 +99,11 @@ impl Drawn {
 
     /// Unit vectors of vertices, as they are drawn, as four bytes a drawn vertex, the last one 0.
     pub fn spread_directions(&self, directions: &VertexData<DVec3>) -> Vec<i8> {
-        let turned = |direction| self.transform.direction(direction);
-        let bytes = |direction| (127.0 * turned(direction)).as_i8vec3().extend(0).to_array();
-        self.vertices.iter().flat_map(|&vertex| bytes(directions[vertex])).collect()
+        // By way of whole numbers of 32 bits, for which wasm32 has an instruction.
+        let bytes =
+            |direction| (127.0 * self.transform.direction(direction)).as_ivec3().as_i8vec3().extend(0).to_array();
+        let bytes: Vec<[i8; 4]> = self.vertices.iter().map(|&vertex| bytes(directions[vertex])).collect();
+        bytes.into_flattened()
     }
 
     /// Vectors of faces as vectors of drawn triangles, turned as they are drawn, three numbers each.

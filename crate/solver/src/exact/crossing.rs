@@ -5,6 +5,7 @@ use std::hint::select_unpredictable;
 use super::geometry::Side;
 use super::window::{Beam, GRAZE};
 use crate::extremum::{larger, smaller};
+use heatwalk_surface::lanes::{Choice, Lanes};
 
 /// A window that crosses a face, and how it lies to the ray to the opposite corner.
 #[derive(Debug)]
@@ -60,19 +61,33 @@ impl Crossing {
         })
     }
 
-    /// Both of these, each with whether there is any, without a branch: for windows that come in no order, each of which
-    /// takes its way by chance.
+    /// Both of these, without a branch: for windows that come in no order, each of which takes its way by chance.
     #[inline(always)]
-    pub fn exits(&self, sides: [&Side; 3]) -> [(bool, Beam); 2] {
-        let Self { beam, begins, ends, .. } = self;
-        let hit = |at: f64, is_left: bool| {
-            let place = self.hit(at, select_unpredictable(is_left, left_of(sides, at), right_of(sides, at)));
-            select_unpredictable(is_left, place, sides[1].length - place)
-        };
-        let (begin, end) = (hit(beam.begin, *begins < 0.0), hit(beam.end, *ends < 0.0));
-        let to_left = self.left(sides, begin, select_unpredictable(*ends < 0.0, end, sides[2].length));
-        let to_right = self.right(sides, select_unpredictable(*begins > 0.0, begin, 0.0), end);
-        [(*begins < 0.0, to_left), (*ends > 0.0, to_right)]
+    pub fn exits(&self, [base, right, left]: [&Side; 3]) -> Exits {
+        let &Self { beam, begins, ends, .. } = self;
+        let nothing = Lanes::both(0.0);
+        let is_left = Lanes::new([begins, ends]).is_below(nothing);
+        let pick = |of_left: f64, of_right: f64| is_left.choose(Lanes::both(of_left), Lanes::both(of_right));
+        let (cos, sin) = (pick(base.cos, right.cos), pick(-base.sin, right.sin));
+        let length = pick(left.length, right.length);
+        let (at, up) = (Lanes::new([beam.begin, beam.end]), Lanes::both(beam.depth));
+        let from_corner = is_left.choose(at, Lanes::both(base.length) - at);
+        let towards = cos * up + sin * (at - Lanes::both(beam.x));
+        let place = nothing.is_below(towards).choose(length.smaller(from_corner * up / towards), length);
+        let [begin, end] = is_left.choose(place, Lanes::both(right.length) - place).to_array();
+
+        let (cos, sin) = (Lanes::new([base.cos, right.cos]), Lanes::new([base.sin, right.sin]));
+        let from_corner = Lanes::new([beam.x, base.length - beam.x]);
+        let [along_left, along_right] = (from_corner * cos - up * sin).to_array();
+        Exits {
+            is_open: nothing.is_below(Lanes::new([-begins, ends])),
+            begin: nothing.is_below(Lanes::new([-begins, begins])).choose(Lanes::both(begin), nothing),
+            end: nothing.is_below(Lanes::new([-ends, ends])).choose(Lanes::both(end), Lanes::both(left.length)),
+            x: Lanes::new([along_left, right.length - along_right]),
+            depth: from_corner * sin + up * cos,
+            offset: beam.offset,
+            root: beam.root,
+        }
     }
 
     /// The window on the edge at the half-edge's begin, between these places there.
@@ -99,6 +114,36 @@ impl Crossing {
         let towards = edge.cos * up + edge.sin * forward;
         let place = smaller(edge.from_corner * up / towards, edge.length);
         select_unpredictable(towards > 0.0, place, edge.length)
+    }
+}
+
+/// What leaves a face by the edge at the half-edge's begin, and by that at its end, as the half-edges across these see it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exits {
+    /// Whether there is any; the rest is of no meaning where there is none.
+    pub is_open: Choice,
+    begin: Lanes,
+    end: Lanes,
+    x: Lanes,
+    depth: Lanes,
+    offset: f64,
+    root: u32,
+}
+
+impl Exits {
+    /// The one at the half-edge's begin or end, `k` 0 or 1.
+    #[inline(always)]
+    pub fn beam(&self, k: usize) -> Beam {
+        let [begin, end, x, depth] = [self.begin, self.end, self.x, self.depth].map(|lanes| lanes.to_array()[k]);
+        Beam { begin, end, x, depth, offset: self.offset, root: self.root }
+    }
+
+    /// [`Beam::bent_at`] of both.
+    #[inline(always)]
+    pub fn bent_at(&self, x: Lanes) -> Lanes {
+        let at = self.end.smaller(self.begin.larger(x));
+        let aside = at - self.x;
+        Lanes::both(self.offset) + (aside * aside + self.depth * self.depth).sqrt() + (x - at).abs()
     }
 }
 

@@ -1,9 +1,8 @@
 //! Windows of one half-edge, each of which keeps what it reaches sooner than all others: their lower envelope.
 
-use std::hint::select_unpredictable;
-
 use super::overlap::Overlap;
 use super::window::Beam;
+use crate::extremum::either;
 
 /// Divides half-edges among windows. What it holds is kept for its memory.
 #[derive(Debug, Default)]
@@ -111,8 +110,8 @@ fn settle(first: &Beam, second: &Beam) -> Option<(f64, f64)> {
         return None;
     }
     let meeting = overlap.change();
-    let end = select_unpredictable(begins, second.begin, select_unpredictable(ends, meeting, first.end));
-    let begin = select_unpredictable(begins, second.begin, select_unpredictable(ends, meeting, overlap.end.0));
+    let end = either(begins, second.begin, either(ends, meeting, first.end));
+    let begin = either(begins, second.begin, either(ends, meeting, overlap.end.0));
     Some((end, begin))
 }
 

@@ -32,7 +32,7 @@ mod window;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-pub(crate) use crossing::Crossing;
+pub(crate) use crossing::{Crossing, Exits};
 pub use geometry::ExactGeometry;
 pub(crate) use geometry::{Side, after, before};
 pub(crate) use portals::Portals;

@@ -1,9 +1,7 @@
 //! Two windows that overlap: each keeps what it reaches sooner.
 
-use std::hint::select_unpredictable;
-
 use super::window::Beam;
-use crate::extremum::{larger, smaller};
+use crate::extremum::{either, larger, smaller};
 
 #[cfg(test)]
 mod tests;
@@ -127,7 +125,7 @@ impl<'a> Overlap<'a> {
         let width = high.0 - low.0;
         let [x, other] = [root / square, constant / root];
         let is_inside = (x >= 0.0) & (x <= width) & ((p * x + q) * delta >= 0.0);
-        let meeting = low.0 + smaller(larger(select_unpredictable(is_inside, x, other), 0.0), width);
+        let meeting = low.0 + smaller(larger(either(is_inside, x, other), 0.0), width);
         let is_enough = (self.lead(meeting).abs() <= enough) | ((low.1 < 0.0) == (high.1 < 0.0));
         if is_enough { meeting } else { self.search(low, high, enough) }
     }

@@ -1,8 +1,6 @@
 //! Windows: the part of an edge that sees one (pseudo-)source along straight lines, unfolded into the plane.
 
-use std::hint::select_unpredictable;
-
-use crate::extremum::{larger, smaller};
+use crate::extremum::{either, larger, smaller};
 
 /// A window reaches vertices that its rays miss by at most this share of their distance from it, and an angle sum
 /// counts as a turn within this. Rounding of positions unfolded through thousands of faces stays below; a path
@@ -159,7 +157,7 @@ impl Window {
     /// The least distance in the interval.
     pub fn nearest(&self) -> f64 {
         let is_below = (self.begin < self.x) & (self.x < self.end);
-        select_unpredictable(is_below, self.offset + self.depth, smaller(self.at_begin, self.at_end))
+        either(is_below, self.offset + self.depth, smaller(self.at_begin, self.at_end))
     }
 
     /// Whether the interval is worth following. Also false where something is not a number.

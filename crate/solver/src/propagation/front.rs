@@ -5,13 +5,14 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::labels::{Bar, Count, Fixed, Labels};
+use super::labels::{Bar, Bars, Count, Fixed, Labels};
 use super::medium::{Medium, Uniform, head_wave, refracted};
 use super::options::Senders;
 use crate::error::Result;
-use crate::exact::{Beam, Crossing, ExactGeometry, Portals, Ring, Side, Wavefront, after, before, length};
+use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Portals, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
 use crate::room::{REFUSED, refilled};
+use heatwalk_surface::lanes::Lanes;
 use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
@@ -105,6 +106,8 @@ struct Front<C, M> {
     batch: Vec<u32>,
     /// Windows that cross now, each with its half-edge; kept for its memory.
     entering: Vec<(u32, Beam)>,
+    /// What becomes of them, with room for [`BATCH`]; kept for its memory.
+    passages: Vec<Passage>,
 }
 
 impl<C: Count, M: Medium> Front<C, M> {
@@ -122,6 +125,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             is_refused: false,
             batch: Vec::new(),
             entering: Vec::new(),
+            passages: Vec::with_capacity(BATCH),
             surface,
             geometry,
             medium,
@@ -151,7 +155,8 @@ impl<C: Count, M: Medium> Front<C, M> {
 
     /// The same for vertices that send windows.
     fn fetch_around(&self, geometry: &ExactGeometry, surface: &Surface, batch: &[u32]) {
-        let vertices = || batch.iter().filter(|&&item| (item as usize) < self.waits.len()).map(|&item| VertexId(item));
+        let sends = |item: u32| self.waits.get(item as usize).is_some_and(|&waits| waits);
+        let vertices = || batch.iter().filter(|&&item| sends(item)).map(|&item| VertexId(item));
         let faces = vertices().filter_map(|vertex| surface.corners_of_vertex(vertex).next());
         std::hint::black_box(faces.fold(0, |sum, (face, _)| sum ^ face.0));
         let faces = vertices().flat_map(|vertex| surface.corners_of_vertex(vertex));
@@ -207,74 +212,60 @@ impl<C: Count, M: Medium> Front<C, M> {
     /// In steps, each for all of them and without a branch where chance decides, so that the processor works on several
     /// windows at once.
     fn cross(&mut self, geometry: &ExactGeometry, entering: &[(u32, Beam)]) {
-        let mut exits = [Exit::CLOSED; 2 * BATCH];
-        let mut at_corners = [0.0; BATCH];
-        let mut corners = [[0; 3]; BATCH];
-        let places = exits.as_chunks_mut().0.iter_mut().zip(&mut at_corners).zip(&mut corners);
-        for (&(halfedge, beam), ((exits, at_corner), corners)) in entering.iter().zip(places) {
-            let (frame, k) = geometry.frame_of(halfedge);
-            let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
-            let crossing = Crossing::new(beam, opposite);
-            let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
-            *at_corner = beam.at(at) + length(opposite[0] - at, opposite[1]);
-            let first = halfedge - k as u32;
-            let exit = |(is_open, beam): (bool, Beam), k: usize, side: &Side| Exit {
-                from: first + k as u32,
-                to: side.twin().unwrap_or(NO_TWIN),
-                bar: Bar { length: side.length, ends: [0.0; 2] },
-                is_open,
-                beam,
-            };
-            let [to_left, to_right] = crossing.exits(sides);
-            *exits = [exit(to_left, before(k), sides[2]), exit(to_right, after(k), sides[1])];
-            *corners = sides.map(|side| side.vertex);
-        }
-        for ((&(halfedge, beam), &at_corner), &[_, _, corner]) in entering.iter().zip(&at_corners).zip(&corners) {
-            self.offer(corner, self.medium.cost(halfedge / 3) * at_corner, beam.root);
+        let mut passages = std::mem::take(&mut self.passages);
+        passages.clear();
+        passages.extend(entering.iter().map(|&(halfedge, beam)| Passage::new(geometry, halfedge, beam)));
+        for (&(halfedge, beam), passage) in entering.iter().zip(&passages) {
+            self.offer(passage.corners[2], self.medium.cost(halfedge / 3) * passage.at_corner, beam.root);
             if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
         }
         let mut leaving = [0_u8; 2 * BATCH];
         let mut count = 0;
-        let pairs = exits.as_chunks_mut::<2>().0.iter_mut().zip(&corners);
-        let numbers = (0..).step_by(2).zip(&at_corners);
-        for ((&(halfedge, _), (exits, &corners)), (number, &at_corner)) in entering.iter().zip(pairs).zip(numbers) {
+        for ((&(halfedge, _), passage), number) in entering.iter().zip(&mut passages).zip((0..).step_by(2)) {
             let cost = self.medium.cost(halfedge / 3);
-            let [at_a, at_b, at_c] = corners.map(|vertex| self.values[VertexId(vertex)] / cost);
-            exits[0].bar.ends = [at_a, at_c];
-            exits[1].bar.ends = [at_c, at_b];
+            let [at_a, at_b, at_c] = passage.corners.map(|vertex| self.values[VertexId(vertex)] / cost);
+            passage.bars.ends = [Lanes::new([at_a, at_c]), Lanes::new([at_c, at_b])];
             let before = count;
-            for (exit, number) in exits.iter().zip(number..) {
+            let are_sooner = self.are_sooner(passage);
+            for (number, is_sooner) in (number..).zip(are_sooner) {
                 leaving[count] = number;
-                count += usize::from(exit.is_open & self.is_sooner(exit));
+                count += usize::from(is_sooner);
             }
-            if self.passes(exits, count - before) && at_c == at_corner {
-                self.waits[corners[2] as usize] = false;
+            if self.passes(passage, count - before) && at_c == passage.at_corner {
+                self.waits[passage.corners[2] as usize] = false;
             }
         }
         for &number in &leaving[..count] {
-            let exit = &exits[usize::from(number)];
-            if exit.to == NO_TWIN {
-                self.leave_fan(geometry, exit.from, &exit.beam, &exit.bar);
+            let (passage, k) = (&passages[usize::from(number / 2)], usize::from(number % 2));
+            let (from, to) = (passage.from[k], passage.to[k]);
+            let (beam, bar) = (passage.exits.beam(k), passage.bars.bar(k));
+            if to == NO_TWIN {
+                self.leave_fan(geometry, from, &beam, &bar);
             } else {
-                self.keep_behind((exit.from, exit.to), &exit.beam, &exit.bar);
+                self.keep_behind((from, to), &beam, &bar);
             }
         }
+        self.passages = passages;
     }
 
     /// Whether a window goes on at both sides of the corner that it reaches, inside of the surface, where that sends none
     /// by itself then. `sooner`: how many of what leaves may be kept.
     #[inline(always)]
-    fn passes(&self, exits: &[Exit; 2], sooner: usize) -> bool {
-        let is_inside = exits.iter().all(|exit| exit.to != NO_TWIN);
-        M::IS_UNIFORM & (self.senders == Senders::NotPassed) & (sooner == 2) & is_inside
+    fn passes(&self, passage: &Passage, sooner: usize) -> bool {
+        M::IS_UNIFORM & (self.senders == Senders::NotPassed) & (sooner == 2) & passage.is_inside()
     }
 
     /// Whether what leaves a face may be kept, as far as is easily told.
     #[inline(always)]
-    fn is_sooner(&self, exit: &Exit) -> bool {
-        !M::IS_UNIFORM || exit.to == NO_TWIN || self.labels.is_sooner(exit.to, &exit.beam, &exit.bar)
+    fn are_sooner(&self, passage: &Passage) -> [bool; 2] {
+        let is_open = passage.exits.is_open.to_array();
+        if !(M::IS_UNIFORM & passage.is_inside()) {
+            return is_open;
+        }
+        let are_sooner = self.labels.are_sooner(passage.to, &passage.exits, &passage.bars);
+        std::array::from_fn(|k| is_open[k] & are_sooner[k])
     }
 
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
@@ -565,27 +556,47 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
 /// In place of a half-edge, where an edge is not between two faces of one orientation.
 const NO_TWIN: u32 = u32::MAX;
 
-/// What a window becomes that leaves a face by a half-edge.
+/// A window that crosses a face, and what leaves by the edges at the begin and at the end of its half-edge.
 #[derive(Debug, Clone, Copy)]
-struct Exit {
-    from: u32,
-    /// The half-edge that runs against it, or [`NO_TWIN`].
-    to: u32,
-    /// The edge with the distances of its ends, as a half-edge against `from` sees it.
-    bar: Bar,
-    /// Whether any of it does.
-    is_open: bool,
-    beam: Beam,
+struct Passage {
+    /// Where the half-edge begins and ends, and the opposite corner.
+    corners: [u32; 3],
+    /// The distance of that corner, in units of the face's cost.
+    at_corner: f64,
+    exits: Exits,
+    /// The half-edges by which they leave.
+    from: [u32; 2],
+    /// Those that run against these, or [`NO_TWIN`].
+    to: [u32; 2],
+    /// The edges with the distances of their ends, as half-edges against `from` see them.
+    bars: Bars,
 }
 
-impl Exit {
-    const CLOSED: Self = Self {
-        from: 0,
-        to: NO_TWIN,
-        bar: Bar { length: 0.0, ends: [0.0; 2] },
-        is_open: false,
-        beam: Beam { begin: 0.0, end: 0.0, x: 0.0, depth: 0.0, offset: 0.0, root: 0 },
-    };
+impl Passage {
+    /// All but the distances of the edges' ends.
+    #[inline(always)]
+    fn new(geometry: &ExactGeometry, halfedge: u32, beam: Beam) -> Self {
+        let (frame, k) = geometry.frame_of(halfedge);
+        let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
+        let crossing = Crossing::new(beam, opposite);
+        let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
+        let first = halfedge - k as u32;
+        let ways = [sides[2], sides[1]];
+        Self {
+            corners: sides.map(|side| side.vertex),
+            at_corner: beam.at(at) + length(opposite[0] - at, opposite[1]),
+            exits: crossing.exits(sides),
+            from: [before(k), after(k)].map(|k| first + k as u32),
+            to: ways.map(|side| side.twin().unwrap_or(NO_TWIN)),
+            bars: Bars { length: Lanes::new(ways.map(|side| side.length)), ends: [Lanes::both(0.0); 2] },
+        }
+    }
+
+    /// Whether both edges are between two faces of one orientation.
+    #[inline(always)]
+    fn is_inside(&self) -> bool {
+        !self.to.contains(&NO_TWIN)
+    }
 }
 
 /// What is known of an end of a portal.

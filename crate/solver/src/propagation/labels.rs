@@ -3,9 +3,10 @@
 use std::num::NonZeroUsize;
 
 use crate::error::Result;
-use crate::exact::{Beam, Window};
+use crate::exact::{Beam, Exits, Window};
 use crate::extremum::smaller;
 use crate::room::REFUSED;
+use heatwalk_surface::lanes::Lanes;
 use heatwalk_surface::parallel;
 
 #[cfg(test)]
@@ -37,6 +38,28 @@ impl Bar {
     /// Distance of the position `x` by the nearer end.
     fn by_ends(&self, x: f64) -> f64 {
         smaller(self.ends[0] + x, self.ends[1] + (self.length - x))
+    }
+}
+
+/// What windows must beat on two half-edges.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bars {
+    pub length: Lanes,
+    /// Distances where the half-edges begin, and where they end.
+    pub ends: [Lanes; 2],
+}
+
+impl Bars {
+    /// That of one of them.
+    pub fn bar(&self, k: usize) -> Bar {
+        let at = |lanes: Lanes| lanes.to_array()[k];
+        Bar { length: at(self.length), ends: self.ends.map(at) }
+    }
+
+    /// [`Bar::by_ends`] of both.
+    #[inline(always)]
+    fn by_ends(&self, x: Lanes) -> Lanes {
+        (self.ends[1] + (self.length - x)).smaller(self.ends[0] + x)
     }
 }
 
@@ -132,24 +155,34 @@ impl<C: Count> Labels<C> {
         (stretch as f64 + 0.5) * length * self.per_stretch
     }
 
-    /// Whether a window reaches some stretch sooner than all else.
+    /// Whether the windows that leave a face reach some stretch of these half-edges sooner than all else.
     #[inline(always)]
-    pub fn is_sooner(&self, halfedge: u32, beam: &Beam, bar: &Bar) -> bool {
-        let mut is_sooner = false;
+    pub fn are_sooner(&self, halfedges: [u32; 2], exits: &Exits, bars: &Bars) -> [bool; 2] {
+        let mut are_sooner = [false; 2];
         for stretch in 0..self.stretches() {
-            let value = beam.bent_at(self.middle(stretch, bar.length));
-            is_sooner |= self.is_sooner_at(halfedge, stretch, value, bar);
+            let middle = Lanes::both(stretch as f64 + 0.5) * bars.length * Lanes::both(self.per_stretch);
+            let value = exits.bent_at(middle);
+            let are_nearer = value.is_below(bars.by_ends(middle)).to_array();
+            let value = value.to_array();
+            for k in 0..2 {
+                are_sooner[k] |= are_nearer[k] & self.is_sooner_than_known(halfedges[k], stretch, value[k]);
+            }
         }
-        is_sooner
+        are_sooner
     }
 
-    /// Whether the distance `value` of the middle of a stretch is less than any other that is known.
+    /// Whether the distance `value` of the middle of a stretch is less than by the windows that have come there.
+    #[inline(always)]
+    fn is_sooner_than_known(&self, halfedge: u32, stretch: usize, value: f64) -> bool {
+        let known = self.labels[halfedge as usize * self.stretches() + stretch].value;
+        ((value * self.per_edge) as f32) < known - MARGIN
+    }
+
+    /// Whether it is less than any other that is known.
     #[inline(always)]
     fn is_sooner_at(&self, halfedge: u32, stretch: usize, value: f64, bar: &Bar) -> bool {
-        let edges = (value * self.per_edge) as f32;
-        let known = self.labels[halfedge as usize * self.stretches() + stretch].value;
         // One branch, if any: which of these fails is as good as random.
-        (value < bar.by_ends(self.middle(stretch, bar.length))) & (edges < known - MARGIN)
+        (value < bar.by_ends(self.middle(stretch, bar.length))) & self.is_sooner_than_known(halfedge, stretch, value)
     }
 
     /// Keeps a window for the stretches that it reaches sooner than all else. Returns its least distance, if there are any.

@@ -1,7 +1,7 @@
 //! A few boxes that are compared with another one at once.
 
 use super::bounds::Bounds;
-use super::lanes::Lanes;
+use crate::lanes::Lanes;
 
 /// How many.
 pub const WIDTH: usize = 4;

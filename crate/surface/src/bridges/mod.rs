@@ -10,7 +10,6 @@ mod cracks;
 mod distances;
 mod find;
 mod hierarchy;
-mod lanes;
 mod links;
 mod portals;
 mod rule;
