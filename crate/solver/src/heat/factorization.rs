@@ -7,14 +7,13 @@ use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::larger;
-use crate::heat::field::Field;
 use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
 use crate::heat::logarithm::Logarithm;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::systems::Systems;
-use crate::heat::time::{long_edge_factor, suited_factor, time_factor};
+use crate::heat::time::{suited_factor, time_factor};
 use crate::operator::Operators;
-use crate::options::{Boundary, FactorOptions, MemoryLimit, Operator};
+use crate::options::{Boundary, FactorOptions, LinearSolver, MemoryLimit, Operator, TimeStep};
 use crate::progress::{Progress, Stage, report};
 use heatwalk_surface::{Surface, VertexData, VertexId, memory};
 
@@ -43,15 +42,12 @@ pub struct Factorization {
     /// Neumann, and Dirichlet if any vertex is cold then.
     neumann: Condition,
     dirichlet: Option<Condition>,
-    /// `#V`: a third of the triangles around each vertex, and, on the Delaunay triangulation, the part of them that is nearest to it.
-    lumped_mass: Arc<[f64]>,
-    circumcentric_mass: Option<Arc<[f64]>>,
-    /// On the Delaunay triangulation.
+    /// `#V`, that of the operators.
+    mass: Arc<[f64]>,
+    /// For factors of the Delaunay triangulation.
     logarithm: Option<Logarithm>,
     /// The m that suits the triangles that carry the operators.
     suited_factor: f64,
-    /// The least m for the field of the logarithm.
-    long_edge_factor: f64,
     /// Largest distance along edges, in the file's unit times cost.
     extent: f64,
     exact: Arc<ExactGeometry>,
@@ -101,12 +97,10 @@ impl Factorization {
         progress: Progress<'_>,
     ) -> Result<Self> {
         let operators = Operators::weighted(&surface, costs.as_ref(), options.operator);
-        let lumped_mass: Arc<[f64]> = operators.laplacian().mass.as_slice().into();
+        let mass: Arc<[f64]> = operators.laplacian().mass.as_slice().into();
         let suited_factor = suited_factor(&operators, extent);
-        let long_edge_factor = long_edge_factor(&operators);
-        let is_delaunay = options.operator == Operator::Delaunay;
-        let logarithm = is_delaunay.then(|| Logarithm::new(&operators, exact.bumpiness(&lumped_mass)));
-        let circumcentric_mass = is_delaunay.then(|| operators.circumcentric_mass().into());
+        let has_logarithm = (options.operator, options.solver) == (Operator::Delaunay, LinearSolver::Cholesky);
+        let logarithm = has_logarithm.then(|| Logarithm::new(&operators, exact.bumpiness(&mass)));
         let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
         let dirichlet = dirichlet(&surface);
         let mut factorization = Self {
@@ -118,11 +112,9 @@ impl Factorization {
             flows: Vec::new(),
             neumann: Condition::Neumann,
             dirichlet,
-            lumped_mass,
-            circumcentric_mass,
+            mass,
             logarithm,
             suited_factor,
-            long_edge_factor,
             extent,
             exact,
             front: Mutex::default(),
@@ -152,32 +144,28 @@ impl Factorization {
     fn factor(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
         let is_absent = |step: &Step| !self.flows.iter().any(|flow| flow.step().is_same(step));
         let mut steps: Vec<Step> = self.needed(options).into_iter().filter(is_absent).collect();
-        let needs_poisson = self.field_with(options) == Field::Unit && self.poisson.get().is_none();
-        let count = steps.len() + usize::from(needs_poisson);
+        let needs_poisson = self.logarithm_with(options).is_none() && self.poisson.get().is_none();
+        // Two matrices side by side take less time than one after the other.
+        let beside_poisson = if needs_poisson { steps.pop() } else { None };
+        let count = steps.len() + 2 * usize::from(beside_poisson.is_some());
         self.make_room(count, options.memory)?;
-        let mut made = Vec::with_capacity(steps.len());
-        let mut factored = 0;
-        let mut poisson = None;
         let laplacian = self.systems.operators().laplacian();
-        let mut told = |factored: usize, share: f64, by: usize| {
-            let share = (factored as f64 + by as f64 * share) / count as f64;
-            progress(Stage::Factoring, done + (1.0 - done) * share)
+        let mut factored = 0;
+        let mut told = |factored: usize, share: f64| {
+            progress(Stage::Factoring, done + (1.0 - done) * (factored as f64 + share) / count as f64)
         };
-        if needs_poisson && let Some(step) = steps.pop() {
+        let mut poisson = None;
+        let mut made = Vec::with_capacity(count);
+        if let Some(step) = beside_poisson {
             let matrices = [(Poisson::matrix(&self.systems), POISSON_MATRIX), (step.matrix(laplacian), HEAT_MATRIX)];
-            let [system, heat] = self.systems.systems(matrices, &mut |share| told(0, share, 2))?;
+            let [system, heat] = self.systems.systems(matrices, &mut |share| told(0, 2.0 * share))?;
             poisson = Some(Poisson::with_system(&self.systems, system));
             made.push(HeatFlow::with_system(&self.systems, step, heat));
             factored = 2;
-        } else if needs_poisson {
-            let matrix = (Poisson::matrix(&self.systems), POISSON_MATRIX);
-            let [system] = self.systems.systems([matrix], &mut |share| told(0, share, 1))?;
-            poisson = Some(Poisson::with_system(&self.systems, system));
-            factored = 1;
         }
         for step in steps {
             let matrix = (step.matrix(laplacian), HEAT_MATRIX);
-            let [system] = self.systems.systems([matrix], &mut |share| told(factored, share, 1))?;
+            let [system] = self.systems.systems([matrix], &mut |share| told(factored, share))?;
             made.push(HeatFlow::with_system(&self.systems, step, system));
             factored += 1;
         }
@@ -215,10 +203,7 @@ impl Factorization {
 
     /// The heat systems that options need; at least one.
     fn needed(&self, options: FactorOptions) -> Vec<Step> {
-        let mass = match (self.field_with(options), &self.circumcentric_mass) {
-            (Field::Logarithm, Some(mass)) => mass,
-            _ => &self.lumped_mass,
-        };
+        let mass = self.logarithm_with(options).map_or(&self.mass, Logarithm::mass);
         let time = self.time_with(options);
         let conditions = conditions(options.boundary, &self.neumann, self.dirichlet.as_ref());
         let step = |condition: &Condition| Step { time, condition: condition.clone(), mass: Arc::clone(mass) };
@@ -280,25 +265,20 @@ impl Factorization {
 
     fn time_factor_with(&self, options: FactorOptions) -> f64 {
         let mean_edge = self.operators().mean_edge();
-        let suited = match self.field_with(options) {
-            Field::Unit => self.suited_factor,
-            Field::Logarithm => larger(self.suited_factor, self.long_edge_factor),
-        };
+        let least = self.logarithm_with(options).map_or(0.0, Logarithm::least_time_factor);
+        let suited = larger(self.suited_factor, least);
         time_factor(options.time_step, options.solver, suited, mean_edge, self.extent)
     }
 
-    /// What stands for the gradient of distance.
-    pub(super) fn field(&self) -> Field {
-        self.field_with(self.options)
-    }
-
-    fn field_with(&self, options: FactorOptions) -> Field {
-        if self.logarithm.is_some() { Field::of(options) } else { Field::Unit }
-    }
-
-    /// Distance along the field of the logarithm of heat.
+    /// Distance along the field of the logarithm of heat, where that stands for the gradient of distance.
     pub(super) fn logarithm(&self) -> Option<&Logarithm> {
-        self.logarithm.as_ref().filter(|_| self.field() == Field::Logarithm)
+        self.logarithm_with(self.options)
+    }
+
+    /// Heat that is 0 at the boundary has no logarithm there.
+    fn logarithm_with(&self, options: FactorOptions) -> Option<&Logarithm> {
+        let suits = options.time_step == TimeStep::Automatic && options.boundary == Boundary::Neumann;
+        self.logarithm.as_ref().filter(|_| suits)
     }
 
     fn time_with(&self, options: FactorOptions) -> f64 {

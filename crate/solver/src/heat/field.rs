@@ -1,5 +1,5 @@
-//! From heat to the right side of the Poisson equation: a field against the gradient of heat, and the gradient of exact
-//! distance where that is known.
+//! From heat to the right side of the Poisson equation: the unit field against the gradient of heat, −∇u / |∇u|, zero where heat is
+//! constant (Crane and others 2013, algorithm 1), and the gradient of exact distance where that is known.
 
 use std::ops::Range;
 
@@ -7,26 +7,6 @@ use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
 use crate::heat::scale::scale;
 use crate::operator::elements::{BLOCK, Element, Elements};
-use crate::options::{Boundary, FactorOptions, LinearSolver, TimeStep};
-
-/// What stands for the gradient of distance where that is not known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Field {
-    /// −∇u / |∇u|, zero where heat is constant (Crane and others 2013, algorithm 1).
-    Unit,
-    /// That of the [`Logarithm`](super::logarithm::Logarithm) of heat.
-    Logarithm,
-}
-
-impl Field {
-    /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
-    pub(super) fn of(options: FactorOptions) -> Self {
-        match (options.time_step, options.solver, options.boundary) {
-            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) => Self::Logarithm,
-            _ => Self::Unit,
-        }
-    }
-}
 
 /// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
 /// triangles whose three corners are in the exact region, elsewhere the unit field of `heat`. Signed so that `L φ` equals it for

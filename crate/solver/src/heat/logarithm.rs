@@ -8,9 +8,11 @@
 //! Shortest paths on a bumpy surface bend around its bumps, while heat, which takes all paths, goes on straight. A field so
 //! straight would gain on distance with a length of 1.
 
+use std::sync::Arc;
+
 use crate::extremum::{larger, smaller};
 use crate::heat::upwind::{EdgeField, Upwind};
-use crate::operator::elements::{BLOCK, Elements};
+use crate::operator::elements::{BLOCK, Element, Elements};
 use crate::operator::{Laplacian, Operators};
 
 /// What the length is less than 1 by, times the square of the surface's bumpiness in radians: how much longer a path over a bump is
@@ -24,6 +26,13 @@ const MOST_RATE: f64 = 10.0;
 /// less than this.
 const LEAST_COTAN: f64 = 1e-3;
 
+/// Of the sides of triangles, all but this share are no long ones.
+const LONG_SIDES: f64 = 0.01;
+
+/// √t is at least this share of long sides, but m no more than the number after.
+const LONG_SIDE_SHARE: f64 = 0.5;
+const MOST_FOR_LONG_SIDES: f64 = 5.0;
+
 /// What distance along the field needs of a surface.
 #[derive(Debug)]
 pub(super) struct Logarithm {
@@ -34,6 +43,9 @@ pub(super) struct Logarithm {
     unit: f64,
     /// Length of the field.
     length: f64,
+    /// `#V`, what heat is to be computed with: plane waves are nearly solutions then on uneven meshes, too.
+    mass: Arc<[f64]>,
+    least_time_factor: f64,
 }
 
 /// A side of a triangle.
@@ -52,7 +64,24 @@ impl Logarithm {
         let unit = operators.mean_edge();
         let (sides, lengths) = sides(elements, laplacian, unit);
         let upwind = Upwind::new(laplacian, unit, lengths);
-        Self { upwind, sides, unit, length: 1.0 - LOSS * bumpiness * bumpiness }
+        Self {
+            upwind,
+            sides,
+            unit,
+            length: 1.0 - LOSS * bumpiness * bumpiness,
+            mass: operators.circumcentric_mass().into(),
+            least_time_factor: least_time_factor(operators),
+        }
+    }
+
+    /// The mass (`#V`) of the heat that it takes, in the unit of the lengths, squared.
+    pub(super) fn mass(&self) -> &Arc<[f64]> {
+        &self.mass
+    }
+
+    /// The least m in t = m h² with which that heat tells of distance.
+    pub(super) fn least_time_factor(&self) -> f64 {
+        self.least_time_factor
     }
 
     /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
@@ -95,6 +124,14 @@ impl Logarithm {
         }
         field
     }
+}
+
+/// Where triangles are long, heat is lost within them, and its fall tells nothing of distance.
+fn least_time_factor(operators: &Operators) -> f64 {
+    let mut sides: Vec<f64> = operators.elements.shapes.iter().flat_map(Element::sides).collect();
+    let rank = ((1.0 - LONG_SIDES) * sides.len() as f64) as usize;
+    let long = *sides.select_nth_unstable_by(rank, f64::total_cmp).1;
+    smaller((LONG_SIDE_SHARE * long / operators.mean_edge()).powi(2), MOST_FOR_LONG_SIDES)
 }
 
 /// The sides of all triangles, and the lengths (`#E`) of the edges that they are, in this unit.

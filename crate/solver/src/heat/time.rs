@@ -1,7 +1,6 @@
 //! How long heat flows.
 
 use crate::operator::Operators;
-use crate::operator::elements::Element;
 use crate::options::{LinearSolver, TimeStep};
 
 /// Heat falls by about one e-fold per √t of distance. √t is at least the surface's extent over this: the e-folds that the
@@ -29,13 +28,6 @@ const MOST_GRADING: f64 = 2.0;
 
 /// Width in mean edges for each unit of grading that m may grow with, for the same reason.
 const WIDTH_PER_GRADING: f64 = 60.0;
-
-/// Of the sides of triangles, all but this share are no long ones.
-const LONG_EDGES: f64 = 0.01;
-
-/// For the field of the logarithm √t is at least this share of long edges, unless m would be greater than the next number.
-const LONG_EDGE_SHARE: f64 = 0.5;
-const MOST_FOR_LONG_EDGES: f64 = 5.0;
 
 /// m in t = m h², as given or chosen, but large enough for heat to reach everywhere.
 pub(super) fn time_factor(
@@ -65,12 +57,4 @@ pub(super) fn suited_factor(operators: &Operators, extent: f64) -> f64 {
     // t is to suit the triangles that heat crosses: those where most of the surface is.
     let most_grading = (width / WIDTH_PER_GRADING).clamp(1.0, MOST_GRADING);
     operators.grading().clamp(1.0, most_grading) * (for_even + unevenness * (for_uneven - for_even).max(0.0))
-}
-
-/// The least m for the field of the logarithm, which says nothing where heat is lost within an edge.
-pub(super) fn long_edge_factor(operators: &Operators) -> f64 {
-    let mut sides: Vec<f64> = operators.elements.shapes.iter().flat_map(Element::sides).collect();
-    let rank = ((1.0 - LONG_EDGES) * sides.len() as f64) as usize;
-    let long = *sides.select_nth_unstable_by(rank, f64::total_cmp).1;
-    (LONG_EDGE_SHARE * long / operators.mean_edge()).powi(2).min(MOST_FOR_LONG_EDGES)
 }

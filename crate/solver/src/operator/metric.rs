@@ -6,11 +6,15 @@ use heatwalk_surface::{HalfedgeId, VertexId};
 
 use crate::cost::Costs;
 use crate::error::{Error, Result};
+use crate::extremum::larger;
 use crate::operator::elements::Elements;
 use crate::operator::intrinsic::IntrinsicTriangulation;
 use crate::operator::laplacian::{Discretization, Laplacian};
 use crate::operator::relocate;
 use crate::options::Operator;
+
+/// Share of the lumped mass that the circumcentric one is at least.
+const LEAST_MASS: f64 = 0.1;
 
 /// Linear elements, stiffness, mass, gradient and divergence of a triangulation with edge lengths. Functions have one value
 /// per vertex (`#V`). Fields have one vector per triangle, in coordinates of its own: x along the side from corner 0 to
@@ -110,7 +114,7 @@ impl Operators {
 
     /// `#V`, the part of the triangles around each vertex that is nearer to it than to their other corners, in the file's unit squared:
     /// ¼ Σ w l² over its edges (Meyer, Desbrun, Schröder, Barr, "Discrete differential-geometry operators for triangulated
-    /// 2-manifolds", 2003, section 3.3). Not negative where no weight w is.
+    /// 2-manifolds", 2003, section 3.3). Weights w are negative at some edges between costs, so it is at least a share of the lumped mass.
     pub(crate) fn circumcentric_mass(&self) -> Vec<f64> {
         let mut mass = vec![0.0; self.vertex_count()];
         for (index, (&face, shape)) in self.elements.faces.iter().zip(&self.elements.shapes).enumerate() {
@@ -122,7 +126,7 @@ impl Operators {
                 }
             }
         }
-        mass
+        mass.iter().zip(&self.laplacian.mass).map(|(&mass, &lumped)| larger(mass, LEAST_MASS * lumped)).collect()
     }
 
     /// The connected component of each vertex (`#V`), counted from 0 in the order of their first vertices.
