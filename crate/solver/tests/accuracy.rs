@@ -112,7 +112,7 @@ fn long_strip_with_an_exact_region() {
         let distance = solver.distance(&[Place::Vertex(source)]).expect("a source");
         for (value, position) in distance.values.iter().zip(positions) {
             let exact = position.distance(positions[source]);
-            assert!((value - exact).abs() <= 0.002 * exact, "{value} for {exact}");
+            assert!((value - exact).abs() <= 0.0005 * exact, "{value} for {exact}");
         }
     }
 }
@@ -147,7 +147,7 @@ fn default_settings_converge_on_the_sphere() {
         RelativeError::between(&distance.values, &exact).mean
     };
     let errors = [5, 6, 7].map(error);
-    assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.002, "{errors:?}");
+    assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.0005, "{errors:?}");
 }
 
 /// An ellipsoid of triangles that are well shaped but nine times as long around one pole as around the other: a sphere
@@ -196,9 +196,23 @@ fn distances_on_a_bumpy_surface_are_hardly_too_long() {
         let values = solver.distance(&source).expect("a source").values;
         let excesses = values.iter().zip(exact.iter()).filter(|&(_, &exact)| exact > 0.0).map(|(a, b)| a / b - 1.0);
         let mean = excesses.sum::<f64>() / values.len() as f64;
-        // A field that takes no account of bumps makes them too long by 0.8 %.
-        assert!(mean < 0.007, "{mean}");
+        // With the Poisson equation a field that takes no account of bumps makes them too long by 0.8 %.
+        assert!(mean < 0.006, "{mean}");
     }
+}
+
+#[test]
+fn distances_from_a_pole_beyond_long_triangles_are_those_of_its_symmetry() {
+    // One quadrilateral from ring to ring, forty times as long as it is wide.
+    let mut soup = shapes::uv_sphere(16, 32);
+    for position in &mut soup.positions {
+        position.z += if position.z > 0.0 { 4.0 } else { -4.0 };
+    }
+    let height = |&index: &u32| soup.positions[index as usize].z;
+    let pole = (0..soup.positions.len() as u32).max_by(|a, b| height(a).total_cmp(&height(b))).expect("a vertex");
+    let error = error_from(&soup, pole, Parameters::default());
+    // Each triangle has a length of its own, so that by symmetry the field is exact, but for what bumpiness takes away.
+    assert!(error.mean < 0.01, "{error:?}");
 }
 
 #[test]
@@ -238,7 +252,7 @@ fn default_settings_beat_the_robust_peer(meshes: &[Known]) {
     for ratio in &ratios {
         assert!(ratio[0] <= 1.05 && ratio[1] <= 1.0, "{ratios:?}");
     }
-    assert!(geometric_mean(&ratios, 0) <= 0.65 && geometric_mean(&ratios, 1) <= 0.3, "{ratios:?}");
+    assert!(geometric_mean(&ratios, 0) <= 0.3 && geometric_mean(&ratios, 1) <= 0.2, "{ratios:?}");
 }
 
 fn heat_alone_is_the_robust_peer(meshes: &[Known]) {

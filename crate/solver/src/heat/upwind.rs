@@ -157,3 +157,54 @@ fn warmest_first(heat: f64, vertex: u32) -> u64 {
     let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
     u64::from(falling) << 32 | u64::from(vertex)
 }
+
+#[cfg(test)]
+mod tests {
+    use heatwalk_sparse::SymmetricMatrix;
+
+    use super::*;
+
+    /// The edges 0–1, 1–2 and 2–3 of stiffness 1, two units long.
+    fn path() -> Upwind {
+        let mut entries = [(1, -1.0), (2, -1.0), (3, -1.0)];
+        let stiffness = SymmetricMatrix::from_entries(&[1.0, 2.0, 2.0, 1.0], &[0, 1, 2, 3, 3], &mut entries);
+        Upwind::new(&Laplacian { stiffness, mass: vec![1.0; 4] }, 0.5, vec![2.0; 3])
+    }
+
+    fn known(first: f64) -> Vec<f64> {
+        vec![first, f64::INFINITY, f64::INFINITY, f64::INFINITY]
+    }
+
+    #[test]
+    fn distance_grows_from_the_warmest_to_the_coolest() {
+        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        assert_eq!(path().distances(&field, &[3.0, 2.0, 1.0, 0.0], known(5.0), |_| 0.0), [5.0, 5.5, 6.0, 6.5]);
+    }
+
+    #[test]
+    fn the_coolest_has_the_mean_of_both_sides_by_flow() {
+        let field = [
+            EdgeField { flow: 1.0, rise: 2.0 },
+            EdgeField { flow: 3.0, rise: 2.0 },
+            EdgeField { flow: -1.0, rise: -4.0 },
+        ];
+        let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
+        // 1 along the first edge, then (3 · 2 + 1 · 2) / 4.
+        assert_eq!(path().distances(&field, &[3.0, 2.0, 0.0, 1.0], known, |_| 0.0), [0.0, 1.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    fn what_heat_does_not_tell_is_as_far_as_along_edges() {
+        let none = [EdgeField::default(); 3];
+        assert_eq!(path().distances(&none, &[0.0; 4], known(0.0), |_| 0.0), [0.0, 1.0, 2.0, 3.0]);
+        let little = [EdgeField { flow: 1.0, rise: 0.5 }; 3];
+        assert_eq!(path().distances(&little, &[3.0, 2.0, 1.0, 0.0], known(0.0), |_| 1.0), [0.0, 1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn what_no_known_vertex_reaches_is_infinite() {
+        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        let distances = path().distances(&field, &[3.0, 2.0, 1.0, 0.0], known(f64::INFINITY), |_| 0.0);
+        assert!(distances.iter().all(|distance| *distance == f64::INFINITY), "{distances:?}");
+    }
+}
