@@ -99,7 +99,7 @@ impl Logarithm {
                 *edge = EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * edge.rise };
             }
         }
-        self.upwind.distances(&field, &logarithms, known, |_| 0.0)
+        self.upwind.distances(&field, &logarithms, known)
     }
 
     /// `#E`, as `rise` what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length

@@ -39,4 +39,3 @@ pub use scale::scale;
 pub use solver::HeatSolver;
 pub use source_heat::SourceHeat;
 pub use systems::Systems;
-pub use upwind::{EdgeField, Upwind};

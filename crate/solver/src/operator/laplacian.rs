@@ -88,7 +88,7 @@ impl Laplacian {
     }
 
     /// All edges: their vertices, the lower first, and their weights, which are minus the entries off the diagonal.
-    pub fn edges(&self) -> impl Iterator<Item = ([u32; 2], f64)> {
+    pub(crate) fn edges(&self) -> impl Iterator<Item = ([u32; 2], f64)> {
         let below = |vertex: usize| {
             let (_, entries) = self.edges_of_column(vertex);
             let weights = &self.stiffness.values()[entries.clone()];

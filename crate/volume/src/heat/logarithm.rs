@@ -5,13 +5,15 @@
 //! tetrahedron: it points along distance where the gradient of heat leans towards the warmest corner. A difference along an edge is
 //! all that stiffness takes of a field, so that no tetrahedron is looked at, and costs are those of stiffness and mass.
 //!
-//! Distance follows the field from warmer vertices to cooler ones ([`Upwind`]), along edges of positive stiffness.
+//! Distance φ grows along the field X as fast as X is long, `X · ∇φ = |X|²`. Stiffness makes of that a sum over edges for each vertex,
+//! and of these only those to warmer vertices are taken, as upwind schemes do (Courant, Isaacson, Rees, "On the solution of nonlinear
+//! hyperbolic differential equations by finite differences", 1952). So each vertex follows from warmer ones, and nothing is solved.
+//! Least squares, `L φ = div X`, would spread what the field errs by somewhere over all of the mesh.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use heatwalk::heat::{EdgeField, Upwind};
-use heatwalk::operator::Laplacian;
+use heatwalk::operator::laplacian::Laplacian;
 
 use crate::heat::lengths::edge_cost;
 use crate::march::Medium;
@@ -34,39 +36,106 @@ const LEAST_INFLOW: f64 = 0.1;
 /// What distance along the field needs of a mesh.
 #[derive(Debug)]
 pub(super) struct Logarithm {
-    upwind: Upwind,
     /// `#V`, what the logarithm of heat is too great by.
     reflected: Vec<f64>,
+    /// `#V + 1`, where the edges of each vertex begin.
+    start: Vec<u32>,
+    edges: Vec<Edge>,
     /// The unit of lengths and weights, so that they are near 1.
     unit: f64,
+}
+
+/// An edge of a vertex.
+#[derive(Debug, Clone, Copy, Default)]
+struct Edge {
+    other: u32,
+    weight: f32,
+    length: f32,
 }
 
 impl Logarithm {
     /// At the least cost around each edge; `unit` is a usual length.
     pub(super) fn new(mesh: &TetMesh, medium: &Medium, laplacian: &Laplacian, unit: f64) -> Self {
-        let length = |(ends, _)| (edge_cost(mesh, medium, ends) / unit) as f32;
-        let upwind = Upwind::new(laplacian, unit, laplacian.edges().map(length).collect());
+        let vertices = laplacian.size();
+        let mut start = vec![0_u32; vertices + 1];
+        for [a, b] in (0..vertices).flat_map(|vertex| edges(laplacian, vertex).map(move |(row, _)| [vertex, row])) {
+            start[a + 1] += 1;
+            start[b + 1] += 1;
+        }
+        for vertex in 0..vertices {
+            start[vertex + 1] += start[vertex];
+        }
+        let mut next = start.clone();
+        let mut both = vec![Edge::default(); start[vertices] as usize];
+        for vertex in 0..vertices {
+            for (row, weight) in edges(laplacian, vertex) {
+                let length = edge_cost(mesh, medium, [vertex as u32, row as u32]) / unit;
+                for [own, other] in [[vertex, row], [row, vertex]] {
+                    both[next[own] as usize] =
+                        Edge { other: other as u32, weight: (weight / unit) as f32, length: length as f32 };
+                    next[own] += 1;
+                }
+            }
+        }
         let too_great = |angle: f64| if angle > 0.0 { REFLECTED * (4.0 * PI / angle).ln() } else { 0.0 };
         let reflected = solid_angles(mesh, medium).into_iter().map(too_great).collect();
-        Self { upwind, reflected, unit }
+        Self { reflected, start, edges: both, unit }
     }
 
     /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
     /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
     pub(super) fn distances(&self, laplacian: &Laplacian, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
         let nodes = self.nodes(laplacian, heat, time);
-        let along = |(([low, high], weight), &length): (([u32; 2], f64), &f32)| {
-            let [low, high] = [low, high].map(|end| nodes[end as usize]);
-            let rise = 0.5 * (low.rate + high.rate) * (low.value - high.value) / self.unit;
-            EdgeField {
-                flow: (weight.max(0.0) / self.unit * (low.heat - high.heat)) as f32,
-                rise: (rise as f32).clamp(-length, length),
+        let mut distances = known;
+        let unknown = (0..).zip(&distances).filter(|&(_, distance)| distance.is_infinite());
+        let mut order: Vec<u64> =
+            unknown.map(|(vertex, _)| warmest_first(nodes[vertex as usize].heat, vertex)).collect();
+        order.sort_unstable();
+        let mut left: Vec<u32> = Vec::new();
+        for key in order {
+            let vertex = key as u32;
+            let least = LEAST_INFLOW * laplacian.mass[vertex as usize] / (time * self.unit);
+            match self.upwind(&nodes, &distances, vertex, least) {
+                Some(distance) => distances[vertex as usize] = distance,
+                None => left.push(vertex),
             }
-        };
-        let field: Vec<EdgeField> = laplacian.edges().zip(self.upwind.lengths()).map(along).collect();
-        let logarithms: Vec<f64> = nodes.iter().map(|node| node.heat).collect();
-        let least_flow = |vertex: u32| LEAST_INFLOW * laplacian.mass[vertex as usize] / (time * self.unit);
-        self.upwind.distances(&field, &logarithms, known, |vertex| least_flow(vertex) as f32)
+        }
+        // What heat does not tell is no farther than along the edges.
+        loop {
+            let before = left.len();
+            left.retain(|&vertex| {
+                let through = |edge: &Edge| distances[edge.other as usize] + self.unit * f64::from(edge.length);
+                let least = self.edges(vertex).iter().map(through).fold(f64::INFINITY, f64::min);
+                distances[vertex as usize] = least;
+                least.is_infinite()
+            });
+            if left.is_empty() || left.len() == before {
+                return distances;
+            }
+        }
+    }
+
+    /// The distance of a vertex by the warmer ones around whose distances are known; none where less than `least` heat comes from them,
+    /// relative to the vertex's own.
+    #[inline]
+    fn upwind(&self, nodes: &[Node], distances: &[f64], vertex: u32, least: f64) -> Option<f64> {
+        let own = nodes[vertex as usize];
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for edge in self.edges(vertex) {
+            let (node, distance) = (&nodes[edge.other as usize], distances[edge.other as usize]);
+            if distance < f64::INFINITY {
+                let increment = 0.5 * (own.rate + node.rate) * (node.value - own.value);
+                let length = self.unit * f64::from(edge.length);
+                let weight = f64::from(edge.weight.max(0.0)) * (node.heat - own.heat).max(0.0);
+                sum += weight * (distance + increment.clamp(-length, length));
+                weights += weight;
+            }
+        }
+        (weights > least).then(|| sum / weights)
+    }
+
+    fn edges(&self, vertex: u32) -> &[Edge] {
+        &self.edges[self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize]
     }
 
     /// What the field is made of at each vertex.
@@ -75,14 +144,16 @@ impl Logarithm {
         // tetrahedra may let heat fall below 0, where its size still is that of the heat around.
         let value = |heat: &f64| heat.abs().max(f64::MIN_POSITIVE).ln();
         let mut sums: Vec<(f64, [f64; 2])> = heat.iter().map(|heat| (value(heat), [0.0; 2])).collect();
-        for (ends, weight) in laplacian.edges() {
-            let [low, high] = ends.map(|end| sums[end as usize].0);
-            let square = (low - high) * (low - high);
-            let [squares, quartics] = [weight * square, weight * square * square];
-            for end in ends {
-                let sums = &mut sums[end as usize].1;
+        for vertex in 0..sums.len() {
+            let (value, mut own) = sums[vertex];
+            for (row, weight) in edges(laplacian, vertex) {
+                let (other, sums) = &mut sums[row];
+                let square = (*other - value) * (*other - value);
+                let [squares, quartics] = [weight * square, weight * square * square];
+                own = [own[0] + squares, own[1] + quartics];
                 *sums = [sums[0] + squares, sums[1] + quartics];
             }
+            sums[vertex].1 = own;
         }
         let least = 1.0 / (MOST_RATE * MOST_RATE * time);
         let rate = |[squares, quartics]: [f64; 2], mass: f64| {
@@ -125,6 +196,14 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     2.0 * a.dot(b.cross(c)).abs().atan2(whole)
 }
 
+/// Orders vertices by falling logarithms of heat, to 24 bits, and in its lower half is the vertex.
+fn warmest_first(logarithm: f64, vertex: u32) -> u64 {
+    let bits = (logarithm as f32).to_bits();
+    // As integers, the bits of negative numbers order the other way round.
+    let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
+    u64::from(falling) << 32 | u64::from(vertex)
+}
+
 /// What the field is made of at a vertex.
 #[derive(Clone, Copy)]
 struct Node {
@@ -134,4 +213,14 @@ struct Node {
     value: f64,
     /// How much distance a unit of the logarithm is, so that the field around is as long as it should be.
     rate: f64,
+}
+
+/// The other ends of the edges whose lower end is a vertex, and their weights w, l cot θ / 6.
+#[inline]
+fn edges(laplacian: &Laplacian, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
+    // The diagonal comes first.
+    let entries = laplacian.column(vertex);
+    let entries = entries.start + 1..entries.end;
+    let weights = &laplacian.stiffness.values()[entries.clone()];
+    laplacian.rows()[entries].iter().zip(weights).map(|(&row, &value)| (row as usize, -value))
 }
