@@ -29,8 +29,10 @@ const LEAST_COTAN: f64 = 1e-3;
 /// Of the sides of triangles, all but this share are no long ones.
 const LONG_SIDES: f64 = 0.01;
 
-/// √t is at least this share of long sides, but m no more than the number after.
+/// √t is at least this share of long sides.
 const LONG_SIDE_SHARE: f64 = 0.5;
+
+/// But m is no more than this for their sake: beyond, heat would round off too much everywhere else.
 const MOST_FOR_LONG_SIDES: f64 = 5.0;
 
 /// What distance along the field needs of a surface.

@@ -1,5 +1,5 @@
 //! Geodesic distance by the heat method: `(M + tL) u = δ`, `X = −∇u / |∇u|`, `L φ = div X`. Where the time is chosen, X is
-//! the gradient of −√t log u, which is nearer to that of distance.
+//! the unit field of log u, and distance follows it from vertex to vertex, without the Poisson equation.
 //!
 //! The heat matrix is divided by t, so that no number here depends on the file's unit.
 //!
