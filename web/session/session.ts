@@ -154,7 +154,7 @@ export class Session {
     this.#answering?.dispose();
   }
 
-  /** During a drag a small exact region or one window may do, and the path may wait until the pointer rests. */
+  /** During a drag a small exact region, or what vertices carry, may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
     const answer = this.shown.value?.answer;
     this.#dragging = dragging;

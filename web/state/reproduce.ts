@@ -83,7 +83,7 @@ export function pythonLines(measured: Measured): string {
 function methodWords({ method, parameters, windows }: SceneState, field: Measured['field']): string[] {
   if (field.exactBelow === Infinity) return ['--method exact'];
   if (method !== 'heat' || field.windows !== undefined)
-    return [`--method propagation --windows ${field.windows ?? windows}`];
+    return [`--method propagation --windows ${field.windows || windows}`];
   const words = ['--method heat'];
   const options = [
     ['operator', 'operator'],

@@ -102,7 +102,7 @@ function optionLines({ method, parameters, windows }: Measured['state'], field: 
   if (method !== 'heat' || field.windows !== undefined) {
     use('Windows');
     return [
-      `let windows = Windows::AtMost(${field.windows ?? windows}.try_into()?);`,
+      `let windows = Windows::AtMost(${field.windows || windows}.try_into()?);`,
       'let options = DistanceOptions { windows, ..DistanceOptions::by(Method::Propagation) };',
     ];
   }

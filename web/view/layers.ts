@@ -56,6 +56,8 @@ export const CLEARED_BY_SURFACE: readonly Layer[] = [
   'arrows',
   'edges',
 ];
+/** What answers bring, several of them while one frame is drawn: given to the renderer with the frame that shows it. */
+export const WITH_FRAME: ReadonlySet<Layer> = new Set(['offset', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows']);
 /** What a preview has from the scene that it stands before. */
 export const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 

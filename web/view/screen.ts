@@ -65,6 +65,9 @@ export abstract class Screen {
   /** Shows everything on a renderer that has nothing. False: it must not be called again. */
   protected abstract replay(viewer: Viewer): boolean;
 
+  /** Gives a renderer what only the frame to come shows. */
+  protected abstract prepare(viewer: Viewer): void;
+
   /** Makes a renderer: on WebGPU where the browser has it and it works, else on WebGL2. */
   async start(): Promise<void> {
     this.#viewer = null;
@@ -214,6 +217,7 @@ export abstract class Screen {
   /** True if a frame was drawn. Throws what the graphics device refused; the next frame may be drawn all the same. */
   render(seconds: number): boolean {
     const drawn = this.use((viewer) => {
+      this.prepare(viewer);
       if (!viewer.needs_frame()) return null;
       const isWell = viewer.render(seconds);
       if (isWell) this.#camera = viewer.camera();

@@ -23,6 +23,7 @@ import {
   type Picture,
   type ShownField,
   THIN,
+  WITH_FRAME,
 } from './layers';
 import { asError, isUnusable, Screen } from './screen';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
@@ -48,6 +49,8 @@ export class View extends Screen {
   #picture: Picture = emptyPicture();
   /** What is on the canvas: that, or a preview in its place. */
   #drawn = this.#picture;
+  /** What the renderer is given with the next frame. */
+  readonly #awaited = new Set<Layer>();
   /** What saved pictures and videos have over the model, in CSS pixels of the stage. */
   readonly overprints: ((context: PlaneContext) => void)[] = [];
   /** What went wrong while drawing goes on. */
@@ -65,6 +68,12 @@ export class View extends Screen {
       }
     }
     return true;
+  }
+
+  protected override prepare(viewer: Viewer): void {
+    for (const layer of ORDER) {
+      if (this.#awaited.delete(layer)) this.#drawn.layers.get(layer)?.(viewer);
+    }
   }
 
   setBackground(top: string, bottom: string): void {
@@ -328,7 +337,10 @@ export class View extends Screen {
   /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
   async capture(scale: number, clear: boolean): Promise<ImageData> {
     this.resolution.value = 1;
-    const picture = this.use((viewer) => viewer.capture(scale, clear));
+    const picture = this.use((viewer) => {
+      this.prepare(viewer);
+      return viewer.capture(scale, clear);
+    });
     if (!picture) throw new Error(t('There is no scene to save as an image yet.'));
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
@@ -341,7 +353,8 @@ export class View extends Screen {
 
   #show(layer: Layer, apply: (viewer: Viewer) => void): void {
     const isCommon = COMMON.has(layer);
-    if (isCommon || !this.#isPreview) this.use(apply);
+    if (WITH_FRAME.has(layer)) this.#awaited.add(layer);
+    else if (isCommon || !this.#isPreview) this.use(apply);
     this.#picture.layers.set(layer, apply);
     if (isCommon) this.#drawn.layers.set(layer, apply);
   }

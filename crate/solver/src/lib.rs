@@ -96,7 +96,7 @@ pub use options::{
 };
 pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
 pub use progress::{Progress, Stage, Step, Steps};
-pub use propagation::{ExactSearch, Propagation, PropagationOptions, Senders, Windows};
+pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
 pub use solver::{Answer, DistanceOptions, DistanceSolver};
 

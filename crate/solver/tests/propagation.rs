@@ -16,7 +16,7 @@ use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::propagation::{Propagation, propagated_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Senders, Soup, Surface,
+    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, Surface,
     VertexId, Windows, descend, straighten,
 };
 use heatwalk_shapes as shapes;
@@ -97,46 +97,6 @@ fn no_value_is_below_the_exact_one_and_all_that_is_reached_has_one() {
                 assert_eq!(value.is_finite(), least.is_finite());
             }
         }
-    }
-}
-
-/// One window of each half-edge, and few vertices that send some.
-fn with_few_senders(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], exact: ExactSearch) -> Propagation {
-    let options = PropagationOptions { senders: Senders::NotPassed, exact, ..options(1) };
-    let mut propagation = Propagation::new(Arc::clone(geometry), sources, options).expect("valid sources");
-    assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
-    propagation
-}
-
-#[test]
-fn few_senders_reach_all_and_nothing_too_early() {
-    let mut seed = 3;
-    for soup in shapes_of_all_kinds() {
-        let surface = Arc::new(surface(&soup));
-        let geometry = geometry(&surface);
-        let sources = mixed_sources(&surface, &mut seed);
-        let exact = exact(&geometry, &sources);
-        for search in [ExactSearch::Automatic, ExactSearch::AtMost(0)] {
-            let propagation = with_few_senders(&geometry, &sources, search);
-            for (&value, &least) in propagation.values().iter().zip(exact.values()) {
-                assert!(value >= least * (1.0 - ROUNDING), "{value} for {least}");
-                assert_eq!(value.is_finite(), least.is_finite());
-            }
-        }
-    }
-}
-
-#[test]
-fn few_senders_send_fewer_windows_and_are_off_by_little() {
-    for (soup, most) in [(shapes::torus(2.0, 0.7, 120, 60), 0.3), (shapes::horse(0.05), 0.6)] {
-        let surface = Arc::new(surface(&soup));
-        let geometry = geometry(&surface);
-        let exact = exact(&geometry, &at(5));
-        let all = propagated(&geometry, &at(5), 1);
-        let few = with_few_senders(&geometry, &at(5), ExactSearch::Automatic);
-        assert!(few.windows() < all.windows(), "{} {}", few.windows(), all.windows());
-        let error = RelativeError::between(few.values(), exact.values());
-        assert!(100.0 * error.mean < most && 100.0 * error.max < 10.0 * most, "{error:?}");
     }
 }
 

@@ -11,7 +11,7 @@ use crate::drawn::Drawn;
 pub enum Origin {
     /// By heat that has flowed for t = m h², with this m.
     Heat { time_factor: f64 },
-    /// By so many windows of each half-edge.
+    /// By so many windows of each half-edge; 0: carried by vertices alone.
     Windows(u16),
 }
 
@@ -111,7 +111,7 @@ impl Field {
         }
     }
 
-    /// Windows of each half-edge that the field was found by; undefined where that was heat.
+    /// Windows of each half-edge that the field was found by, 0 where vertices alone carried it; undefined where that was heat.
     #[wasm_bindgen(getter)]
     pub fn windows(&self) -> Option<u16> {
         match self.origin {

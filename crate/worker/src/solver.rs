@@ -14,9 +14,9 @@ use std::sync::Arc;
 use heatwalk::exact::{self, ExactGeometry};
 use heatwalk::surface::memory;
 use heatwalk::{
-    CarriedSources, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch, Propagation,
-    PropagationOptions, Query, Senders, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend, refract,
-    straighten,
+    CarriedSources, Carriers, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch,
+    Propagation, PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend,
+    refract, straighten,
 };
 use heatwalk_bindings::{Failure, Result, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
@@ -132,8 +132,8 @@ impl Solver {
 
     fn propagated_distance(&mut self, sources: &[Source], windows: u16, quick: bool) -> Result<Distance> {
         let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
-        let senders = if quick { Senders::NotPassed } else { Senders::All };
-        let options = PropagationOptions { windows: Windows::AtMost(count), senders, ..PropagationOptions::default() };
+        let carriers = if quick { Carriers::Vertices } else { Carriers::Windows };
+        let options = PropagationOptions { windows: Windows::AtMost(count), carriers, ..PropagationOptions::default() };
         let mut propagation = Propagation::reusing(self.propagation.take(), &self.geometry, sources, options)?;
         propagation.advance(f64::INFINITY, usize::MAX)?;
         let distance = propagation.distance();
@@ -250,7 +250,8 @@ impl Solver {
         self.answer(Solved::new(sources, distance, origin))
     }
 
-    /// Distance to the nearest of `sources` by so many windows of each half-edge, of fewer vertices when `quick`. Needs no factors.
+    /// Distance to the nearest of `sources` by so many windows of each half-edge, or carried by vertices alone when `quick`. Needs
+    /// no factors.
     pub fn propagate(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
@@ -259,6 +260,7 @@ impl Solver {
     ) -> Result<Field> {
         let sources = self.sources(sources)?;
         let distance = self.propagated_distance(&sources, windows, quick)?;
+        let windows = if quick { 0 } else { windows };
         self.answer(Solved::new(sources, distance, Origin::Windows(windows)))
     }
 

@@ -2,90 +2,27 @@
 //! across faces. Windows of a half-edge have distances in units of the cost of its face, so that a face is crossed in the
 //! same way whatever it costs; values of vertices and the queues have distances themselves.
 
-use std::fmt;
 use std::sync::Arc;
 
-use super::labels::{Bar, Bars, Count, Fixed, Labels};
-use super::medium::{Medium, Uniform, head_wave, refracted};
-use super::options::Senders;
+use super::ends::Ends;
+use super::grow::{BATCH, Grow, NOWHERE, fetch_around};
+use super::labels::{Bar, Bars, Count, Labels};
+use super::medium::{Medium, head_wave, refracted};
 use crate::error::Result;
-use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Portals, Ring, Side, Wavefront, after, before, length};
+use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Ring, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
 use crate::room::{REFUSED, refilled};
 use heatwalk_surface::lanes::Lanes;
-use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
+use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;
 
-/// Items of the queue that are processed together.
-const BATCH: usize = 32;
-
-/// Number of the source of a vertex that has not been reached.
-pub(super) const NOWHERE: u32 = u32::MAX;
-
-/// What grows outward by a few windows of each half-edge, however many.
-pub(super) trait Grow: Send + Sync {
-    /// Goes on, alone, from where an exact search has come to.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    fn start(&mut self, exact: &Wavefront) -> Result<()>;
-
-    /// Goes on, alone, from sources.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    fn start_at(&mut self, sources: &[Source]) -> Result<()>;
-
-    /// Grows until every value below `radius` is final, or about `work` windows have crossed a face.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); then it does not grow until it starts anew.
-    fn advance(&mut self, radius: f64, work: usize) -> Result<()>;
-
-    /// Every value below this is final; infinity when all is done.
-    fn radius(&self) -> f64;
-
-    /// `#V`, lengths of paths from the sources.
-    fn values(&self) -> &VertexData<f64>;
-
-    /// Number of the source that a vertex's value comes from, [`NOWHERE`] where it has not been reached.
-    fn nearest(&self, vertex: VertexId) -> u32;
-
-    /// The distance at an end of a portal that paths reach through it.
-    fn entered(&self, end: u32) -> Option<f64>;
-
-    /// Windows that have crossed a face.
-    fn crossed(&self) -> usize;
-}
-
-/// Not its windows, which are millions, and whose formatting would be part of every program that links a front.
-impl fmt::Debug for dyn Grow {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        let mut front = formatter.debug_struct("Front");
-        front.field("radius", &self.radius()).field("crossed", &self.crossed()).finish_non_exhaustive()
-    }
-}
-
-/// A front that is nowhere yet, with so many stretches of each half-edge.
-///
-/// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-pub(super) fn front(geometry: Arc<ExactGeometry>, stretches: usize, senders: Senders) -> Result<Box<dyn Grow>> {
-    Ok(match (geometry.costs().cloned(), stretches) {
-        (Some(costs), _) => Box::new(Front::new(geometry, costs, stretches, senders)?),
-        (None, 1) => Box::new(Front::new(geometry, Uniform, Fixed::<1>, senders)?),
-        (None, 2) => Box::new(Front::new(geometry, Uniform, Fixed::<2>, senders)?),
-        (None, _) => Box::new(Front::new(geometry, Uniform, stretches, senders)?),
-    })
-}
-
-struct Front<C, M> {
+/// What windows carry.
+pub(super) struct Front<C, M> {
     surface: Arc<Surface>,
     geometry: Arc<ExactGeometry>,
     medium: M,
-    senders: Senders,
     /// `#V`, as its other lists empty before the first start.
     values: VertexData<f64>,
     /// `#V`, number of the source that each value comes from.
@@ -95,8 +32,7 @@ struct Front<C, M> {
     crossing: Ring,
     /// Vertices that have to send windows, and after them ends of portals; likewise.
     sending: Ring,
-    /// The ends of the portals.
-    ends: Vec<End>,
+    ends: Ends,
     /// `#V`, whether a vertex has still to send windows.
     waits: Vec<bool>,
     crossed: usize,
@@ -111,7 +47,7 @@ struct Front<C, M> {
 }
 
 impl<C: Count, M: Medium> Front<C, M> {
-    fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C, senders: Senders) -> Result<Self> {
+    pub fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C) -> Result<Self> {
         let surface = Arc::clone(geometry.surface());
         Ok(Self {
             values: VertexData::default(),
@@ -119,7 +55,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             labels: Labels::new(3 * surface.face_count(), stretches, geometry.mean_edge(), geometry.threads)?,
             crossing: Ring::new(0.0, BUCKET * geometry.mean_edge()),
             sending: Ring::new(0.0, BUCKET * geometry.mean_edge()),
-            ends: Vec::new(),
+            ends: Ends::default(),
             waits: Vec::new(),
             crossed: 0,
             is_refused: false,
@@ -129,7 +65,6 @@ impl<C: Count, M: Medium> Front<C, M> {
             surface,
             geometry,
             medium,
-            senders,
         })
     }
 
@@ -151,17 +86,6 @@ impl<C: Count, M: Medium> Front<C, M> {
             }
         }
         std::hint::black_box((sum, labels));
-    }
-
-    /// The same for vertices that send windows.
-    fn fetch_around(&self, geometry: &ExactGeometry, surface: &Surface, batch: &[u32]) {
-        let sends = |item: u32| self.waits.get(item as usize).is_some_and(|&waits| waits);
-        let vertices = || batch.iter().filter(|&&item| sends(item)).map(|&item| VertexId(item));
-        let faces = vertices().filter_map(|vertex| surface.corners_of_vertex(vertex).next());
-        std::hint::black_box(faces.fold(0, |sum, (face, _)| sum ^ face.0));
-        let faces = vertices().flat_map(|vertex| surface.corners_of_vertex(vertex));
-        let lengths = |face: FaceId| [0, 2].map(|k| geometry.frame(face.0)[k].length).iter().sum::<f64>();
-        std::hint::black_box(faces.map(|(face, _)| lengths(face)).sum::<f64>());
     }
 
     fn distances(&self, vertices: [u32; 2]) -> [f64; 2] {
@@ -227,14 +151,10 @@ impl<C: Count, M: Medium> Front<C, M> {
             let cost = self.medium.cost(halfedge / 3);
             let [at_a, at_b, at_c] = passage.corners.map(|vertex| self.values[VertexId(vertex)] / cost);
             passage.bars.ends = [Lanes::new([at_a, at_c]), Lanes::new([at_c, at_b])];
-            let before = count;
             let are_sooner = self.are_sooner(passage);
             for (number, is_sooner) in (number..).zip(are_sooner) {
                 leaving[count] = number;
                 count += usize::from(is_sooner);
-            }
-            if self.passes(passage, count - before) && at_c == passage.at_corner {
-                self.waits[passage.corners[2] as usize] = false;
             }
         }
         for &number in &leaving[..count] {
@@ -250,13 +170,6 @@ impl<C: Count, M: Medium> Front<C, M> {
         self.passages = passages;
     }
 
-    /// Whether a window goes on at both sides of the corner that it reaches, inside of the surface, where that sends none
-    /// by itself then. `sooner`: how many of what leaves may be kept.
-    #[inline(always)]
-    fn passes(&self, passage: &Passage, sooner: usize) -> bool {
-        M::IS_UNIFORM & (self.senders == Senders::NotPassed) & (sooner == 2) & passage.is_inside()
-    }
-
     /// Whether what leaves a face may be kept, as far as is easily told.
     #[inline(always)]
     fn are_sooner(&self, passage: &Passage) -> [bool; 2] {
@@ -270,8 +183,8 @@ impl<C: Count, M: Medium> Front<C, M> {
 
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
     ///
-    /// Every vertex does, whether paths can bend there or not, unless it is [passed](Self::passes): where a window is missing,
-    /// because a half-edge keeps but a few, the vertices on its rim take its place.
+    /// Every vertex does, whether paths can bend there or not: where a window is missing, because a half-edge keeps but a
+    /// few, the vertices on its rim take its place.
     fn emit(&mut self, geometry: &ExactGeometry, surface: &Surface, vertex: u32) {
         if !std::mem::take(&mut self.waits[vertex as usize]) {
             return;
@@ -330,24 +243,16 @@ impl<C: Count, M: Medium> Front<C, M> {
     }
 
     fn offer_end(&mut self, end: u32, value: f64, source: u32) {
-        let known = &mut self.ends[end as usize];
-        if value < known.value {
-            *known = End { value, source, is_entered: false };
+        if self.ends.offer(end, value, source) {
             self.sending.push(self.waits.len() as u32 + end, value);
         }
     }
 
-    /// Lets what has reached an end of a portal start anew at the other one, unless that is nearer by itself.
+    /// Lets what has reached an end of a portal start anew at the other one.
     fn emerge(&mut self, geometry: &ExactGeometry, surface: &Surface, end: u32) {
-        let (portals, other) = (geometry.portals(), Portals::across(end));
-        let End { value, source, .. } = self.ends[end as usize];
-        let value = value + portals.gap(end);
-        if value >= self.ends[other as usize].value {
-            return;
-        }
-        self.ends[other as usize] = End { value, source, is_entered: true };
-        for (face, weights) in geometry.faces_at(surface, portals.places()[other as usize]) {
-            self.light(geometry, (face, weights), value, source);
+        let Some((other, value, source)) = self.ends.pass(geometry.portals(), end) else { return };
+        for at in geometry.faces_at(surface, geometry.portals().places()[other as usize]) {
+            self.light(geometry, at, value, source);
         }
     }
 
@@ -455,20 +360,9 @@ impl<C: Count, M: Medium> Front<C, M> {
 
 impl<C: Count, M: Medium> Grow for Front<C, M> {
     fn start(&mut self, exact: &Wavefront) -> Result<()> {
-        let vertices = self.surface.vertex_count();
         self.clear(exact.base())?;
-        let found = (0..).zip(exact.end_values());
-        self.ends = found
-            .map(|(end, &value)| End {
-                value,
-                source: exact.source_of_end(end),
-                is_entered: exact.entered(end).is_some(),
-            })
-            .collect();
-        for (end, &value) in (0..).zip(exact.end_values()) {
-            if value < f64::INFINITY && value >= exact.radius() {
-                self.sending.push(vertices as u32 + end, value);
-            }
+        for (end, value) in self.ends.start(exact) {
+            self.sending.push(self.waits.len() as u32 + end, value);
         }
         for &vertex in exact.reached() {
             let value = exact.values()[vertex];
@@ -492,9 +386,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
         let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller);
         self.clear(least)?;
         let geometry = Arc::clone(&self.geometry);
-        self.ends.clear();
-        let unreached = End { value: f64::INFINITY, source: NOWHERE, is_entered: false };
-        self.ends.resize(geometry.portals().places().len(), unreached);
+        self.ends.clear(geometry.portals().places().len());
         for (number, source) in (0..).zip(sources) {
             for at in geometry.faces_at(&self.surface, source.place()) {
                 self.light(&geometry, at, source.initial_distance(), number);
@@ -519,7 +411,8 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             }
             if batch.is_empty() {
                 self.sending.pop_some(smaller(radius, self.crossing.ceiling()), BATCH, &mut batch);
-                self.fetch_around(&geometry, &surface, &batch);
+                let sends = |item: u32| self.waits.get(item as usize).is_some_and(|&waits| waits);
+                fetch_around(&geometry, &surface, batch.iter().copied().filter(|&item| sends(item)));
                 for &item in &batch {
                     match item.checked_sub(vertices) {
                         None => self.emit(&geometry, &surface, item),
@@ -545,7 +438,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
     }
 
     fn entered(&self, end: u32) -> Option<f64> {
-        Some(self.ends[end as usize]).filter(|end| end.is_entered).map(|end| end.value)
+        self.ends.entered(end)
     }
 
     fn crossed(&self) -> usize {
@@ -597,14 +490,4 @@ impl Passage {
     fn is_inside(&self) -> bool {
         !self.to.contains(&NO_TWIN)
     }
-}
-
-/// What is known of an end of a portal.
-#[derive(Debug, Clone, Copy)]
-struct End {
-    value: f64,
-    /// Number of the source that it comes from.
-    source: u32,
-    /// Whether it was reached through the portal.
-    is_entered: bool,
 }

@@ -9,24 +9,33 @@
 //! window an edge with all vertices as pseudo-sources is near to the virtual source propagation of Trettner, Bommes, Kobbelt
 //! ("Geodesic distance computation via virtual source propagation", 2021), which keeps one source a face and may fall below
 //! the exact distance.
+//!
+//! [`Carriers::Vertices`] goes on by fast marching instead, which keeps no windows and may fall below the exact distance too.
 
+mod ends;
 mod front;
+mod grow;
 mod labels;
+mod march;
 mod medium;
 mod options;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-pub use options::{ALL, ExactSearch, PropagationOptions, REFRACTED, Senders, Windows};
+pub use options::{ALL, Carriers, ExactSearch, PropagationOptions, REFRACTED, Windows};
 
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront, checked_sources};
-use front::{Grow, NOWHERE, front};
+use front::Front;
+use grow::{Grow, NOWHERE};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
+use labels::Fixed;
+use march::March;
+use medium::Uniform;
 
-/// Windows that the exact search may propagate, unless told otherwise, and one more for so many faces.
+/// Windows that the exact search may propagate, unless told otherwise, and, before windows, one more for so many faces.
 const EXACT_WINDOWS: usize = 5_000;
 const FACES_PER_EXACT_WINDOW: usize = 8;
 
@@ -61,11 +70,12 @@ impl Propagation {
         let front = match options.windows {
             Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
             Windows::All => None,
-            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), usize::from(count.get()), options.senders)?),
+            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), options.carriers, usize::from(count.get()))?),
         };
-        let exact_windows = match options.exact {
-            ExactSearch::Automatic => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
-            ExactSearch::AtMost(windows) => windows,
+        let exact_windows = match (options.exact, options.carriers) {
+            (ExactSearch::Automatic, Carriers::Windows) => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,
+            (ExactSearch::Automatic, Carriers::Vertices) => EXACT_WINDOWS,
+            (ExactSearch::AtMost(windows), _) => windows,
         };
         let mut propagation = Self { options, geometry, exact, exact_windows, front, is_beyond: false };
         propagation.begin()?;
@@ -204,6 +214,19 @@ impl Propagation {
             None => self.exact.entered(end),
         })
     }
+}
+
+/// A front that is nowhere yet; where windows carry it, with so many stretches of each half-edge.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+fn front(geometry: Arc<ExactGeometry>, carriers: Carriers, stretches: usize) -> Result<Box<dyn Grow>> {
+    Ok(match (carriers, geometry.costs().cloned(), stretches) {
+        (Carriers::Vertices, _, _) => Box::new(March::new(geometry)),
+        (Carriers::Windows, Some(costs), _) => Box::new(Front::new(geometry, costs, stretches)?),
+        (Carriers::Windows, None, 1) => Box::new(Front::new(geometry, Uniform, Fixed::<1>)?),
+        (Carriers::Windows, None, _) => Box::new(Front::new(geometry, Uniform, stretches)?),
+    })
 }
 
 /// Distance from sources by propagation. `progress` is told the distance below which all values are final, and can stop the

@@ -1,0 +1,194 @@
+//! Distance carried by vertices alone: near to the exact one on both sides, never above that along edges.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+
+use std::sync::Arc;
+
+use common::media::{jittered_square, least_cost, two_media};
+use common::{any_triangles, band, book, nearest, random, square, surface};
+use glam::DVec3;
+use heatwalk::exact::{ExactGeometry, Wavefront};
+use heatwalk::{
+    Carriers, Costs, Element, ExactSearch, FaceId, Place, Propagation, PropagationOptions, RelativeError, Surface,
+    VertexId,
+};
+use heatwalk_shapes as shapes;
+
+/// What rounding may take from the length of a path.
+const ROUNDING: f64 = 1e-9;
+
+type Sources = [(Place, f64)];
+
+fn geometry(surface: &Arc<Surface>) -> Arc<ExactGeometry> {
+    Arc::new(ExactGeometry::new(Arc::clone(surface)))
+}
+
+fn start(geometry: &Arc<ExactGeometry>, sources: &Sources, exact: ExactSearch) -> Propagation {
+    let options = PropagationOptions { carriers: Carriers::Vertices, exact, ..PropagationOptions::default() };
+    Propagation::new(Arc::clone(geometry), sources, options).expect("valid sources")
+}
+
+fn marched(geometry: &Arc<ExactGeometry>, sources: &Sources, exact: ExactSearch) -> Propagation {
+    let mut march = start(geometry, sources, exact);
+    assert!(march.advance(f64::INFINITY, usize::MAX).expect("room"));
+    march
+}
+
+fn exact(geometry: &Arc<ExactGeometry>, sources: &Sources) -> Wavefront {
+    let mut front = Wavefront::new(Arc::clone(geometry), sources).expect("valid sources");
+    front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
+    front
+}
+
+fn at(vertex: u32) -> [(Place, f64); 1] {
+    [(Place::Vertex(VertexId(vertex)), 0.0)]
+}
+
+/// Sources at a vertex, inside a face and, later than these, at another vertex.
+fn mixed_sources(surface: &Surface, seed: &mut u64) -> [(Place, f64); 3] {
+    let vertex = |seed: &mut u64| Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
+    let face = FaceId::from_index(random(seed, surface.face_count()));
+    let inside = Place::Face { face, weights: [0.2, 0.5, 0.3] };
+    [(vertex(seed), 0.0), (inside, 0.0), (vertex(seed), 0.7 * surface.mean_edge())]
+}
+
+/// Whether no vertex has more than a neighbour's distance and the edge to it.
+fn is_within_edges(surface: &Surface, march: &Propagation) -> bool {
+    let values = march.values();
+    let is_within = |vertex: VertexId, neighbour: VertexId| {
+        let along = values[neighbour] + surface.position(vertex).distance(surface.position(neighbour));
+        values[vertex] <= along * (1.0 + ROUNDING)
+    };
+    surface.vertices().all(|vertex| surface.neighbours(vertex).all(|neighbour| is_within(vertex, neighbour)))
+}
+
+#[test]
+fn all_that_can_be_reached_is_and_no_later_than_along_edges() {
+    let mut seed = 3;
+    let shapes = [
+        shapes::icosphere(4),
+        shapes::torus(2.0, 0.7, 60, 30),
+        shapes::high_genus(0.12),
+        shapes::maze(6, 2),
+        band(60, 1),
+        book(3, 14),
+        any_triangles(80, &mut seed),
+    ];
+    for soup in shapes {
+        let surface = Arc::new(surface(&soup));
+        let geometry = geometry(&surface);
+        let sources = mixed_sources(&surface, &mut seed);
+        let exact = exact(&geometry, &sources);
+        for search in [ExactSearch::Automatic, ExactSearch::AtMost(0)] {
+            let march = marched(&geometry, &sources, search);
+            assert!(is_within_edges(&surface, &march));
+            for (value, least) in march.values().iter().zip(exact.values()) {
+                assert_eq!(value.is_finite(), least.is_finite());
+            }
+        }
+    }
+}
+
+#[test]
+fn it_is_off_by_little() {
+    for (soup, search, [mean, max]) in [
+        (shapes::torus(2.0, 0.7, 120, 60), ExactSearch::Automatic, [0.2, 0.7]),
+        (shapes::torus(2.0, 0.7, 120, 60), ExactSearch::AtMost(0), [0.2, 0.7]),
+        (shapes::horse(0.05), ExactSearch::Automatic, [0.3, 2.0]),
+    ] {
+        let surface = Arc::new(surface(&soup));
+        let geometry = geometry(&surface);
+        let march = marched(&geometry, &at(5), search);
+        let error = RelativeError::between(march.values(), exact(&geometry, &at(5)).values());
+        assert!(100.0 * error.mean < mean && 100.0 * error.max < max, "{error:?}");
+    }
+}
+
+#[test]
+fn on_a_plane_it_is_straight() {
+    let surface = Arc::new(surface(&jittered_square(40, 1)));
+    let geometry = geometry(&surface);
+    let source = nearest(&surface, DVec3::new(0.3, 0.4, 0.0));
+    let march = marched(&geometry, &at(source.0), ExactSearch::AtMost(0));
+    let from = surface.position(source);
+    let straight: Vec<f64> = surface.positions().iter().map(|position| position.distance(from)).collect();
+    let error = RelativeError::between(march.values(), &straight);
+    assert!(error.max < 1e-12, "{error:?}");
+}
+
+#[test]
+fn slices_and_a_used_solver_change_nothing() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
+    let geometry = geometry(&surface);
+    let whole = marched(&geometry, &at(3), ExactSearch::Automatic);
+    let mut sliced = start(&geometry, &at(3), ExactSearch::Automatic);
+    while !sliced.advance(f64::INFINITY, 100).expect("room") {}
+    assert_eq!(sliced.values(), whole.values());
+
+    let mut used = marched(&geometry, &mixed_sources(&surface, &mut 8), ExactSearch::Automatic);
+    used.restart(&at(3)).expect("a valid source");
+    used.advance(f64::INFINITY, usize::MAX).expect("room");
+    assert_eq!(used.values(), whole.values());
+    assert_eq!(used.nearest_sources(), whole.nearest_sources());
+}
+
+#[test]
+fn the_nearest_source_is_told() {
+    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
+    let geometry = geometry(&surface);
+    let sources = mixed_sources(&surface, &mut 5);
+    let together = marched(&geometry, &sources, ExactSearch::AtMost(1000));
+    let alone: Vec<Wavefront> = sources.iter().map(|&source| exact(&geometry, &[source])).collect();
+    let nearest = together.nearest_sources();
+    for vertex in surface.vertices() {
+        let number = nearest[vertex].expect("a closed surface");
+        let (value, least) = (together.values()[vertex], alone[number].values()[vertex]);
+        assert!((value - least).abs() <= 0.03 * least, "{value} from source {number}, {least}");
+    }
+    assert!((0..3).all(|number| nearest.iter().any(|&nearest| nearest == Some(number))));
+}
+
+#[test]
+fn the_size_of_a_mesh_does_not_matter() {
+    let soup = shapes::torus(2.0, 0.7, 40, 20);
+    let values = |scale: f64| {
+        let mut scaled = soup.clone();
+        scaled.positions.iter_mut().for_each(|position| *position *= scale);
+        let surface = Arc::new(surface(&scaled));
+        let march = marched(&geometry(&surface), &at(0), ExactSearch::AtMost(0));
+        march.values().iter().map(|value| value / scale).collect::<Vec<_>>()
+    };
+    // Powers of two, so that rounding is the same.
+    for exponent in [-60, 60] {
+        assert_eq!(values(2.0_f64.powi(exponent)), values(1.0));
+    }
+}
+
+#[test]
+fn where_costs_differ_it_follows_snell() {
+    let cost = 3.0;
+    let square = Arc::new(surface(&jittered_square(80, 1)));
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(&square)).weighted(&two_media(&square, cost)));
+    let source = nearest(&square, DVec3::new(0.2, 0.5, 0.0));
+    let march = marched(&geometry, &at(source.0), ExactSearch::Automatic);
+    let place = |vertex: VertexId| square.position(vertex).truncate();
+    let least: Vec<f64> = square.vertices().map(|vertex| least_cost(place(source), place(vertex), cost)).collect();
+    let error = RelativeError::between(march.values(), &least);
+    assert!(100.0 * error.mean < 0.25 && 100.0 * error.max < 1.0, "{error:?}");
+}
+
+#[test]
+fn one_cost_everywhere_makes_every_distance_as_many_times_as_large() {
+    let surface = Arc::new(surface(&square(30)));
+    let of = |cost: f64| {
+        let costs = Costs::new(&surface, (0..surface.face_count()).map(|_| cost).collect()).expect("in range");
+        let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)).weighted(&costs));
+        marched(&geometry, &at(5), ExactSearch::Automatic).values().clone()
+    };
+    for (value, one) in of(7.3).iter().zip(&of(1.0)) {
+        assert!((value - 7.3 * one).abs() <= ROUNDING * value, "{value} {one}");
+    }
+}
