@@ -66,6 +66,47 @@ test('dragging a pin moves the source and solves on the way', async ({ heatwalk,
   expect((await heatwalk.scene()).sources).toEqual(from);
 });
 
+test('of the fields that come between two frames the device gets the last', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await clickModel(heatwalk);
+  await heatwalk.settled();
+  const [x, y] = await heatwalk.pixelOf((await heatwalk.scene()).sources[0]);
+  const { vertices } = await heatwalk.mesh();
+  const frames = await page.evaluateHandle(async (least) => {
+    const { requestAnimationFrame: request } = window;
+    const held: FrameRequestCallback[] = [];
+    window.requestAnimationFrame = (callback) => held.push(callback);
+    // The frame that is asked for already passes.
+    await new Promise((resolve) => request(resolve));
+    const buffers = WebGL2RenderingContext.prototype;
+    const { bufferSubData: write } = buffers;
+    const written = { count: 0 };
+    buffers.bufferSubData = function (...given: unknown[]) {
+      const data = given[2];
+      if (ArrayBuffer.isView(data) && data.byteLength >= least) written.count += 1;
+      Reflect.apply(write, this, given);
+    };
+    const goOn = () => {
+      window.requestAnimationFrame = request;
+      held.forEach((callback) => window.requestAnimationFrame(callback));
+    };
+    return { written, goOn };
+  }, 4 * vertices);
+  const written = () => frames.evaluate(({ written: { count } }) => count);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i++) {
+    const solves = await heatwalk.solves();
+    await page.mouse.move(x + 8 * i, y + 6 * i);
+    await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+  }
+  expect(await written()).toBe(0);
+  await frames.evaluate(({ goOn }) => goOn());
+  // Distances, and where they grow.
+  await expect.poll(written).toBe(2);
+  await page.mouse.up();
+});
+
 test('a drag elsewhere orbits and sets no source', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const before = await heatwalk.scene();
