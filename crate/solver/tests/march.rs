@@ -8,51 +8,27 @@ mod common;
 use std::sync::Arc;
 
 use common::media::{jittered_square, least_cost, two_media};
-use common::{any_triangles, band, book, nearest, random, square, surface};
+use common::searches::{at, exact, geometry, mixed_sources};
+use common::{any_triangles, band, book, nearest, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::{
-    Carriers, Costs, Element, ExactSearch, FaceId, Place, Propagation, PropagationOptions, RelativeError, Surface,
-    VertexId,
+    Carriers, Costs, ExactSearch, Place, Propagation, PropagationOptions, RelativeError, Surface, VertexId,
 };
 use heatwalk_shapes as shapes;
 
 /// What rounding may take from the length of a path.
 const ROUNDING: f64 = 1e-9;
 
-type Sources = [(Place, f64)];
-
-fn geometry(surface: &Arc<Surface>) -> Arc<ExactGeometry> {
-    Arc::new(ExactGeometry::new(Arc::clone(surface)))
-}
-
-fn start(geometry: &Arc<ExactGeometry>, sources: &Sources, exact: ExactSearch) -> Propagation {
+fn start(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], exact: ExactSearch) -> Propagation {
     let options = PropagationOptions { carriers: Carriers::Vertices, exact, ..PropagationOptions::default() };
     Propagation::new(Arc::clone(geometry), sources, options).expect("valid sources")
 }
 
-fn marched(geometry: &Arc<ExactGeometry>, sources: &Sources, exact: ExactSearch) -> Propagation {
+fn marched(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], exact: ExactSearch) -> Propagation {
     let mut march = start(geometry, sources, exact);
     assert!(march.advance(f64::INFINITY, usize::MAX).expect("room"));
     march
-}
-
-fn exact(geometry: &Arc<ExactGeometry>, sources: &Sources) -> Wavefront {
-    let mut front = Wavefront::new(Arc::clone(geometry), sources).expect("valid sources");
-    front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
-    front
-}
-
-fn at(vertex: u32) -> [(Place, f64); 1] {
-    [(Place::Vertex(VertexId(vertex)), 0.0)]
-}
-
-/// Sources at a vertex, inside a face and, later than these, at another vertex.
-fn mixed_sources(surface: &Surface, seed: &mut u64) -> [(Place, f64); 3] {
-    let vertex = |seed: &mut u64| Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
-    let face = FaceId::from_index(random(seed, surface.face_count()));
-    let inside = Place::Face { face, weights: [0.2, 0.5, 0.3] };
-    [(vertex(seed), 0.0), (inside, 0.0), (vertex(seed), 0.7 * surface.mean_edge())]
 }
 
 /// Whether no vertex has more than a neighbour's distance and the edge to it.
@@ -104,6 +80,22 @@ fn it_is_off_by_little() {
         let march = marched(&geometry, &at(5), search);
         let error = RelativeError::between(march.values(), exact(&geometry, &at(5)).values());
         assert!(100.0 * error.mean < mean && 100.0 * error.max < max, "{error:?}");
+    }
+}
+
+#[test]
+fn what_the_exact_search_knows_stays() {
+    for soup in [shapes::maze(6, 2), shapes::torus(2.0, 0.7, 60, 30)] {
+        let surface = Arc::new(surface(&soup));
+        let geometry = geometry(&surface);
+        for (vertex, windows) in [(2, 100), (2, 800), (17, 50), (40, 1600)] {
+            let exact = exact(&geometry, &at(vertex));
+            let march = marched(&geometry, &at(vertex), ExactSearch::AtMost(windows));
+            let below = march.exact_below();
+            for (&value, &least) in march.values().iter().zip(exact.values()) {
+                assert!(if least < below { value == least } else { value >= below }, "{value} for {least}, {below}");
+            }
+        }
     }
 }
 

@@ -10,14 +10,15 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use common::exact_distances::{self, Field};
+use common::searches::{at, exact, geometry, mixed_sources};
 use common::{any_triangles, band, book, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::propagation::{Propagation, propagated_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, Surface,
-    VertexId, Windows, descend, straighten,
+    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, VertexId,
+    Windows, descend, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -25,16 +26,6 @@ use heatwalk_shapes as shapes;
 const ROUNDING: f64 = 1e-9;
 
 const COUNTS: [u16; 4] = [1, 2, 4, 8];
-
-fn geometry(surface: &Arc<Surface>) -> Arc<ExactGeometry> {
-    Arc::new(ExactGeometry::new(Arc::clone(surface)))
-}
-
-fn exact(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)]) -> Wavefront {
-    let mut front = Wavefront::new(Arc::clone(geometry), sources).expect("valid sources");
-    front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
-    front
-}
 
 fn options(windows: u16) -> PropagationOptions {
     let windows = Windows::AtMost(NonZeroU16::new(windows).expect("a window"));
@@ -49,18 +40,6 @@ fn propagated(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: 
     let mut propagation = start(geometry, sources, windows);
     assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
     propagation
-}
-
-fn at(vertex: u32) -> [(Place, f64); 1] {
-    [(Place::Vertex(VertexId(vertex)), 0.0)]
-}
-
-/// Sources at a vertex, inside a face and, later than these, at another vertex.
-fn mixed_sources(surface: &Surface, seed: &mut u64) -> [(Place, f64); 3] {
-    let vertex = |seed: &mut u64| Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
-    let face = FaceId::from_index(random(seed, surface.face_count()));
-    let inside = Place::Face { face, weights: [0.2, 0.5, 0.3] };
-    [(vertex(seed), 0.0), (inside, 0.0), (vertex(seed), 0.7 * surface.mean_edge())]
 }
 
 fn shapes_of_all_kinds() -> Vec<Soup> {
@@ -205,7 +184,7 @@ fn the_nearest_source_is_told() {
         vec![[0, 1, 2], [3, 4, 5]],
     );
     let surface = Arc::new(common::surface(&two));
-    let one_side = propagated(&self::geometry(&surface), &at(0), 1);
+    let one_side = propagated(&common::searches::geometry(&surface), &at(0), 1);
     assert_eq!(one_side.nearest_sources().as_slice(), [Some(0), Some(0), Some(0), None, None, None]);
 }
 

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::ends::Ends;
-use super::grow::{BATCH, Grow, NOWHERE, fetch_around};
+use super::grow::{BATCH, Grow, NOWHERE, fetch_around, lights, nearest_start};
 use super::labels::{Bar, Bars, Count, Labels};
 use super::medium::{Medium, head_wave, refracted};
 use crate::error::Result;
@@ -383,14 +383,11 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
     }
 
     fn start_at(&mut self, sources: &[Source]) -> Result<()> {
-        let least = sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller);
-        self.clear(least)?;
-        let geometry = Arc::clone(&self.geometry);
+        self.clear(nearest_start(sources))?;
+        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
         self.ends.clear(geometry.portals().places().len());
-        for (number, source) in (0..).zip(sources) {
-            for at in geometry.faces_at(&self.surface, source.place()) {
-                self.light(&geometry, at, source.initial_distance(), number);
-            }
+        for (at, value, source) in lights(&geometry, &surface, sources) {
+            self.light(&geometry, at, value, source);
         }
         Ok(())
     }

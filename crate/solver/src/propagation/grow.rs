@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
+use crate::extremum::smaller;
 use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Number of the source of a vertex that has not been reached.
@@ -26,13 +27,13 @@ pub(super) trait Grow: Send + Sync {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     fn start_at(&mut self, sources: &[Source]) -> Result<()>;
 
-    /// Grows until every value below `radius` is final, or faces were crossed about `work` times.
+    /// Grows until every value below `radius` is final (by vertices alone, or seldom falls), or faces were crossed about `work` times.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory); then it does not grow until it starts anew.
     fn advance(&mut self, radius: f64, work: usize) -> Result<()>;
 
-    /// Every value below this is final; infinity when all is done.
+    /// Every value below this is final, as in [`advance`](Self::advance); infinity when all is done.
     fn radius(&self) -> f64;
 
     /// `#V`, distances from the sources.
@@ -54,6 +55,23 @@ impl fmt::Debug for dyn Grow {
         let mut front = formatter.debug_struct("Front");
         front.field("radius", &self.radius()).field("crossed", &self.crossed()).finish_non_exhaustive()
     }
+}
+
+/// The least initial distance.
+pub(super) fn nearest_start(sources: &[Source]) -> f64 {
+    sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller)
+}
+
+/// The places in faces that sources light, by barycentric weights, each with its initial distance and the number of its source.
+pub(super) fn lights(
+    geometry: &ExactGeometry,
+    surface: &Surface,
+    sources: &[Source],
+) -> impl Iterator<Item = ((u32, [f64; 3]), f64, u32)> {
+    (0..).zip(sources).flat_map(|(number, source)| {
+        let places = geometry.faces_at(surface, source.place());
+        places.into_iter().map(move |at| (at, source.initial_distance(), number))
+    })
 }
 
 /// Reads what the faces around some vertices have, so that the processor waits for all of it at once instead of for one

@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use super::ends::Ends;
-use super::grow::{BATCH, Grow, NOWHERE, fetch_around};
+use super::grow::{BATCH, Grow, NOWHERE, fetch_around, lights, nearest_start};
 use crate::cost::Costs;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Ring, Wavefront, after, before, length};
@@ -34,6 +34,8 @@ pub(super) struct March {
     /// to do.
     sending: Ring,
     ends: Ends,
+    /// What is nearer than this is known from the exact search.
+    exact_below: f64,
     crossed: usize,
     /// Items that are processed now; kept for its memory.
     batch: Vec<u32>,
@@ -49,6 +51,7 @@ impl March {
             waits: Vec::new(),
             sending: Ring::new(0.0, BUCKET * geometry.mean_edge()),
             ends: Ends::default(),
+            exact_below: 0.0,
             crossed: 0,
             batch: Vec::new(),
             geometry,
@@ -62,7 +65,7 @@ impl March {
         self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE)?.into();
         self.waits = refilled(std::mem::take(&mut self.waits), vertices, false)?;
         self.sending.clear(least, |_| ());
-        self.crossed = 0;
+        (self.exact_below, self.crossed) = (0.0, 0);
         Ok(())
     }
 
@@ -76,10 +79,10 @@ impl March {
         self.sending.push(vertex.0, self.values[vertex]);
     }
 
-    /// Offers a vertex a shorter distance.
+    /// Offers a vertex a shorter distance. Waves may seem shorter than they are, but not than what the exact search left.
     #[inline(always)]
     fn offer(&mut self, vertex: u32, value: f64, source: u32) {
-        let vertex = VertexId(vertex);
+        let (vertex, value) = (VertexId(vertex), larger(value, self.exact_below));
         if value < self.values[vertex] {
             self.values[vertex] = value;
             self.nearest[vertex] = source;
@@ -88,6 +91,7 @@ impl March {
     }
 
     fn offer_end(&mut self, end: u32, value: f64, source: u32) {
+        let value = larger(value, self.exact_below);
         if self.ends.offer(end, value, source) {
             self.sending.push(self.waits.len() as u32 + end, value);
         }
@@ -189,6 +193,7 @@ impl March {
 impl Grow for March {
     fn start(&mut self, exact: &Wavefront) -> Result<()> {
         self.clear(exact.base())?;
+        self.exact_below = exact.radius();
         for (end, value) in self.ends.start(exact) {
             self.sending.push(self.waits.len() as u32 + end, value);
         }
@@ -211,13 +216,11 @@ impl Grow for March {
     }
 
     fn start_at(&mut self, sources: &[Source]) -> Result<()> {
-        self.clear(sources.iter().map(|source| source.initial_distance()).fold(f64::INFINITY, smaller))?;
-        let geometry = Arc::clone(&self.geometry);
+        self.clear(nearest_start(sources))?;
+        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
         self.ends.clear(geometry.portals().places().len());
-        for (number, source) in (0..).zip(sources) {
-            for at in geometry.faces_at(&self.surface, source.place()) {
-                self.light(&geometry, at, source.initial_distance(), number);
-            }
+        for (at, value, source) in lights(&geometry, &surface, sources) {
+            self.light(&geometry, at, value, source);
         }
         Ok(())
     }

@@ -10,7 +10,8 @@
 //! ("Geodesic distance computation via virtual source propagation", 2021), which keeps one source a face and may fall below
 //! the exact distance.
 //!
-//! [`Carriers::Vertices`] goes on by fast marching instead, which keeps no windows and may fall below the exact distance too.
+//! [`Carriers::Vertices`] goes on by fast marching instead, which keeps no windows. Beyond the exact search its values are not lengths
+//! of paths, may be below the exact distance, and may still fall a little below a radius that was reached.
 
 mod ends;
 mod front;
@@ -177,7 +178,7 @@ impl Propagation {
         if self.geometry.costs().is_some() { 0.0 } else { self.exact.radius() }
     }
 
-    /// `#V`, lengths of paths from the sources, in the file's unit; infinite where none has been found.
+    /// `#V`, distances from the sources, by windows lengths of paths, in the file's unit; infinite where none has been found.
     pub fn values(&self) -> &VertexData<f64> {
         self.beyond().map_or_else(|| self.exact.values(), Grow::values)
     }
@@ -194,7 +195,7 @@ impl Propagation {
         self.surface().vertices().map(known).collect()
     }
 
-    /// Windows that have crossed a face.
+    /// Windows that have crossed a face; beyond the exact search, where vertices alone go on, how often faces were crossed.
     pub fn windows(&self) -> usize {
         self.exact.windows() + self.beyond().map_or(0, Grow::crossed)
     }

@@ -5,6 +5,7 @@ pub mod exact_distances;
 pub mod media;
 pub mod meshes;
 pub mod pieces;
+pub mod searches;
 pub mod shortness;
 
 use std::f64::consts::TAU;
