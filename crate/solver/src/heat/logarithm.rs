@@ -90,24 +90,26 @@ impl Logarithm {
     /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
     pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
         let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
-        let mut field = self.rates(&operators.elements, &logarithms, MOST_RATE * time.sqrt() / self.unit);
+        let rates = self.rates(&operators.elements, &logarithms, MOST_RATE * time.sqrt() / self.unit);
         let laplacian = operators.laplacian();
+        let mut inflows = self.upwind.inflows();
         for (low, &own) in logarithms.iter().enumerate() {
             let (first, entries) = laplacian.edges_of_column(low);
             let weights = &laplacian.stiffness.values()[entries.clone()];
-            let edges = &mut field[first..first + entries.len()];
-            for ((edge, &high), weight) in edges.iter_mut().zip(&laplacian.rows()[entries]).zip(weights) {
+            let edges = laplacian.rows()[entries].iter().zip(weights).zip(&rates[first..]);
+            let field = edges.map(|((&high, weight), rate)| {
                 let fall = own - logarithms[high as usize];
-                *edge = EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * edge.rise };
-            }
+                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate })
+            });
+            inflows.add(low as u32, field);
         }
-        self.upwind.distances(&field, &logarithms, known)
+        self.upwind.distances(&inflows, &logarithms, known)
     }
 
-    /// `#E`, as `rise` what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length
-    /// of the gradient in the triangles beside it.
-    fn rates(&self, elements: &Elements, logarithms: &[f64], most: f64) -> Vec<EdgeField> {
-        let mut field = vec![EdgeField::default(); self.upwind.lengths().len()];
+    /// `#E`, what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length of
+    /// the gradient in the triangles beside it.
+    fn rates(&self, elements: &Elements, logarithms: &[f64], most: f64) -> Vec<f32> {
+        let mut rates = vec![0.0; self.upwind.lengths().len()];
         let blocks = elements.faces.chunks(BLOCK).zip(elements.shapes.chunks(BLOCK)).zip(self.sides.chunks(BLOCK));
         for ((faces, shapes), sides) in blocks {
             let [mut squares, mut areas] = [[1.0; BLOCK]; 2];
@@ -120,11 +122,11 @@ impl Logarithm {
             for (sides, inverse) in sides.iter().zip(inverse) {
                 let rate = smaller(inverse, most) as f32;
                 for side in sides {
-                    field[side.edge as usize].rise += side.share * rate;
+                    rates[side.edge as usize] += side.share * rate;
                 }
             }
         }
-        field
+        rates
     }
 }
 

@@ -5,6 +5,8 @@
 //! differences", 1952). So warmest first, each vertex follows from others, and nothing is solved. Least squares, `L φ = div X`, would
 //! spread what the field errs by somewhere over all of the mesh.
 
+use std::ops::Range;
+
 use crate::extremum::smaller;
 use crate::operator::Laplacian;
 
@@ -32,12 +34,26 @@ struct Spoke {
 const UNKNOWN: f64 = f64::MAX;
 const LEAST_UNKNOWN_SUM: f64 = 1e200;
 
-/// What comes to a vertex from warmer ones.
-#[derive(Clone, Copy)]
+/// At least so many inflows of a vertex are read: most have no more, and a loop that always ends at the same place is what the processor
+/// guesses right.
+const FEW: usize = 4;
+
+/// What comes to each vertex along its edges from warmer ones, in one place, so that the pass, which goes to and fro over the mesh, reads
+/// little of it.
+pub(super) struct Inflows {
+    /// `#V`, where those of each vertex end. They begin where its spokes do.
+    ends: Vec<u32>,
+    /// As many as spokes.
+    inflows: Vec<Inflow>,
+}
+
+/// What comes to a vertex along an edge.
+#[derive(Clone, Copy, Default)]
 struct Inflow {
-    flow: f64,
-    /// Of what their distances and edges make of its distance, times flow.
-    sum: f64,
+    /// The warmer end.
+    from: u32,
+    flow: f32,
+    rise: f32,
 }
 
 /// What goes on along an edge, from its lower vertex to its higher one.
@@ -47,6 +63,30 @@ pub(super) struct EdgeField {
     pub(super) flow: f32,
     /// What distance grows by, in the unit of lengths.
     pub(super) rise: f32,
+}
+
+impl Inflows {
+    /// Adds the field of the edges from a vertex to higher ones, which are given with it.
+    #[inline]
+    pub(super) fn add(&mut self, low: u32, edges: impl Iterator<Item = (u32, EdgeField)>) {
+        let mut own = self.ends[low as usize];
+        for (high, EdgeField { flow, rise }) in edges {
+            let end = &mut self.ends[high as usize];
+            // Which end is warmer is as good as random, and a wrong guess of the processor would cost more than to write to both. What
+            // does not count is overwritten by the next, or has no flow.
+            self.inflows[own as usize] = Inflow { from: high, flow: (-flow).max(0.0), rise: -rise };
+            self.inflows[*end as usize] = Inflow { from: low, flow: flow.max(0.0), rise };
+            own += u32::from(flow < 0.0);
+            *end += u32::from(flow > 0.0);
+        }
+        self.ends[low as usize] = own;
+    }
+
+    /// Those of a vertex that has these spokes, and perhaps some without flow.
+    fn of(&self, vertex: u32, Range { start, end }: Range<usize>) -> &[Inflow] {
+        let few = (start + FEW).max(self.ends[vertex as usize] as usize);
+        &self.inflows[start..few.min(end)]
+    }
 }
 
 impl Upwind {
@@ -77,22 +117,30 @@ impl Upwind {
         &self.lengths
     }
 
-    /// Distances (`#V`) along a field (`#E`), by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay;
-    /// infinite where no edges lead to one of them.
-    pub(super) fn distances(&self, field: &[EdgeField], heat: &[f64], known: Vec<f64>) -> Vec<f64> {
+    /// Without any yet.
+    pub(super) fn inflows(&self) -> Inflows {
+        let ends = self.start[..self.start.len() - 1].to_vec();
+        Inflows { ends, inflows: vec![Inflow::default(); self.spokes.len()] }
+    }
+
+    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where no edges
+    /// lead to one of them.
+    pub(super) fn distances(&self, inflows: &Inflows, heat: &[f64], known: Vec<f64>) -> Vec<f64> {
         let (mut distances, inverse) = (known, 1.0 / self.unit);
         distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
         let unknown = (0..).zip(&distances).filter(|&(_, &distance)| distance == UNKNOWN);
-        let mut order: Vec<u64> = unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)).collect();
+        let mut order: Vec<u64> = Vec::with_capacity(distances.len());
+        order.extend(unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)));
         order.sort_unstable();
         let mut left: Vec<u32> = Vec::new();
         for vertex in order.into_iter().map(|key| key as u32) {
-            let mut inflow = self.inflow(vertex, field, &distances, |_| true);
-            if inflow.sum > LEAST_UNKNOWN_SUM {
-                inflow = self.inflow(vertex, field, &distances, |distance| distance < UNKNOWN);
+            let own = inflows.of(vertex, self.spoke_range(vertex));
+            let [mut flow, mut sum] = total(own, &distances, |_| true);
+            if sum > LEAST_UNKNOWN_SUM {
+                [flow, sum] = total(own, &distances, |distance| distance < UNKNOWN);
             }
-            if inflow.flow > 0.0 {
-                distances[vertex as usize] = inflow.sum / inflow.flow;
+            if flow > 0.0 {
+                distances[vertex as usize] = sum / flow;
             } else {
                 left.push(vertex);
             }
@@ -102,24 +150,6 @@ impl Upwind {
             .iter_mut()
             .for_each(|distance| *distance *= if *distance < UNKNOWN { self.unit } else { f64::INFINITY });
         distances
-    }
-
-    /// What comes to a vertex from those around whose distances count.
-    #[inline]
-    fn inflow(&self, vertex: u32, field: &[EdgeField], distances: &[f64], counts: impl Fn(f64) -> bool) -> Inflow {
-        let mut inflow = Inflow { flow: 0.0, sum: 0.0 };
-        for &Spoke { other, edge } in self.spokes(vertex) {
-            let (distance, EdgeField { flow, rise }) = (distances[other as usize], field[edge as usize]);
-            if !counts(distance) {
-                continue;
-            }
-            // Which vertices are warmer is as good as random, and a wrong guess of the processor would cost more than this.
-            let sign = if other < vertex { 1.0 } else { -1.0 };
-            let flow = f64::from((sign * flow).max(0.0));
-            inflow.sum += flow * (distance + f64::from(sign * rise));
-            inflow.flow += flow;
-        }
-        inflow
     }
 
     /// What heat does not tell is no farther than along the edges.
@@ -140,8 +170,22 @@ impl Upwind {
     }
 
     fn spokes(&self, vertex: u32) -> &[Spoke] {
-        &self.spokes[self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize]
+        &self.spokes[self.spoke_range(vertex)]
     }
+
+    fn spoke_range(&self, vertex: u32) -> Range<usize> {
+        self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize
+    }
+}
+
+/// The sum of flows from vertices whose distances count, and that of what distance is by each of them, times its flow.
+#[inline]
+fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 2] {
+    let counted = inflows.iter().map(|&Inflow { from, flow, rise }| (distances[from as usize], flow, rise));
+    counted.filter(|&(distance, ..)| counts(distance)).fold([0.0; 2], |[whole, sum], (distance, flow, rise)| {
+        let flow = f64::from(flow);
+        [whole + flow, sum + flow * (distance + f64::from(rise))]
+    })
 }
 
 /// Orders vertices by falling heat, to 24 bits, and in its lower half is the vertex.
@@ -165,6 +209,12 @@ mod tests {
         Upwind::new(&Laplacian { stiffness, mass: vec![1.0; 4] }, 0.5, vec![2.0; 3])
     }
 
+    fn distances(field: [EdgeField; 3], heat: [f64; 4], known: Vec<f64>) -> Vec<f64> {
+        let (path, mut inflows) = (path(), path().inflows());
+        (0..).zip(field).for_each(|(low, field)| inflows.add(low, [(low + 1, field)].into_iter()));
+        path.distances(&inflows, &heat, known)
+    }
+
     fn known(first: f64) -> Vec<f64> {
         vec![first, f64::INFINITY, f64::INFINITY, f64::INFINITY]
     }
@@ -172,7 +222,7 @@ mod tests {
     #[test]
     fn distance_grows_from_the_warmest_to_the_coolest() {
         let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
-        assert_eq!(path().distances(&field, &[3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
+        assert_eq!(distances(field, [3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
     }
 
     #[test]
@@ -184,19 +234,19 @@ mod tests {
         ];
         let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
         // 1 along the first edge, then (3 · 2 + 1 · 2) / 4.
-        assert_eq!(path().distances(&field, &[3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
+        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
     }
 
     #[test]
     fn what_heat_does_not_tell_is_as_far_as_along_edges() {
         let none = [EdgeField::default(); 3];
-        assert_eq!(path().distances(&none, &[0.0; 4], known(0.0)), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(distances(none, [0.0; 4], known(0.0)), [0.0, 1.0, 2.0, 3.0]);
     }
 
     #[test]
     fn what_no_known_vertex_reaches_is_infinite() {
         let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
-        let distances = path().distances(&field, &[3.0, 2.0, 1.0, 0.0], known(f64::INFINITY));
+        let distances = distances(field, [3.0, 2.0, 1.0, 0.0], known(f64::INFINITY));
         assert!(distances.iter().all(|distance| *distance == f64::INFINITY), "{distances:?}");
     }
 }
