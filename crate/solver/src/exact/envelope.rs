@@ -1,5 +1,6 @@
 //! Windows of one half-edge, each of which keeps what it reaches sooner than all others: their lower envelope.
 
+use super::list::List;
 use super::overlap::Overlap;
 use super::window::Beam;
 use crate::extremum::either;
@@ -56,6 +57,46 @@ impl Envelope {
         }
     }
 
+    /// The same for a list with bundles, which may open.
+    pub fn resolve_list(&mut self, list: &mut List) {
+        if !list.is_plain() && !self.settle_beside_bundles(list) {
+            list.open();
+        }
+        if list.is_plain() {
+            self.resolve(&mut list.windows);
+        }
+    }
+
+    /// Divides what is between the windows beside and between the bundles of a list. Returns whether no more was to do.
+    fn settle_beside_bundles(&mut self, list: &mut List) -> bool {
+        loop {
+            if !self.find_pairs(&list.windows) {
+                self.is_refused = true;
+                return true;
+            }
+            let mut is_any_lost = false;
+            for &pair in &self.pairs {
+                let place = pair as usize;
+                if list.has_bundle_after(place) {
+                    return false;
+                }
+                let [first, second, ..] = &mut list.windows[place..] else { break };
+                if second.begin < first.begin {
+                    return false;
+                }
+                if first.is_wide() && first.overlaps(second) {
+                    let Some((end, begin)) = settle(first, second) else { return false };
+                    (first.end, second.begin) = (end, begin);
+                    is_any_lost |= !(first.is_wide() & second.is_wide());
+                }
+            }
+            if !is_any_lost {
+                return true;
+            }
+            list.retain(Beam::is_wide);
+        }
+    }
+
     /// Finds the windows of a list that overlap the next one, or begin after it. Returns whether there was room.
     fn find_pairs(&mut self, list: &[Beam]) -> bool {
         self.pairs.clear();
@@ -80,25 +121,64 @@ impl Envelope {
         }
         while let ([first, after_first @ ..], [other, after_other @ ..]) = (rest, others) {
             if other.begin < first.begin {
-                self.push(other);
+                push(&mut self.joined, other);
                 others = after_other;
             } else {
-                self.push(first);
+                push(&mut self.joined, first);
                 rest = after_first;
             }
         }
-        rest.iter().chain(others).for_each(|window| self.push(window));
+        rest.iter().chain(others).for_each(|window| push(&mut self.joined, window));
         std::mem::swap(&mut self.joined, list);
         self.joined.clear();
         self.resolve(list);
     }
 
-    fn push(&mut self, window: &Beam) {
-        match self.joined.last_mut() {
-            Some(last) if last.continues_into(window) => last.end = window.end,
-            _ => self.joined.push(*window),
+    /// The same for lists with bundles, which may open.
+    pub fn join_lists(&mut self, list: &mut List, mut others: List) {
+        if list.is_entangled_with(&others) || others.is_entangled_with(list) {
+            list.open();
+            others.open();
         }
+        let mut bundles =
+            [&mut *list, &mut others].map(|list| std::mem::take(&mut list.bundles).into_iter().peekable());
+        let mut joined = List::new(std::mem::take(&mut self.joined), Vec::new());
+        let mut places = [0, 0];
+        loop {
+            let (k, window) = match [list.windows.get(places[0]), others.windows.get(places[1])] {
+                [Some(first), Some(other)] if other.begin < first.begin => (1, other),
+                [Some(first), _] => (0, first),
+                [None, Some(other)] => (1, other),
+                [None, None] => break,
+            };
+            if !goes_on(&mut joined.windows, window) {
+                joined.push(*window);
+            }
+            if let Some((_, bundle)) = bundles[k].next_if(|&(after, _)| after as usize == places[k]) {
+                joined.push_bundle(bundle);
+            }
+            places[k] += 1;
+        }
+        joined.is_refused |= list.is_refused | others.is_refused;
+        self.joined = std::mem::replace(list, joined).windows;
+        self.joined.clear();
+        self.resolve_list(list);
     }
+}
+
+fn push(list: &mut Vec<Beam>, window: &Beam) {
+    if !goes_on(list, window) {
+        list.push(*window);
+    }
+}
+
+/// Whether a window goes on where the last one of a list ends, which it then becomes a part of.
+fn goes_on(list: &mut [Beam], window: &Beam) -> bool {
+    let last = list.last_mut().filter(|last| last.continues_into(window));
+    last.is_some_and(|last| {
+        last.end = window.end;
+        true
+    })
 }
 
 /// Where the first of two windows that overlap is to end, and where the second one is to begin, if that is all.

@@ -12,9 +12,12 @@
 //! Every value is at all times the length of a path; cutting needs a strictly shorter path. So the order of work
 //! does not matter for the result, only for the time, and a queue of buckets will do.
 
+mod bundle;
+mod bundles;
 mod crossing;
 mod envelope;
 mod geometry;
+mod list;
 mod lists;
 mod origin;
 mod overlap;

@@ -17,3 +17,18 @@ impl Numbers {
         Beam { begin, end, x: 2.0 * self.next() - 0.5, depth: 0.02 + 1.5 * self.next(), offset, root: 0 }
     }
 }
+
+/// Windows that fill a half-edge of length 1, one after the other, as behind vertices of little curvature: their sources are the same but
+/// for some hundredths.
+pub fn fan(numbers: &mut Numbers, count: usize) -> Vec<Beam> {
+    let (x, depth) = (2.0 * numbers.next() - 0.5, 1.0 + 2.0 * numbers.next());
+    let mut ends: Vec<f64> = (1..count).map(|_| numbers.next()).chain([0.0, 1.0]).collect();
+    ends.sort_by(f64::total_cmp);
+    let mut near = |place: f64| place + 0.02 * (numbers.next() - 0.5);
+    (0..count)
+        .map(|number| {
+            let (begin, end) = (ends[number], ends[number + 1]);
+            Beam { begin, end, x: near(x), depth: near(depth), offset: near(1.0), root: number as u32 }
+        })
+        .collect()
+}

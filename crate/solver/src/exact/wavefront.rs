@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::crossing::Crossing;
 use super::geometry::{ExactGeometry, Frame, after, before};
+use super::list::List;
 use super::lists::Lists;
 use super::origin::Origin;
 use super::points::PointsInFaces;
@@ -42,13 +43,13 @@ pub struct Wavefront {
     pub(super) waiting: Lists,
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
-    propagated: usize,
+    pub(super) propagated: usize,
     /// Whether there was no memory for something, which is lost.
     pub(super) is_refused: bool,
     /// Items of the queue that are processed now; kept for its memory.
     batch: Vec<u32>,
     /// Windows that cross now; kept for its memory.
-    crossing: Vec<Beam>,
+    pub(super) crossing: Vec<Beam>,
     /// Those that leave by either half-edge; kept for its memory.
     leaving: [Vec<Beam>; 2],
 }
@@ -313,8 +314,8 @@ impl Wavefront {
     pub(crate) fn waiting(&self) -> impl Iterator<Item = (u32, Beam)> + '_ {
         let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.waiting.len());
         halfedges.flat_map(move |halfedge| {
-            let beams = self.waiting.at(halfedge).iter();
-            beams.map(move |&beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
+            let beams = self.waiting.all_at(halfedge);
+            beams.map(move |beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
         })
     }
 
@@ -328,7 +329,7 @@ impl Wavefront {
         &self.targets.values
     }
 
-    /// Windows that have crossed a face.
+    /// Windows that have crossed a face, those of a bundle once for all the faces that it crosses: as many as take time.
     pub fn windows(&self) -> usize {
         self.propagated
     }
@@ -362,11 +363,11 @@ impl Wavefront {
         let opposite = frame.opposite(k);
 
         let mut windows = std::mem::take(&mut self.crossing);
-        self.waiting.take(halfedge, &mut windows);
-        windows.retain(|window| {
-            let at_root = self.values.get(VertexId(window.root)).copied();
-            window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)))
-        });
+        let bundles = self.waiting.take(halfedge, &mut windows);
+        if windows.len() >= self.waiting.many || !bundles.is_empty() {
+            return self.cross_in_bundles(geometry, halfedge, List::new(windows, bundles));
+        }
+        windows.retain(|window| self.is_current(window));
         window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.values[VertexId(vertex)]));
         self.propagated += windows.len();
         if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
@@ -398,9 +399,16 @@ impl Wavefront {
         self.leaving = [to_left, to_right];
     }
 
+    /// Whether a window starts from the distance that its root has now.
+    #[inline(always)]
+    pub(super) fn is_current(&self, window: &Beam) -> bool {
+        let at_root = self.values.get(VertexId(window.root)).copied();
+        window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)))
+    }
+
     /// Offers the targets and the ends of portals in a half-edge's face the windows that enter there.
     #[cold]
-    fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Beam]) {
+    pub(super) fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Beam]) {
         let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
         for window in windows {
             self.targets.see(frame, halfedge, window, |_, _| ());
@@ -409,7 +417,8 @@ impl Wavefront {
     }
 
     /// Offers the corner opposite a half-edge the path through a window that enters there and sees it.
-    fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], crossing: &Crossing) {
+    #[inline(always)]
+    pub(super) fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], crossing: &Crossing) {
         let window = &crossing.beam;
         let at = smaller(larger(crossing.splits(), window.begin), window.end);
         let value = window.at(at) + length(opposite[0] - at, opposite[1]);

@@ -46,6 +46,14 @@ impl Beam {
         self.at(at) + (x - at).abs()
     }
 
+    /// [Cuts off](Window::clip) what is too far. Returns whether anything is left.
+    pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
+        let mut window = Window::from(*self);
+        let is_left = window.clip(length, values);
+        *self = window.beam();
+        is_left
+    }
+
     /// The same window on a half-edge in the opposite direction.
     pub fn mirrored(self, length: f64) -> Self {
         Self { begin: length - self.end, end: length - self.begin, x: length - self.x, ..self }
@@ -200,12 +208,7 @@ pub(super) fn nearest(windows: &[Beam]) -> Option<f64> {
 /// [Clips](Window::clip) a list of windows. Where they touch, distance changes no faster than place from one to the next,
 /// so that only the outermost can be too far.
 pub(super) fn clip(windows: &mut Vec<Beam>, length: f64, values: [f64; 2]) {
-    let is_left = |beam: &mut Beam| {
-        let mut window = Window::from(*beam);
-        let is_left = window.clip(length, values);
-        *beam = window.beam();
-        is_left
-    };
+    let is_left = |window: &mut Beam| window.clip(length, values);
     let lost = windows.iter_mut().position(is_left).unwrap_or(windows.len());
     if lost > 0 {
         windows.drain(..lost);
