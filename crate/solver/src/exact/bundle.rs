@@ -120,6 +120,7 @@ impl Bundle {
     }
 
     /// A window as this half-edge sees it.
+    #[inline(never)]
     fn window(&self, number: u32) -> Beam {
         let window = &self.gathered.windows[number as usize];
         let [x, y] = self.motion.apply([window.x, -window.depth]);

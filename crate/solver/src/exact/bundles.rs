@@ -21,7 +21,7 @@ impl Wavefront {
         let (frame, k) = geometry.frame_of(halfedge);
         let sides = frame.seen_from(k);
         let [base, right, left] = sides;
-        list.retain(|window| self.is_current(window));
+        list.retain(&|window| self.is_current(window));
         list.clip(base.length, [base, right].map(|side| self.values[VertexId(side.vertex)]));
         if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
             list.open();

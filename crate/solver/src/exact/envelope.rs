@@ -93,7 +93,7 @@ impl Envelope {
             if !is_any_lost {
                 return true;
             }
-            list.retain(Beam::is_wide);
+            list.retain(&Beam::is_wide);
         }
     }
 

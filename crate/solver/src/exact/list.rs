@@ -45,6 +45,7 @@ impl List {
     }
 
     /// Adds a bundle at the end. Another window is to follow, or [`List::close`].
+    #[inline(never)]
     pub fn push_bundle(&mut self, mut bundle: Bundle) {
         if bundle.len() < FEW {
             return bundle.for_each(|window| self.push(window));
@@ -57,6 +58,7 @@ impl List {
     }
 
     /// Sees to it that a window comes last.
+    #[inline(never)]
     pub fn close(&mut self) {
         if self.ends_with_bundle() {
             let last = self.bundles.last_mut().and_then(|(_, bundle)| bundle.next_back());
@@ -83,13 +85,14 @@ impl List {
     }
 
     /// Opens all bundles.
+    #[inline(never)]
     pub fn open(&mut self) {
         if self.is_plain() {
             return;
         }
         let mut windows = Vec::new();
         if windows.try_reserve_exact(self.count()).is_ok() {
-            in_order(&self.windows, &self.bundles).for_each(|window| windows.push(window));
+            for_each(&self.windows, &self.bundles, |window| windows.push(window));
             self.windows = windows;
         } else {
             self.is_refused = true;
@@ -114,8 +117,9 @@ impl List {
     }
 
     /// Takes windows out that are not to be kept. Beside a bundle, one of its windows takes the place.
-    pub fn retain(&mut self, is_kept: impl Fn(&Beam) -> bool) {
-        if self.windows.iter().all(&is_kept) {
+    #[inline(never)]
+    pub fn retain(&mut self, is_kept: &dyn Fn(&Beam) -> bool) {
+        if self.windows.iter().all(is_kept) {
             return;
         }
         let windows = std::mem::take(&mut self.windows);
@@ -139,6 +143,7 @@ impl List {
 
     /// [Clips](Beam::clip) the windows. Where they touch, distance changes no faster than place from one to the next, so that
     /// only the outermost can be too far.
+    #[inline(never)]
     pub fn clip(&mut self, length: f64, values: [f64; 2]) {
         let mut lost = 0;
         while lost < self.windows.len() && !self.windows[lost].clip(length, values) {
@@ -173,11 +178,13 @@ impl List {
     }
 }
 
-/// Windows and those of the bundles between them.
-pub(super) fn in_order<'a>(windows: &'a [Beam], bundles: &'a [(u32, Bundle)]) -> impl Iterator<Item = Beam> + 'a {
-    let mut bundles = bundles.iter().peekable();
-    (0..).zip(windows).flat_map(move |(place, &window)| {
-        let bundle = bundles.next_if(|&&(after, _)| after == place).map(|(_, bundle)| bundle.clone());
-        std::iter::once(window).chain(bundle.into_iter().flatten())
-    })
+/// Each of some windows and of the bundles between them, in order.
+pub(super) fn for_each(windows: &[Beam], bundles: &[(u32, Bundle)], mut tell: impl FnMut(Beam)) {
+    let mut from = 0;
+    for (after, bundle) in bundles {
+        let to = *after as usize + 1;
+        windows[from..to].iter().copied().chain(bundle.clone()).for_each(&mut tell);
+        from = to;
+    }
+    windows[from..].iter().copied().for_each(tell);
 }

@@ -11,6 +11,10 @@ mod tests;
 /// Lists with room for more windows give their memory back once they are empty.
 const LONG: usize = 256;
 
+/// Whether there are bundles. What they take would be a hundredth of what the page loads until its first picture, where surfaces of so
+/// many triangles that it pays are seldom opened.
+pub(super) const HAS_BUNDLES: bool = cfg!(not(target_arch = "wasm32"));
+
 /// Set in the numbers of lists that have bundles.
 const BUNDLED: u32 = 1 << 31;
 
@@ -69,11 +73,11 @@ impl Lists {
         &self.lists[(self.numbers[halfedge as usize] & !BUNDLED) as usize]
     }
 
-    /// The windows that wait at a half-edge, in order.
-    pub fn all_at(&self, halfedge: u32) -> impl Iterator<Item = Beam> + '_ {
+    /// Each of the windows that wait at a half-edge, in order.
+    pub fn for_each_at(&self, halfedge: u32, tell: impl FnMut(Beam)) {
         let number = self.numbers[halfedge as usize];
-        let bundles: &[_] = if number & BUNDLED == 0 { &[] } else { &self.bundles[(number & !BUNDLED) as usize] };
-        list::in_order(self.at(halfedge), bundles)
+        let bundles: &[_] = if is_bundled(number) { &self.bundles[(number & !BUNDLED) as usize] } else { &[] };
+        list::for_each(self.at(halfedge), bundles, tell);
     }
 
     /// Takes all windows of a half-edge out; `windows` is empty before, and its memory is kept for later.
@@ -97,20 +101,20 @@ impl Lists {
 
     /// Lets a list be another half-edge's. Returns its bundles.
     fn release(&mut self, number: u32) -> Bundles {
-        let (has_bundles, number) = (number & BUNDLED != 0, number & !BUNDLED);
+        let (is_bundled, number) = (is_bundled(number), number & !BUNDLED);
         let list = &mut self.lists[number as usize];
         if list.capacity() > LONG {
             *list = Vec::new();
         }
         self.free.push(number);
-        if has_bundles { std::mem::take(&mut self.bundles[number as usize]) } else { Bundles::new() }
+        if is_bundled { std::mem::take(&mut self.bundles[number as usize]) } else { Bundles::new() }
     }
 
     /// Adds windows, nearly in order along the half-edge, to those that wait there; where some overlap, each keeps what it
     /// reaches sooner. What `windows` holds then is of no meaning, but its memory.
     pub fn add(&mut self, halfedge: u32, windows: &mut Vec<Beam>) {
         let number = self.numbers[halfedge as usize];
-        if number & BUNDLED != 0 {
+        if is_bundled(number) {
             return self.add_list(halfedge, List::new(std::mem::take(windows), Bundles::new()));
         }
         if number != 0 {
@@ -124,6 +128,7 @@ impl Lists {
     }
 
     /// The same for a list with bundles.
+    #[inline(never)]
     pub fn add_list(&mut self, halfedge: u32, mut list: List) {
         let mut waiting = List::default();
         waiting.bundles = self.take(halfedge, &mut waiting.windows);
@@ -185,4 +190,8 @@ impl Lists {
         let bundled: usize = self.bundles.iter().flatten().map(|(_, bundle)| bundle.bytes()).sum();
         size_of::<Beam>() * windows + bundled + size_of::<Vec<Beam>>() * self.lists.capacity() + 4 * self.numbers.len()
     }
+}
+
+fn is_bundled(number: u32) -> bool {
+    HAS_BUNDLES && number & BUNDLED != 0
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::crossing::Crossing;
 use super::geometry::{ExactGeometry, Frame, after, before};
 use super::list::List;
-use super::lists::Lists;
+use super::lists::{HAS_BUNDLES, Lists};
 use super::origin::Origin;
 use super::points::PointsInFaces;
 use super::portals::Portals;
@@ -310,13 +310,17 @@ impl Wavefront {
         }
     }
 
-    /// The windows that wait, each with its half-edge; their roots are the numbers of the sources that they come from.
-    pub(crate) fn waiting(&self) -> impl Iterator<Item = (u32, Beam)> + '_ {
-        let halfedges = self.queue.waiting().filter(|&item| (item as usize) < self.waiting.len());
-        halfedges.flat_map(move |halfedge| {
-            let beams = self.waiting.all_at(halfedge);
-            beams.map(move |beam| (halfedge, Beam { root: self.source_of(beam.root), ..beam }))
-        })
+    /// The half-edges where windows wait.
+    pub(crate) fn lit(&self) -> impl Iterator<Item = u32> + '_ {
+        self.queue.waiting().filter(|&item| (item as usize) < self.waiting.len())
+    }
+
+    /// Each of the windows that wait, with its half-edge; their roots are the numbers of the sources that they come from.
+    pub(crate) fn for_each_waiting(&self, tell: &mut dyn FnMut(u32, Beam)) {
+        for halfedge in self.lit() {
+            let from_source = |beam: Beam| Beam { root: self.source_of(beam.root), ..beam };
+            self.waiting.for_each_at(halfedge, |beam| tell(halfedge, from_source(beam)));
+        }
     }
 
     /// The values, without what else is held.
@@ -364,7 +368,7 @@ impl Wavefront {
 
         let mut windows = std::mem::take(&mut self.crossing);
         let bundles = self.waiting.take(halfedge, &mut windows);
-        if windows.len() >= self.waiting.many || !bundles.is_empty() {
+        if HAS_BUNDLES && (windows.len() >= self.waiting.many || !bundles.is_empty()) {
             return self.cross_in_bundles(geometry, halfedge, List::new(windows, bundles));
         }
         windows.retain(|window| self.is_current(window));

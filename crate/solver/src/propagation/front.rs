@@ -373,12 +373,12 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             }
         }
         let geometry = Arc::clone(&self.geometry);
-        for (halfedge, beam) in exact.waiting() {
+        exact.for_each_waiting(&mut |halfedge, beam| {
             let (frame, k) = geometry.frame_of(halfedge);
             let corners = [k, after(k)].map(|corner| frame[corner].vertex);
             corners.into_iter().for_each(|vertex| self.send_from(vertex));
             self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners) });
-        }
+        });
         Ok(())
     }
 

@@ -205,7 +205,7 @@ impl Grow for March {
             }
         }
         // Behind the edges where windows wait, not all that they would reach is known.
-        for (halfedge, _) in exact.waiting() {
+        for halfedge in exact.lit() {
             let (frame, k) = self.geometry.frame_of(halfedge);
             let ends = [k, after(k)].map(|k| VertexId(frame[k].vertex));
             for end in ends.into_iter().filter(|&end| exact.values()[end] < f64::INFINITY) {

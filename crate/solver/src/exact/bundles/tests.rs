@@ -1,7 +1,6 @@
 //! Distances by bundles on meshes whose windows are so few that they would cross alone, against those by windows that do.
 
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
+#![cfg(not(target_arch = "wasm32"))]
 
 use std::sync::Arc;
 
@@ -25,8 +24,9 @@ fn start(geometry: &Arc<ExactGeometry>, many: usize) -> Wavefront {
 
 /// Windows that wait in bundles.
 fn bundled(wavefront: &Wavefront) -> usize {
-    let waiting = &wavefront.waiting;
-    (0..waiting.len() as u32).map(|halfedge| waiting.all_at(halfedge).count() - waiting.at(halfedge).len()).sum()
+    let (waiting, mut all) = (&wavefront.waiting, 0);
+    wavefront.for_each_waiting(&mut |_, _| all += 1);
+    all - wavefront.lit().map(|halfedge| waiting.at(halfedge).len()).sum::<usize>()
 }
 
 fn check(name: &str, soup: &Soup) {

@@ -7,7 +7,9 @@ use super::super::samples::{Numbers, fan};
 use super::*;
 
 fn all(list: &List) -> Vec<Beam> {
-    in_order(&list.windows, &list.bundles).collect()
+    let mut all = Vec::new();
+    for_each(&list.windows, &list.bundles, |window| all.push(window));
+    all
 }
 
 /// A list of windows one after the other, some of them in bundles of random sizes.
@@ -60,7 +62,7 @@ fn what_is_not_kept_is_followed_by_windows_of_the_bundle_beside() {
         let mut list = list(&mut numbers);
         let (before, outside) = (all(&list), list.windows.clone());
         let is_kept = |window: &Beam| !window.root.is_multiple_of(3);
-        list.retain(is_kept);
+        list.retain(&is_kept);
         assert_in_order(&list);
         let mut expected = before;
         expected.retain(|window| is_kept(window) || !outside.contains(window));
