@@ -1,7 +1,6 @@
 //! Half-edges where so many windows wait that most of them cross the face in bundles.
 
 use super::bundle::Motion;
-use super::crossing::Crossing;
 use super::geometry::{ExactGeometry, Side, after, before};
 use super::list::List;
 use super::wavefront::Wavefront;
@@ -39,13 +38,13 @@ impl Wavefront {
         let opposite = frame.opposite(k);
         let mut bundles = list.bundles.into_iter().peekable();
         for (place, window) in list.windows.iter().enumerate() {
-            self.pass(halfedge, sides, window, &mut leaving);
+            self.pass_alone(halfedge, sides, window, &mut leaving);
             if let Some((_, bundle)) = bundles.next_if(|&(after, _)| after as usize == place) {
                 let [to_left, middle, to_right] = bundle.split(opposite);
                 leaving[0].push_bundle(to_left.across(&Motion::to_left(sides), left.length));
                 self.propagated += middle.len();
                 for window in middle {
-                    self.pass(halfedge, sides, &window, &mut leaving);
+                    self.pass_alone(halfedge, sides, &window, &mut leaving);
                 }
                 leaving[1].push_bundle(to_right.across(&Motion::to_right(sides), right.length));
             }
@@ -60,16 +59,11 @@ impl Wavefront {
         }
     }
 
-    /// Lets a window cross a face.
-    fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam, [to_left, to_right]: &mut [List; 2]) {
-        let [base, _, left] = sides;
-        let opposite = [left.length * base.cos, left.length * base.sin];
-        let crossing = Crossing::new(*window, opposite);
-        if crossing.sees_corner() {
-            self.reach(halfedge, left.vertex, opposite, &crossing);
+    /// Lets a window cross a face and adds what leaves to these lists.
+    fn pass_alone(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam, leaving: &mut [List; 2]) {
+        for (beam, way) in self.pass(halfedge, sides, window).into_iter().zip(leaving) {
+            beam.into_iter().for_each(|beam| way.push(beam));
         }
-        crossing.to_left(sides).filter(Beam::is_wide).into_iter().for_each(|beam| to_left.push(beam));
-        crossing.to_right(sides).filter(Beam::is_wide).into_iter().for_each(|beam| to_right.push(beam));
     }
 
     /// [Delivers](Self::deliver) windows that may be in bundles.

@@ -1,5 +1,8 @@
 //! Random windows for tests.
 
+#[cfg(not(target_arch = "wasm32"))]
+use heatwalk_surface::Soup;
+
 use super::window::Beam;
 
 /// Numbers from 0 to 1 that repeat late.
@@ -31,4 +34,19 @@ pub fn fan(numbers: &mut Numbers, count: usize) -> Vec<Beam> {
             Beam { begin, end, x: near(x), depth: near(depth), offset: near(1.0), root: number as u32 }
         })
         .collect()
+}
+
+/// With every kind of bend: a terrain has saddles and reflex vertices, holes, one for so many triangles, and a fin more of them.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn torn_terrain(size: u32, triangles_per_hole: usize) -> Soup {
+    let mut soup = heatwalk_shapes::terrain(size);
+    let mut index = 0;
+    soup.triangles.retain(|_| {
+        index += 1;
+        index % triangles_per_hole != 0
+    });
+    let [a, b, _] = soup.triangles[soup.triangles.len() / 2];
+    soup.positions.push(soup.positions[a as usize] * 1.1);
+    soup.triangles.push([a, b, soup.positions.len() as u32 - 1]);
+    soup
 }

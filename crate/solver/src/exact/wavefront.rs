@@ -4,7 +4,7 @@ use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
 use super::crossing::Crossing;
-use super::geometry::{ExactGeometry, Frame, after, before};
+use super::geometry::{ExactGeometry, Frame, Side, after, before};
 use super::list::List;
 use super::lists::{HAS_BUNDLES, Lists};
 use super::origin::Origin;
@@ -363,8 +363,7 @@ impl Wavefront {
     fn cross(&mut self, geometry: &ExactGeometry, halfedge: u32) {
         let (frame, k) = geometry.frame_of(halfedge);
         let sides = frame.seen_from(k);
-        let [a, b, c] = sides.map(|side| side.vertex);
-        let opposite = frame.opposite(k);
+        let [a, b, _] = sides.map(|side| side.vertex);
 
         let mut windows = std::mem::take(&mut self.crossing);
         let bundles = self.waiting.take(halfedge, &mut windows);
@@ -384,14 +383,11 @@ impl Wavefront {
             return;
         }
         for window in &windows {
-            let crossing = Crossing::new(*window, opposite);
-            if crossing.sees_corner() {
-                self.reach(halfedge, c, opposite, &crossing);
-            }
-            if let Some(beam) = crossing.to_left(sides).filter(Beam::is_wide) {
+            let [left, right] = self.pass(halfedge, sides, window);
+            if let Some(beam) = left {
                 to_left.push(beam);
             }
-            if let Some(beam) = crossing.to_right(sides).filter(Beam::is_wide) {
+            if let Some(beam) = right {
                 to_right.push(beam);
             }
         }
@@ -401,6 +397,18 @@ impl Wavefront {
         self.deliver(geometry, first + before(k) as u32, &mut to_left);
         self.deliver(geometry, first + after(k) as u32, &mut to_right);
         self.leaving = [to_left, to_right];
+    }
+
+    /// Lets a window cross a face: a value for the opposite corner, and what leaves by the edges at the half-edge's begin and end.
+    #[inline(always)]
+    pub(super) fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam) -> [Option<Beam>; 2] {
+        let [base, _, left] = sides;
+        let opposite = [left.length * base.cos, left.length * base.sin];
+        let crossing = Crossing::new(*window, opposite);
+        if crossing.sees_corner() {
+            self.reach(halfedge, left.vertex, opposite, &crossing);
+        }
+        [crossing.to_left(sides), crossing.to_right(sides)].map(|beam| beam.filter(Beam::is_wide))
     }
 
     /// Whether a window starts from the distance that its root has now.
@@ -422,7 +430,7 @@ impl Wavefront {
 
     /// Offers the corner opposite a half-edge the path through a window that enters there and sees it.
     #[inline(always)]
-    pub(super) fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], crossing: &Crossing) {
+    fn reach(&mut self, halfedge: u32, corner: u32, opposite: [f64; 2], crossing: &Crossing) {
         let window = &crossing.beam;
         let at = smaller(larger(crossing.splits(), window.begin), window.end);
         let value = window.at(at) + length(opposite[0] - at, opposite[1]);

@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use super::super::samples::torn_terrain;
 use super::*;
 use heatwalk_shapes as shapes;
 use heatwalk_surface::surface::Surface;
@@ -64,15 +65,5 @@ fn check(name: &str, soup: &Soup) {
 fn distances_by_bundles_are_those_by_windows_alone() {
     check("a sphere", &shapes::icosphere(5));
     check("a torus", &shapes::torus(2.0, 0.7, 100, 50));
-    // Saddles, a boundary, holes and a fin.
-    let mut terrain = shapes::terrain(80);
-    let mut index = 0;
-    terrain.triangles.retain(|_| {
-        index += 1;
-        index % 997 != 0
-    });
-    let [a, b, _] = terrain.triangles[6_000];
-    terrain.positions.push(terrain.positions[a as usize] * 1.1);
-    terrain.triangles.push([a, b, terrain.positions.len() as u32 - 1]);
-    check("a terrain", &terrain);
+    check("a terrain", &torn_terrain(80, 997));
 }

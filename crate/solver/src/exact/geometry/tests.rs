@@ -1,20 +1,11 @@
 #![cfg(not(target_arch = "wasm32"))]
 
+use super::super::samples::torn_terrain;
 use super::*;
-use heatwalk_shapes as shapes;
 
 #[test]
 fn the_number_of_threads_makes_no_difference() {
-    // With every kind of bend: a terrain has saddles and reflex vertices, holes and a fin more of them.
-    let mut soup = shapes::terrain(150);
-    let mut index = 0;
-    soup.triangles.retain(|_| {
-        index += 1;
-        index % 37 != 0
-    });
-    let [a, b, _] = soup.triangles[20_000];
-    soup.positions.push(soup.positions[a as usize] * 1.1);
-    soup.triangles.push([a, b, soup.positions.len() as u32 - 1]);
+    let soup = torn_terrain(150, 37);
     let surface = Arc::new(Surface::build(&soup).expect("a surface"));
     let one = ExactGeometry::new(Arc::clone(&surface));
     for bend in [Bend::Never, Bend::Saddle, Bend::Reflex, Bend::Anywhere] {
