@@ -33,8 +33,13 @@ impl Crossing {
     }
 
     /// Whether the ray to the opposite corner misses the interval by no more than [`GRAZE`] of its length, roughly.
-    pub fn sees_corner(&self) -> bool {
-        larger(self.begins, -self.ends) <= GRAZE * self.height * (self.aside.abs() + self.height)
+    pub fn sees_corner(&self, grain: f64) -> bool {
+        larger(self.begins, -self.ends) <= self.height * (GRAZE * (self.aside.abs() + self.height) + grain)
+    }
+
+    /// Whether the whole interval passes the opposite corner on its left.
+    pub fn is_left(&self) -> bool {
+        self.ends < 0.0
     }
 
     /// What leaves by the edge at the half-edge's begin, as the half-edge across that edge sees it. `sides` are those that
@@ -95,7 +100,7 @@ impl Crossing {
     fn left(&self, [base, ..]: [&Side; 3], begin: f64, end: f64) -> Beam {
         let Beam { x, depth, .. } = self.beam;
         let (cos, sin) = (base.cos, base.sin);
-        Beam { begin, end, x: x * cos - depth * sin, depth: x * sin + depth * cos, ..self.beam }
+        Beam { begin, end, x: x * cos - depth * sin, depth: larger(x * sin + depth * cos, 0.0), ..self.beam }
     }
 
     /// The window on the edge at the half-edge's end, between these places there.
@@ -104,7 +109,7 @@ impl Crossing {
         let (from_end, depth) = (base.length - self.beam.x, self.beam.depth);
         let (cos, sin) = (right.cos, right.sin);
         let x = right.length - (from_end * cos - depth * sin);
-        Beam { begin, end, x, depth: from_end * sin + depth * cos, ..self.beam }
+        Beam { begin, end, x, depth: larger(from_end * sin + depth * cos, 0.0), ..self.beam }
     }
 
     /// How far from its corner the ray through the place `at` of the half-edge meets an edge.

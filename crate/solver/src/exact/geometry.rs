@@ -10,7 +10,7 @@ use bytemuck::Zeroable;
 use super::portals::Portals;
 use super::window::GRAZE;
 use crate::cost::Costs;
-use crate::extremum::smaller;
+use crate::extremum::{larger, smaller};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
 use heatwalk_surface::{parallel, triangle};
@@ -87,7 +87,10 @@ impl Frame {
             // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.
             let longest =
                 if length[0] >= length[1].max(length[2]) { 0 } else { 1 + usize::from(length[2] > length[1]) };
-            let area = edges[after(longest)].cross(edges[before(longest)]).length();
+            let area = larger(
+                edges[after(longest)].cross(edges[before(longest)]).length(),
+                FLAT * length[longest] * length[longest],
+            );
             let inverse = length.map(f64::recip);
             let inverses: [f64; 3] = std::array::from_fn(|k| inverse[k] * inverse[before(k)]);
             [
@@ -145,6 +148,10 @@ impl Frame {
 /// Lengths whose fourth powers, as in the square of an area, neither under- nor overflow, however thin the triangle.
 const PLAIN_LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
 
+/// Triangles are taken for no flatter than that, height by longest edge, less than rounding moves a corner: a ray has one way
+/// through any triangle then.
+const FLAT: f64 = 1e-17;
+
 /// A sum of angles between 0 and π, kept as a direction and the half turns passed on the way, so that adding one needs
 /// no inverse tangent.
 #[derive(Debug, Clone, Copy)]
@@ -178,6 +185,10 @@ impl AngleSum {
     }
 }
 
+/// Places on an edge are measured from one of its ends, so that each face that is crossed may move a place by some roundings
+/// of its longest edge, however near the source is. As a share of that, after some dozens of faces.
+const GRAIN: f64 = 1e-14;
+
 /// Radians of an angle defect beyond which it makes no difference how sharp a vertex is: shortest paths pass it by.
 const SHARPEST: f64 = 0.5;
 
@@ -194,6 +205,8 @@ pub struct ExactGeometry {
     portals: Portals,
     /// Mean length of the edges, times its cost.
     mean_edge: f64,
+    /// What rounding may do to a place that is unfolded along the longest edge.
+    pub(super) grain: f64,
     /// Where they are not the same everywhere.
     costs: Option<Costs>,
 }
@@ -221,6 +234,7 @@ impl ExactGeometry {
             mean_edge: surface.mean_edge(),
             surface: Arc::clone(&surface),
             threads,
+            grain: GRAIN * frames.iter().flat_map(|frame| frame.0.iter()).map(|side| side.length).fold(0.0, larger),
             frames,
             bends: Vec::new(),
             portals: Portals::default(),
@@ -261,7 +275,7 @@ impl ExactGeometry {
         for side in self.frames.iter_mut().flat_map(|frame| &mut frame.0) {
             side.length *= cost;
         }
-        Self { portals: self.portals.scaled(cost), ..self }
+        Self { portals: self.portals.scaled(cost), grain: self.grain * cost, ..self }
     }
 
     /// Mean length of the edges, times the mean cost.

@@ -24,6 +24,7 @@ mod overlap;
 mod points;
 mod portals;
 mod queue;
+mod relax;
 #[cfg(test)]
 mod samples;
 mod sources;

@@ -110,6 +110,12 @@ impl Ring {
         self.is_refused = true;
     }
 
+    /// Begins anew at `distance`, or in the first bucket of the ring that is not before, so that items may wait there again.
+    fn rewind(&mut self, distance: f64) {
+        let number = smaller((distance - self.base) * self.per_distance, f64::from(LAST)) as u32;
+        self.current = self.current.min(number.max(self.current - self.current % RING));
+    }
+
     /// Takes an item out of the first bucket that has any, unless that begins at `limit` or beyond.
     fn pop(&mut self, limit: f64) -> Option<u32> {
         while self.waiting > 0 && self.first() < limit {
@@ -210,6 +216,11 @@ impl Buckets {
         self.waiting += usize::from(*bucket == 0);
         *bucket = number + 1;
         self.ring.place(number, item);
+    }
+
+    /// Lets items wait at `distance` again, as far as the ring goes back: what waits nearer than that waits there.
+    pub fn rewind(&mut self, distance: f64) {
+        self.ring.rewind(distance);
     }
 
     /// Takes some items out of the first bucket, unless that begins at `limit` or beyond: `most` at most.

@@ -114,7 +114,7 @@ impl Wavefront {
     fn leave(&mut self, halfedge: u32, window: Beam) {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
-        let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.values[VertexId(vertex)]);
+        let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.limit(vertex));
         let mut window = Window::from(window);
         if !(window.is_wide() && window.clip(frame[k].length, ends)) {
             return;
@@ -150,12 +150,15 @@ impl Wavefront {
                 let borders = borders(self).into_iter().flatten().flatten();
                 borders.for_each(|border| self.light(&geometry, border, None));
             }
-            Bend::Anywhere => {
-                let surface = Arc::clone(&self.surface);
-                for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
-                    self.light_from_corner(face.0, k, [None, None]);
-                }
-            }
+            Bend::Anywhere => self.light_all_around(vertex),
+        }
+    }
+
+    /// Sends windows from a vertex into all faces around it.
+    pub(super) fn light_all_around(&mut self, vertex: u32) {
+        let surface = Arc::clone(&self.surface);
+        for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
+            self.light_from_corner(face.0, k, [None, None]);
         }
     }
 

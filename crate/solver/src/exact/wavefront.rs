@@ -12,7 +12,7 @@ use super::points::PointsInFaces;
 use super::portals::Portals;
 use super::queue::Buckets;
 use super::targets::Targets;
-use super::window::{self, Beam, length};
+use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
 use crate::room;
 use heatwalk_surface::surface::Surface;
@@ -38,7 +38,7 @@ pub struct Wavefront {
     /// `#V`.
     pub(super) origins: Vec<Origin>,
     /// Vertices with a finite value.
-    reached: Vec<VertexId>,
+    pub(super) reached: Vec<VertexId>,
     /// Windows that wait to enter a face by each of its half-edges.
     pub(super) waiting: Lists,
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
@@ -165,6 +165,9 @@ impl Wavefront {
         while self.propagated < enough && !self.is_refused() {
             self.queue.pop_some(radius, BATCH, &mut batch);
             if batch.is_empty() {
+                if self.relax(radius) {
+                    continue;
+                }
                 break;
             }
             self.fetch(&geometry, &batch);
@@ -277,6 +280,12 @@ impl Wavefront {
         (origins[end as usize] == Origin::Portal).then(|| values[end as usize])
     }
 
+    /// Windows are cut where they are farther than by way of a vertex at this distance: its own, and what rounding may add.
+    pub(super) fn limit(&self, vertex: u32) -> f64 {
+        let value = self.values[VertexId(vertex)];
+        value + (MARGIN * value.abs() + self.geometry.grain)
+    }
+
     /// What a root is the number of.
     pub(super) fn root(&self, root: u32) -> Root {
         let (vertices, sources) = (self.values.len() as u32, self.sources.len() as u32);
@@ -371,7 +380,7 @@ impl Wavefront {
             return self.cross_in_bundles(geometry, halfedge, List::new(windows, bundles));
         }
         windows.retain(|window| self.is_current(window));
-        window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.values[VertexId(vertex)]));
+        window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.limit(vertex)));
         self.propagated += windows.len();
         if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
             self.see(frame, halfedge, &windows);
@@ -382,14 +391,18 @@ impl Wavefront {
             self.is_refused = true;
             return;
         }
+        let mut is_seen = false;
         for window in &windows {
-            let [left, right] = self.pass(halfedge, sides, window);
+            let [left, right] = self.pass(halfedge, sides, window, &mut is_seen);
             if let Some(beam) = left {
                 to_left.push(beam);
             }
             if let Some(beam) = right {
                 to_right.push(beam);
             }
+        }
+        if !is_seen {
+            self.reach_between(halfedge, sides, &windows);
         }
         windows.clear();
         self.crossing = windows;
@@ -401,21 +414,39 @@ impl Wavefront {
 
     /// Lets a window cross a face: a value for the opposite corner, and what leaves by the edges at the half-edge's begin and end.
     #[inline(always)]
-    pub(super) fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam) -> [Option<Beam>; 2] {
+    pub(super) fn pass(
+        &mut self,
+        halfedge: u32,
+        sides: [&Side; 3],
+        window: &Beam,
+        is_seen: &mut bool,
+    ) -> [Option<Beam>; 2] {
         let [base, _, left] = sides;
         let opposite = [left.length * base.cos, left.length * base.sin];
         let crossing = Crossing::new(*window, opposite);
-        if crossing.sees_corner() {
+        if crossing.sees_corner(self.geometry.grain) {
+            *is_seen = true;
             self.reach(halfedge, left.vertex, opposite, &crossing);
         }
         [crossing.to_left(sides), crossing.to_right(sides)].map(|beam| beam.filter(Beam::is_wide))
+    }
+
+    /// Offers the corner opposite a half-edge the paths that bend at the ends of the windows on both sides of it, none of which
+    /// sees it. Where two windows end at one ray through a vertex, rounding must not lose the corners on that ray.
+    pub(super) fn reach_between(&mut self, halfedge: u32, sides: [&Side; 3], windows: &[Beam]) {
+        let [base, _, left] = sides;
+        let opposite = [left.length * base.cos, left.length * base.sin];
+        let right = windows.partition_point(|window| Crossing::new(*window, opposite).is_left());
+        for window in &windows[right.saturating_sub(1)..windows.len().min(right + 1)] {
+            self.reach(halfedge, left.vertex, opposite, &Crossing::new(*window, opposite));
+        }
     }
 
     /// Whether a window starts from the distance that its root has now.
     #[inline(always)]
     pub(super) fn is_current(&self, window: &Beam) -> bool {
         let at_root = self.values.get(VertexId(window.root)).copied();
-        window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)))
+        window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)), self.geometry.grain)
     }
 
     /// Offers the targets and the ends of portals in a half-edge's face the windows that enter there.

@@ -17,7 +17,7 @@ const SLIVER: f64 = 1e-8;
 
 /// Nothing is dropped unless it is longer by this share than what replaces it: rounding of lengths stays below, so
 /// a shortest path is never lost to a tie with itself.
-const MARGIN: f64 = 1e-12;
+pub(super) const MARGIN: f64 = 1e-12;
 
 /// Two windows with sources nearer to each other than this share of their distance see the same source: rounding of
 /// positions unfolded past a vertex. A vertex with so little curvature that its shadow is not seen.
@@ -67,8 +67,8 @@ impl Beam {
     /// Whether the root has the distance that the window starts from, or one that is less by rounding: the window may have won a
     /// tie against the next one of the same root, which is lost then.
     #[inline(always)]
-    pub fn is_current(&self, at_root: f64) -> bool {
-        self.offset <= at_root + MARGIN * at_root.abs()
+    pub fn is_current(&self, at_root: f64, grain: f64) -> bool {
+        self.offset <= at_root + (MARGIN * at_root.abs() + grain)
     }
 
     /// Whether the interval is worth following. Also false where something is not a number.
@@ -80,8 +80,9 @@ impl Beam {
     /// Whether the interval is seen from the source under more than a small angle, in radians.
     #[inline(always)]
     fn exceeds(&self, angle: f64) -> bool {
-        let middle = 0.5 * (self.begin + self.end) - self.x;
-        (self.end - self.begin) * self.depth > angle * (middle * middle + self.depth * self.depth)
+        let (width, middle) = (self.end - self.begin, 0.5 * (self.begin + self.end) - self.x);
+        let is_opposite = (width > 0.0) & (middle.abs() < 0.5 * width);
+        is_opposite | (width * self.depth > angle * (middle * middle + self.depth * self.depth))
     }
 
     /// The least distance in the interval.
@@ -175,9 +176,8 @@ impl Window {
 
     /// Cuts off what is farther than by way of the half-edge's ends (Xin & Wang 2009, theorem 3.2, for every ray instead
     /// of the whole window); `values` are distances there. Returns whether anything is left.
-    pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
+    pub fn clip(&mut self, length: f64, limit: [f64; 2]) -> bool {
         // At slope one, the way by an end grows at least as fast as this window's distance.
-        let limit = values.map(|value| value + MARGIN * value);
         let is_cut = [self.at_begin > limit[0] + self.begin, self.at_end > limit[1] + (length - self.end)];
         if is_cut == [false; 2] {
             return true;
