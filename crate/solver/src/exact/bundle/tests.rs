@@ -65,7 +65,7 @@ fn windows_of_a_bundle_cross_faces_as_they_do_alone() {
             let crossings: Vec<Crossing> = windows.iter().map(|&window| Crossing::new(window, opposite)).collect();
             let (first, rest) = crossings.split_at(to_left.len());
             let (between, last) = rest.split_at(middle.len());
-            assert!(first.iter().chain(last).all(|crossing| !crossing.sees_corner()));
+            assert!(first.iter().chain(last).all(|crossing| !crossing.sees_corner(0.0)));
             let beams = |crossings: &[Crossing], way: fn(&Crossing, [&Side; 3]) -> Option<Beam>| -> Vec<Beam> {
                 crossings.iter().filter_map(|crossing| way(crossing, sides)).collect()
             };

@@ -8,7 +8,7 @@ use super::super::samples::torn_terrain;
 use super::*;
 use heatwalk_shapes as shapes;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{FaceId, Place, Soup};
+use heatwalk_surface::{FaceId, Place, Soup, VertexId};
 
 /// Rounding, relative.
 const ROUNDING: f64 = 1e-12;

@@ -92,9 +92,10 @@ fn windows_of_one_source_become_one_unless_its_distance_has_fallen() {
 #[test]
 fn a_window_is_current_until_its_root_is_nearer_by_more_than_rounding() {
     let window = Beam { begin: 0.0, end: 0.5, x: 0.4, depth: 0.5, offset: 2.0, root: 3 };
-    assert!(window.is_current(2.0) && window.is_current(2.0_f64.next_down()) && !window.is_current(2.0 - 1e-9));
+    let is_current = |window: &Beam, at_root: f64| window.is_current(at_root, 1e-14);
+    assert!(is_current(&window, 2.0) && is_current(&window, 2.0_f64.next_down()) && !is_current(&window, 2.0 - 1e-9));
     let from_source = Beam { offset: 0.0, ..window };
-    assert!(from_source.is_current(0.0) && !from_source.is_current(-1e-9));
+    assert!(is_current(&from_source, 0.0) && is_current(&from_source, -1e-15) && !is_current(&from_source, -1e-9));
 }
 
 #[test]
