@@ -1,0 +1,4 @@
+//! Right distances on small meshes.
+
+pub mod brute_force;
+mod double_double;
