@@ -7,6 +7,7 @@ pub mod meshes;
 pub mod pieces;
 pub mod searches;
 pub mod shortness;
+pub mod truth;
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
