@@ -17,7 +17,7 @@ mod tests;
 
 /// Rays may miss a vertex by this share of their length and still be asked whether they reach it: far above
 /// [`GRAZE`](super::window::GRAZE) and rounding.
-const CLOSE: f64 = 1e-9;
+const CLOSE: f64 = 1e-5;
 
 /// A turn of the plane, and a shift after it.
 #[derive(Debug, Clone, Copy)]

@@ -35,22 +35,18 @@ impl Wavefront {
             self.is_refused |= way.windows.try_reserve(list.windows.len() + ROOM).is_err();
         }
         let opposite = frame.opposite(k);
-        let mut is_seen = false;
         let mut bundles = list.bundles.into_iter().peekable();
         for (place, window) in list.windows.iter().enumerate() {
-            self.pass_alone(halfedge, sides, window, &mut leaving, &mut is_seen);
+            self.pass_alone(halfedge, sides, window, &mut leaving);
             if let Some((_, bundle)) = bundles.next_if(|&(after, _)| after as usize == place) {
                 let [to_left, middle, to_right] = bundle.split(opposite);
                 leaving[0].push_bundle(to_left.across(&Motion::to_left(sides), left.length));
                 self.propagated += middle.len();
                 for window in middle {
-                    self.pass_alone(halfedge, sides, &window, &mut leaving, &mut is_seen);
+                    self.pass_alone(halfedge, sides, &window, &mut leaving);
                 }
                 leaving[1].push_bundle(to_right.across(&Motion::to_right(sides), right.length));
             }
-        }
-        if !is_seen {
-            self.reach_between(halfedge, sides, &list.windows);
         }
         list.windows.clear();
         self.is_refused |= list.is_refused;
@@ -63,15 +59,8 @@ impl Wavefront {
     }
 
     /// Lets a window cross a face and adds what leaves to these lists.
-    fn pass_alone(
-        &mut self,
-        halfedge: u32,
-        sides: [&Side; 3],
-        window: &Beam,
-        leaving: &mut [List; 2],
-        is_seen: &mut bool,
-    ) {
-        for (beam, way) in self.pass(halfedge, sides, window, is_seen).into_iter().zip(leaving) {
+    fn pass_alone(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam, leaving: &mut [List; 2]) {
+        for (beam, way) in self.pass(halfedge, sides, window).into_iter().zip(leaving) {
             beam.into_iter().for_each(|beam| way.push(beam));
         }
     }

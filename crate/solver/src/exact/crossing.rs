@@ -37,11 +37,6 @@ impl Crossing {
         larger(self.begins, -self.ends) <= self.height * (GRAZE * (self.aside.abs() + self.height) + grain)
     }
 
-    /// Whether the whole interval passes the opposite corner on its left.
-    pub fn is_left(&self) -> bool {
-        self.ends < 0.0
-    }
-
     /// What leaves by the edge at the half-edge's begin, as the half-edge across that edge sees it. `sides` are those that
     /// it [sees](super::geometry::Frame::seen_from).
     #[inline]
@@ -100,7 +95,7 @@ impl Crossing {
     fn left(&self, [base, ..]: [&Side; 3], begin: f64, end: f64) -> Beam {
         let Beam { x, depth, .. } = self.beam;
         let (cos, sin) = (base.cos, base.sin);
-        Beam { begin, end, x: x * cos - depth * sin, depth: larger(x * sin + depth * cos, 0.0), ..self.beam }
+        Beam { begin, end, x: x * cos - depth * sin, depth: x * sin + depth * cos, ..self.beam }
     }
 
     /// The window on the edge at the half-edge's end, between these places there.
@@ -109,7 +104,7 @@ impl Crossing {
         let (from_end, depth) = (base.length - self.beam.x, self.beam.depth);
         let (cos, sin) = (right.cos, right.sin);
         let x = right.length - (from_end * cos - depth * sin);
-        Beam { begin, end, x, depth: larger(from_end * sin + depth * cos, 0.0), ..self.beam }
+        Beam { begin, end, x, depth: from_end * sin + depth * cos, ..self.beam }
     }
 
     /// How far from its corner the ray through the place `at` of the half-edge meets an edge.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use bytemuck::Zeroable;
 
 use super::portals::Portals;
-use super::window::GRAZE;
+use super::window::TURN;
 use crate::cost::Costs;
 use crate::extremum::{larger, smaller};
 use heatwalk_surface::surface::Surface;
@@ -179,9 +179,9 @@ impl AngleSum {
         f64::from(self.half_turns) * PI + self.sin.abs().atan2(cos)
     }
 
-    /// Whether the sum is more than so many half turns, by more than `GRAZE`.
+    /// Whether the sum is more than so many half turns, by more than `TURN`.
     fn exceeds(&self, half_turns: u32) -> bool {
-        self.half_turns >= half_turns && self.radians() > f64::from(half_turns) * PI + GRAZE
+        self.half_turns >= half_turns && self.radians() > f64::from(half_turns) * PI + TURN
     }
 }
 

@@ -391,18 +391,14 @@ impl Wavefront {
             self.is_refused = true;
             return;
         }
-        let mut is_seen = false;
         for window in &windows {
-            let [left, right] = self.pass(halfedge, sides, window, &mut is_seen);
+            let [left, right] = self.pass(halfedge, sides, window);
             if let Some(beam) = left {
                 to_left.push(beam);
             }
             if let Some(beam) = right {
                 to_right.push(beam);
             }
-        }
-        if !is_seen {
-            self.reach_between(halfedge, sides, &windows);
         }
         windows.clear();
         self.crossing = windows;
@@ -414,32 +410,14 @@ impl Wavefront {
 
     /// Lets a window cross a face: a value for the opposite corner, and what leaves by the edges at the half-edge's begin and end.
     #[inline(always)]
-    pub(super) fn pass(
-        &mut self,
-        halfedge: u32,
-        sides: [&Side; 3],
-        window: &Beam,
-        is_seen: &mut bool,
-    ) -> [Option<Beam>; 2] {
+    pub(super) fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam) -> [Option<Beam>; 2] {
         let [base, _, left] = sides;
         let opposite = [left.length * base.cos, left.length * base.sin];
         let crossing = Crossing::new(*window, opposite);
         if crossing.sees_corner(self.geometry.grain) {
-            *is_seen = true;
             self.reach(halfedge, left.vertex, opposite, &crossing);
         }
         [crossing.to_left(sides), crossing.to_right(sides)].map(|beam| beam.filter(Beam::is_wide))
-    }
-
-    /// Offers the corner opposite a half-edge the paths that bend at the ends of the windows on both sides of it, none of which
-    /// sees it. Where two windows end at one ray through a vertex, rounding must not lose the corners on that ray.
-    pub(super) fn reach_between(&mut self, halfedge: u32, sides: [&Side; 3], windows: &[Beam]) {
-        let [base, _, left] = sides;
-        let opposite = [left.length * base.cos, left.length * base.sin];
-        let right = windows.partition_point(|window| Crossing::new(*window, opposite).is_left());
-        for window in &windows[right.saturating_sub(1)..windows.len().min(right + 1)] {
-            self.reach(halfedge, left.vertex, opposite, &Crossing::new(*window, opposite));
-        }
     }
 
     /// Whether a window starts from the distance that its root has now.

@@ -2,13 +2,16 @@
 
 use crate::extremum::{either, larger, smaller};
 
-/// A window reaches vertices that its rays miss by at most this share of their distance from it, and an angle sum
-/// counts as a turn within this. Rounding of positions unfolded through thousands of faces stays below; a path
-/// bent at the window's end to reach such a vertex is longer by no more than twice this share.
-pub(super) const GRAZE: f64 = 1e-11;
+/// A window reaches vertices that its rays miss by at most this share of their distance from it. Rounding stays below: that of
+/// positions unfolded through thousands of faces, and that of a ray which has passed a vertex at a hundred-millionth of the edges
+/// there. A path bent at the window's end to reach such a vertex is longer by no more than the square of this share.
+pub(super) const GRAZE: f64 = 1e-6;
 
 /// Windows seen under a smaller angle, radians, are dropped: what they see, their neighbours reach within [`GRAZE`].
 const THIN: f64 = 1e-13;
+
+/// An angle sum counts as a turn within this, radians.
+pub(super) const TURN: f64 = 1e-11;
 
 /// Windows of one half-edge may overlap by what is seen under a smaller angle, radians. Most windows end at a ray that the
 /// next one begins with, at the border of a shadow, which is taken wider by a tenth of this: who is nearer there
@@ -80,9 +83,8 @@ impl Beam {
     /// Whether the interval is seen from the source under more than a small angle, in radians.
     #[inline(always)]
     fn exceeds(&self, angle: f64) -> bool {
-        let (width, middle) = (self.end - self.begin, 0.5 * (self.begin + self.end) - self.x);
-        let is_opposite = (width > 0.0) & (middle.abs() < 0.5 * width);
-        is_opposite | (width * self.depth > angle * (middle * middle + self.depth * self.depth))
+        let aside = larger(larger(self.begin - self.x, self.x - self.end), 0.0);
+        (self.end - self.begin) * self.depth >= angle * (aside * aside + self.depth * self.depth)
     }
 
     /// The least distance in the interval.
