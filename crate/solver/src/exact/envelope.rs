@@ -1,9 +1,12 @@
 //! Windows of one half-edge, each of which keeps what it reaches sooner than all others: their lower envelope.
 
 use super::list::List;
-use super::overlap::Overlap;
-use super::window::Beam;
-use crate::extremum::either;
+use super::overlap::{Overlap, parts_before};
+use super::window::{Beam, SLIVER, THIN};
+use crate::extremum::{either, larger, smaller};
+
+/// Lists of fewer windows are never crowded.
+const CROWD: usize = 16;
 
 /// Divides half-edges among windows. What it holds is kept for its memory.
 #[derive(Debug, Default)]
@@ -22,9 +25,14 @@ impl Envelope {
     /// Which of them overlap the next one is as good as random, so that these are collected without a branch before anything is
     /// done about them. Windows only become shorter, and two are divided once, so that there is an end of it.
     pub fn resolve(&mut self, list: &mut Vec<Beam>) {
+        let is_crowded = is_crowded(list);
+        if is_crowded {
+            thin_out(list);
+        }
+        let sliver = if is_crowded { THIN } else { SLIVER };
         let mut is_settled = false;
         while !is_settled {
-            if !self.find_pairs(list) {
+            if !self.find_pairs(list, sliver) {
                 return self.is_refused = true;
             }
             is_settled = true;
@@ -35,7 +43,7 @@ impl Envelope {
                 if second.begin < first.begin {
                     std::mem::swap(first, second);
                     is_settled = false;
-                } else if !(first.is_wide() && first.overlaps(second)) {
+                } else if !(first.is_wide() && first.overlaps(second, sliver)) {
                     // Lost or swapped just now: for the next round.
                 } else if let Some((end, begin)) = settle(first, second) {
                     (first.end, second.begin) = (end, begin);
@@ -70,7 +78,7 @@ impl Envelope {
     /// Divides what is between the windows beside and between the bundles of a list. Returns whether no more was to do.
     fn settle_beside_bundles(&mut self, list: &mut List) -> bool {
         loop {
-            if !self.find_pairs(&list.windows) {
+            if !self.find_pairs(&list.windows, SLIVER) {
                 self.is_refused = true;
                 return true;
             }
@@ -84,7 +92,7 @@ impl Envelope {
                 if second.begin < first.begin {
                     return false;
                 }
-                if first.is_wide() && first.overlaps(second) {
+                if first.is_wide() && first.overlaps(second, SLIVER) {
                     let Some((end, begin)) = settle(first, second) else { return false };
                     (first.end, second.begin) = (end, begin);
                     is_any_lost |= !(first.is_wide() & second.is_wide());
@@ -98,7 +106,7 @@ impl Envelope {
     }
 
     /// Finds the windows of a list that overlap the next one, or begin after it. Returns whether there was room.
-    fn find_pairs(&mut self, list: &[Beam]) -> bool {
+    fn find_pairs(&mut self, list: &[Beam], sliver: f64) -> bool {
         self.pairs.clear();
         if self.pairs.try_reserve(list.len()).is_err() {
             return false;
@@ -107,7 +115,7 @@ impl Envelope {
         let mut found = 0;
         for (place, pair) in list.windows(2).enumerate() {
             self.pairs[found] = place as u32;
-            found += usize::from((pair[1].begin < pair[0].begin) | pair[0].overlaps(&pair[1]));
+            found += usize::from((pair[1].begin < pair[0].begin) | pair[0].overlaps(&pair[1], sliver));
         }
         self.pairs.truncate(found);
         true
@@ -164,6 +172,29 @@ impl Envelope {
         self.joined.clear();
         self.resolve_list(list);
     }
+}
+
+/// Whether most windows of a list lie on the next one, all of them so narrow that both would stay as they are: where the same light
+/// comes by many ways around thin triangles, there would be more of them at each edge.
+fn is_crowded(list: &[Beam]) -> bool {
+    let covers = |pair: &&[Beam]| {
+        let [first, second] = [&pair[0], &pair[1]];
+        let width = smaller(first.end - first.begin, second.end - second.begin);
+        smaller(first.end, second.end) - larger(first.begin, second.begin) > 0.5 * width
+    };
+    list.len() > CROWD && 2 * list.windows(2).filter(covers).count() > list.len()
+}
+
+/// Leaves of the windows of a list what no nearer one reaches sooner.
+#[cold]
+fn thin_out(list: &mut Vec<Beam>) {
+    list.sort_unstable_by(|a, b| a.nearest().total_cmp(&b.nearest()));
+    let mut left: Vec<Beam> = Vec::new();
+    for window in list.iter() {
+        left.extend(parts_before(window, &left, 0.0));
+    }
+    left.sort_unstable_by(|a, b| a.begin.total_cmp(&b.begin));
+    *list = left;
 }
 
 fn push(list: &mut Vec<Beam>, window: &Beam) {

@@ -57,6 +57,11 @@ impl Lists {
         self.numbers.len()
     }
 
+    /// What divides half-edges among windows.
+    pub fn envelope(&mut self) -> &mut Envelope {
+        &mut self.envelope
+    }
+
     /// Whether there was no memory for windows, which are lost.
     pub fn is_refused(&self) -> bool {
         self.is_refused | self.envelope.is_refused

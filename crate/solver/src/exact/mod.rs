@@ -25,6 +25,7 @@ mod points;
 mod portals;
 mod queue;
 mod relax;
+mod repeats;
 #[cfg(test)]
 mod samples;
 mod sources;

@@ -149,3 +149,21 @@ impl<'a> Overlap<'a> {
         high.0
     }
 }
+
+/// The parts of a window that are nearer than all others of its half-edge, by more than this distance.
+pub(super) fn parts_before(window: &Beam, others: &[Beam], by: f64) -> Vec<Beam> {
+    let mut parts = vec![*window];
+    for other in others {
+        let cut = |part: Beam| {
+            if part.begin >= other.end || other.begin >= part.end {
+                return vec![part];
+            }
+            let later = Beam { offset: part.offset + by, ..part };
+            let shares = Overlap::new(&later, other).shares();
+            let own = shares.as_slice().iter().filter(|share| share.0);
+            own.map(|&(_, begin, end)| part.part(begin, end)).filter(Beam::is_wide).collect()
+        };
+        parts = parts.into_iter().flat_map(cut).collect();
+    }
+    parts
+}

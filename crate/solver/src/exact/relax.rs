@@ -4,53 +4,76 @@
 //! the other, all windows may pass the vertex by; then it gets the distance of its neighbor plus the edge, and sends windows
 //! itself, as if paths could bend there.
 
+use std::sync::Arc;
+
 use super::geometry::{after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::MARGIN;
 use crate::room;
-use heatwalk_surface::VertexId;
+use heatwalk_surface::{FaceId, VertexId};
 
 /// Share of an edge by which distances of its ends may differ by more than its length: some roundings.
 const SLACK: f64 = 1e-13;
 
+/// Vertices that have come nearer.
+#[derive(Default)]
+struct Nearer {
+    /// Whose neighbors are to be looked at.
+    open: Vec<VertexId>,
+    /// Those that windows have lost.
+    lost: Vec<VertexId>,
+}
+
 impl Wavefront {
-    /// Gives each vertex that is reached, and nearer than `radius`, no more than the distance of its neighbors plus the edge
-    /// between. Where windows have lost it, it sends some. Returns whether there are any.
+    /// Gives vertices nearer than `radius` no more than the distance of a neighbor plus the edge between. Where windows
+    /// have lost one, it sends some. Returns whether there are any.
     pub(super) fn relax(&mut self, radius: f64) -> bool {
-        let mut lost = Vec::new();
-        let mut place = 0;
-        let mut changed = Vec::new();
-        // Vertices that are reached here come at the end of the list.
-        while let Some(vertex) = changed.pop().or_else(|| self.reached.get(place).copied().inspect(|_| place += 1)) {
-            if self.values[vertex] < radius {
-                self.relax_around(vertex, &mut changed, &mut lost);
+        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
+        let mut nearer = Nearer::default();
+        for place in 0..self.reached.len() {
+            let vertex = self.reached[place];
+            let value = self.values[vertex];
+            for (face, k) in surface.corners_of_vertex(vertex) {
+                let (side, end) = (&geometry.frame(face.0)[k], VertexId(geometry.frame(face.0)[after(k)].vertex));
+                let known = self.values[end];
+                if (known - value).abs() > side.length * (1.0 + SLACK) {
+                    let (from, to) = if value < known { (vertex, end) } else { (end, vertex) };
+                    self.relax_edge((from, to), (face, side.length), radius, &mut nearer);
+                }
             }
         }
-        for &vertex in &lost {
-            self.queue.rewind(self.values[VertexId(vertex)]);
-            self.light_all_around(vertex);
+        while let Some(vertex) = nearer.open.pop() {
+            for (face, k) in surface.corners_of_vertex(vertex) {
+                let frame = geometry.frame(face.0);
+                for (side, end) in [(k, after(k)), (before(k), before(k))] {
+                    let edge = (vertex, VertexId(frame[end].vertex));
+                    self.relax_edge(edge, (face, frame[side].length), radius, &mut nearer);
+                }
+            }
         }
-        !lost.is_empty()
+        for &vertex in &nearer.lost {
+            self.queue.rewind(self.values[vertex]);
+            self.light_all_around(vertex.0);
+        }
+        !nearer.lost.is_empty()
     }
 
-    /// Relaxes the edges of a vertex; `changed` are vertices that come nearer, `lost` those of them by more than rounding.
-    fn relax_around(&mut self, vertex: VertexId, changed: &mut Vec<VertexId>, lost: &mut Vec<u32>) {
-        let (geometry, surface) = (self.geometry.clone(), self.surface.clone());
-        let value = self.values[vertex];
-        for (face, k) in surface.corners_of_vertex(vertex) {
-            let frame = geometry.frame(face.0);
-            for (side, end) in [(k, after(k)), (before(k), before(k))] {
-                let (length, end) = (frame[side].length, frame[end].vertex);
-                let known = self.values[VertexId(end)];
-                if known <= value + length * (1.0 + SLACK) {
-                    continue;
-                }
-                let is_lost = known > value + length + (MARGIN * value.abs() + geometry.grain);
-                self.offer(end, value + length, Origin::Straight { face: face.0, root: vertex.0 });
-                self.is_refused |= !room::push(changed, VertexId(end));
-                self.is_refused |= is_lost && !room::push(lost, end);
-            }
+    /// Gives the end of an edge, of this length in a face, no more than the distance of its start plus that, where that is below
+    /// `radius`.
+    fn relax_edge(
+        &mut self,
+        (from, to): (VertexId, VertexId),
+        (face, length): (FaceId, f64),
+        radius: f64,
+        nearer: &mut Nearer,
+    ) {
+        let (value, known) = (self.values[from] + length, self.values[to]);
+        if value < radius && known > value + SLACK * length {
+            let is_lost = known > value + (MARGIN * value.abs() + self.geometry.grain);
+            self.offer(to.0, value, Origin::Straight { face: face.0, root: from.0 });
+            self.is_refused |= !room::push(&mut nearer.open, to);
+            self.is_refused |= is_lost && !room::push(&mut nearer.lost, to);
         }
     }
 }

@@ -11,6 +11,7 @@ use super::origin::Origin;
 use super::points::PointsInFaces;
 use super::portals::Portals;
 use super::queue::Buckets;
+use super::repeats::Repeats;
 use super::targets::Targets;
 use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
@@ -43,6 +44,7 @@ pub struct Wavefront {
     pub(super) waiting: Lists,
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
+    repeats: Repeats,
     pub(super) propagated: usize,
     /// Whether there was no memory for something, which is lost.
     pub(super) is_refused: bool,
@@ -103,6 +105,7 @@ impl Wavefront {
             reached: Vec::new(),
             waiting: Lists::new(halfedges),
             queue: Buckets::new(items, base, BUCKET * geometry.mean_edge()),
+            repeats: Repeats::new(halfedges),
             propagated: 0,
             is_refused: false,
             batch: Vec::new(),
@@ -146,6 +149,7 @@ impl Wavefront {
                 waiting.clear(item);
             }
         });
+        self.repeats.clear();
         self.propagated = 0;
         self.sources = sources;
         self.start();
@@ -373,14 +377,24 @@ impl Wavefront {
         let (frame, k) = geometry.frame_of(halfedge);
         let sides = frame.seen_from(k);
         let [a, b, _] = sides.map(|side| side.vertex);
+        let remembers = self.repeats.remembers(halfedge);
 
         let mut windows = std::mem::take(&mut self.crossing);
         let bundles = self.waiting.take(halfedge, &mut windows);
         if HAS_BUNDLES && (windows.len() >= self.waiting.many || !bundles.is_empty()) {
-            return self.cross_in_bundles(geometry, halfedge, List::new(windows, bundles));
+            let mut list = List::new(windows, bundles);
+            if !remembers {
+                return self.cross_in_bundles(geometry, halfedge, list);
+            }
+            list.open();
+            self.is_refused |= list.is_refused;
+            windows = list.windows;
         }
         windows.retain(|window| self.is_current(window));
         window::clip(&mut windows, sides[0].length, [a, b].map(|vertex| self.limit(vertex)));
+        if remembers {
+            self.repeats.leave_nearer(halfedge, &mut windows, self.waiting.envelope(), geometry.grain);
+        }
         self.propagated += windows.len();
         if self.targets.are_in(halfedge / 3) || self.ends.are_in(halfedge / 3) {
             self.see(frame, halfedge, &windows);

@@ -8,7 +8,7 @@ use crate::extremum::{either, larger, smaller};
 pub(super) const GRAZE: f64 = 1e-6;
 
 /// Windows seen under a smaller angle, radians, are dropped: what they see, their neighbours reach within [`GRAZE`].
-const THIN: f64 = 1e-13;
+pub(super) const THIN: f64 = 1e-13;
 
 /// An angle sum counts as a turn within this, radians.
 pub(super) const TURN: f64 = 1e-11;
@@ -16,7 +16,7 @@ pub(super) const TURN: f64 = 1e-11;
 /// Windows of one half-edge may overlap by what is seen under a smaller angle, radians. Most windows end at a ray that the
 /// next one begins with, at the border of a shadow, which is taken wider by a tenth of this: who is nearer there
 /// is up to rounding, and nothing is lost where both are kept.
-const SLIVER: f64 = 1e-8;
+pub(super) const SLIVER: f64 = 1e-8;
 
 /// Nothing is dropped unless it is longer by this share than what replaces it: rounding of lengths stays below, so
 /// a shortest path is never lost to a tie with itself.
@@ -89,15 +89,15 @@ impl Beam {
 
     /// The least distance in the interval.
     #[inline(always)]
-    fn nearest(&self) -> f64 {
+    pub fn nearest(&self) -> f64 {
         let aside = larger(larger(self.begin - self.x, self.x - self.end), 0.0);
         self.offset + length(aside, self.depth)
     }
 
-    /// Whether another window that does not begin before this one begins well before its end.
+    /// Whether another window that does not begin before this one begins well before its end: by what is seen under a larger angle.
     #[inline(always)]
-    pub fn overlaps(&self, other: &Self) -> bool {
-        self.part(other.begin, self.end).exceeds(SLIVER)
+    pub fn overlaps(&self, other: &Self, sliver: f64) -> bool {
+        self.part(other.begin, self.end).exceeds(sliver)
     }
 
     /// Whether another window begins where this one ends and has the same source, at the same distance: that of a vertex
