@@ -60,7 +60,7 @@ impl Wavefront {
 
     /// Lets a window cross a face and adds what leaves to these lists.
     fn pass_alone(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam, leaving: &mut [List; 2]) {
-        for (beam, way) in self.pass(halfedge, sides, window).into_iter().zip(leaving) {
+        for (beam, way) in self.pass(halfedge, sides, window, self.geometry.grain).into_iter().zip(leaving) {
             beam.into_iter().for_each(|beam| way.push(beam));
         }
     }

@@ -32,9 +32,10 @@ impl Crossing {
         self.beam.x + self.aside * self.beam.depth / self.height
     }
 
-    /// Whether the ray to the opposite corner misses the interval by no more than [`GRAZE`] of its length, roughly.
+    /// Whether the ray to the opposite corner misses the interval by no more than [`GRAZE`] of its length along the half-edge, roughly,
+    /// and `grain` aside of it.
     pub fn sees_corner(&self, grain: f64) -> bool {
-        larger(self.begins, -self.ends) <= self.height * (GRAZE * (self.aside.abs() + self.height) + grain)
+        larger(self.begins, -self.ends) <= (self.aside.abs() + self.height) * (GRAZE * self.height + grain)
     }
 
     /// What leaves by the edge at the half-edge's begin, as the half-edge across that edge sees it. `sides` are those that

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::geometry::{after, before};
+use super::geometry::{Frame, after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::MARGIN;
@@ -31,15 +31,12 @@ impl Wavefront {
     pub(super) fn relax(&mut self, radius: f64) -> bool {
         let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
         let mut nearer = Nearer::default();
-        for place in 0..self.reached.len() {
-            let vertex = self.reached[place];
-            let value = self.values[vertex];
-            for (face, k) in surface.corners_of_vertex(vertex) {
-                let (side, end) = (&geometry.frame(face.0)[k], VertexId(geometry.frame(face.0)[after(k)].vertex));
-                let known = self.values[end];
-                if (known - value).abs() > side.length * (1.0 + SLACK) {
-                    let (from, to) = if value < known { (vertex, end) } else { (end, vertex) };
-                    self.relax_edge((from, to), (face, side.length), radius, &mut nearer);
+        if radius == f64::INFINITY {
+            surface.faces().ids().for_each(|face| self.relax_face(geometry.frame(face.0), face, radius, &mut nearer));
+        } else {
+            for place in 0..self.reached.len() {
+                for (face, _) in surface.corners_of_vertex(self.reached[place]) {
+                    self.relax_face(geometry.frame(face.0), face, radius, &mut nearer);
                 }
             }
         }
@@ -57,6 +54,18 @@ impl Wavefront {
             self.light_all_around(vertex.0);
         }
         !nearer.lost.is_empty()
+    }
+
+    #[inline(always)]
+    fn relax_face(&mut self, frame: &Frame, face: FaceId, radius: f64, nearer: &mut Nearer) {
+        let ends = frame.vertices().map(VertexId);
+        let values = ends.map(|vertex| self.values[vertex]);
+        for k in 0..3 {
+            if (values[k] - values[after(k)]).abs() > frame[k].length * (1.0 + SLACK) {
+                let (from, to) = if values[k] < values[after(k)] { (k, after(k)) } else { (after(k), k) };
+                self.relax_edge((ends[from], ends[to]), (face, frame[k].length), radius, nearer);
+            }
+        }
     }
 
     /// Gives the end of an edge, of this length in a face, no more than the distance of its start plus that, where that is below

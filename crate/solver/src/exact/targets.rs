@@ -40,14 +40,21 @@ impl Targets {
         self.in_faces.are_in(face)
     }
 
-    /// Offers the targets in a half-edge's face a window that crosses it. `nearer` is told those that it brings nearer, with
+    /// Offers the targets in a half-edge's face a window that crosses it, whose rays may miss them by `grain`. `nearer` is told those that it brings nearer, with
     /// their values.
-    pub fn see(&mut self, frame: &Frame, halfedge: u32, window: &Beam, mut nearer: impl FnMut(u32, f64)) {
+    pub fn see(
+        &mut self,
+        frame: &Frame,
+        halfedge: u32,
+        (window, grain): (&Beam, f64),
+        mut nearer: impl FnMut(u32, f64),
+    ) {
         for place in Arc::clone(&self.in_faces).in_face(halfedge / 3) {
             let [x, y] = frame.place(halfedge as usize % 3, place.weights);
             let crosses = window.x + (x - window.x) * window.depth / (window.depth + y);
             let at = crosses.max(window.begin).min(window.end);
-            if (crosses - at).abs() > GRAZE * length(x - window.x, y + window.depth) {
+            let height = window.depth + y;
+            if (crosses - at).abs() * height > length(x - window.x, height) * (GRAZE * height + grain) {
                 continue;
             }
             let value = window.at(at) + length(x - at, y);

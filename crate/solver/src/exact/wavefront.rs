@@ -405,8 +405,9 @@ impl Wavefront {
             self.is_refused = true;
             return;
         }
+        let grain = geometry.grain;
         for window in &windows {
-            let [left, right] = self.pass(halfedge, sides, window);
+            let [left, right] = self.pass(halfedge, sides, window, grain);
             if let Some(beam) = left {
                 to_left.push(beam);
             }
@@ -424,11 +425,17 @@ impl Wavefront {
 
     /// Lets a window cross a face: a value for the opposite corner, and what leaves by the edges at the half-edge's begin and end.
     #[inline(always)]
-    pub(super) fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam) -> [Option<Beam>; 2] {
+    pub(super) fn pass(
+        &mut self,
+        halfedge: u32,
+        sides: [&Side; 3],
+        window: &Beam,
+        grain: f64,
+    ) -> [Option<Beam>; 2] {
         let [base, _, left] = sides;
         let opposite = [left.length * base.cos, left.length * base.sin];
         let crossing = Crossing::new(*window, opposite);
-        if crossing.sees_corner(self.geometry.grain) {
+        if crossing.sees_corner(grain) {
             self.reach(halfedge, left.vertex, opposite, &crossing);
         }
         [crossing.to_left(sides), crossing.to_right(sides)].map(|beam| beam.filter(Beam::is_wide))
@@ -445,7 +452,7 @@ impl Wavefront {
     #[cold]
     pub(super) fn see(&mut self, frame: &Frame, halfedge: u32, windows: &[Beam]) {
         let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
-        for window in windows {
+        for window in windows.iter().map(|window| (window, self.geometry.grain)) {
             self.targets.see(frame, halfedge, window, |_, _| ());
             self.ends.see(frame, halfedge, window, |end, value| queue.push(first + end, value));
         }
