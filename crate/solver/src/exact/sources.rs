@@ -14,6 +14,10 @@ use heatwalk_surface::VertexId;
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
 
+/// A corner that is no farther than so many times what rounding does from the opposite edge lights all of it: there, places on
+/// the edge do not tell directions.
+const NARROW: f64 = 1e5;
+
 /// A border of the shadow behind a vertex.
 #[derive(Debug, Clone, Copy)]
 struct Border {
@@ -233,9 +237,10 @@ impl Wavefront {
         // By the law of sines, measured from the edge's end, as the half-edge across runs.
         let meets =
             |[cos, sin]: [f64; 2]| along - frame[k].length * sin / (frame[out].cos * sin + frame[out].sin * cos);
-        let begin = to.map_or(0.0, |to| larger(meets(to), 0.0));
-        let end = from.map_or(along, |from| smaller(meets(from), along));
         let (x, depth) = (frame[last].length * frame[last].cos, frame[k].length * frame[out].sin);
+        let has_borders = depth > NARROW * geometry.grain;
+        let begin = to.filter(|_| has_borders).map_or(0.0, |to| larger(meets(to), 0.0));
+        let end = from.filter(|_| has_borders).map_or(along, |from| smaller(meets(from), along));
         self.leave(face * 3 + out as u32, Beam { begin, end, x, depth, offset: value, root });
     }
 }
