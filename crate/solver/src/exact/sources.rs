@@ -41,7 +41,8 @@ impl ExactGeometry {
         let mut direction = [-x - SHADOW_MARGIN * y, SHADOW_MARGIN * x - y];
         loop {
             let [x, y] = direction;
-            direction = [x * side.cos + y * side.sin, y * side.cos - x * side.sin];
+            // Past a corner of nearly half a turn the border may come to lie before the next face by its margin.
+            direction = [x * side.cos + y * side.sin, larger(y * side.cos - x * side.sin, 0.0)];
             turn = self.turn(turn).filter(|next| next.face != start.face)?;
             side = side_of(turn);
             let [x, y] = direction;
