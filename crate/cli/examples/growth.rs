@@ -37,7 +37,14 @@ fn main() -> Result<()> {
         words.remove(0);
     }
     let sizes = [1, 4, 16].map(|factor| factor * count.unwrap_or(2000));
-    println!("{:<34} {:>9} {:>9} {:>8} {:>8}", "triangles: ".to_owned() + &sizes[2].to_string(), "s", "MB", "time", "memory");
+    println!(
+        "{:<34} {:>9} {:>9} {:>8} {:>8}",
+        "triangles: ".to_owned() + &sizes[2].to_string(),
+        "s",
+        "MB",
+        "time",
+        "memory"
+    );
     for (family, make) in FAMILIES {
         for (operation, prepare) in OPERATIONS {
             let name = format!("{operation}, {family}");
@@ -217,7 +224,8 @@ const OPERATIONS: [(&str, Prepare); 15] = [
         let surface = surface(soup)?;
         let from = Place::Face { face: FaceId(0), weights: [0.3, 0.3, 0.4] };
         let length = 3.0 * surface.bounding_radius();
-        let direction = surface.position(surface.faces()[FaceId(0)][1]) - surface.position(surface.faces()[FaceId(0)][2]);
+        let direction =
+            surface.position(surface.faces()[FaceId(0)][1]) - surface.position(surface.faces()[FaceId(0)][2]);
         does(move || straightest(&surface, from, None, direction, length))
     }),
     ("isolines", |soup| {
@@ -261,7 +269,9 @@ fn surface(soup: &Soup) -> Result<Arc<Surface>> {
 fn propagates(surface: Arc<Surface>, sources: Vec<Place>) -> Result<Operation> {
     let mut solver = DistanceSolver::new(surface);
     solver.exact_geometry();
-    does(move || solver.distance(&sources, &DistanceOptions::by(Method::Propagation), &mut |_| ControlFlow::Continue(())))
+    does(move || {
+        solver.distance(&sources, &DistanceOptions::by(Method::Propagation), &mut |_| ControlFlow::Continue(()))
+    })
 }
 
 /// The distance to a place of the last triangle, and the vertex farthest from there.

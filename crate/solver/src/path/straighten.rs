@@ -5,6 +5,9 @@
 //! where it turns by less than π, and shortened there, until no vertex is left to do that at. There, that means to
 //! flip edges of an intrinsic triangulation; here, it means to take the shortest path in the unfolded strip of faces
 //! between the vertices before and after, which is the same path and needs neither a manifold nor an orientation.
+//!
+//! That goes in rounds, in each of which no segment changes twice: so segments that grow together double, where one that grew
+//! vertex by vertex would be unfolded as often as it has faces.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -25,8 +28,8 @@ use heatwalk_surface::{Path, PathPoint};
 /// its rounding.
 const STRAIGHT: f64 = 1e-7;
 
-/// Vertices led around per point of the path given, at most. Paths along edges need ten; each shortens the path, so that this
-/// bounds time and never harms the result.
+/// Faces unfolded per point of the path given and face of the surface, at most. Paths along edges need MEASURED; each vertex
+/// that is led around shortens the path, so that this bounds time and makes no path longer than it was.
 const LONGEST_WORK: usize = 1000;
 
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
@@ -38,7 +41,7 @@ const LONGEST_WORK: usize = 1000;
 /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a path on another surface.
 pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
-    let pieces = path.points.chunk_by(|a, b| b.location.faces(surface).contains(&a.face));
+    let pieces = path.points.chunk_by(|a, b| b.location.lies_on(surface, a.face));
     let straight = pieces.map(|piece| straightened(surface, &Path::new(surface, piece.to_vec())).points);
     Ok(Path::new(surface, straight.flatten().collect()))
 }
@@ -46,7 +49,7 @@ pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
 /// The same for a path on one component.
 fn straightened(surface: &Surface, path: &Path) -> Path {
     let Some(mut chain) = Chain::new(surface, path) else { return path.clone() };
-    chain.shorten(LONGEST_WORK * path.points.len());
+    chain.shorten(LONGEST_WORK * (path.points.len() + surface.face_count()));
     let straight = Path::new(surface, chain.points());
     // Where it was straight already, rounding may make it longer.
     if straight.length() <= path.length() { straight } else { path.clone() }
@@ -68,8 +71,10 @@ struct Node {
 struct Chain<'a> {
     surface: &'a Surface,
     nodes: Vec<Node>,
-    /// Bits of the angle, node, version. Bits of non-negative floats order as the floats do.
+    /// For the next round: bits of the angle, node, version. Bits of non-negative floats order as the floats do.
     queue: BinaryHeap<Reverse<(u64, u32, u32)>>,
+    /// Faces unfolded so far.
+    work: usize,
     last_face: FaceId,
 }
 
@@ -77,7 +82,7 @@ impl<'a> Chain<'a> {
     /// The shortest path in the faces of `path` between each vertex on it and the next; `None` without points.
     fn new(surface: &'a Surface, path: &Path) -> Option<Self> {
         let (first, rest) = path.points.split_first()?;
-        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), last_face: first.face };
+        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), work: 0, last_face: first.face };
         let mut last = chain.add(first.location.reduced(surface), NONE);
         let mut strip = Strip::new(first.face);
         for (k, point) in rest.iter().enumerate() {
@@ -146,10 +151,18 @@ impl<'a> Chain<'a> {
         self.nodes.get(self.nodes[index as usize].before as usize)?.segment.as_ref()
     }
 
-    /// Leads the path around one vertex after the other, the sharpest turn first.
+    /// Leads the path around vertices until none is left or about `most` faces were unfolded, the sharpest turn of each round
+    /// first. What changes in a round waits for the next one.
     fn shorten(&mut self, most: usize) {
-        for _ in 0..most {
-            let Some(Reverse((_, index, version))) = self.queue.pop() else { break };
+        let mut round = BinaryHeap::new();
+        while self.work < most {
+            let Some(Reverse((_, index, version))) = round.pop() else {
+                if self.queue.is_empty() {
+                    break;
+                }
+                std::mem::swap(&mut round, &mut self.queue);
+                continue;
+            };
             if self.nodes[index as usize].version == version {
                 self.lead_around(index);
             }
@@ -167,12 +180,15 @@ impl<'a> Chain<'a> {
         strip.extend(turn.steps);
         strip.extend(second.strip.steps.iter().copied());
         let length = first.length + second.length;
+        self.work += strip.steps.len();
         let [start, end] = [before, after].map(|node| self.nodes[node as usize].location);
         let segments = tighten(self.surface, start, strip, end);
         // Not so where the turn is among rounding errors.
         if segments.iter().map(|segment| segment.length).sum::<f64>() >= length {
             return;
         }
+        // The strip is as long as the path may be.
+        self.nodes[index as usize].segment = None;
         self.nodes[index as usize].version += 1;
         self.replace(before, segments, after);
     }

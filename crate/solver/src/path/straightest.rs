@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::error::{Error, Result};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, FaceId, Place, ToPoint, VertexId};
+use heatwalk_surface::{Element, FaceId, HalfedgeId, Place, ToPoint, VertexId};
 use heatwalk_surface::{Path, PathPoint, SNAP};
 
 /// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
@@ -204,10 +204,7 @@ impl Walk<'_> {
     fn enter(&mut self, angle: impl Fn(&Ring, &Self) -> f64) -> Option<()> {
         match self.here() {
             Place::Face { .. } => Some(()),
-            Place::Edge { halfedge, .. } => {
-                let [a, b] = self.surface.ends(halfedge);
-                self.cross_edge(a, b)
-            }
+            Place::Edge { halfedge, .. } => self.cross_edge(halfedge),
             Place::Vertex(vertex) => {
                 let ring = Ring::around(self.surface, vertex, self.face)?;
                 (self.face, self.direction) = ring.direction_at(self.surface, angle(&ring, self));
@@ -217,11 +214,12 @@ impl Walk<'_> {
     }
 
     /// Unfolds the direction over an edge of the face.
-    fn cross_edge(&mut self, a: VertexId, b: VertexId) -> Option<()> {
+    fn cross_edge(&mut self, halfedge: HalfedgeId) -> Option<()> {
+        let [a, b] = self.surface.ends(halfedge);
         let along = triangle::unit(self.surface.position(b) - self.surface.position(a));
         let forward = self.direction.dot(along);
         let sideways = (1.0 - forward * forward).max(0.0).sqrt();
-        let beyond = self.surface.faces_of_edge(a, b).filter(|&face| face != self.face);
+        let beyond = self.surface.faces_of_edge(halfedge).filter(|&face| face != self.face);
         let turned = beyond.map(|face| {
             let direction = along * forward + inward(self.surface, face, [a, b]) * sideways;
             (face, triangle::unit(direction))
@@ -269,7 +267,8 @@ impl Ring {
             let far = surface.faces()[face].into_iter().find(|&corner| corner != vertex && corner != near)?;
             ring.faces.push((face, [near, far], ring.total));
             ring.total += triangle::angle([vertex, near, far].map(|corner| surface.position(corner)));
-            let mut beyond = surface.faces_of_edge(vertex, far).filter(|&other| other != face);
+            let edge = surface.halfedge_between(vertex, far)?;
+            let mut beyond = surface.faces_of_edge(edge).filter(|&other| other != face);
             let (next, None) = (beyond.next()?, beyond.next()) else { return None };
             if far == start || next == first {
                 // A second ring may touch this one in the vertex.
