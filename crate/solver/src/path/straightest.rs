@@ -11,7 +11,7 @@ use heatwalk_surface::triangle;
 use heatwalk_surface::{Element, FaceId, HalfedgeId, Place, ToPoint, VertexId};
 use heatwalk_surface::{Path, PathPoint, SNAP};
 
-/// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
+/// Faces that a walk may enter, or turn past at vertices: far more than any use, and few enough to fit into memory.
 const MOST_FACES: usize = 1 << 20;
 
 /// A walk straight on.
@@ -71,7 +71,7 @@ pub fn straightest(
     }
     let position = location.position(surface);
     let start = PathPoint { position, location, face };
-    let mut walk = Walk { surface, points: vec![start], face, direction, left: length };
+    let mut walk = Walk { surface, points: vec![start], face, direction, left: length, passed: 0 };
     let is_at_boundary = walk.turn_into_surface().is_none() || !walk.run()?;
     if let Some(last) = walk.points.last_mut() {
         last.face = walk.face;
@@ -129,6 +129,8 @@ struct Walk<'a> {
     direction: DVec3,
     /// Length still to go.
     left: f64,
+    /// Faces that were entered, and those around the vertices that it went through.
+    passed: usize,
 }
 
 impl Walk<'_> {
@@ -138,10 +140,11 @@ impl Walk<'_> {
 
     /// Goes on until the length is used up (true) or the surface ends (false).
     fn run(&mut self) -> Result<bool> {
-        for _ in 0..MOST_FACES {
+        while self.passed < MOST_FACES {
             if self.left <= 0.0 {
                 return Ok(true);
             }
+            self.passed += 1;
             self.cross_face();
             if self.left > 0.0 && self.go_beyond().is_none() {
                 return Ok(false);
@@ -207,6 +210,7 @@ impl Walk<'_> {
             Place::Edge { halfedge, .. } => self.cross_edge(halfedge),
             Place::Vertex(vertex) => {
                 let ring = Ring::around(self.surface, vertex, self.face)?;
+                self.passed += ring.faces.len();
                 (self.face, self.direction) = ring.direction_at(self.surface, angle(&ring, self));
                 Some(())
             }

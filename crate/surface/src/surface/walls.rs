@@ -171,3 +171,45 @@ fn fans(edges: &Edges, corners: &[HalfedgeId]) -> Vec<Vec<HalfedgeId>> {
     }
     fans
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::soup::Soup;
+
+    /// Pages on one edge, which is the first half-edge of each.
+    fn book(pages: u32) -> Surface {
+        let mut positions = vec![DVec3::ZERO, DVec3::Y];
+        positions.extend((0..pages).map(|page| DVec3::new(1.0, 0.5, f64::from(page))));
+        let triangles = (0..pages).map(|page| [0, 1, 2 + page]).collect();
+        Surface::build(&Soup::single("book", positions, triangles)).expect("a surface")
+    }
+
+    #[test]
+    fn each_half_edge_of_an_edge_is_looked_at_once() {
+        let edges = book(500).edges;
+        for is_alone in [false, true] {
+            let looks = Cell::new(0);
+            let parted = edges.parted(|_| {
+                looks.set(looks.get() + 1);
+                (!is_alone).then_some(true)
+            });
+            assert_eq!(looks.get(), 3 * 500);
+            assert_eq!(parted.is_single(HalfedgeId(0)), is_alone);
+        }
+    }
+
+    #[test]
+    fn walls_at_a_vertex_take_room_in_proportion_to_its_faces() {
+        let pages = 500;
+        let book = book(pages);
+        let walled = book.walled(&Walls { faces: Vec::new(), edges: vec![HalfedgeId(0)] }).expect("walls");
+        assert_eq!(walled.report().components, pages as usize);
+        let inputs: usize = walled.vertices().map(|vertex| walled.inputs_of_vertex(vertex).len()).sum();
+        assert_eq!(inputs, 3 * pages as usize);
+    }
+}
