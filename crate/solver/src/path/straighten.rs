@@ -29,8 +29,8 @@ use heatwalk_surface::{Path, PathPoint};
 /// its rounding.
 const STRAIGHT: f64 = 1e-7;
 
-/// Faces unfolded per point of the path given and face of the surface, at most. Paths along edges need MEASURED; each vertex
-/// that is led around shortens the path, so that this bounds time and makes no path longer than it was.
+/// Faces unfolded per point of the path given and face of the surface, at most. Each vertex that is led around shortens the
+/// path, so that this bounds time and makes no path longer than it was.
 const LONGEST_WORK: usize = 1000;
 
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
