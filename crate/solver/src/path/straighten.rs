@@ -184,7 +184,7 @@ impl<'a> Chain<'a> {
                 return;
             }
         }
-        self.replace_if_shorter(&alone, reach);
+        self.replace_if_shorter(&alone, 1);
     }
 
     /// Extends the way around a node by those around the next ones on either side, while the path runs straight through these.
