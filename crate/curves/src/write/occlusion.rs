@@ -33,7 +33,9 @@ struct Node {
     /// Along the axis and square to it.
     low: DVec2,
     high: DVec2,
-    /// The largest depth.
+    /// Of a plane like theirs, depth by pixel; 0 where that is steep.
+    slope: DVec2,
+    /// The largest depth above that plane through the origin.
     nearest: f64,
     triangles: Range<usize>,
     /// The node of the second half, the first half's being the next one; none for a leaf.
@@ -48,20 +50,33 @@ impl Node {
         let sides = corners.iter().flat_map(|&[a, b, c]| [b - a, c - b, a - c]).map(DVec3::truncate);
         let longest = sides.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
         let axis = longest.and_then(DVec2::try_normalize).unwrap_or(DVec2::X);
+        let slope = corners.get(corners.len() / 2).map_or(DVec2::ZERO, slope);
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let mut nearest = f64::NEG_INFINITY;
         for corner in corners.iter().flatten() {
             let at = along(axis, *corner);
-            (low, high, nearest) = (low.min(at), high.max(at), nearest.max(corner.z));
+            (low, high, nearest) = (low.min(at), high.max(at), nearest.max(corner.z - slope.dot(corner.truncate())));
         }
-        Self { axis, low, high, nearest, triangles, second: None }
+        Self { axis, low, high, slope, nearest, triangles, second: None }
     }
 
     /// Whether one of its triangles may be before a point.
     fn may_hide(&self, point: DVec3) -> bool {
         let at = along(self.axis, point);
-        self.nearest > point.z && at.cmpge(self.low).all() && at.cmple(self.high).all()
+        self.nearest + self.slope.dot(point.truncate()) > point.z
+            && at.cmpge(self.low).all()
+            && at.cmple(self.high).all()
     }
+}
+
+/// Depth by pixel of planes that are steeper is not used: rounding of thousands of pixels times this is far below [`NEARER`].
+const STEEPEST: f64 = 100.0;
+
+/// How the depth of a triangle changes in the picture; 0 where that is steep.
+fn slope([a, b, c]: &[DVec3; 3]) -> DVec2 {
+    let normal = (*b - *a).cross(*c - *a);
+    let slope = -normal.truncate() / normal.z;
+    if slope.length() < STEEPEST { slope } else { DVec2::ZERO }
 }
 
 /// A point of the picture along an axis and square to it.
