@@ -53,9 +53,9 @@ pub fn path(arguments: &Path) -> Result<String> {
         by_descent(&mut prepared.solver, from, to, (arguments, &options))?
     };
     if let Some(output) = output {
-        output.write(found.path.points.iter().map(|point| point.position), arguments.up)?;
+        output.write(found.path.positions().into_iter(), arguments.up)?;
     }
-    let points: Vec<_> = found.path.points.iter().map(|point| json!(point.position.to_array())).collect();
+    let points: Vec<_> = found.path.positions().iter().map(|point| json!(point.to_array())).collect();
     report.push("method", found.method.name());
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     report.push("distance", found.distance);

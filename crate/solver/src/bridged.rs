@@ -7,10 +7,10 @@
 //!
 //! Portals across cracks within a component carry nothing: the heat of sources on both sides of a crack would mix around its ends.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
-use crate::distance::{Distance, PortalCrossing};
+use crate::distance::{Distance, PlaceKey, PortalCrossing, key};
 use crate::error::Result;
 use crate::exact::ExactGeometry;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED, Windows};
@@ -62,8 +62,8 @@ impl CarriedSources {
     /// A distance from these sources, as one from those that were given.
     #[must_use]
     pub fn distance(&self, mut distance: Distance) -> Distance {
-        let is_given = |place: &Place| self.sources[..self.given].iter().any(|source| source.place() == *place);
-        distance.sources.retain(is_given);
+        let given: HashSet<PlaceKey> = self.sources[..self.given].iter().map(|source| key(source.place())).collect();
+        distance.sources.retain(|&place| given.contains(&key(place)));
         distance.crossing(self.crossings.clone())
     }
 }

@@ -127,7 +127,7 @@ impl Costs {
         let segment = |pair: &[PathPoint]| {
             let [from, to] = [pair[0], pair[1]].map(|point| point.location.faces(surface));
             let least = |faces: &mut dyn Iterator<Item = FaceId>| faces.map(|face| self.of(face)).reduce(f64::min);
-            let shared = least(&mut from.iter().copied().filter(|face| to.contains(face)));
+            let shared = least(&mut from.iter().copied().filter(|&face| pair[1].location.lies_on(surface, face)));
             let cost = shared.or_else(|| least(&mut from.iter().chain(&to).copied())).unwrap_or(1.0);
             cost * (pair[1].position - pair[0].position).length()
         };

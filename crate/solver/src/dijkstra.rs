@@ -16,8 +16,16 @@ use heatwalk_surface::{Element, VertexId};
 /// # Errors
 /// [`Error::Surface`] for a vertex that does not exist; [`Error::Unreachable`] where no edges join them.
 pub fn edge_path(surface: &Surface, from: VertexId, to: VertexId) -> Result<Vec<VertexId>> {
+    path_between(surface, &mut Search::default(), from, to)
+}
+
+fn path_between(surface: &Surface, search: &mut Search, from: VertexId, to: VertexId) -> Result<Vec<VertexId>> {
     for vertex in [from, to] {
         surface.point(vertex)?;
+    }
+    // Nothing is shorter than an edge, and a vertex of many would have to look at them all.
+    if from != to && surface.halfedge_between(from, to).is_some() {
+        return Ok(vec![from, to]);
     }
     let component = |vertex: VertexId| surface.component(vertex);
     if component(from) != component(to) {
@@ -26,7 +34,7 @@ pub fn edge_path(surface: &Surface, from: VertexId, to: VertexId) -> Result<Vec<
     let goal = surface.position(to);
     // No path along edges is shorter than the straight line.
     let ahead = |vertex: VertexId| triangle::length(goal - surface.position(vertex));
-    search(surface, from, |vertex| vertex == to, ahead).ok_or(Error::Unreachable)
+    search.run(surface, from, |vertex| vertex == to, ahead).ok_or(Error::Unreachable)
 }
 
 /// The line of shortest paths along edges through picked vertices in order, and back to the first where it is `closed`.
@@ -40,11 +48,12 @@ pub fn edge_polyline(surface: &Surface, through: &[VertexId], closed: bool) -> R
     };
     surface.point(first)?;
     let mut line = vec![first];
+    let mut search = Search::default();
     for pair in through.windows(2) {
-        line.extend_from_slice(&edge_path(surface, pair[0], pair[1])?[1..]);
+        line.extend_from_slice(&path_between(surface, &mut search, pair[0], pair[1])?[1..]);
     }
     if closed {
-        let back = edge_path(surface, through[through.len() - 1], first)?;
+        let back = path_between(surface, &mut search, through[through.len() - 1], first)?;
         line.extend_from_slice(&back[1..]);
         // The vertex in common, unless it is the only one.
         if line.len() > 1 {
@@ -61,45 +70,62 @@ pub(crate) fn nearest_goal(
     start: VertexId,
     goal: impl Fn(VertexId) -> bool,
 ) -> Option<Vec<VertexId>> {
-    search(surface, start, goal, |_| 0.0)
+    Search::default().run(surface, start, goal, |_| 0.0)
 }
 
-/// The same with a lower bound, from each vertex, of the path `ahead` to the goal. Vertices are visited in order of the path
-/// behind and the bound, and none beyond the goal.
-fn search(
-    surface: &Surface,
-    start: VertexId,
-    goal: impl Fn(VertexId) -> bool,
-    ahead: impl Fn(VertexId) -> f64,
-) -> Option<Vec<VertexId>> {
-    let mut best = vec![f64::INFINITY; surface.vertex_count()];
-    let mut from = vec![VertexId(NONE); surface.vertex_count()];
-    // Bits of non-negative floats order as the floats do.
-    let mut queue = BinaryHeap::from([Reverse((0, start, 0.0_f64.to_bits()))]);
-    best[start.index()] = 0.0;
-    let end = loop {
-        let Reverse((_, vertex, bits)) = queue.pop()?;
-        let distance = f64::from_bits(bits);
-        if distance > best[vertex.index()] {
-            continue;
-        }
-        if goal(vertex) {
-            break vertex;
-        }
-        let position = surface.position(vertex);
-        for other in surface.neighbours(vertex) {
-            let candidate = distance + triangle::length(surface.position(other) - position);
-            if candidate < best[other.index()] {
-                best[other.index()] = candidate;
-                from[other.index()] = vertex;
-                queue.push(Reverse(((candidate + ahead(other)).to_bits(), other, candidate.to_bits())));
+/// The memory of searches, which takes time for the vertices that each came to, not for all.
+#[derive(Default)]
+struct Search {
+    /// `#V`, the length of the path behind each vertex, and the vertex before it.
+    best: Vec<(f64, VertexId)>,
+    reached: Vec<VertexId>,
+}
+
+impl Search {
+    /// The same with a lower bound, from each vertex, of the path `ahead` to the goal. Vertices are visited in order of the path
+    /// behind and the bound, and none beyond the goal.
+    fn run(
+        &mut self,
+        surface: &Surface,
+        start: VertexId,
+        goal: impl Fn(VertexId) -> bool,
+        ahead: impl Fn(VertexId) -> f64,
+    ) -> Option<Vec<VertexId>> {
+        const UNKNOWN: (f64, VertexId) = (f64::INFINITY, VertexId(NONE));
+        self.best.resize(surface.vertex_count(), UNKNOWN);
+        self.reached.drain(..).for_each(|vertex| self.best[vertex.index()] = UNKNOWN);
+        let (best, reached) = (&mut self.best, &mut self.reached);
+        // Bits of non-negative floats order as the floats do.
+        let mut queue = BinaryHeap::from([Reverse((0, start, 0.0_f64.to_bits()))]);
+        best[start.index()].0 = 0.0;
+        reached.push(start);
+        let end = loop {
+            let Reverse((_, vertex, bits)) = queue.pop()?;
+            let distance = f64::from_bits(bits);
+            if distance > best[vertex.index()].0 {
+                continue;
             }
-        }
-    };
-    let step_back = |&vertex: &VertexId| Some(from[vertex.index()]).filter(|before| before.0 != NONE);
-    let mut path: Vec<VertexId> = std::iter::successors(Some(end), step_back).collect();
-    path.reverse();
-    Some(path)
+            if goal(vertex) {
+                break vertex;
+            }
+            let position = surface.position(vertex);
+            for other in surface.neighbours(vertex) {
+                let candidate = distance + triangle::length(surface.position(other) - position);
+                let known = &mut best[other.index()];
+                if candidate < known.0 {
+                    if known.0.is_infinite() {
+                        reached.push(other);
+                    }
+                    *known = (candidate, vertex);
+                    queue.push(Reverse(((candidate + ahead(other)).to_bits(), other, candidate.to_bits())));
+                }
+            }
+        };
+        let step_back = |&vertex: &VertexId| Some(best[vertex.index()].1).filter(|before| before.0 != NONE);
+        let mut path: Vec<VertexId> = std::iter::successors(Some(end), step_back).collect();
+        path.reverse();
+        Some(path)
+    }
 }
 
 /// The largest extent of a connected component along edges, where faces have costs or not, found by two sweeps over each; at

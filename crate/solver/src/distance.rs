@@ -1,5 +1,7 @@
 //! The answer of every method.
 
+use std::collections::HashMap;
+
 use crate::cost::Costs;
 use crate::error::{Error, Result};
 use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
@@ -41,6 +43,31 @@ const ROUNDING: f64 = 1e-9;
 /// Whether a source is nearest to its own place, where the distance is `value`.
 pub(crate) fn is_nearest_to_itself(source: &Source, value: f64) -> bool {
     value >= source.initial_distance() * (1.0 - ROUNDING)
+}
+
+/// What tells a place from others, bit by bit.
+pub(crate) type PlaceKey = (u32, [u64; 3]);
+
+pub(crate) fn key(place: Place) -> PlaceKey {
+    match place {
+        Place::Vertex(vertex) => (vertex.0, [u64::MAX; 3]),
+        Place::Edge { halfedge, fraction } => (halfedge.0, [fraction.to_bits(), u64::MAX, u64::MAX]),
+        Place::Face { face, weights } => (face.0, weights.map(f64::to_bits)),
+    }
+}
+
+/// Sources of which each place has one, from its least initial distance, in the order in which places come first.
+pub(crate) fn one_a_place(sources: impl IntoIterator<Item = Source>) -> Vec<Source> {
+    let mut number: HashMap<PlaceKey, usize> = HashMap::new();
+    let mut kept: Vec<Source> = Vec::new();
+    for source in sources {
+        let own = *number.entry(key(source.place())).or_insert(kept.len());
+        match kept.get_mut(own) {
+            Some(other) => *other = other.from_at_most(source.initial_distance()),
+            None => kept.push(source),
+        }
+    }
+    kept
 }
 
 /// The places of the sources that no other one reaches before their initial distance.

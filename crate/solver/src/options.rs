@@ -268,17 +268,20 @@ pub enum Up {
 }
 
 impl Up {
-    /// A vector turned so that what points up is along Y. A turn exchanges coordinates and signs, so it costs no digit.
+    /// A vector turned so that what points up is along Y. A turn exchanges coordinates and signs, so it costs no digit; no
+    /// coordinate is −0.
     pub fn turned(self, vector: DVec3) -> DVec3 {
         let DVec3 { x, y, z } = vector;
-        match self {
-            Self::Y => vector,
-            Self::Z => DVec3::new(x, z, -y),
-            Self::X => DVec3::new(-y, x, z),
-            Self::MinusY => DVec3::new(x, -y, -z),
-            Self::MinusZ => DVec3::new(x, -z, y),
-            Self::MinusX => DVec3::new(y, -x, z),
-        }
+        // Adding 0 makes −0 to 0.
+        DVec3::ZERO
+            + match self {
+                Self::Y => vector,
+                Self::Z => DVec3::new(x, z, -y),
+                Self::X => DVec3::new(-y, x, z),
+                Self::MinusY => DVec3::new(x, -y, -z),
+                Self::MinusZ => DVec3::new(x, -z, y),
+                Self::MinusX => DVec3::new(y, -x, z),
+            }
     }
 }
 

@@ -5,9 +5,14 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod common;
 
-use common::{band, book, distance_from, nearest, random, solver, square};
+use std::sync::Arc;
+
+use common::{band, book, distance_from, nearest, random, solver, soup, square, surface};
 use glam::DVec3;
-use heatwalk::{Boundary, Element, Error, FaceId, HeatSolver, Path, Place, Soup, VertexId, descend};
+use heatwalk::exact::{ExactGeometry, shortest_path};
+use heatwalk::{
+    Boundary, Element, Error, FaceId, HeatSolver, Path, PathPoint, Place, Soup, Surface, VertexId, descend,
+};
 use heatwalk_shapes as shapes;
 
 /// Points of a path follow each other through the faces that they name, and end at a source.
@@ -159,4 +164,42 @@ fn rejects_a_start_that_no_source_reaches() {
     let (solver, distance) = distance_from(&two, 0);
     let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(first)));
     assert_eq!(path, Err(Error::Unreachable));
+}
+
+#[test]
+fn points_at_one_place_become_one_and_no_coordinate_is_minus_zero() {
+    let positions = [(-0.0, -0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, -0.0));
+    let square = surface(&soup(positions.to_vec(), vec![[0, 1, 2], [0, 2, 3]]));
+    let edge = |face, ends: [u32; 2], share| Place::on_edge(&square, FaceId(face), ends.map(VertexId), share);
+    let places = [
+        Place::Vertex(VertexId(0)),
+        // Rounding beside the vertex.
+        edge(0, [0, 1], 1e-15),
+        edge(0, [0, 2], 1e-14),
+        edge(0, [1, 2], 0.5),
+        edge(0, [1, 2], 0.5),
+        Place::Vertex(VertexId(2)),
+    ];
+    let point = |location: Place| PathPoint { position: location.position(&square), location, face: FaceId(0) };
+    let path = Path::new(&square, places.map(point).to_vec());
+    assert_eq!(path.points.iter().map(|point| point.location).collect::<Vec<_>>(), [places[0], places[3], places[5]]);
+    for point in &path.points {
+        assert!(point.position.to_array().iter().all(|coordinate| coordinate.to_bits() != (-0.0_f64).to_bits()));
+    }
+}
+
+#[test]
+fn a_path_through_the_corners_of_a_cube_has_no_place_twice() {
+    let positions =
+        (0..8).map(|corner| DVec3::new(f64::from(corner & 1), f64::from(corner >> 1 & 1), f64::from(corner >> 2)));
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    let cube: Surface = surface(&soup(positions.collect(), triangles.collect()));
+    let geometry = Arc::new(ExactGeometry::new(cube));
+    for start in 0..8 {
+        // Over two sides to the opposite corner.
+        let path = shortest_path(&geometry, VertexId(start), &[VertexId(7 - start)]).expect("a path");
+        assert_eq!(path.points.len(), 3, "from {start}: {:?}", path.points);
+        assert!((path.length() - 5_f64.sqrt()).abs() < 1e-12);
+    }
 }

@@ -45,11 +45,11 @@ impl<R: Element, I: Element> Csr<R, I> {
         lists.enumerate().map(|(row, list)| (R::from_index(row), list))
     }
 
-    /// The same lists, and after them copies of some of them.
-    pub(crate) fn with_copies(&self, of: &[R]) -> Self {
+    /// The same lists, and others after them.
+    pub(crate) fn with(&self, others: &[Vec<I>]) -> Self {
         let mut lists = Self { start: self.start.clone(), items: self.items.clone(), row: PhantomData };
-        for &row in of {
-            lists.items.extend_from_slice(self.row(row));
+        for other in others {
+            lists.items.extend_from_slice(other);
             lists.start.push(lists.items.len() as u32);
         }
         lists

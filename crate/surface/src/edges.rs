@@ -68,6 +68,13 @@ impl Edges {
         std::iter::successors(Some(halfedge), next)
     }
 
+    /// The first half-edge of the same edge.
+    pub(crate) fn first(&self, halfedge: HalfedgeId) -> HalfedgeId {
+        let last =
+            self.around(halfedge).find(|&at| self.next_on_edge(at) <= at).expect("a cycle ascends but for one step");
+        self.next_on_edge(last)
+    }
+
     fn halfedges(&self) -> impl ExactSizeIterator<Item = HalfedgeId> + Clone + use<> {
         (0..self.next.len() as u32).map(HalfedgeId)
     }
@@ -121,14 +128,21 @@ impl Edges {
         Self { next: self.halfedges().filter(|&halfedge| is_kept(halfedge)).map(next_kept).collect() }
     }
 
-    /// The edges with only half-edges of one class on each. `is_apart` tells whether two half-edges of an edge are of
-    /// different classes.
-    pub(crate) fn parted(&self, is_apart: impl Fn(HalfedgeId, HalfedgeId) -> bool) -> Self {
-        let next_alike = |halfedge: HalfedgeId| {
-            let alike = self.around(halfedge).skip(1).find(|&other| !is_apart(halfedge, other));
-            alike.unwrap_or(halfedge)
-        };
-        Self { next: self.halfedges().map(next_alike).collect() }
+    /// The edges with only half-edges of one class on each; one without a class is alone.
+    pub(crate) fn parted(&self, class: impl Fn(HalfedgeId) -> Option<bool>) -> Self {
+        let mut next: Vec<HalfedgeId> = self.halfedges().collect();
+        for last in self.representatives() {
+            // Of each class the first half-edge of the edge and the last one so far.
+            let mut cycles: [Option<[HalfedgeId; 2]>; 2] = [None; 2];
+            for halfedge in self.around(self.next_on_edge(last)) {
+                let Some(class) = class(halfedge) else { continue };
+                let [first, before] = cycles[usize::from(class)].unwrap_or([halfedge; 2]);
+                next[before.index()] = halfedge;
+                next[halfedge.index()] = first;
+                cycles[usize::from(class)] = Some([first, halfedge]);
+            }
+        }
+        Self { next }
     }
 
     /// The edges after corners 1 and 2 of some faces changed places.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::element::{Element, FaceId, VertexId};
+use crate::element::{Element, FaceId, HalfedgeId, VertexId};
 use crate::error::{Error, Result};
 use crate::point::Place;
 use crate::surface::{Surface, SurfaceId};
@@ -23,18 +23,32 @@ pub struct PathPoint {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     surface: SurfaceId,
-    /// From the start to the end, both included; where they are one, one point.
+    /// From the start to the end, both included; where they are one, one point. No place is there twice in a row, and no
+    /// coordinate is −0.
     pub points: Vec<PathPoint>,
     /// Unit surface normal at each of `points`.
     pub normals: Vec<DVec3>,
 }
 
 impl Path {
-    /// Of points on the surface; takes the normals there.
+    /// Of points on the surface; takes the normals there. Points that follow each other at one place become one.
     ///
     /// # Panics
     /// For a location or a face that the surface does not have.
-    pub fn new(surface: &Surface, points: Vec<PathPoint>) -> Self {
+    pub fn new(surface: &Surface, given: Vec<PathPoint>) -> Self {
+        let mut points: Vec<PathPoint> = Vec::with_capacity(given.len());
+        for point in given {
+            match points.last_mut().filter(|last| last.location.is_at(surface, point.location)) {
+                Some(last) => {
+                    // What both lie on, and so lies on the faces before and after.
+                    let location = last.location.settled(surface);
+                    *last = PathPoint { position: location.position(surface), location, face: point.face };
+                }
+                None => points.push(point),
+            }
+        }
+        // Adding 0 makes −0 to 0.
+        points.iter_mut().for_each(|point| point.position += DVec3::ZERO);
         let normals = points.iter().map(|point| normal(surface, point)).collect();
         Self { surface: surface.id(), points, normals }
     }
@@ -56,10 +70,10 @@ impl Path {
             let face = match points.last_mut() {
                 None => location.faces(surface)[0],
                 Some(before) => {
-                    let around = before.location.faces(surface);
-                    let face = around.into_iter().find(|&face| surface.faces()[face].contains(&vertex));
-                    let bad = || Error::NotAdjacent { vertex: vertex.index() };
-                    before.face = face.filter(|_| before.location != location).ok_or_else(bad)?;
+                    let last = before.location.nearest_vertex(surface);
+                    let joining = surface.halfedge_between(last, vertex).filter(|_| last != vertex);
+                    let bad = Error::NotAdjacent { vertex: vertex.index() };
+                    before.face = joining.map(HalfedgeId::triangle).ok_or(bad)?;
                     before.face
                 }
             };
@@ -80,6 +94,14 @@ impl Path {
         to.require_pose_of(from, "path")?;
         let moved = |point: &PathPoint| PathPoint { position: point.location.position(to), ..*point };
         Ok(Self::new(to, self.points.iter().map(moved).collect()))
+    }
+
+    /// The positions of the points, each other than the one before: where the path hops between components that touch, two
+    /// places have one.
+    pub fn positions(&self) -> Vec<DVec3> {
+        let mut positions: Vec<DVec3> = self.points.iter().map(|point| point.position).collect();
+        positions.dedup();
+        positions
     }
 
     /// Length, in the file's unit.

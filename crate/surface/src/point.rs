@@ -19,6 +19,10 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// of a chain of them far less than this; moving a point by 10⁻¹⁰ of an edge is not seen.
 pub const SNAP: f64 = 1e-10;
 
+/// Places whose barycentric weights differ by no more than this are one: what is left of rounding after some thousand
+/// crossings, and far below [`SNAP`], since it may be along the longest edge of a sliver.
+const SAME: f64 = 1e-12;
+
 /// A place on a surface, as a caller gives it: numbers of elements and weights, which may not be there or out of range.
 ///
 /// [`Surface::point`] and [`Surface::source`] check it. The methods here are for places that are known to be on the
@@ -130,6 +134,19 @@ impl Place {
         self.snapped_within(surface, 0.0)
     }
 
+    /// The same point as a vertex or on an edge where it [is at](Self::is_at) one.
+    #[must_use]
+    pub(crate) fn settled(self, surface: &Surface) -> Self {
+        self.snapped_within(surface, SAME)
+    }
+
+    /// Whether another place of the same component is this one but for rounding.
+    pub(crate) fn is_at(self, surface: &Surface, other: Self) -> bool {
+        let weight_of =
+            |vertex| other.support(surface).find(|&(corner, _)| corner == vertex).map_or(0.0, |found| found.1);
+        self.support(surface).all(|(vertex, weight)| (weight - weight_of(vertex)).abs() <= SAME)
+    }
+
     fn snapped_within(self, surface: &Surface, share: f64) -> Self {
         match self {
             Self::Vertex(_) => self,
@@ -157,12 +174,14 @@ impl Place {
     pub fn faces(self, surface: &Surface) -> Vec<FaceId> {
         match self {
             Self::Vertex(vertex) => surface.corners_of_vertex(vertex).map(|(face, _)| face).collect(),
-            Self::Edge { halfedge, .. } => {
-                let [a, b] = surface.ends(halfedge);
-                surface.faces_of_edge(a, b).collect()
-            }
+            Self::Edge { halfedge, .. } => surface.faces_of_edge(halfedge).collect(),
             Self::Face { face, .. } => vec![face],
         }
+    }
+
+    /// Whether it lies on a face.
+    pub fn lies_on(self, surface: &Surface, face: FaceId) -> bool {
+        self.support(surface).all(|(vertex, _)| surface.faces()[face].contains(&vertex))
     }
 
     /// Its barycentric weights in one of the faces that it lies on.

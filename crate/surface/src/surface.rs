@@ -366,10 +366,20 @@ impl Surface {
         })
     }
 
-    /// The faces that have both vertices, over all copies: one on a boundary, more than two where not manifold.
+    /// A half-edge of a triangle that joins two vertices, in either direction.
+    pub fn halfedge_between(&self, a: VertexId, b: VertexId) -> Option<HalfedgeId> {
+        // From the one with fewer faces: the other may have as many as there are.
+        let degree = |vertex| self.corners.row(vertex).len();
+        let [start, end] = if degree(a) <= degree(b) { [a, b] } else { [b, a] };
+        let mut sides = self.corners.row(start).iter().flat_map(|&corner| [corner, corner.previous_in_triangle()]);
+        sides.find(|&side| self.ends(side).contains(&end))
+    }
+
+    /// The faces that have an edge, over all copies, ascending: one on a boundary, more than two where not manifold.
     #[inline]
-    pub fn faces_of_edge(&self, a: VertexId, b: VertexId) -> impl Iterator<Item = FaceId> + '_ {
-        self.corners_of_vertex(a).map(|(face, _)| face).filter(move |&face| self.faces[face].contains(&b))
+    pub fn faces_of_edge(&self, halfedge: HalfedgeId) -> impl Iterator<Item = FaceId> + '_ {
+        let inner = if halfedge.index() < 3 * self.face_count() { halfedge } else { self.mesh.twin(halfedge) };
+        self.edges.around(self.edges.first(inner)).map(HalfedgeId::triangle)
     }
 
     /// Greatest distance of a vertex from the centre of the box around all of them, in the file's unit.

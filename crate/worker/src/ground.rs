@@ -115,7 +115,7 @@ impl Ground {
             let line: Vec<VertexId> = through.iter().map(|&vertex| self.vertex(vertex)).collect::<Result<_>>()?;
             for pair in line.windows(2) {
                 let vertex = pair[1].0 as usize;
-                edges.push(self.edge(pair[0], pair[1]).ok_or(Error::NotAdjacent { vertex })?);
+                edges.push(self.surface.halfedge_between(pair[0], pair[1]).ok_or(Error::NotAdjacent { vertex })?);
             }
         }
         Ok(edges)
@@ -126,15 +126,6 @@ impl Ground {
         let is_there = (vertex as usize) < self.surface.vertices_of_inputs().len();
         let found = is_there.then(|| self.surface.vertex_of_input(InputVertex(vertex))).flatten();
         Ok(found.ok_or(absent)?)
-    }
-
-    fn edge(&self, from: VertexId, to: VertexId) -> Option<HalfedgeId> {
-        let sides = self.surface.corners_of_vertex(from).flat_map(|(face, k)| {
-            let corner = face.halfedge(k);
-            [corner, corner.previous_in_triangle()]
-        });
-        let mut joining = sides.filter(|&side| self.surface.ends(side).contains(&to));
-        joining.next()
     }
 
     /// The shortest line along edges from one vertex of the input to another, in vertices of the input.

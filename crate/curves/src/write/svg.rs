@@ -78,7 +78,7 @@ fn is_front([a, b, c]: [DVec3; 3]) -> bool {
 pub fn svg(isolines: &Isolines, field: &Field, view: &View) -> Vec<u8> {
     let triangles = 0..field.triangles().len();
     let placed: Vec<Option<[DVec3; 3]>> = triangles.map(|triangle| view.triangle(field.corners(triangle))).collect();
-    let occluders = Occluders::new(placed.iter().copied().flatten().collect(), view.size);
+    let occluders = Occluders::new(placed.iter().copied().flatten().collect());
     let mut text = String::new();
     for isoline in &isolines.isolines {
         let _ = writeln!(text, "<g id=\"isoline_{}\">", isoline.value);

@@ -1,5 +1,6 @@
 //! What is asked of a factored surface: all that needs no factoring.
 
+use crate::distance::one_a_place;
 use crate::error::{Error, Result};
 use crate::options::{ExactRadius, MultiSource};
 use heatwalk_surface::{Source, Surface, ToSource};
@@ -35,14 +36,7 @@ impl Query {
         if self.sources.is_empty() {
             return Err(Error::NoSource);
         }
-        let mut checked: Vec<Source> = Vec::with_capacity(self.sources.len());
-        for source in &self.sources {
-            let source = source.to_source(surface)?;
-            match checked.iter_mut().find(|other| other.place() == source.place()) {
-                Some(other) => *other = other.from_at_most(source.initial_distance()),
-                None => checked.push(source),
-            }
-        }
-        Ok(checked)
+        let checked: Result<Vec<Source>> = self.sources.iter().map(|source| Ok(source.to_source(surface)?)).collect();
+        Ok(one_a_place(checked?))
     }
 }

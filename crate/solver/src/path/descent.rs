@@ -106,7 +106,10 @@ impl<'a> Descent<'a> {
             }
             let Some(place) = goal.leads_to else { return true };
             // Its distance is less than any here, so that no path comes back; but rounding shall not keep one.
-            self.goals_of_face.values_mut().for_each(|goals| goals.retain(|other| other.leads_to != Some(place)));
+            for face in goal.place.faces(self.surface) {
+                let goals = self.goals_of_face.get_mut(&face);
+                goals.into_iter().for_each(|goals| goals.retain(|other| other.leads_to != Some(place)));
+            }
             let face = place.faces(self.surface).first().copied().unwrap_or(face);
             self.points.push(PathPoint { position: place.position(self.surface), location: place, face });
             self.location = place;

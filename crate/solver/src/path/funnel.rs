@@ -18,7 +18,8 @@ const TOUCH: f64 = 1e-14;
 pub(super) struct Heading {
     /// The face that it lies in.
     pub face: FaceId,
-    /// The vertices that the vertex is joined to in that face, with the angles to them, radians.
+    /// The vertices that the vertex is joined to in that face, with the angles to them, radians. Those of one index are on the
+    /// same side of a segment at both of its ends.
     pub sides: [(VertexId, f64); 2],
 }
 
@@ -76,7 +77,12 @@ impl Segment {
             let k = corners.iter().position(|&corner| corner == vertex).expect("a vertex of the face");
             let position = surface.position(vertex);
             let side = |other| (other, triangle::angle([position, toward, surface.position(other)]));
-            Some(Heading { face, sides: [side(corners[(k + 1) % 3]), side(corners[(k + 2) % 3])] })
+            let mut sides = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+            // A segment between two vertices is along an edge: the face is on its first side, and beyond it is the second.
+            if [from, to].contains(&Place::Vertex(sides[0])) {
+                sides.reverse();
+            }
+            Some(Heading { face, sides: sides.map(side) })
         };
         let length = triangle::length(end - start) / surface.mean_edge();
         (length > 0.0).then(|| Self {

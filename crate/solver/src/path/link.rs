@@ -19,24 +19,31 @@ pub(super) struct Turn {
     pub angle: f64,
     /// The edges of the vertex that it crosses.
     pub steps: Vec<Step>,
+    /// By which of its [sides](Heading::sides) it leaves the first direction, and by which it comes to the second.
+    pub sides: [usize; 2],
 }
 
-/// The shortest way around `vertex` between two directions, if it is shorter than `limit`.
+/// The shortest way around `vertex` between two directions, by these `sides` of them where any are given, if it is shorter than
+/// `limit`.
 pub(super) fn shortest_turn(
     surface: &Surface,
     vertex: VertexId,
-    from: &Heading,
-    to: &Heading,
+    [from, to]: [&Heading; 2],
+    sides: [Option<usize>; 2],
     limit: f64,
 ) -> Option<Turn> {
-    let mut best = Turn { angle: limit, steps: Vec::new() };
+    let is_open = |end: usize, side: usize| sides[end].is_none_or(|only| only == side);
+    let mut best = Turn { angle: limit, steps: Vec::new(), sides: [0; 2] };
     let mut is_found = false;
     if from.face == to.face {
         let (other, angle) = from.sides[0];
-        let same = to.sides.iter().find(|side| side.0 == other).expect("one face has one pair of edges at a corner");
-        let between = (angle - same.1).abs();
-        if between < best.angle {
-            best.angle = between;
+        let same = usize::from(to.sides[0].0 != other);
+        let between = angle - to.sides[same].1;
+        // What is between two directions is beside both.
+        let inner = if between < 0.0 { [1, same] } else { [0, 1 - same] };
+        if between.abs() < best.angle && is_open(0, inner[0]) && is_open(1, inner[1]) {
+            best.angle = between.abs();
+            best.sides = inner;
             is_found = true;
         }
     }
@@ -54,7 +61,7 @@ pub(super) fn shortest_turn(
     // Dijkstra (1959) from both sides of the first direction.
     let mut nearest: Vec<(f64, Option<(usize, FaceId)>)> = vec![(f64::INFINITY, None); arcs.len()];
     let mut queue = BinaryHeap::new();
-    for (other, angle) in from.sides {
+    for (_, (other, angle)) in from.sides.into_iter().enumerate().filter(|&(side, _)| is_open(0, side)) {
         nearest[node_of(other)].0 = angle;
         queue.push(Reverse((angle.to_bits(), node_of(other))));
     }
@@ -69,10 +76,12 @@ pub(super) fn shortest_turn(
             continue;
         }
         let other = arcs[here].0;
-        if let Some(&(_, rest)) = to.sides.iter().find(|side| side.0 == other)
-            && angle + rest < best.angle
+        if let Some(side) = to.sides.iter().position(|side| side.0 == other)
+            && is_open(1, side)
+            && angle + to.sides[side].1 < best.angle
         {
-            best.angle = angle + rest;
+            best.angle = angle + to.sides[side].1;
+            best.sides[1] = side;
             end = Some(here);
         }
         for (_, arc) in arcs[here..].iter().take_while(|arc| arc.0 == other) {
@@ -96,6 +105,7 @@ pub(super) fn shortest_turn(
         let (_, Some((before, between))) = nearest[here] else { break };
         (here, face) = (before, between);
     }
+    best.sides[0] = usize::from(from.sides[0].0 != arcs[here].0);
     best.steps.reverse();
     Some(best)
 }

@@ -33,7 +33,7 @@ const LONGEST_WORK: usize = 50;
 pub fn refract(surface: &Surface, costs: &Costs, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
     assert_eq!(costs.of_faces().len(), surface.face_count(), "one cost a face");
-    let pieces = path.points.chunk_by(|a, b| b.location.faces(surface).contains(&a.face));
+    let pieces = path.points.chunk_by(|a, b| b.location.lies_on(surface, a.face));
     let refracted = pieces.map(|piece| {
         let before = Path::new(surface, piece.to_vec());
         let after = Chain::new(surface, costs, piece).map(|mut chain| {

@@ -5,9 +5,13 @@
 //! where it turns by less than π, and shortened there, until no vertex is left to do that at. There, that means to
 //! flip edges of an intrinsic triangulation; here, it means to take the shortest path in the unfolded strip of faces
 //! between the vertices before and after, which is the same path and needs neither a manifold nor an orientation.
+//!
+//! That goes in rounds, in each of which no segment changes twice: so segments that grow together double, where one that grew
+//! vertex by vertex would be unfolded as often as it has faces. One that grows alone, along a line of vertices that the path
+//! runs straight through, doubles by being led around more and more of these at once.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, VecDeque};
 use std::f64::consts::PI;
 
 use glam::DVec2;
@@ -25,8 +29,8 @@ use heatwalk_surface::{Path, PathPoint};
 /// its rounding.
 const STRAIGHT: f64 = 1e-7;
 
-/// Vertices led around per point of the path given, at most. Paths along edges need ten; each shortens the path, so that this
-/// bounds time and never harms the result.
+/// Faces unfolded per point of the path given and face of the surface, at most. Each vertex that is led around shortens the
+/// path, so that this bounds time and makes no path longer than it was.
 const LONGEST_WORK: usize = 1000;
 
 /// Shortens a path of this surface to a locally shortest one with the same ends, never longer than it was.
@@ -38,7 +42,7 @@ const LONGEST_WORK: usize = 1000;
 /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a path on another surface.
 pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
-    let pieces = path.points.chunk_by(|a, b| b.location.faces(surface).contains(&a.face));
+    let pieces = path.points.chunk_by(|a, b| b.location.lies_on(surface, a.face));
     let straight = pieces.map(|piece| straightened(surface, &Path::new(surface, piece.to_vec())).points);
     Ok(Path::new(surface, straight.flatten().collect()))
 }
@@ -46,7 +50,7 @@ pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
 /// The same for a path on one component.
 fn straightened(surface: &Surface, path: &Path) -> Path {
     let Some(mut chain) = Chain::new(surface, path) else { return path.clone() };
-    chain.shorten(LONGEST_WORK * path.points.len());
+    chain.shorten(LONGEST_WORK * (path.points.len() + surface.face_count()));
     let straight = Path::new(surface, chain.points());
     // Where it was straight already, rounding may make it longer.
     if straight.length() <= path.length() { straight } else { path.clone() }
@@ -63,13 +67,17 @@ struct Node {
     turn: Option<Turn>,
     /// Changes with the segments at the node; tells which entry of the queue is the latest.
     version: u32,
+    /// How many vertices are led around at once, on either side from this one on, where the path runs straight through those.
+    reach: usize,
 }
 
 struct Chain<'a> {
     surface: &'a Surface,
     nodes: Vec<Node>,
-    /// Bits of the angle, node, version. Bits of non-negative floats order as the floats do.
+    /// For the next round: bits of the angle, node, version. Bits of non-negative floats order as the floats do.
     queue: BinaryHeap<Reverse<(u64, u32, u32)>>,
+    /// Faces unfolded so far.
+    work: usize,
     last_face: FaceId,
 }
 
@@ -77,7 +85,7 @@ impl<'a> Chain<'a> {
     /// The shortest path in the faces of `path` between each vertex on it and the next; `None` without points.
     fn new(surface: &'a Surface, path: &Path) -> Option<Self> {
         let (first, rest) = path.points.split_first()?;
-        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), last_face: first.face };
+        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), work: 0, last_face: first.face };
         let mut last = chain.add(first.location.reduced(surface), NONE);
         let mut strip = Strip::new(first.face);
         for (k, point) in rest.iter().enumerate() {
@@ -106,7 +114,7 @@ impl<'a> Chain<'a> {
     }
 
     fn add(&mut self, location: Place, before: u32) -> u32 {
-        self.nodes.push(Node { location, before, after: NONE, segment: None, turn: None, version: 0 });
+        self.nodes.push(Node { location, before, after: NONE, segment: None, turn: None, version: 0, reach: 1 });
         self.nodes.len() as u32 - 1
     }
 
@@ -125,15 +133,7 @@ impl<'a> Chain<'a> {
 
     /// Queues a node where there is a way around that turns by less than π.
     fn look_around(&mut self, index: u32) {
-        let node = &self.nodes[index as usize];
-        let turn = match (node.location, self.segment_before(index), &node.segment) {
-            (Place::Vertex(vertex), Some(before), Some(after)) => {
-                let [from, to] = [&before.arriving, &after.leaving].map(Option::as_ref);
-                let [from, to] = [from, to].map(|heading| heading.expect("a segment has headings at its vertices"));
-                shortest_turn(self.surface, vertex, from, to, PI - STRAIGHT)
-            }
-            _ => None,
-        };
+        let turn = self.turn_at(index, [None; 2], PI - STRAIGHT);
         let node = &mut self.nodes[index as usize];
         node.version += 1;
         if let Some(turn) = &turn {
@@ -142,14 +142,32 @@ impl<'a> Chain<'a> {
         node.turn = turn;
     }
 
+    /// The shortest way around a node by these sides of the segments there, if it turns by less than `limit`.
+    fn turn_at(&mut self, index: u32, sides: [Option<usize>; 2], limit: f64) -> Option<Turn> {
+        let Node { location: Place::Vertex(vertex), ref segment, .. } = self.nodes[index as usize] else { return None };
+        let headings = [self.segment_before(index)?.arriving.as_ref(), segment.as_ref()?.leaving.as_ref()];
+        let headings = headings.map(|heading| heading.expect("a segment has headings at its vertices"));
+        let turn = shortest_turn(self.surface, vertex, headings, sides, limit);
+        self.work += self.surface.corners_of_vertex(vertex).count();
+        turn
+    }
+
     fn segment_before(&self, index: u32) -> Option<&Segment> {
         self.nodes.get(self.nodes[index as usize].before as usize)?.segment.as_ref()
     }
 
-    /// Leads the path around one vertex after the other, the sharpest turn first.
+    /// Leads the path around vertices until none is left or about `most` faces were unfolded, the sharpest turn of each round
+    /// first. What changes in a round waits for the next one.
     fn shorten(&mut self, most: usize) {
-        for _ in 0..most {
-            let Some(Reverse((_, index, version))) = self.queue.pop() else { break };
+        let mut round = BinaryHeap::new();
+        while self.work < most {
+            let Some(Reverse((_, index, version))) = round.pop() else {
+                if self.queue.is_empty() {
+                    break;
+                }
+                std::mem::swap(&mut round, &mut self.queue);
+                continue;
+            };
             if self.nodes[index as usize].version == version {
                 self.lead_around(index);
             }
@@ -158,23 +176,62 @@ impl<'a> Chain<'a> {
 
     fn lead_around(&mut self, index: u32) {
         let Some(turn) = self.nodes[index as usize].turn.take() else { return };
-        let Node { before, after, .. } = self.nodes[index as usize];
-        let [Some(first), Some(second)] = [self.segment_before(index), self.nodes[index as usize].segment.as_ref()]
-        else {
-            return;
-        };
-        let mut strip = first.strip.clone();
-        strip.extend(turn.steps);
-        strip.extend(second.strip.steps.iter().copied());
-        let length = first.length + second.length;
+        let reach = std::mem::replace(&mut self.nodes[index as usize].reach, 1);
+        let alone = VecDeque::from([(index, turn)]);
+        if reach > 1 {
+            let run = self.run(alone.clone(), reach);
+            if self.replace_if_shorter(&run, reach) {
+                return;
+            }
+        }
+        self.replace_if_shorter(&alone, 1);
+    }
+
+    /// Extends the way around a node by those around the next ones on either side, while the path runs straight through these.
+    fn run(&mut self, mut run: VecDeque<(u32, Turn)>, reach: usize) -> VecDeque<(u32, Turn)> {
+        for _ in 1..reach {
+            let Some((last, turn)) = run.back() else { break };
+            let (next, side) = (self.nodes[*last as usize].after, turn.sides[1]);
+            let Some(turn) = self.turn_at(next, [Some(side), None], PI + STRAIGHT) else { break };
+            run.push_back((next, turn));
+        }
+        for _ in 1..reach {
+            let Some((first, turn)) = run.front() else { break };
+            let (next, side) = (self.nodes[*first as usize].before, turn.sides[0]);
+            let Some(turn) = self.turn_at(next, [None, Some(side)], PI + STRAIGHT) else { break };
+            run.push_front((next, turn));
+        }
+        run
+    }
+
+    /// Leads the path around nodes that follow each other, if that makes it shorter.
+    fn replace_if_shorter(&mut self, run: &VecDeque<(u32, Turn)>, reach: usize) -> bool {
+        let (Some(&(first, _)), Some(&(last, _))) = (run.front(), run.back()) else { return false };
+        let (before, after) = (self.nodes[first as usize].before, self.nodes[last as usize].after);
+        let Some(Segment { strip, length, .. }) = &self.nodes[before as usize].segment else { return false };
+        let (mut strip, mut length) = (strip.clone(), *length);
+        for (node, turn) in run {
+            let Some(segment) = &self.nodes[*node as usize].segment else { return false };
+            strip.extend(turn.steps.iter().chain(&segment.strip.steps).copied());
+            length += segment.length;
+        }
+        self.work += strip.steps.len();
         let [start, end] = [before, after].map(|node| self.nodes[node as usize].location);
         let segments = tighten(self.surface, start, strip, end);
         // Not so where the turn is among rounding errors.
         if segments.iter().map(|segment| segment.length).sum::<f64>() >= length {
-            return;
+            return false;
         }
-        self.nodes[index as usize].version += 1;
+        for &(node, _) in run {
+            let node = &mut self.nodes[node as usize];
+            // Its strip may be as long as the path.
+            (node.segment, node.turn) = (None, None);
+            node.version += 1;
+        }
+        let reach = if segments.len() == 1 { 2 * reach } else { 1 };
+        [before, after].iter().for_each(|&node| self.nodes[node as usize].reach = reach);
         self.replace(before, segments, after);
+        true
     }
 
     /// Puts new segments between two nodes.
@@ -240,5 +297,73 @@ impl<'a> Chain<'a> {
         }
         add(node.location, last_face);
         points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use glam::DVec3;
+    use heatwalk_surface::{Soup, VertexId};
+
+    use super::*;
+
+    /// A surface, vertices of a path along its edges, and the length of the shortest one.
+    type Case = (Soup, Vec<u32>, f64);
+
+    /// A square cut across into slivers, and a zigzag over all of them.
+    fn ladder(count: u32) -> Case {
+        let at = |index: u32| DVec3::new(f64::from(index / 2) / f64::from(count / 2), f64::from(index % 2), 0.0);
+        let triangles = (0..count).map(|index| [index, index + 1, index + 2]);
+        (Soup::single("ladder", (0..count + 2).map(at).collect(), triangles.collect()), (0..count + 1).collect(), 1.0)
+    }
+
+    /// A triangle cut from one corner into needles, and a path around it.
+    fn needles(count: u32) -> Case {
+        let side = (0..=count).map(|index| DVec3::new(1.0, f64::from(index) / f64::from(count), 0.0));
+        let triangles = (1..=count).map(|index| [0, index, index + 1]);
+        let positions = [DVec3::ZERO].into_iter().chain(side).collect();
+        (Soup::single("needles", positions, triangles.collect()), (0..count + 2).collect(), 2_f64.sqrt())
+    }
+
+    /// The same with needles of the other kind beyond their side, so that paths may go on either side of it.
+    fn kite(count: u32) -> Case {
+        let (mut soup, path, length) = needles(count);
+        let last = soup.positions.len() as u32;
+        soup.positions.push(DVec3::new(2.0, 1.0, 0.0));
+        soup.triangles.extend((1..=count).map(|index| [last, index + 1, index]));
+        (soup, path, length)
+    }
+
+    /// Triangles around a vertex, and a path along a third of their rim.
+    fn hub(count: u32) -> Case {
+        let rim = (0..count)
+            .map(|index| DVec3::from((glam::DVec2::from_angle(TAU * f64::from(index) / f64::from(count)), 0.0)));
+        let triangles = (0..count).map(|index| [0, 1 + index, 1 + (index + 1) % count]);
+        let positions = [DVec3::ZERO].into_iter().chain(rim).collect();
+        (Soup::single("hub", positions, triangles.collect()), (1..count / 3 + 2).collect(), 3_f64.sqrt())
+    }
+
+    #[test]
+    fn on_slivers_the_faces_unfolded_grow_hardly_faster_than_their_number() {
+        for make in [ladder, needles, kite, hub] {
+            let work = [300, 1200, 4800].map(|count| {
+                let (soup, through, length) = make(count);
+                let name = soup.parts[0].name.clone();
+                let surface = Surface::build(&soup).expect("a surface");
+                let through: Vec<VertexId> = through.into_iter().map(VertexId).collect();
+                let path = Path::along_edges(&surface, &through).expect("edges");
+                let mut chain = Chain::new(&surface, &path).expect("a path with points");
+                chain.shorten(usize::MAX);
+                let straight = Path::new(&surface, chain.points()).length();
+                // Rounding of a chain of thousands of unfoldings.
+                assert!((straight - length).abs() < 1e-9, "{name}: {straight} for {length}");
+                chain.work as f64
+            });
+            for pair in work.windows(2) {
+                assert!(pair[1] < pair[0] * 4_f64.powf(1.3), "{work:?}");
+            }
+        }
     }
 }

@@ -8,10 +8,10 @@ use glam::DVec3;
 use crate::error::{Error, Result};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, FaceId, Place, ToPoint, VertexId};
+use heatwalk_surface::{Element, FaceId, HalfedgeId, Place, ToPoint, VertexId};
 use heatwalk_surface::{Path, PathPoint, SNAP};
 
-/// Faces that a walk may enter: far more than any use, and few enough to fit into memory.
+/// Faces that a walk may enter, or turn past at vertices: far more than any use, and few enough to fit into memory.
 const MOST_FACES: usize = 1 << 20;
 
 /// A walk straight on.
@@ -71,7 +71,7 @@ pub fn straightest(
     }
     let position = location.position(surface);
     let start = PathPoint { position, location, face };
-    let mut walk = Walk { surface, points: vec![start], face, direction, left: length };
+    let mut walk = Walk { surface, points: vec![start], face, direction, left: length, passed: 0 };
     let is_at_boundary = walk.turn_into_surface().is_none() || !walk.run()?;
     if let Some(last) = walk.points.last_mut() {
         last.face = walk.face;
@@ -129,6 +129,8 @@ struct Walk<'a> {
     direction: DVec3,
     /// Length still to go.
     left: f64,
+    /// Faces that were entered, and those around the vertices that it went through.
+    passed: usize,
 }
 
 impl Walk<'_> {
@@ -138,10 +140,11 @@ impl Walk<'_> {
 
     /// Goes on until the length is used up (true) or the surface ends (false).
     fn run(&mut self) -> Result<bool> {
-        for _ in 0..MOST_FACES {
+        while self.passed < MOST_FACES {
             if self.left <= 0.0 {
                 return Ok(true);
             }
+            self.passed += 1;
             self.cross_face();
             if self.left > 0.0 && self.go_beyond().is_none() {
                 return Ok(false);
@@ -204,12 +207,10 @@ impl Walk<'_> {
     fn enter(&mut self, angle: impl Fn(&Ring, &Self) -> f64) -> Option<()> {
         match self.here() {
             Place::Face { .. } => Some(()),
-            Place::Edge { halfedge, .. } => {
-                let [a, b] = self.surface.ends(halfedge);
-                self.cross_edge(a, b)
-            }
+            Place::Edge { halfedge, .. } => self.cross_edge(halfedge),
             Place::Vertex(vertex) => {
                 let ring = Ring::around(self.surface, vertex, self.face)?;
+                self.passed += ring.faces.len();
                 (self.face, self.direction) = ring.direction_at(self.surface, angle(&ring, self));
                 Some(())
             }
@@ -217,11 +218,12 @@ impl Walk<'_> {
     }
 
     /// Unfolds the direction over an edge of the face.
-    fn cross_edge(&mut self, a: VertexId, b: VertexId) -> Option<()> {
+    fn cross_edge(&mut self, halfedge: HalfedgeId) -> Option<()> {
+        let [a, b] = self.surface.ends(halfedge);
         let along = triangle::unit(self.surface.position(b) - self.surface.position(a));
         let forward = self.direction.dot(along);
         let sideways = (1.0 - forward * forward).max(0.0).sqrt();
-        let beyond = self.surface.faces_of_edge(a, b).filter(|&face| face != self.face);
+        let beyond = self.surface.faces_of_edge(halfedge).filter(|&face| face != self.face);
         let turned = beyond.map(|face| {
             let direction = along * forward + inward(self.surface, face, [a, b]) * sideways;
             (face, triangle::unit(direction))
@@ -269,7 +271,8 @@ impl Ring {
             let far = surface.faces()[face].into_iter().find(|&corner| corner != vertex && corner != near)?;
             ring.faces.push((face, [near, far], ring.total));
             ring.total += triangle::angle([vertex, near, far].map(|corner| surface.position(corner)));
-            let mut beyond = surface.faces_of_edge(vertex, far).filter(|&other| other != face);
+            let edge = surface.halfedge_between(vertex, far)?;
+            let mut beyond = surface.faces_of_edge(edge).filter(|&other| other != face);
             let (next, None) = (beyond.next()?, beyond.next()) else { return None };
             if far == start || next == first {
                 // A second ring may touch this one in the vertex.

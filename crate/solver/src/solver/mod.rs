@@ -17,6 +17,7 @@ pub use options::DistanceOptions;
 
 use crate::bridged::CarriedSources;
 use crate::cost::Costs;
+use crate::distance::one_a_place;
 use crate::error::{Error, Result};
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
@@ -126,7 +127,7 @@ impl DistanceSolver {
             let carried = self.carried(&sources)?;
             return Ok(by_heat(self.factored(options.heat, progress)?, &carried)?.times(cost));
         };
-        let geometry = Arc::clone(self.exact_geometry());
+        let (geometry, sources) = (Arc::clone(self.exact_geometry()), one_a_place(sources));
         let options = options.per(cost);
         Ok(self.searches(1)[0].answer(&geometry, &sources, (&options, propagation), progress)?.times(cost))
     }

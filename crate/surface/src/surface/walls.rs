@@ -4,7 +4,8 @@
 use super::connectivity::{Connectivity, component_count};
 use super::{Surface, SurfaceId};
 use crate::csr::Csr;
-use crate::element::{Element, FaceData, FaceId, HalfedgeId, VertexId};
+use crate::edges::Edges;
+use crate::element::{Element, FaceData, FaceId, HalfedgeId, InputVertex, VertexId};
 use crate::error::{Error, Result};
 use crate::parallel;
 
@@ -28,7 +29,8 @@ impl Walls {
 
 impl Surface {
     /// The same surface parted at walls. Faces and half-edges of triangles keep their numbers. Vertices keep theirs on the
-    /// first side of the walls; the other sides get copies of them, after all others. The faces of walls are components of
+    /// first side of the walls; the other sides get copies of them, after all others, each with the input vertices of its own
+    /// side. The faces of walls are components of
     /// their own. It is another surface, with an id of its own: no distance, path or point of this one holds there.
     ///
     /// # Errors
@@ -46,23 +48,32 @@ impl Surface {
             if halfedge.index() >= is_closed.len() {
                 return Err(Error::NoSuchHalfedge { halfedge: halfedge.index(), halfedges: is_closed.len() });
             }
-            self.edges.around(halfedge).for_each(|halfedge| is_closed[halfedge.index()] = true);
+            if !is_closed[halfedge.index()] {
+                self.edges.around(halfedge).for_each(|halfedge| is_closed[halfedge.index()] = true);
+            }
         }
-        let edges = self.edges.parted(|a, b| is_closed[a.index()] || is_wall[a.triangle()] != is_wall[b.triangle()]);
+        let class = |side: HalfedgeId| (!is_closed[side.index()]).then_some(is_wall[side.triangle()]);
+        let edges = self.edges.parted(class);
 
         let mut faces = self.faces.clone();
         let mut copied: Vec<VertexId> = Vec::new();
+        let mut inputs_of_copies: Vec<Vec<InputVertex>> = Vec::new();
         for vertex in self.vertices() {
             let is_touched = |&corner: &HalfedgeId| {
-                is_wall[corner.triangle()]
-                    || [corner, corner.previous_in_triangle()].iter().any(|side| is_closed[side.index()])
+                is_wall[corner.triangle()] || sides(corner).iter().any(|side| is_closed[side.index()])
             };
             if !self.corners.row(vertex).iter().any(is_touched) {
                 continue;
             }
-            for sector in self.sectors(vertex, &is_wall, &is_closed).into_iter().skip(1) {
+            for sector in self.sectors(vertex, &is_wall, (&edges, &is_closed)).into_iter().skip(1) {
                 let copy = VertexId::from_index(self.vertex_count() + copied.len());
                 copied.push(vertex);
+                // Those of all sectors for each would be as many as the square of the faces there.
+                let mut inputs: Vec<InputVertex> =
+                    sector.iter().map(|corner| self.inputs_of_face(corner.triangle())[corner.corner()]).collect();
+                inputs.sort_unstable();
+                inputs.dedup();
+                inputs_of_copies.push(inputs);
                 for corner in sector {
                     faces[corner.triangle()][corner.corner()] = copy;
                 }
@@ -87,7 +98,7 @@ impl Surface {
             id,
             connectivity: id,
             mesh,
-            inputs_of_vertex: self.inputs_of_vertex.with_copies(&copied),
+            inputs_of_vertex: self.inputs_of_vertex.with(&inputs_of_copies),
             edges,
             positions: positions.into(),
             faces,
@@ -112,38 +123,93 @@ impl Surface {
     }
 
     /// The corners of a vertex by sectors, which paths reach from each other. The first one keeps the vertex's number: an open
-    /// one, where there is any; those of walls come last.
-    fn sectors(&self, vertex: VertexId, is_wall: &FaceData<bool>, is_closed: &[bool]) -> Vec<Vec<HalfedgeId>> {
+    /// one, where there is any; those of walls come last. `edges` are parted at the walls.
+    fn sectors(
+        &self,
+        vertex: VertexId,
+        is_wall: &FaceData<bool>,
+        (edges, is_closed): (&Edges, &[bool]),
+    ) -> Vec<Vec<HalfedgeId>> {
         let corners = self.corners.row(vertex);
         let (walls, open): (Vec<HalfedgeId>, Vec<HalfedgeId>) =
             corners.iter().partition(|corner| is_wall[corner.triangle()]);
-        let sides = |corner: HalfedgeId| [corner, corner.previous_in_triangle()];
         let has_closed_edge = open.iter().any(|&corner| sides(corner).iter().any(|side| is_closed[side.index()]));
-        let mut sectors = Vec::new();
-        let mut rest = open;
-        if !has_closed_edge && !rest.is_empty() {
-            sectors.push(std::mem::take(&mut rest));
+        let mut sectors = if has_closed_edge { fans(edges, &open) } else { vec![open] };
+        sectors.push(walls);
+        sectors.retain(|sector| !sector.is_empty());
+        sectors
+    }
+}
+
+/// The half-edges of a corner's triangle that leave and enter its vertex.
+fn sides(corner: HalfedgeId) -> [HalfedgeId; 2] {
+    [corner, corner.previous_in_triangle()]
+}
+
+/// Corners of one vertex, one a face and ascending, by fans of faces that hang together by edges, in the order of the first
+/// corner of each.
+fn fans(edges: &Edges, corners: &[HalfedgeId]) -> Vec<Vec<HalfedgeId>> {
+    let mut is_taken = vec![false; corners.len()];
+    let mut fans = Vec::new();
+    for first in 0..corners.len() {
+        if std::mem::replace(&mut is_taken[first], true) {
+            continue;
         }
-        while let Some(first) = rest.first().copied() {
-            let mut fan = vec![first];
-            rest.remove(0);
-            let mut done = 0;
-            while let Some(&corner) = fan.get(done) {
-                done += 1;
-                for side in sides(corner).into_iter().filter(|side| !is_closed[side.index()]) {
-                    for other in self.edges.around(side).skip(1) {
-                        let is_beside = |&at: &HalfedgeId| at.triangle() == other.triangle();
-                        if let Some(found) = rest.iter().position(is_beside) {
-                            fan.push(rest.remove(found));
-                        }
-                    }
+        let mut fan = vec![corners[first]];
+        let mut done = 0;
+        while let Some(&corner) = fan.get(done) {
+            done += 1;
+            // The next half-edge of an edge leads to the one after it, so all are reached.
+            for beside in sides(corner).map(|side| edges.next_on_edge(side).triangle()) {
+                let index = corners.partition_point(|corner| corner.triangle() < beside);
+                if !std::mem::replace(&mut is_taken[index], true) {
+                    fan.push(corners[index]);
                 }
             }
-            sectors.push(fan);
         }
-        if !walls.is_empty() {
-            sectors.push(walls);
+        fans.push(fan);
+    }
+    fans
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::soup::Soup;
+
+    /// Pages on one edge, which is the first half-edge of each.
+    fn book(pages: u32) -> Surface {
+        let mut positions = vec![DVec3::ZERO, DVec3::Y];
+        positions.extend((0..pages).map(|page| DVec3::new(1.0, 0.5, f64::from(page))));
+        let triangles = (0..pages).map(|page| [0, 1, 2 + page]).collect();
+        Surface::build(&Soup::single("book", positions, triangles)).expect("a surface")
+    }
+
+    #[test]
+    fn each_half_edge_of_an_edge_is_looked_at_once() {
+        let edges = book(500).edges;
+        for is_alone in [false, true] {
+            let looks = Cell::new(0);
+            let parted = edges.parted(|_| {
+                looks.set(looks.get() + 1);
+                (!is_alone).then_some(true)
+            });
+            assert_eq!(looks.get(), 3 * 500);
+            assert_eq!(parted.is_single(HalfedgeId(0)), is_alone);
         }
-        sectors
+    }
+
+    #[test]
+    fn walls_at_a_vertex_take_room_in_proportion_to_its_faces() {
+        let pages = 500;
+        let book = book(pages);
+        let walled = book.walled(&Walls { faces: Vec::new(), edges: vec![HalfedgeId(0)] }).expect("walls");
+        assert_eq!(walled.report().components, pages as usize);
+        let inputs: usize = walled.vertices().map(|vertex| walled.inputs_of_vertex(vertex).len()).sum();
+        assert_eq!(inputs, 3 * pages as usize);
     }
 }

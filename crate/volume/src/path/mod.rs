@@ -72,10 +72,11 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
     let legs = || corners.windows(2).map(|ends| (ends[0].place.distance(ends[1].place), ends[0].cost));
     Ok(VolumePath {
         mesh: mesh.id(),
-        length: legs().map(|(length, _)| length).sum(),
-        cost: legs().map(|(length, cost)| length * cost).sum(),
+        length: 0.0 + legs().map(|(length, _)| length).sum::<f64>(),
+        cost: 0.0 + legs().map(|(length, cost)| length * cost).sum::<f64>(),
         costs: legs().map(|(_, cost)| cost).collect(),
-        points: corners.iter().map(|corner| corner.place).collect(),
+        // Adding 0 makes −0 to 0.
+        points: corners.iter().map(|corner| corner.place + DVec3::ZERO).collect(),
     })
 }
 

@@ -235,7 +235,8 @@ impl Row {
             .collect();
         for (row, stops) in rows.iter_mut().zip(stops.windows(2)) {
             if let (true, [Some(a), Some(b)]) = (row.crossings.is_empty(), [stops[0], stops[1]]) {
-                let cheapest = surface.faces_of_edge(a, b).min_by(|&a, &b| costs.of(a).total_cmp(&costs.of(b)));
+                let beside = surface.halfedge_between(a, b).into_iter().flat_map(|edge| surface.faces_of_edge(edge));
+                let cheapest = beside.min_by(|&a, &b| costs.of(a).total_cmp(&costs.of(b)));
                 row.faces[0] = cheapest.unwrap_or(row.faces[0]);
             }
         }
@@ -274,9 +275,9 @@ impl Row {
 
 /// The faces at a vertex from which a segment comes that lies in `face`: where it runs along an edge from `end`, all there.
 fn beside(surface: &Surface, face: FaceId, end: Option<Place>, vertex: VertexId) -> Vec<FaceId> {
-    let at_end = end.map(|end| end.faces(surface)).unwrap_or_default();
+    let is_shared = |&face: &FaceId| end.is_some_and(|end| end.lies_on(surface, face));
     let around = surface.corners_of_vertex(vertex).map(|(face, _)| face);
-    let shared: Vec<FaceId> = around.filter(|face| at_end.contains(face)).collect();
+    let shared: Vec<FaceId> = around.filter(is_shared).collect();
     if shared.is_empty() { vec![face] } else { shared }
 }
 
