@@ -204,9 +204,11 @@ export interface OpenedMesh {
   unitAssumed: boolean;
   /** What the file refers to that was not given, as the file calls it. */
   missing: string[];
+  /** What was left out of the file, or taken otherwise than it is written. */
+  warnings: Plain<wasm.Warning>[];
   /** Images that the browser cannot decode, as the file calls them. */
   undecoded: string[];
-  /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
+  /** For each drawn vertex of the surface, its vertex index in the input (in file order, whichever parts are active). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
   drawTransform: DrawTransform;

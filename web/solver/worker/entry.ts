@@ -130,6 +130,7 @@ const api: SolverApi = {
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
     const clips = file.clips().map(plain);
     const missing = file.missing();
+    const warnings = file.warnings().map(plain);
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -151,6 +152,7 @@ const api: SolverApi = {
       ...(await look),
       clips,
       missing,
+      warnings,
       ...unit,
       inputVertices,
       drawTransform,

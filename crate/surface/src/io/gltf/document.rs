@@ -9,7 +9,7 @@ use super::instancing::INSTANCING;
 use super::meshopt::MESHOPT;
 use super::pointer;
 use crate::error::{Error, Result};
-use crate::io::reader::without_mark;
+use crate::io::text::without_mark;
 
 /// Extensions of geometry that are read.
 const READ: [&str; 5] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization", INSTANCING];
