@@ -344,10 +344,12 @@ impl Soup {
         // How many triangles come before each range.
         let before: Vec<usize> =
             ranges.iter().scan(0, |sum, range| Some(std::mem::replace(sum, *sum + range.len()))).collect();
-        for range in selection.parts.iter_mut().flat_map(|part| &mut part.ranges) {
-            let index = ranges.partition_point(|joined| joined.end <= range.start);
-            let start = before[index] + range.start - ranges[index].start;
-            *range = start..start + range.len();
+        for part in &mut selection.parts {
+            for range in std::mem::take(&mut part.ranges) {
+                let index = ranges.partition_point(|joined| joined.end <= range.start);
+                let start = before[index] + range.start - ranges[index].start;
+                part.add(start..start + range.len());
+            }
         }
         self.place(selection, used)
     }

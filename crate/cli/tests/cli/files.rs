@@ -24,7 +24,11 @@ fn info_counts() {
 fn what_was_read_otherwise_than_it_is_written_is_told() {
     let folder = folder("warnings");
     fs::write(folder.join("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\ng left\\\nf 1 2 3\nl 2 3\n").unwrap();
-    for command in [&["info", "a.obj"][..], &["distance", "a.obj", "--source", "0"], &["path", "a.obj", "--from", "0", "--to", "1"]] {
+    for command in [
+        &["info", "a.obj"][..],
+        &["distance", "a.obj", "--source", "0"],
+        &["path", "a.obj", "--from", "0", "--to", "1"],
+    ] {
         let output = run(&folder, &[command, &["--json"]].concat());
         assert!(output.status.success());
         let told = String::from_utf8(output.stderr).unwrap();
@@ -43,7 +47,8 @@ fn what_was_read_otherwise_than_it_is_written_is_told() {
 #[test]
 fn faces_of_files_that_may_hold_tetrahedra_are_a_surface() {
     let folder = folder("faces");
-    let mesh = "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 Quadrilaterals 1 1 2 3 4 0 End";
+    let mesh =
+        "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 Quadrilaterals 1 1 2 3 4 0 End";
     fs::write(folder.join("a.mesh"), mesh).unwrap();
     let info = json(&folder, &["info", "a.mesh"]);
     assert_eq!((&info["vertices"], &info["faces"]), (&4.into(), &2.into()));

@@ -141,7 +141,11 @@ fn bad_rows_are_named_by_their_lines() {
         ("0,1\n9999,1\n", "--weights", "line 2: there is no triangle 9999"),
         ("0,1\n3\n", "--weights", "line 2: give a triangle and its cost"),
         ("0,1\nx,y\n", "--weights", "line 2"),
-        ("0,1\n1,0\n2,-3\n3,5000\n", "--weights", "line 2: the cost is 0; it must be from 0.001 to 1000; what nobody may enter belongs in --walls; 2 more rows are wrong, too"),
+        (
+            "0,1\n1,0\n2,-3\n3,5000\n",
+            "--weights",
+            "line 2: the cost is 0; it must be from 0.001 to 1000; what nobody may enter belongs in --walls; 2 more rows are wrong, too",
+        ),
         ("0,1\rx,y\rz,z", "--weights", "line 2: \"x,y\" is no row of numbers; 1 more rows are wrong, too"),
         ("face,cost\n3,2\n3,2\n3,4\n", "--weights", "line 4: triangle 3 costs 4 here and 2 in line 2"),
         ("0\n128\n", "--walls", "line 2: there is no triangle 128"),

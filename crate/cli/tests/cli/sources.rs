@@ -56,7 +56,9 @@ fn vertices_and_triangles_count_as_in_the_file_whatever_parts_are_chosen() {
 fn triangles_of_interleaved_groups_count_in_the_order_of_their_lines() {
     let folder = folder("interleaved");
     let mut obj: String = (0..8).map(|vertex| format!("v {} {} 0\n", vertex % 4, vertex / 4)).collect();
-    for (group, face) in [("A", "1 2 6"), ("B", "1 6 5"), ("A", "2 3 7"), ("B", "2 7 6"), ("A", "3 4 8"), ("B", "3 8 7")] {
+    for (group, face) in
+        [("A", "1 2 6"), ("B", "1 6 5"), ("A", "2 3 7"), ("B", "2 7 6"), ("A", "3 4 8"), ("B", "3 8 7")]
+    {
         obj += &format!("g {group}\nf {face}\n");
     }
     fs::write(folder.join("a.obj"), obj).unwrap();
@@ -64,7 +66,9 @@ fn triangles_of_interleaved_groups_count_in_the_order_of_their_lines() {
     fs::write(folder.join("walls.csv"), "1\n").unwrap();
     // The middle of the triangle of vertices 0, 5 and 4, which alone has vertex 4.
     let middle = "1:0.3333,0.3333,0.3334";
-    for arguments in [&["a.obj", "--source", middle, "--exact"][..], &["a.obj", "--part", "1", "--source", middle, "--exact"]] {
+    for arguments in
+        [&["a.obj", "--source", middle, "--exact"][..], &["a.obj", "--part", "1", "--source", middle, "--exact"]]
+    {
         let found = distances(&folder, arguments);
         assert!((found[4] - 2.0_f64.sqrt() / 3.0).abs() < 1e-3, "{found:?}");
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::reader::Reporter;
-use super::text;
+use super::text::{self, Words};
 use super::triangulate::Polygons;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
@@ -51,11 +51,7 @@ impl Header {
 
 pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let lines: Vec<(usize, &str)> = text::lines(&text)
-        .map(|(number, line)| (number, line.split('#').next().unwrap_or_default().trim()))
-        .filter(|(_, line)| !line.is_empty())
-        .collect();
-    let mut words = Words::new(&lines);
+    let mut words = Words::new(text::lines(&text).map(|(number, line)| (number, text::statement(line))));
     let first = words.peek().unwrap_or_default();
     let keyword_end = first.find("OFF").or(first.find("off")).map_or(0, |start| start + 3);
     let (keyword, count) = first.split_at(keyword_end);
@@ -63,9 +59,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let header = if keyword.is_empty() { Header::parse("OFF") } else { Header::parse(keyword) };
     let header = header
         .ok_or_else(|| OFF.line(words.line(), format!("{keyword:?} is not an OFF header; save it as plain OFF")))?;
-    if !keyword.is_empty() {
-        words.skip_letters(keyword_end);
-    }
+    words.skip_to(&words.rest()[keyword_end..]);
     if count.is_empty() && words.peek().is_some_and(|word| word.starts_with("BINARY")) {
         return Err(Error::Unsupported {
             format: "OFF",
@@ -98,73 +92,40 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     }
 }
 
-/// The words of a file.
-#[derive(Clone)]
-struct Words<'a> {
-    /// Those with something on them, with their numbers.
-    lines: &'a [(usize, &'a str)],
-    /// What is left of the first of them.
-    rest: &'a str,
+fn ends(missing: &str) -> Error {
+    OFF.at("end of file", format!("{missing}; the file is cut short, save it again"))
 }
 
-impl<'a> Words<'a> {
-    fn new(lines: &'a [(usize, &'a str)]) -> Self {
-        Self { lines, rest: lines.first().map_or("", |(_, line)| line) }
-    }
-
-    /// Goes to the next line where this one has no more words.
-    fn turn(&mut self) {
-        while self.rest.is_empty() && !self.lines.is_empty() {
-            self.lines = &self.lines[1..];
-            self.rest = self.lines.first().map_or("", |(_, line)| line);
-        }
-    }
-
-    fn peek(&mut self) -> Option<&'a str> {
-        self.turn();
-        self.rest.split_ascii_whitespace().next()
-    }
-
-    fn next(&mut self) -> Option<&'a str> {
-        self.turn();
-        let word = text::word(&mut self.rest);
-        self.rest = self.rest.trim_ascii_start();
-        word
-    }
-
-    fn skip_letters(&mut self, count: usize) {
-        self.rest = self.rest[count..].trim_ascii_start();
-    }
-
-    fn skip_line(&mut self) {
-        self.rest = "";
-    }
-
-    /// The number of the line of the next word.
-    fn line(&self) -> usize {
-        self.lines.first().map_or(0, |&(number, _)| number)
-    }
-
-    fn ends(&self, missing: &str) -> Error {
-        OFF.at("end of file", format!("{missing}; the file is cut short, save it again"))
-    }
-
-    fn index(&mut self, what: &str) -> Result<u64> {
-        let word = self.peek().ok_or_else(|| self.ends(&format!("{what} is missing")))?;
-        let index = word.parse().map_err(|_| {
-            OFF.line(self.line(), format!("{what} is expected, but {word:?} is found; correct the line"))
-        })?;
-        self.next();
-        Ok(index)
-    }
-
+/// The words of a file.
+trait File<'a> {
+    fn index(&mut self, what: &str) -> Result<u64>;
     /// Passes the number of edges, which some files leave out: then a vertex follows, on a line of its own.
+    fn pass_edges(&mut self, coordinates: usize);
+    fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64>;
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
+    fn index(&mut self, what: &str) -> Result<u64> {
+        let word = self.next().ok_or_else(|| ends(&format!("{what} is missing")))?;
+        let expected = || format!("{what} is expected, but {word:?} is found; correct the line");
+        word.parse().map_err(|_| OFF.line(self.line(), expected()))
+    }
+
     fn pass_edges(&mut self, coordinates: usize) {
-        let is_on_line = !self.rest.is_empty();
+        let is_on_line = !self.rest().is_empty();
         self.turn();
-        if is_on_line || self.rest.split_ascii_whitespace().take(coordinates).count() == 1 {
+        if is_on_line || self.rest().split_ascii_whitespace().take(coordinates).count() == 1 {
             self.next();
         }
+    }
+
+    fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64> {
+        let word = if by_lines && self.rest().is_empty() { None } else { self.next() };
+        word.and_then(text::number).ok_or_else(|| {
+            let Header { coordinates, .. } = header;
+            let found = text::why_no_number(word);
+            OFF.line(self.line(), format!("vertex {vertex} needs {coordinates} numbers, but {found}; correct the line"))
+        })
     }
 }
 
@@ -180,32 +141,29 @@ struct Mesh {
 
 impl Mesh {
     /// `by_lines`: each vertex and each face begins a line, and what follows it there is passed over.
-    fn read(
-        mut words: Words,
+    fn read<'a>(
+        mut words: Words<'a, impl Iterator<Item = (usize, &'a str)>>,
         header: Header,
         [vertices, faces]: [u64; 2],
         by_lines: bool,
         bytes: usize,
     ) -> Result<Self> {
-        let end_record = |words: &mut Words| {
-            if by_lines {
-                words.skip_line()
-            }
-        };
-        end_record(&mut words);
+        if by_lines && words.is_begun() {
+            words.skip_to("");
+        }
         // A vertex takes at least six bytes, so a count beyond that is a lie and must not be reserved.
         let mut positions = Vec::with_capacity((bytes / 6).min(vertices as usize));
         while (positions.len() as u64) < vertices {
             let vertex = positions.len();
             if words.peek().is_none() {
-                return Err(words.ends(&format!("{} of {vertices} vertices are missing", vertices - vertex as u64)));
+                return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - vertex as u64)));
             }
             let mut coordinates = [0.0, 0.0, 0.0, 1.0];
             for coordinate in &mut coordinates[..header.coordinates] {
                 *coordinate = words.coordinate(vertex, header, by_lines)?;
             }
             if by_lines {
-                words.skip_line();
+                words.skip_to("");
             } else {
                 for _ in 0..header.further {
                     words.next();
@@ -218,18 +176,20 @@ impl Mesh {
         let mut lines = Vec::with_capacity((bytes / 6).min(faces as usize));
         for face in 0..faces {
             if words.peek().is_none() {
-                return Err(words.ends(&format!("{} of {faces} faces are missing", faces - face)));
+                return Err(ends(&format!("{} of {faces} faces are missing", faces - face)));
             }
             let line = words.line();
-            for corner in 0..words.index(&format!("the number of corners of face {face}"))? {
-                if by_lines && words.rest.is_empty() {
+            for corner in 0..words.index("the number of corners of a face")? {
+                if by_lines && words.rest().is_empty() {
                     return Err(OFF.line(line, format!("corner {corner} of face {face} is missing; correct the line")));
                 }
                 polygons.corner(words.index("a vertex of a face")?);
             }
             polygons.close();
             lines.push(line);
-            end_record(&mut words);
+            if by_lines {
+                words.skip_to("");
+            }
         }
         let rest = words.peek().map(|_| words.line());
         Ok(Self { positions, polygons, lines, rest })
@@ -246,17 +206,5 @@ impl Mesh {
             .triangulate_all(&positions, &mut warnings, place)
             .map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
         Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
-    }
-}
-
-impl Words<'_> {
-    fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64> {
-        let line = self.line();
-        let word = if by_lines && self.rest.is_empty() { None } else { self.next() };
-        word.and_then(text::number).ok_or_else(|| {
-            let Header { coordinates, .. } = header;
-            let found = text::why_no_number(word);
-            OFF.line(line, format!("vertex {vertex} needs {coordinates} numbers, but {found}; correct the line"))
-        })
     }
 }

@@ -26,11 +26,11 @@ impl Reporter {
         self.at(place, problem)
     }
 
-    /// The next three numbers of a line, which are a position.
-    pub fn position(&self, rest: &mut &str, line: usize) -> Result<DVec3> {
+    /// The next three words as a position.
+    pub fn position<'a>(&self, mut next: impl FnMut() -> Option<&'a str>, line: usize) -> Result<DVec3> {
         let mut coordinates = [0.0; 3];
         for coordinate in &mut coordinates {
-            let word = text::word(rest);
+            let word = next();
             *coordinate = word.and_then(text::number).ok_or_else(|| {
                 self.line(line, format!("a vertex needs three numbers, but {}", text::why_no_number(word)))
             })?;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::reader::Reporter;
-use super::text;
+use super::text::{self, Words};
 use crate::error::Result;
 use crate::soup::Soup;
 use crate::warning::{WarningCode, Warnings};
@@ -72,39 +72,38 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut solids = Solids::default();
     let mut name = file;
-    let mut last = 1;
-    for (line, content) in text::lines(&text) {
-        let mut rest = content;
-        // Words of no meaning are passed over, normals among them: nobody needs these.
-        while let Some(word) = text::word(&mut rest) {
-            last = line;
-            match word.to_ascii_lowercase().as_str() {
-                "solid" => {
-                    solids.end_facet(line)?;
-                    solids.soup.end_part(name);
-                    let (own, facets) = name_before(rest, is_facet);
-                    name = if own.is_empty() { file } else { own };
-                    rest = facets;
-                }
-                "endsolid" => {
-                    solids.end_facet(line)?;
-                    solids.is_open = false;
-                    rest = name_before(rest, |word, _| word.eq_ignore_ascii_case("solid")).1;
-                }
-                "facet" => {
-                    solids.end_facet(line)?;
-                    solids.begun = Some(line);
-                    solids.is_open = true;
-                }
-                "vertex" => {
-                    solids.begun.get_or_insert(line);
-                    solids.corners.push(STL.position(&mut rest, line)?);
-                }
-                "endfacet" => solids.add_facet(line)?,
-                _ => {}
+    let mut words = Words::new(text::lines(&text));
+    // Words of no meaning are passed over, normals among them: nobody needs these.
+    while let Some(word) = words.next() {
+        let line = words.line();
+        match word.to_ascii_lowercase().as_str() {
+            "solid" => {
+                solids.end_facet(line)?;
+                solids.soup.end_part(name);
+                let (own, facets) = name_before(words.rest(), is_facet);
+                name = if own.is_empty() { file } else { own };
+                words.skip_to(facets);
             }
+            "endsolid" => {
+                solids.end_facet(line)?;
+                solids.is_open = false;
+                let (_, next) = name_before(words.rest(), |word, _| word.eq_ignore_ascii_case("solid"));
+                words.skip_to(next);
+            }
+            "facet" => {
+                solids.end_facet(line)?;
+                solids.begun = Some(line);
+                solids.is_open = true;
+            }
+            "vertex" => {
+                solids.begun.get_or_insert(line);
+                solids.corners.push(STL.position(|| words.next(), line)?);
+            }
+            "endfacet" => solids.add_facet(line)?,
+            _ => {}
         }
     }
+    let last = words.line();
     if let Some(begun) = solids.begun {
         return Err(STL.line(begun, "the facet is cut short by the end of the file; save it again"));
     }

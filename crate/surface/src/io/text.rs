@@ -36,9 +36,80 @@ pub(super) fn is_text(bytes: &[u8]) -> bool {
 }
 
 /// The lines of a text with their numbers from 1. They end by LF, by CR LF or by CR alone, mixed or not.
-pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> + Clone {
     let lines = text.split_terminator('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
     (1..).zip(lines)
+}
+
+/// Where the comment of a line begins by this sign. It begins none inside of numbers that are none, such as `1.#QNAN`.
+pub fn comment(line: &[u8], sign: u8) -> Option<usize> {
+    let is_number =
+        |index: usize| index > 0 && line[index - 1] == b'.' && line.get(index + 1).is_some_and(u8::is_ascii_alphabetic);
+    (0..line.len()).find(|&index| line[index] == sign && !is_number(index))
+}
+
+/// A line without the comment that begins by `#`, and without white space around.
+pub fn statement(line: &str) -> &str {
+    line[..comment(line.as_bytes(), b'#').unwrap_or(line.len())].trim()
+}
+
+/// Words whatever lines they are on.
+#[derive(Clone)]
+pub struct Words<'a, I> {
+    lines: I,
+    number: usize,
+    line: &'a str,
+    /// What is left of the line.
+    rest: &'a str,
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a str)>> Words<'a, I> {
+    /// Of lines with their numbers.
+    pub fn new(lines: I) -> Self {
+        Self { lines, number: 0, line: "", rest: "" }
+    }
+
+    /// Goes to the next line with a word where this one has no more.
+    pub fn turn(&mut self) {
+        while self.rest.is_empty() {
+            let Some((number, line)) = self.lines.next() else { return };
+            (self.number, self.line, self.rest) = (number, line, line.trim_ascii());
+        }
+    }
+
+    /// The next word.
+    pub fn peek(&mut self) -> Option<&'a str> {
+        self.turn();
+        word(&mut { self.rest })
+    }
+
+    /// Takes the next word.
+    pub fn next(&mut self) -> Option<&'a str> {
+        self.turn();
+        let word = word(&mut self.rest);
+        self.rest = self.rest.trim_ascii_start();
+        word
+    }
+
+    /// The number of the line of the last word, or of the next one after [`Self::turn`].
+    pub fn line(&self) -> usize {
+        self.number
+    }
+
+    /// What is left of the line.
+    pub fn rest(&self) -> &'a str {
+        self.rest
+    }
+
+    /// Goes on at the end of the line, given of what is left of it.
+    pub fn skip_to(&mut self, rest: &'a str) {
+        self.rest = rest.trim_ascii();
+    }
+
+    /// Whether a word of the line was taken.
+    pub fn is_begun(&self) -> bool {
+        self.rest.len() < self.line.trim_ascii().len()
+    }
 }
 
 /// Takes the next word.

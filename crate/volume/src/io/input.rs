@@ -87,8 +87,8 @@ impl<'a> Input<'a> {
                 continue;
             }
             let word = &rest[start..];
-            let ends = |byte: &u8| byte.is_ascii_whitespace() || Some(*byte) == comment;
-            let end = word.iter().position(ends).unwrap_or(word.len());
+            let end = word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len());
+            let end = comment.and_then(|sign| text::comment(&word[..end], sign)).unwrap_or(end);
             self.at += start + end;
             // What is not text is no number or name either.
             return Some(std::str::from_utf8(&word[..end]).unwrap_or("\u{FFFD}"));
@@ -99,7 +99,7 @@ impl<'a> Input<'a> {
     pub fn words(&mut self) -> Vec<&'a str> {
         let Encoding::Text { comment } = self.encoding else { return Vec::new() };
         while let Some(line) = self.line() {
-            let end = line.iter().position(|byte| Some(*byte) == comment).unwrap_or(line.len());
+            let end = comment.and_then(|sign| text::comment(line, sign)).unwrap_or(line.len());
             let words: Vec<&str> = line[..end]
                 .split(u8::is_ascii_whitespace)
                 .filter(|word| !word.is_empty())

@@ -161,7 +161,9 @@ fn gmsh_nodes_with_parameters_are_read() {
 #[test]
 fn tetgen_counts_may_stand_alone_and_lines_end_by_any_sign() {
     let rows: String = (1..).zip(CORNER.lines()).map(|(number, row)| format!("{number} {row}\n")).collect();
-    for (nodes, elements) in [("4", "1"), ("4 3", "1 4"), ("# made\n4 3 0", "1 4 0"), ("4 3 0 0 # here", "# x\n\n1 # one")] {
+    for (nodes, elements) in
+        [("4", "1"), ("4 3", "1 4"), ("# made\n4 3 0", "1 4 0"), ("4 3 0 0 # here", "# x\n\n1 # one")]
+    {
         let (nodes, elements) = (format!("{nodes}\n{rows}"), format!("{elements}\n1 1 2 3 4\n"));
         for end in ["\n", "\r", "\r\n"] {
             let nodes = nodes.replace('\n', end);

@@ -113,7 +113,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let mut lines = text::lines(&text);
     let mut joined = String::new();
     while let Some((number, line)) = lines.next() {
-        let mut statement = line.split('#').next().unwrap_or_default().trim();
+        let mut statement = text::statement(line);
         let mut arguments = statement;
         let mut keyword = text::word(&mut arguments).unwrap_or_default();
         if let Some(head) = line.strip_suffix('\\') {
@@ -124,17 +124,17 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
             } else {
                 joined.clear();
                 joined.push_str(head);
-                let mut is_open = true;
-                while let Some((_, next)) = lines.next().filter(|_| is_open) {
-                    let head = next.strip_suffix('\\');
-                    is_open = head.is_some();
+                while let Some((_, next)) = lines.next() {
                     joined.push(' ');
-                    joined.push_str(head.unwrap_or(next));
-                    if !is_open {
-                        break;
+                    match next.strip_suffix('\\') {
+                        Some(head) => joined.push_str(head),
+                        None => {
+                            joined.push_str(next);
+                            break;
+                        }
                     }
                 }
-                statement = joined.split('#').next().unwrap_or_default().trim();
+                statement = text::statement(&joined);
                 arguments = statement;
                 keyword = text::word(&mut arguments).unwrap_or_default();
             }
@@ -172,7 +172,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
 impl File {
     fn vertex(&mut self, arguments: &str, line: usize) -> Result<()> {
         let mut rest = arguments;
-        self.positions.push(OBJ.position(&mut rest, line)?);
+        self.positions.push(OBJ.position(|| text::word(&mut rest), line)?);
         // A single number is the weight of a rational curve's control point.
         if rest.split_ascii_whitespace().nth(2).is_some() {
             self.colors.resize(self.positions.len() - 1, [1.0; 3]);
