@@ -63,6 +63,8 @@ export interface Room {
 export interface PartInfo {
   name: string;
   triangles: number;
+  /** Its triangles as ranges of the file's, ascending: of each its first one and the one behind its last. */
+  ranges: Uint32Array;
 }
 
 /**

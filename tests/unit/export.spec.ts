@@ -17,7 +17,7 @@ const MEASURED: Measured = {
     interior: null,
     report: REPORT,
     active: [0],
-    parts: [{ name: 'torus', triangles: 2 }],
+    parts: [{ name: 'torus', triangles: 2, ranges: Uint32Array.of(0, 2) }],
     clips: [],
   },
   field: { exactBelow: Infinity, windows: undefined },

@@ -59,7 +59,8 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
     throw new Error(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
-  const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
+  const isWhole = opened.active.length === opened.parts.length;
+  const isAsInFile = isWhole && degenerateFaces + duplicateFaces + flippedFaces === 0;
   return sources.map((source) => {
     if ('tetrahedron' in source) throw new Error(t('A source inside of tetrahedra has no place on a surface.'));
     if ('face' in source && !isAsInFile)

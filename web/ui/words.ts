@@ -2,6 +2,7 @@
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import type { LengthUnit, SceneState } from '../state/scene';
+import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { language, t } from '../texts';
 
@@ -318,19 +319,14 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
   return t`${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
 
-/** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
-  const total = active.reduce((sum, part) => sum + parts[part].triangles, 0);
-  if (active.length < 2 || 3 * total !== surface.triangles.length) return [];
-  const names: string[] = [];
-  let first = 0;
-  for (const part of active) {
-    const end = first + 3 * parts[part].triangles;
-    const isUnreached = byCorner
-      ? distance.subarray(first, end).every((value) => value === Infinity)
-      : surface.triangles.subarray(first, end).every((vertex) => distance[vertex] === Infinity);
-    if (isUnreached) names.push(parts[part].name);
-    first = end;
-  }
-  return names;
+/** Those that no source reaches; none where triangles of the file were removed, for then they cannot be told. */
+function unreachedParts(opened: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
+  const { parts, active, surface } = opened;
+  const partOfFace = active.length < 2 ? null : partsOfFaces(opened);
+  if (!partOfFace) return [];
+  const reached = new Set<number>();
+  surface.triangles.forEach((vertex, corner) => {
+    if (distance[byCorner ? corner : vertex] < Infinity) reached.add(partOfFace[Math.floor(corner / 3)]);
+  });
+  return active.filter((part) => !reached.has(part)).map((part) => parts[part].name);
 }

@@ -149,6 +149,13 @@ impl MeshFile {
         self.soup.parts.iter().map(|part| part.len() as u32).collect()
     }
 
+    /// Triangles of a part as ranges of the file's, ascending: of each its first one and the one behind its last.
+    pub fn part_ranges(&self, part: u32) -> Vec<u32> {
+        let part = self.soup.parts.get(part as usize);
+        let ranges = part.into_iter().flat_map(|part| &part.ranges);
+        ranges.flat_map(|range| [range.start as u32, range.end as u32]).collect()
+    }
+
     /// Whether it says how its triangles look.
     pub fn has_appearance(&self) -> bool {
         !self.soup.appearance.runs.is_empty() || !self.soup.appearance.colors.is_empty()

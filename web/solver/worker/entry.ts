@@ -116,6 +116,7 @@ const api: SolverApi = {
     progress({ stage: 'Welding', fraction: inner ? FILLED_FROM : BUILD_FROM, vertices: 0 });
     const names = file.part_names();
     const triangles = file.part_triangles();
+    const ranges = names.map((_, part) => file.part_ranges(part));
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
     const upright = file.up();
     const up = wantedUp === AUTOMATIC ? upright : wantedUp;
@@ -142,7 +143,7 @@ const api: SolverApi = {
     const mesh: OpenedMesh = {
       name,
       hash,
-      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
+      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0, ranges: ranges[index] })),
       active: [...chosen],
       cameras: drawing.cameras().map(plain),
       lights: drawing.lights(),

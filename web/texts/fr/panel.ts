@@ -76,8 +76,7 @@ export const PANEL: Texts = {
   '{0} left out': 'omission : {0}',
   'statement of a curve': 'instruction d’une courbe',
   'statements of curves': 'instructions de courbes',
-  '{0} left out; save the model as polygons':
-    'omission : {0} ; enregistrez le modèle sous forme de polygones',
+  '{0} left out; save the model as polygons': 'omission : {0} ; enregistrez le modèle sous forme de polygones',
   'cell that fills space': 'cellule volumique',
   'cells that fill space': 'cellules volumiques',
   'unknown statement': 'instruction inconnue',
@@ -86,10 +85,8 @@ export const PANEL: Texts = {
     'une barre oblique inverse termine un nom ou un commentaire ; la ligne suivante n’y a pas été jointe',
   'facet without endfacet': 'facette sans endfacet',
   'facets without endfacet': 'facettes sans endfacet',
-  'the end of the file is missing; it may be cut short':
-    'la fin du fichier manque ; il est peut-être tronqué',
-  'there is more behind the end; it was left out':
-    'il y a autre chose après la fin ; cela a été laissé de côté',
+  'the end of the file is missing; it may be cut short': 'la fin du fichier manque ; il est peut-être tronqué',
+  'there is more behind the end; it was left out': 'il y a autre chose après la fin ; cela a été laissé de côté',
   'curved cell': 'cellule courbe',
   'curved cells': 'cellules courbes',
   '{0} made flat between the corners': 'aplatissement entre les sommets : {0}',
