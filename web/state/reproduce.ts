@@ -2,6 +2,7 @@
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
+import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
 import { t } from '../texts';
@@ -59,15 +60,14 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
     throw new Error(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
-  const isWhole = opened.active.length === opened.parts.length;
-  const isAsInFile = isWhole && degenerateFaces + duplicateFaces + flippedFaces === 0;
+  const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
   return sources.map((source) => {
     if ('tetrahedron' in source) throw new Error(t('A source inside of tetrahedra has no place on a surface.'));
     if ('face' in source && !isAsInFile)
       throw new Error(
         t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
       );
-    return source;
+    return 'face' in source ? { ...source, face: triangleOfFile(opened, source.face) } : source;
   });
 }
 

@@ -122,18 +122,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
             if statement.len() < line.trim().len() || matches!(keyword, "g" | "o" | "usemtl" | "mtllib") {
                 file.warnings.add(WarningCode::UnjoinedLines, || format!("line {number}"));
             } else {
-                joined.clear();
-                joined.push_str(head);
-                while let Some((_, next)) = lines.next() {
-                    joined.push(' ');
-                    match next.strip_suffix('\\') {
-                        Some(head) => joined.push_str(head),
-                        None => {
-                            joined.push_str(next);
-                            break;
-                        }
-                    }
-                }
+                join(head, lines.by_ref().map(|(_, next)| next), &mut joined);
                 statement = text::statement(&joined);
                 arguments = statement;
                 keyword = text::word(&mut arguments).unwrap_or_default();
@@ -167,6 +156,19 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
         }
     }
     file.assemble(groups.names, library)
+}
+
+/// Joins a line, of which `head` is without its backslash, with the next ones up to the first without.
+fn join<'a>(head: &str, lines: impl Iterator<Item = &'a str>, joined: &mut String) {
+    joined.clear();
+    joined.push_str(head);
+    for line in lines {
+        joined.push(' ');
+        match line.strip_suffix('\\') {
+            Some(head) => joined.push_str(head),
+            None => return joined.push_str(line),
+        }
+    }
 }
 
 impl File {
