@@ -63,6 +63,8 @@ export interface Room {
 export interface PartInfo {
   name: string;
   triangles: number;
+  /** Its triangles as ranges of the file's, ascending: of each its first one and the one behind its last. */
+  ranges: Uint32Array;
 }
 
 /**
@@ -204,9 +206,11 @@ export interface OpenedMesh {
   unitAssumed: boolean;
   /** What the file refers to that was not given, as the file calls it. */
   missing: string[];
+  /** What was left out of the file, or taken otherwise than it is written. */
+  warnings: Plain<wasm.Warning>[];
   /** Images that the browser cannot decode, as the file calls them. */
   undecoded: string[];
-  /** For each drawn vertex of the surface, its vertex index in the input (over the walked parts, in file order). */
+  /** For each drawn vertex of the surface, its vertex index in the input (in file order, whichever parts are active). */
   inputVertices: Uint32Array;
   /** Of everything that is drawn with this mesh: surface, scenery, paths, crowd, edges. */
   drawTransform: DrawTransform;

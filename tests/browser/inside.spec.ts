@@ -241,7 +241,7 @@ test('what has no inside says so, and the scene stays', async ({ heatwalk, page 
 
   for (const [content, sentence] of [
     [CUBE.slice(0, CUBE.length / 2), 'cube.msh was not opened'],
-    [CUBE.replace(/\$Elements[^]*/, '$Elements\n1\n1 2 0 1 2 9\n$EndElements\n'), 'holds no tetrahedra, but 1 faces'],
+    [CUBE.replace(/\$Elements[^]*/, '$Elements\n0\n$EndElements\n'), 'holds neither tetrahedra nor faces'],
     [CUBE.replace('\n1 4 0 1 2', '\n1 4 0 9999 2'), '9999'],
     [CUBE.replace('\n1 0 0 0', '\n1 nan 0 0'), 'cube.msh was not opened'],
   ] as const) {
@@ -250,6 +250,14 @@ test('what has no inside says so, and the scene stays', async ({ heatwalk, page 
     expect((await heatwalk.mesh()).name).toBe('grid.off');
     await page.locator('.message').first().getByRole('button', { name: /close/i }).click();
   }
+});
+
+test('the faces of a file without tetrahedra are a surface', async ({ heatwalk }) => {
+  const nodes = '1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n';
+  const msh = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n${nodes}$EndNodes\n$Elements\n1\n1 3 0 1 2 3 4\n$EndElements\n`;
+  await heatwalk.openFile('square.msh', msh, 'method=auto&s=0');
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt({ vertex: 2 })).toBeCloseTo(Math.SQRT2, 6);
 });
 
 test('a crowd walks inside, and all that is wanted comes with a link', async ({ heatwalk, page }) => {

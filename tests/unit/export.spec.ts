@@ -17,7 +17,7 @@ const MEASURED: Measured = {
     interior: null,
     report: REPORT,
     active: [0],
-    parts: [{ name: 'torus', triangles: 2 }],
+    parts: [{ name: 'torus', triangles: 2, ranges: Uint32Array.of(0, 2) }],
     clips: [],
   },
   field: { exactBelow: Infinity, windows: undefined },
@@ -28,10 +28,13 @@ test('the command line names the mesh, the sources and what found the distances'
   const parameters = { ...STATE.parameters, timeStep: 10, exactRadius: Infinity };
   const sources = [{ face: 3, weights: [0.25, 0.25, 0.5] as [number, number, number], offset: 2 }];
   const state = { ...STATE, parameters, sources, links: 1, parts: [1] };
-  const opened = { ...MEASURED.opened, active: [1], parts: [...MEASURED.opened.parts, ...MEASURED.opened.parts] };
+  // Its triangles are those of the file from 2 on, but for two.
+  const [torus] = MEASURED.opened.parts;
+  const other = { name: 'other', triangles: 4, ranges: Uint32Array.of(2, 4, 6, 8) };
+  const opened = { ...MEASURED.opened, active: [1], parts: [torus, other] };
   const asked = { ...MEASURED, state, opened, mesh: "a cow's.obj", field: { exactBelow: 0, windows: undefined } };
   expect(commandLine(asked)).toBe(
-    String.raw`heatwalk distance 'a cow'\''s.obj' --part 1 --source 3:0.25,0.25,0.5@2 --link 1 --method heat --t 10 --near inf --output distances.csv`,
+    String.raw`heatwalk distance 'a cow'\''s.obj' --part 1 --source 7:0.25,0.25,0.5@2 --link 1 --method heat --t 10 --near inf --output distances.csv`,
   );
   expect(commandLine({ ...MEASURED, field: { exactBelow: 1, windows: 2 } })).toContain(
     '--method propagation --windows 2',

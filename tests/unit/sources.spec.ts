@@ -195,8 +195,8 @@ test('only a heading makes a table that is dropped one of sources; what is paste
 /** Two squares in one plane, each of two triangles, the second one turned over, and what lies beside each triangle. */
 const SQUARES: Outlined = {
   parts: [
-    { name: 'left', triangles: 2 },
-    { name: 'right', triangles: 2 },
+    { name: 'left', triangles: 2, ranges: Uint32Array.of(0, 2) },
+    { name: 'right', triangles: 2, ranges: Uint32Array.of(2, 4) },
   ],
   active: [0, 1],
   inputVertices: Uint32Array.of(10, 11, 12, 13, 10, 15, 16, 17, 18),
@@ -222,7 +222,23 @@ test('a component has each of its vertices once, and so has a part', () => {
   expect(componentOf(SQUARES, 99)).toEqual([]);
   expect([0, 1, 2, 3].map((face) => partOf(SQUARES, face))).toEqual([0, 0, 1, 1]);
   expect(verticesOfPart(SQUARES, 1).toSorted()).toEqual([15, 16, 17, 18]);
-  const welded = { ...SQUARES, parts: [{ name: 'left', triangles: 3 }, SQUARES.parts[1]] };
+  const welded = {
+    ...SQUARES,
+    parts: [{ name: 'left', triangles: 3, ranges: Uint32Array.of(0, 3) }, SQUARES.parts[1]],
+  };
   expect(partOf(welded, 0)).toBeNull();
   expect(verticesOfPart(welded, 0)).toEqual([]);
+});
+
+test('parts of which the file has triangles by turns keep what is theirs', () => {
+  const turns = {
+    ...SQUARES,
+    parts: [
+      { name: 'ends', triangles: 2, ranges: Uint32Array.of(0, 1, 4, 5) },
+      { name: 'inactive', triangles: 1, ranges: Uint32Array.of(1, 2) },
+      { name: 'middle', triangles: 2, ranges: Uint32Array.of(2, 4) },
+    ],
+    active: [0, 2],
+  };
+  expect([0, 1, 2, 3].map((face) => partOf(turns, face))).toEqual([0, 2, 2, 0]);
 });

@@ -1,5 +1,6 @@
 /** Boundary loops, components and parts of a surface, by the triangles beside each triangle. */
 import type { OpenedMesh } from '../protocol';
+import { partsOfFaces } from '../state/parts';
 import type { Vector } from '../state/places';
 
 /** A surface as it is drawn, and the triangles beside each: `SolverApi.neighbors`. */
@@ -44,31 +45,17 @@ export function componentOf(mesh: Outlined, vertex: number): number[] {
 
 /** The part that a triangle belongs to; null where one is active, or triangles of the file were removed. */
 export function partOf(mesh: Outlined, face: number): number | null {
-  return mesh.active.length > 1 ? (ranges(mesh)?.find(({ end }) => face < end)?.part ?? null) : null;
+  return mesh.active.length > 1 ? (partsOfFaces(mesh)?.at(face) ?? null) : null;
 }
 
 /** The vertices of a part; empty where it cannot be told. */
 export function verticesOfPart(mesh: Outlined, part: number): number[] {
-  const range = ranges(mesh)?.find((other) => other.part === part);
-  if (!range) return [];
-  const seen = new Uint8Array(mesh.surface.triangles.length / 3).fill(1);
-  seen.fill(0, range.first, range.end);
+  const partOfFace = partsOfFaces(mesh);
+  if (!partOfFace) return [];
+  const seen = Uint8Array.from(partOfFace, (other) => (other === part ? 0 : 1));
   const found: number[] = [];
-  for (let face = range.first; face < range.end; face++) {
-    if (seen[face] === 0) found.push(...flood(mesh, face, seen));
-  }
+  for (let face = seen.indexOf(0); face >= 0; face = seen.indexOf(0, face + 1)) found.push(...flood(mesh, face, seen));
   return [...new Set(found)];
-}
-
-/** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function ranges({ parts, active, surface }: Outlined): { part: number; first: number; end: number }[] | null {
-  let end = 0;
-  const found = active.map((part) => {
-    const first = end;
-    end += parts[part].triangles;
-    return { part, first, end };
-  });
-  return 3 * end === surface.triangles.length ? found : null;
 }
 
 function* boundarySides({ neighbors }: Outlined): Generator<Side> {

@@ -2,6 +2,7 @@
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
+import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
 import { t } from '../texts';
@@ -66,7 +67,7 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
       throw new Error(
         t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
       );
-    return source;
+    return 'face' in source ? { ...source, face: triangleOfFile(opened, source.face) } : source;
   });
 }
 

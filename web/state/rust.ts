@@ -17,7 +17,7 @@ export function rustLines(measured: Measured): string {
   const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
   const body = [readLine(mesh, use)];
-  if (opened.active.length < opened.parts.length) body.push(`let soup = soup.select(&[${opened.active.join(', ')}])?;`);
+  if (opened.active.length < opened.parts.length) body.push(`let soup = soup.chosen(&[${opened.active.join(', ')}])?;`);
   const { clip, seconds, live } = state.animation;
   if (live && clip !== null) body.push(`let soup = soup.posed(${clip}, ${float(seconds)})?;`);
   body.push('let surface = Surface::build(&soup)?;', ...sourceLines(sources, use), ...solverLines(state, use));

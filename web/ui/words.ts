@@ -2,6 +2,7 @@
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import type { LengthUnit, SceneState } from '../state/scene';
+import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { language, t } from '../texts';
 
@@ -129,13 +130,47 @@ export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): string
 
 const NAMED = 4;
 
-/** What keeps a file from looking as it should; null if nothing does. */
-export function absentSentence({ name, missing, undecoded }: OpenedMesh): string | null {
-  const sentences: string[] = [];
+/** What a file was read without, or otherwise than it is written, and what keeps it from looking as it should; null if nothing. */
+export function absentSentence({ name, missing, undecoded, warnings }: OpenedMesh): string | null {
+  const sentences = warnings.map((warning) => t`${name}, ${placeWords(warning.place)}: ${warningWords(warning)}.`);
   if (missing.length === 1) sentences.push(t`${name} refers to ${listed(missing)}, which was not given.`);
   if (missing.length > 1) sentences.push(t`${name} refers to ${listed(missing)}, which were not given.`);
   if (undecoded.length > 0) sentences.push(t`The browser cannot show ${listed(undecoded)}.`);
   return sentences.length > 0 ? sentences.join(' ') : null;
+}
+
+/** What was left out, or taken otherwise than it is written. */
+function warningWords({ code, count: number }: OpenedMesh['warnings'][number]): string {
+  switch (code) {
+    case 'lines-left-out':
+      return t`${counted(number, 'point or line', 'points or lines')} left out`;
+    case 'curves-left-out':
+      return t`${counted(number, 'statement of a curve', 'statements of curves')} left out; save the model as polygons`;
+    case 'volumes-left-out':
+      return t`${counted(number, 'cell that fills space', 'cells that fill space')} left out`;
+    case 'unknown-statements':
+      return t`${counted(number, 'unknown statement')} left out`;
+    case 'unjoined-lines':
+      return t('a backslash ends a name or a comment; the next line was not joined to it');
+    case 'unended-facets':
+      return counted(number, 'facet without endfacet', 'facets without endfacet');
+    case 'no-end':
+      return t('the end of the file is missing; it may be cut short');
+    case 'trailing':
+      return t('there is more behind the end; it was left out');
+    case 'straightened':
+      return t`${counted(number, 'curved cell')} made flat between the corners`;
+    case 'crossed-polygons':
+      return t`${counted(number, 'polygon crosses itself', 'polygons cross themselves')}; the triangles are a guess`;
+    default:
+      return code;
+  }
+}
+
+/** A place in a file; the names of elements are those of its format. */
+function placeWords(place: string): string {
+  const line = /^line (\d+)$/.exec(place);
+  return line ? t`line ${line[1]}` : place;
 }
 
 /** Names, of many the first ones. */
@@ -284,19 +319,14 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): str
   return t`${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
 }
 
-/** Triangles keep the order of the file, so where none was removed the counts of the parts tell which part each belongs to. */
-function unreachedParts({ parts, active, surface }: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
-  const total = active.reduce((sum, part) => sum + parts[part].triangles, 0);
-  if (active.length < 2 || 3 * total !== surface.triangles.length) return [];
-  const names: string[] = [];
-  let first = 0;
-  for (const part of active) {
-    const end = first + 3 * parts[part].triangles;
-    const isUnreached = byCorner
-      ? distance.subarray(first, end).every((value) => value === Infinity)
-      : surface.triangles.subarray(first, end).every((vertex) => distance[vertex] === Infinity);
-    if (isUnreached) names.push(parts[part].name);
-    first = end;
-  }
-  return names;
+/** Those that no source reaches; none where triangles of the file were removed, for then they cannot be told. */
+function unreachedParts(opened: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
+  const { parts, active, surface } = opened;
+  const partOfFace = active.length < 2 ? null : partsOfFaces(opened);
+  if (!partOfFace) return [];
+  const reached = new Set<number>();
+  surface.triangles.forEach((vertex, corner) => {
+    if (distance[byCorner ? corner : vertex] < Infinity) reached.add(partOfFace[Math.floor(corner / 3)]);
+  });
+  return active.filter((part) => !reached.has(part)).map((part) => parts[part].name);
 }

@@ -35,6 +35,7 @@ fn info(arguments: &Info) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(input.unit);
+    report.push_warnings(&input.file.warnings);
     let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     report.push_build(surface.report());

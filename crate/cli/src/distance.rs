@@ -64,7 +64,7 @@ fn together(
         report.push("timed_sources", numbers(solver.surface(), &vertices));
         solve_ms = median_solve_ms(&vertices, |source| Ok(solver.distance(&[source], options, &mut go_on)?))?;
     }
-    let values = of_inputs(solver.surface(), &answer.distance.values);
+    let values = solver.surface().to_inputs(&answer.distance.values, f64::INFINITY);
     for (name, value) in facts(&answer, &values, options) {
         report.push(name, value);
     }
@@ -87,7 +87,7 @@ fn each(
     let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
     let solve_ms = milliseconds(start);
     let columns = |(number, answer): (usize, &Answer)| {
-        (format!("distance_{number}"), of_inputs(solver.surface(), &answer.distance.values))
+        (format!("distance_{number}"), solver.surface().to_inputs(&answer.distance.values, f64::INFINITY))
     };
     let columns: Columns = answers.iter().enumerate().map(columns).collect();
     let object = |(answer, (_, values)): (&Answer, &(String, Vec<f64>))| {
@@ -115,12 +115,6 @@ pub fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> V
     facts.push(("max_distance", answer.distance.max().into()));
     facts.push(("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count().into()));
     facts
-}
-
-/// Vertices that no triangle uses are as far as another component.
-pub fn of_inputs(surface: &Surface, values: &VertexData<f64>) -> Vec<f64> {
-    let of_input = |vertex: &Option<VertexId>| vertex.map_or(f64::INFINITY, |vertex| values[vertex]);
-    surface.vertices_of_inputs().iter().map(of_input).collect()
 }
 
 fn push_errors(values: &VertexData<f64>, exact: &VertexData<f64>, report: &mut Report) {

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
+use heatwalk::io::text;
 use heatwalk::{
     Bridges, Costs, DistanceSolver, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, Soup, Surface,
     Up, Walls, tobler,
@@ -143,17 +144,35 @@ fn axis(up: Up) -> DVec3 {
 
 /// The rows of a CSV file, as numbers, with the lines that they are on. A first row of words is a heading.
 fn rows(path: &Path) -> Result<Vec<(usize, Vec<f64>)>> {
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let mut rows = Vec::new();
-    for (line, row) in (1..).zip(text.lines()).filter(|(_, row)| !row.trim().is_empty()) {
+    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let text = text::decoded(&bytes).with_context(|| path.display().to_string())?;
+    let text = String::from_utf8_lossy(text);
+    let rows = text::lines(&text).filter(|(_, row)| !row.trim().is_empty()).filter_map(|(line, row)| {
         let numbers: Result<Vec<f64>, _> = row.split(',').map(|cell| cell.trim().parse()).collect();
         match numbers {
-            Ok(numbers) => rows.push((line, numbers)),
-            Err(_) if line == 1 => {}
-            Err(_) => bail!("{}, line {line}: {row:?} is no row of numbers", path.display()),
+            Ok(numbers) => Some(Ok((line, numbers))),
+            Err(_) if line == 1 => None,
+            Err(_) => Some(Err(anyhow!("{}, line {line}: {row:?} is no row of numbers", path.display()))),
+        }
+    });
+    all(rows)
+}
+
+/// All results, or the first failure and how many there are besides.
+fn all<T>(results: impl Iterator<Item = Result<T>>) -> Result<Vec<T>> {
+    let (mut found, mut failures) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(value) => found.push(value),
+            Err(failure) => failures.push(failure),
         }
     }
-    Ok(rows)
+    let more = failures.len().saturating_sub(1);
+    match failures.into_iter().next() {
+        None => Ok(found),
+        Some(first) if more == 0 => Err(first),
+        Some(first) => bail!("{first:#}; {more} more rows are wrong, too"),
+    }
 }
 
 /// A whole number of a row that counts something of the file.
@@ -169,8 +188,7 @@ fn number(value: f64, count: usize, what: &str, (path, line): (&Path, usize)) ->
 /// Elements of the file with their costs, of a CSV file with a row each.
 fn weighted(path: &Path, count: usize, what: &str) -> Result<Vec<(u32, f64)>> {
     let mut costs: HashMap<u32, (usize, f64)> = HashMap::new();
-    let mut weighted = Vec::new();
-    for (line, row) in rows(path)? {
+    let weighted = rows(path)?.into_iter().map(|(line, row)| {
         let &[element, cost] = row.as_slice() else {
             bail!("{}, line {line}: give a {what} and its cost, such as 12,2.5", path.display());
         };
@@ -188,9 +206,9 @@ fn weighted(path: &Path, count: usize, what: &str) -> Result<Vec<(u32, f64)>> {
             "{}, line {line}: {what} {element} costs {cost} here and {before} in line {first}; give it one cost",
             path.display()
         );
-        weighted.push((element, cost));
-    }
-    Ok(weighted)
+        Ok((element, cost))
+    });
+    all(weighted)
 }
 
 fn of_file(path: &Path, soup: &Soup, surface: &Surface) -> Result<Costs> {
@@ -219,17 +237,7 @@ fn of_attribute(name: &str, soup: &Soup, surface: &Surface) -> Result<Costs> {
     } else {
         soup.attribute(name)?.to_vec()
     };
-    if let Some(vertex) = of_vertex.iter().position(|cost| !Costs::RANGE.contains(cost)) {
-        let is_used = surface.vertex_of_input(InputVertex(vertex as u32)).is_some();
-        ensure!(
-            !is_used,
-            "the cost by {name} is {} at vertex {vertex}; it must be from {} to {}",
-            of_vertex[vertex],
-            Costs::RANGE.start(),
-            Costs::RANGE.end()
-        );
-    }
-    Ok(Costs::of_input_vertices(surface, &of_vertex)?)
+    Costs::of_input_vertices(surface, &of_vertex).with_context(|| format!("--weights attribute:{name}"))
 }
 
 fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {

@@ -6,10 +6,12 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{LengthUnit, Soup, UnitRule, io};
+use heatwalk::{LengthUnit, Soup, UnitRule, Warning, io};
 use heatwalk_shapes as shapes;
+use heatwalk_volume::io::{self as volume, Format};
 
 use crate::args::Mesh;
+use crate::complaint::complain;
 use crate::report::milliseconds;
 
 /// In place of a file: a shape by its name.
@@ -19,7 +21,7 @@ pub const SHAPE: &str = "shape:";
 pub struct Input {
     /// All of the file, with its animations, as its nodes stand.
     pub file: Soup,
-    /// The chosen parts in the chosen pose; vertices and triangles on the command line count in it.
+    /// The chosen parts in the chosen pose, over all vertices and triangles of the file.
     pub soup: Soup,
     pub read_ms: f64,
     /// Of all of the file.
@@ -40,8 +42,8 @@ impl Input {
             (Some(_), UnitRule::Automatic) => LengthUnit::default(),
             _ => file.length_unit(unit),
         };
-        let all: Vec<usize> = (0..file.parts.len()).collect();
-        let soup = file.select(if parts.is_empty() { &all } else { parts })?;
+        tell(path, &file.warnings);
+        let soup = if parts.is_empty() { file.clone() } else { file.chosen(parts)? };
         Ok(Self { file, soup, read_ms, unit })
     }
 
@@ -66,10 +68,20 @@ fn read_mesh(path: &Path) -> Result<Soup> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
+    if Format::of_name(&name).is_some() {
+        return volume::read_surface(&name, &bytes, &companion).with_context(|| path.display().to_string());
+    }
     match io::read(&name, &bytes, &companion) {
         // It names the file itself.
         Err(error @ SurfaceError::UnknownFormat { .. }) => Err(error.into()),
         read => read.with_context(|| path.display().to_string()),
+    }
+}
+
+/// A line on standard error for each warning.
+fn tell(path: &Path, warnings: &[Warning]) {
+    for warning in warnings {
+        complain(&format!("warning: {}, {warning}", path.display()));
     }
 }
 

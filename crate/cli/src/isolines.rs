@@ -8,7 +8,7 @@ use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use serde_json::json;
 
 use crate::args;
-use crate::distance::{facts, of_inputs};
+use crate::distance::facts;
 use crate::output::{CurveFormat, Output};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
@@ -44,7 +44,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         output.save(&bytes(output.format, &isolines, &field, &levels, arguments)?)?;
     }
 
-    let values = of_inputs(surface, &answer.distance.values);
+    let values = surface.to_inputs(&answer.distance.values, f64::INFINITY);
     for (name, value) in facts(&answer, &values, &options) {
         report.push(name, value);
     }

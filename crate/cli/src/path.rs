@@ -43,6 +43,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(input.unit);
+    report.push_warnings(&input.file.warnings);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());

@@ -2,11 +2,11 @@
 
 use std::str::FromStr;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{Element, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
 
-/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, of the chosen parts.
+/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, counted as in the file.
 #[derive(Debug, Clone, Copy)]
 pub enum Place {
     Vertex(usize),
@@ -102,6 +102,10 @@ impl Place {
             Self::Vertex(vertex) => Ok(surface.point(welded_vertex(surface, vertex)?)?),
             Self::Triangle { triangle, weights } => {
                 let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {
+                    ensure!(
+                        soup.ranges().iter().any(|range| range.contains(&triangle)),
+                        "triangle {triangle} is in none of the chosen parts; choose another"
+                    );
                     bail!("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another");
                 };
                 // The face may have been flipped.

@@ -34,6 +34,7 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
     let joined = join(&surface, &question.bridging, threads);
     report.push_surface(surface.report());
     report.push_unit(input.unit);
+    report.push_warnings(&input.file.warnings);
     report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
     let build_ms = built_ms + joined.join_ms;
     let solver = ground.solver(&surface, joined.bridges, threads);

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use heatwalk::surface::motion::Clip;
-use heatwalk::{Bridges, BuildReport, LengthUnit, Link, Soup, Stage, Unit};
+use heatwalk::{Bridges, BuildReport, LengthUnit, Link, Soup, Stage, Unit, Warning};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -35,6 +35,13 @@ impl Report {
     pub fn push_unit(&mut self, LengthUnit { unit, is_assumed }: LengthUnit) {
         self.push("unit", unit.map(Unit::symbol));
         self.push("unit_assumed", is_assumed);
+    }
+
+    /// What the file was read without, or otherwise than it is written.
+    pub fn push_warnings(&mut self, warnings: &[Warning]) {
+        let warning =
+            |warning: &Warning| json!({ "code": warning.code.name(), "what": warning.what(), "where": warning.place });
+        self.push("warnings", warnings.iter().map(warning).collect::<Vec<_>>());
     }
 
     /// What joins components: with `links` of them, groups that stay apart otherwise.
@@ -70,7 +77,7 @@ impl Report {
     }
 
     pub fn push_parts(&mut self, soup: &Soup) {
-        let part = |(index, part): (usize, &heatwalk::surface::soup::Part)| json!({ "part": index, "name": part.name, "faces": part.triangles.len() });
+        let part = |(index, part): (usize, &heatwalk::surface::soup::Part)| json!({ "part": index, "name": part.name, "faces": part.len() });
         self.push("parts", soup.parts.iter().enumerate().map(part).collect::<Vec<_>>());
     }
 
@@ -126,6 +133,8 @@ impl Report {
                     let uri = uri.as_str().unwrap_or_default().replace(char::is_control, " ");
                     writeln!(text, "{name:<22} {uri}")
                 }),
+                // Those have been told on standard error.
+                Value::Array(_) if name == "warnings" => Ok(()),
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
                 Value::Null if name == "unit" => writeln!(text, "{name:<22} none"),

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, InputVertex, LinearSolver, Method, MultiSource, RelativeError, UnitRule, VertexId,
-    WeldRule,
+    DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, UnitRule, VertexId, WeldRule,
 };
 use serde_json::{Value, json};
 
@@ -66,8 +65,8 @@ fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
     let input = Input::read(Path::new(path), &parts, UnitRule::default()).with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input, WeldRule::default(), ONE).with_context(|| mesh.to_owned())?;
-    // The first vertex of the file, wherever it is in memory.
-    let source = surface.vertex_of_input(InputVertex(0)).unwrap_or(VertexId(0));
+    // The first vertex in the order of the file, wherever it is in memory.
+    let source = surface.vertices_of_inputs().iter().flatten().next().copied().unwrap_or(VertexId(0));
     let exactly = DistanceOptions::by(Method::Exact);
     let exact = || DistanceSolver::new(Arc::clone(&surface)).distance(&[source], &exactly, &mut go_on);
     let exact = arguments.exact.then(exact).transpose()?;

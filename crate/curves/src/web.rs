@@ -158,7 +158,7 @@ pub fn distance_file_of(
 ) -> Result<Vec<u8>> {
     let file = io::read(name, bytes, &resources(resource))?;
     let parts: Vec<usize> = parts.iter().map(|&part| part as usize).collect();
-    distances_in(kind, &file.select(&parts)?, distances)
+    distances_in(kind, &file.chosen(&parts)?, distances)
 }
 
 fn distances_in(kind: &str, soup: &Soup, distances: &[f64]) -> Result<Vec<u8>> {

@@ -73,6 +73,15 @@ impl Tetrahedra {
         Self::build(file.soup, Origin::File(file.cells))
     }
 
+    /// Reads the faces of a file without tetrahedra, for the solver's module.
+    pub fn surface(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    ) -> Result<Vec<u8>> {
+        Ok(io::read_surface(name, bytes, &resources(resource))?.packed())
+    }
+
     /// Makes a shape.
     pub fn shape(name: &str) -> Result<Self> {
         let soup = shapes::by_name(name).ok_or_else(|| Failure::misuse("there is no such shape of tetrahedra"))?;

@@ -123,7 +123,7 @@ pub fn strip(width: f64, length: f64, across: u32) -> Soup {
 }
 
 fn one_part(name: &str, nx: u32, nz: u32) -> Vec<Part> {
-    vec![Part { name: name.to_owned(), triangles: 0..2 * nx as usize * nz as usize }]
+    vec![Part { name: name.to_owned(), ranges: vec![0..2 * nx as usize * nz as usize] }]
 }
 
 /// A rectangle in the plane y = 0 from the origin along +x and −z, facing up; without a part.

@@ -9,7 +9,7 @@ use heatwalk::{
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let soup = io::read("a \"cow\".glb", &std::fs::read("a \"cow\".glb")?, &|file| std::fs::read(file).ok())?;
-    let soup = soup.select(&[1])?;
+    let soup = soup.chosen(&[1])?;
     let soup = soup.posed(1, 0.5)?;
     let surface = Surface::build(&soup)?;
     let vertex = |input| surface.vertex_of_input(InputVertex(input)).ok_or("a vertex without a triangle");

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
-use heatwalk_surface::{FaceData, FaceId, InputVertex, Path, PathPoint, Surface, VertexData};
+use heatwalk_surface::{Element, FaceData, FaceId, InputVertex, Path, PathPoint, Surface, VertexData};
 
 /// Cost of each face of a surface: how much a unit of length counts there.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,12 +59,22 @@ impl Costs {
     /// Costs of the input's vertices, in its order: that of a face is the mean of its corners'.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// [`Error::BadParameter`] for a corner of a face whose cost is outside of [`Costs::RANGE`], with the number of its vertex.
     ///
     /// # Panics
     /// Where there is not one cost a vertex of the input.
     pub fn of_input_vertices(surface: &Surface, of_vertex: &[f64]) -> Result<Self> {
         assert_eq!(of_vertex.len(), surface.vertices_of_inputs().len(), "one cost a vertex of the input");
+        let used = surface.vertices_of_inputs().enumerate().filter(|(_, vertex)| vertex.is_some());
+        let mut bad = used.map(|(input, _)| input).filter(|input| !Self::RANGE.contains(&of_vertex[input.index()]));
+        if let Some(InputVertex(first)) = bad.next() {
+            let more = match bad.count() {
+                0 => String::new(),
+                count => format!(", and out of range at {count} more"),
+            };
+            let value = format!("{} at vertex {first}{more}", of_vertex[first as usize]);
+            return Err(Error::BadParameter { name: NAME, value, range: "from 0.001 to 1000" });
+        }
         let cost = |vertex: InputVertex| of_vertex[vertex.0 as usize];
         let mean = |face| surface.inputs_of_face(face).map(cost).iter().sum::<f64>() / 3.0;
         Self::new(surface, (0..surface.face_count() as u32).map(FaceId).map(mean).collect())

@@ -88,7 +88,8 @@ pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
     InputTriangle, InputVertex, LengthUnit, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface,
-    SurfaceId, SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, WeldRule, io,
+    SurfaceId, SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode,
+    WeldRule, io,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

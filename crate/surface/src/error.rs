@@ -115,7 +115,7 @@ pub enum Error {
         vertices: usize,
     },
     /// No triangle uses a vertex of the input, so it is not on the surface.
-    #[error("vertex {vertex} is used by no triangle; choose another")]
+    #[error("vertex {vertex} is used by no triangle of the surface; choose another")]
     UnreferencedVertex {
         /// Vertex of the input, counted from 0.
         vertex: usize,

@@ -28,6 +28,7 @@ mod touching;
 pub mod triangle;
 pub mod union_find;
 pub mod unit;
+mod warning;
 mod weld;
 
 pub use appearance::Appearance;
@@ -46,4 +47,5 @@ pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Attribute, Camera, Light, LightKind, Projection, Soup};
 pub use surface::{BuildReport, Surface, SurfaceId, Walls};
 pub use unit::{LengthUnit, Unit, UnitRule};
+pub use warning::{Warning, WarningCode, Warnings};
 pub use weld::MOST_COORDINATE;

@@ -1,5 +1,7 @@
 //! Triangle soup: what a file holds, before any connectivity.
 
+use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
@@ -9,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::motion::{Motion, Pose};
 use crate::triangle;
 use crate::unit::{LengthUnit, Unit, UnitRule};
+use crate::warning::Warning;
 
 /// Triangles over shared vertices, in the order of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,10 +20,10 @@ pub struct Soup {
     /// `#V × 3`, input vertices in file order, in the file's unit, node transforms applied.
     #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub positions: Vec<DVec3>,
-    /// `#F × 3`, indices into `positions`; polygons are already triangulated. Triangles of one part are consecutive.
+    /// `#F × 3`, indices into `positions`, in file order. The triangles of a polygon follow each other, in the order of its corners.
     #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
-    /// The parts in file order. Their ranges cover `triangles` without gap or overlap.
+    /// The parts in file order, no triangle in two. What is in none of them is no part of the surface.
     pub parts: Vec<Part>,
     /// Of the positions; None where the format does not say.
     pub unit: Option<Unit>,
@@ -34,6 +37,8 @@ pub struct Soup {
     pub lights: Vec<Light>,
     /// Further numbers that the file gives each vertex.
     pub attributes: Vec<Attribute>,
+    /// What was left out of the file, or taken otherwise than it is written.
+    pub warnings: Vec<Warning>,
 }
 
 /// Numbers of a file for its vertices that are neither shape nor look: an attribute `_NAME` of glTF, a scalar property of PLY's
@@ -114,23 +119,56 @@ pub enum LightKind {
 pub struct Part {
     /// Name in the file, or a made one.
     pub name: String,
-    /// Its triangles, as a range of `Soup::triangles`.
-    pub triangles: std::ops::Range<usize>,
+    /// Its triangles, as ranges of `Soup::triangles`, ascending; several where the file goes back to a part.
+    pub ranges: Vec<Range<usize>>,
+}
+
+impl Part {
+    /// Without triangles.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), ranges: Vec::new() }
+    }
+
+    /// Adds triangles behind those that it has.
+    pub fn add(&mut self, triangles: Range<usize>) {
+        match self.ranges.last_mut().filter(|last| last.end == triangles.start) {
+            Some(last) => last.end = triangles.end,
+            None if triangles.is_empty() => {}
+            None => self.ranges.push(triangles),
+        }
+    }
+
+    /// Its triangles, ascending.
+    pub fn triangles(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.ranges.iter().cloned().flatten()
+    }
+
+    /// How many triangles it has.
+    pub fn len(&self) -> usize {
+        self.ranges.iter().map(Range::len).sum()
+    }
+
+    /// Whether it has no triangle.
+    pub fn is_empty(&self) -> bool {
+        self.ranges.is_empty()
+    }
 }
 
 impl Soup {
     /// A soup of one part.
     pub fn single(name: &str, positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
-        let parts = vec![Part { name: name.to_owned(), triangles: 0..triangles.len() }];
-        Self { positions, triangles, parts, ..Self::default() }
+        let mut soup = Self { positions, triangles, ..Self::default() };
+        soup.end_part(name);
+        soup
     }
 
     /// Makes one more part of the triangles that have come since the last one; of none, nothing.
     pub fn end_part(&mut self, name: impl Into<String>) {
-        let start = self.parts.last().map_or(0, |part| part.triangles.end);
-        let end = self.triangles.len();
-        if end > start {
-            self.parts.push(Part { name: name.into(), triangles: start..end });
+        let start = self.parts.last().and_then(|part| part.ranges.last()).map_or(0, |range| range.end);
+        let mut part = Part::new(name);
+        part.add(start..self.triangles.len());
+        if !part.is_empty() {
+            self.parts.push(part);
         }
     }
 
@@ -172,19 +210,24 @@ impl Soup {
     /// # Errors
     /// [`Error::IndexOutOfRange`] where a triangle names a missing vertex.
     pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
-        let other = Self {
-            unit: self.unit,
-            cameras: self.cameras.clone(),
-            lights: self.lights.clone(),
-            parts: vec![Part { name: name.to_owned(), triangles: 0..triangles.len() }],
-            triangles,
-            ..Self::default()
-        };
+        let mut other = Self { triangles, ..self.bare() };
+        other.end_part(name);
         let mut used = vec![false; self.positions.len()];
         for (triangle, corners) in other.triangles.iter().enumerate() {
             self.mark(triangle, *corners, &mut used)?;
         }
         Ok(self.place(other, &used))
+    }
+
+    /// What is not about its vertices.
+    fn bare(&self) -> Self {
+        Self {
+            unit: self.unit,
+            cameras: self.cameras.clone(),
+            lights: self.lights.clone(),
+            warnings: self.warnings.clone(),
+            ..Self::default()
+        }
     }
 
     /// Marks the vertices of a triangle.
@@ -233,41 +276,82 @@ impl Soup {
         Ok(Self { positions, appearance, motion: Arc::default(), ..self.clone() })
     }
 
+    /// The triangles of all parts, as ranges of `triangles`, ascending.
+    pub fn ranges(&self) -> Vec<Range<usize>> {
+        let mut ranges: Vec<Range<usize>> = self.parts.iter().flat_map(|part| part.ranges.iter().cloned()).collect();
+        ranges.sort_unstable_by_key(|range| range.start);
+        let mut joined = Part::new("");
+        ranges.into_iter().for_each(|range| joined.add(range));
+        joined.ranges
+    }
+
+    /// The chosen parts as the whole surface. All vertices and triangles stay, so that they count as in the file.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPart`].
+    pub fn chosen(&self, parts: &[usize]) -> Result<Self> {
+        Ok(Self { parts: self.parts_of(parts)?, ..self.clone() })
+    }
+
     /// The chosen parts alone, in file order, with the vertices that they use, in file order. Choosing every part
     /// keeps every vertex, used or not.
     ///
     /// # Errors
     /// [`Error::NoSuchPart`]; [`Error::IndexOutOfRange`] where a chosen triangle names a missing vertex.
     pub fn select(&self, parts: &[usize]) -> Result<Self> {
-        if let Some(&part) = parts.iter().find(|&&part| part >= self.parts.len()) {
-            return Err(Error::NoSuchPart { part, parts: self.parts.len() });
-        }
-        let chosen = |index: usize| parts.contains(&index);
-        if (0..self.parts.len()).all(chosen) {
+        let chosen = self.parts_of(parts)?;
+        if chosen.len() == self.parts.len() {
             return Ok(self.clone());
         }
         let mut used = vec![false; self.positions.len()];
-        let mut selection =
-            Self { unit: self.unit, cameras: self.cameras.clone(), lights: self.lights.clone(), ..Self::default() };
-        for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
-            let start = selection.triangles.len();
-            for index in part.triangles.clone() {
-                let triangle = self.triangles[index];
-                self.mark(index, triangle, &mut used)?;
-                selection.triangles.push(triangle);
-            }
-            selection.parts.push(Part { name: part.name.clone(), triangles: start..selection.triangles.len() });
+        for triangle in chosen.iter().flat_map(Part::triangles) {
+            self.mark(triangle, self.triangles[triangle], &mut used)?;
         }
+        Ok(self.taking(chosen, &used))
+    }
+
+    /// Without the triangles that are in no part; all vertices stay.
+    pub fn surface_alone(&self) -> Cow<'_, Self> {
+        if self.parts.iter().map(Part::len).sum::<usize>() == self.triangles.len() {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(self.taking(self.parts.clone(), &vec![true; self.positions.len()]))
+    }
+
+    /// Some of its parts, in file order.
+    fn parts_of(&self, chosen: &[usize]) -> Result<Vec<Part>> {
+        let parts = self.parts.len();
+        let mut is_chosen = vec![false; parts];
+        for &part in chosen {
+            *is_chosen.get_mut(part).ok_or(Error::NoSuchPart { part, parts })? = true;
+        }
+        Ok(self.parts.iter().zip(is_chosen).filter(|&(_, is_chosen)| is_chosen).map(|(part, _)| part.clone()).collect())
+    }
+
+    /// The triangles of some parts, and the vertices that are `used`, which are those of these triangles at least.
+    fn taking(&self, parts: Vec<Part>, used: &[bool]) -> Self {
+        let mut selection = Self { parts, ..self.bare() };
+        let ranges = selection.ranges();
+        selection.triangles.extend(ranges.iter().flat_map(|range| &self.triangles[range.clone()]));
+        let triangles = ranges.iter().cloned().flatten();
         if !self.appearance.is_empty() {
-            let triangles = self.parts.iter().enumerate().filter(|&(index, _)| chosen(index));
-            let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
-            selection.appearance = Arc::new(self.appearance.select(triangles, &used));
+            selection.appearance = Arc::new(self.appearance.select(triangles, used));
         }
         if !self.motion.is_empty() {
             let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
             selection.motion = Arc::new(self.motion.select(vertices));
         }
-        Ok(self.place(selection, &used))
+        // How many triangles come before each range.
+        let before: Vec<usize> =
+            ranges.iter().scan(0, |sum, range| Some(std::mem::replace(sum, *sum + range.len()))).collect();
+        for part in &mut selection.parts {
+            for range in std::mem::take(&mut part.ranges) {
+                let index = ranges.partition_point(|joined| joined.end <= range.start);
+                let start = before[index] + range.start - ranges[index].start;
+                part.add(start..start + range.len());
+            }
+        }
+        self.place(selection, used)
     }
 }
 

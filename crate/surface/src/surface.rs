@@ -27,7 +27,7 @@ use crate::error::{Error, Result};
 use crate::halfedge::HalfedgeMesh;
 use crate::memory;
 use crate::parallel;
-use crate::soup::Soup;
+use crate::soup::{Part, Soup};
 use crate::triangle;
 use crate::weld::weld;
 
@@ -141,7 +141,8 @@ impl Surface {
     /// # Panics
     /// Where there are no threads, as on wasm32, and more than one is asked for.
     pub fn build_by(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Self> {
-        memory::require(BYTES_PER_TRIANGLE * soup.triangles.len() as u64, "building the surface")?;
+        let triangles: usize = soup.parts.iter().map(Part::len).sum();
+        memory::require(BYTES_PER_TRIANGLE * triangles as u64, "building the surface")?;
         let welded = weld(soup, rule, threads)?;
         let (positions, mut faces, mut edges, mut corners) =
             (welded.positions, welded.faces, welded.edges, welded.corners);
@@ -292,6 +293,11 @@ impl Surface {
     /// Of every input vertex the welded vertex that it became; `None` where no kept face uses it.
     pub fn vertices_of_inputs(&self) -> &InputVertexData<Option<VertexId>> {
         &self.vertex_of_input
+    }
+
+    /// Values of vertices in the order of the input's vertices; `absent` for those that no kept face uses.
+    pub fn to_inputs(&self, values: &VertexData<f64>, absent: f64) -> Vec<f64> {
+        self.vertex_of_input.iter().map(|vertex| vertex.map_or(absent, |vertex| values[vertex])).collect()
     }
 
     /// The input vertices welded into a vertex, ascending; one at least.

@@ -1,6 +1,7 @@
 //! From soup to clean indexed triangles: input vertices of equal position become one vertex where surfaces join along edges,
 //! useless triangles go.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::ops::Range;
@@ -48,17 +49,21 @@ pub struct Welded {
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::NotFinite`] and [`Error::TooFar`] (a vertex that no triangle uses may be anything), [`Error::Empty`].
 pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded> {
-    let is_used = used_vertices(soup, threads)?;
+    let all = Chosen::new(soup);
+    let is_used = used_vertices(soup, &all, threads)?;
     let (mut vertex_of_input, mut positions) = merge(&soup.positions, &is_used, threads);
-    let is_gathered = gather(&soup.triangles, &mut positions, &mut vertex_of_input, threads);
-    let mut faces = parallel::collect(soup.triangles.len(), threads, |triangle| {
-        soup.triangles[triangle].map(|vertex| VertexId(vertex_of_input[vertex as usize]))
+    let is_gathered = gather(&all.triangles, &mut positions, &mut vertex_of_input, threads);
+    let mut faces = parallel::collect(all.triangles.len(), threads, |triangle| {
+        all.triangles[triangle].map(|vertex| VertexId(vertex_of_input[vertex as usize]))
     });
     let mut triangle_of_face = if is_gathered {
         sort_faces(&mut faces, positions.len(), threads)
     } else {
         parallel::collect(faces.len(), threads, InputTriangle::from_index)
     };
+    if !all.numbers.is_empty() {
+        triangle_of_face.iter_mut().for_each(|triangle| *triangle = all.number(triangle.index()));
+    }
     let collapsed = faces_where(&faces, threads, |[a, b, c]| a == b || b == c || c == a);
     remove(&collapsed, &mut faces);
     remove(&collapsed, &mut triangle_of_face);
@@ -79,10 +84,10 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         (q - p).cross(r - p) == DVec3::ZERO
     });
     if flat.len() == faces.len() {
-        let reason = if soup.triangles.is_empty() {
+        let reason = if all.triangles.is_empty() {
             "the file holds none; export the surface as triangles".to_owned()
         } else {
-            format!("all {} have zero area; check the scale of the file", soup.triangles.len())
+            format!("all {} have zero area; check the scale of the file", all.triangles.len())
         };
         return Err(Error::Empty { reason });
     }
@@ -135,14 +140,38 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
     })
 }
 
+/// The triangles of the parts of a soup.
+struct Chosen<'a> {
+    triangles: Cow<'a, [[u32; 3]]>,
+    /// Of each of them, which one of the input it is; empty where these are all.
+    numbers: Vec<u32>,
+}
+
+impl<'a> Chosen<'a> {
+    fn new(soup: &'a Soup) -> Self {
+        let ranges = soup.ranges();
+        if matches!(&ranges[..], [range] if range.len() == soup.triangles.len()) {
+            return Self { triangles: Cow::Borrowed(&soup.triangles), numbers: Vec::new() };
+        }
+        let triangles = ranges.iter().flat_map(|range| &soup.triangles[range.clone()]).copied().collect();
+        let numbers = ranges.into_iter().flatten().map(|triangle| triangle as u32).collect();
+        Self { triangles, numbers }
+    }
+
+    fn number(&self, index: usize) -> InputTriangle {
+        self.numbers.get(index).map_or_else(|| InputTriangle::from_index(index), |&number| InputTriangle(number))
+    }
+}
+
 /// Per input vertex, whether a triangle uses it.
-fn used_vertices(soup: &Soup, threads: NonZeroUsize) -> Result<Vec<bool>> {
+fn used_vertices(soup: &Soup, all: &Chosen, threads: NonZeroUsize) -> Result<Vec<bool>> {
     let vertices = soup.positions.len();
     let is_used: Vec<AtomicBool> = (0..vertices).map(|_| AtomicBool::new(false)).collect();
     let mark = |triangles: Range<usize>| {
         for triangle in triangles {
-            for vertex in soup.triangles[triangle] {
+            for vertex in all.triangles[triangle] {
                 let Some(is_used) = is_used.get(vertex as usize) else {
+                    let triangle = all.number(triangle).index();
                     return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices });
                 };
                 is_used.store(true, Ordering::Relaxed);
@@ -150,7 +179,7 @@ fn used_vertices(soup: &Soup, threads: NonZeroUsize) -> Result<Vec<bool>> {
         }
         Ok(())
     };
-    parallel::map(parallel::ranges(soup.triangles.len(), threads), mark).into_iter().collect::<Result<()>>()?;
+    parallel::map(parallel::ranges(all.triangles.len(), threads), mark).into_iter().collect::<Result<()>>()?;
     let is_used: Vec<bool> = is_used.into_iter().map(AtomicBool::into_inner).collect();
     let is_far = |vertex: usize| soup.positions[vertex].abs().max_element() > MOST_COORDINATE;
     let is_bad = |&vertex: &usize| is_used[vertex] && (is_far(vertex) || !soup.positions[vertex].is_finite());

@@ -38,8 +38,8 @@ fn off_variants_hold_the_same_square() {
 
 #[test]
 fn off_errors_name_the_place() {
-    let index = read("a.off", SQUARE_OFF.replace("4 0 1 2 3", "3 0 1 4")).unwrap_err();
-    assert_eq!(index, Error::IndexOutOfRange { triangle: 0, vertex: 4, vertices: 4 });
+    let index = read("a.off", SQUARE_OFF.replace("4 0 1 2 3", "3 0 1 4")).unwrap_err().to_string();
+    assert_eq!(index, "OFF, line 7: vertex 4 does not exist; there are 4, counted from 0");
     for (bad, place) in [
         ("OFF\n4 1 0\n0 0 0\n1 0 0\n1 x 0\n0 1 0\n4 0 1 2 3\n", "line 5"),
         ("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "line 7"),
@@ -47,7 +47,8 @@ fn off_errors_name_the_place() {
         ("OFF\n99999999999999 1 0\n0 0 0\n", "end of file"),
         ("OFF\n4 99999999999999 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "end of file"),
         ("OFF\n-4 1 0\n", "line 2"),
-        ("", "end of file"),
+        ("OFF", "end of file"),
+        ("", "a.off is an empty file"),
     ] {
         let error = read("a.off", bad).unwrap_err();
         assert!(error.to_string().contains(place), "{error}");
@@ -69,8 +70,8 @@ const TWO_GROUPS_OBJ: &str = "# two groups\r\nmtllib x.mtl\r\nv 0 0 0 1 0 0\r\nv
 fn obj_groups_are_parts() {
     let soup = read("two.obj", TWO_GROUPS_OBJ).unwrap();
     assert_eq!(part_names(&soup), ["left", "right"], "reopened groups join, empty ones drop");
-    assert_eq!(soup.triangles, [[0, 1, 2], [0, 1, 3], [0, 2, 3]]);
-    assert_eq!(soup.parts[1].triangles, 2..3);
+    assert_eq!(soup.triangles, [[0, 1, 2], [0, 2, 3], [0, 1, 3]], "in the order of the file");
+    assert_eq!((&soup.parts[0].ranges[..], &soup.parts[1].ranges[..]), (&[0..1, 2..3][..], &[1..2][..]));
     let soup = read("o.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no A\ng x\nf 1 2 3\no B\ng x\nf 3 2 1\n").unwrap();
     assert_eq!(part_names(&soup), ["x", "x"], "groups of different objects are different parts");
     let soup = read("plain.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
@@ -129,9 +130,11 @@ fn obj_errors_name_the_place() {
         let error = read("a.obj", bad).unwrap_err();
         assert!(error.to_string().contains(place), "{error}");
     }
-    let error = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n").unwrap_err();
-    assert_eq!(error, Error::IndexOutOfRange { triangle: 1, vertex: 8, vertices: 3 });
-    assert!(matches!(read("a.obj", "f 1 2 99999999999\n"), Err(Error::IndexOutOfRange { .. })));
+    for index in [9, 4_000_000_000_u64, 99_999_999_999] {
+        let file = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 {index}\n");
+        let error = read("a.obj", file).unwrap_err().to_string();
+        assert_eq!(error, format!("OBJ, line 5: vertex {index} does not exist; there are 3, counted from 1"));
+    }
 }
 
 // ---- PLY
@@ -223,8 +226,8 @@ fn ply_errors_name_the_place() {
             Ok(_) => assert!(from.starts_with("element tag"), "{bad}"),
         }
     }
-    let error = read("a.ply", SQUARE_PLY.replace("4 0 1 2 3 0.5", "4 0 1 2 7 0.5")).unwrap_err();
-    assert_eq!(error, Error::IndexOutOfRange { triangle: 0, vertex: 7, vertices: 4 });
+    let error = read("a.ply", SQUARE_PLY.replace("4 0 1 2 3 0.5", "4 0 1 2 7 0.5")).unwrap_err().to_string();
+    assert_eq!(error, "PLY, face 0: vertex 7 does not exist; there are 4, counted from 0");
 }
 
 // ---- STL

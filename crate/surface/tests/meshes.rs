@@ -37,7 +37,7 @@ fn table_1_has_the_triangles_of_the_study() {
         let soup = read(&folder, name).unwrap_or_else(|error| panic!("{name}: {error}"));
         let found = soup.parts.iter().find(|found| found.name.starts_with(part));
         let found = found.unwrap_or_else(|| panic!("{name} has the parts {:?}", soup.parts));
-        assert_eq!(found.triangles.len(), triangles, "{name}");
+        assert_eq!(found.len(), triangles, "{name}");
     }
 }
 

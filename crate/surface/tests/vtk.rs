@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod reading;
 
 use glam::DVec3;
-use heatwalk_surface::{Error, Soup};
+use heatwalk_surface::{Error, Soup, WarningCode};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
 use crate::reading::{areas, cut_short_at_every_byte, flip_bytes, part_names, read};
@@ -194,9 +194,10 @@ fn pieces_are_parts_and_grids_have_types() {
     assert_eq!(part_names(&two), ["a 0", "a 1"]);
     assert_eq!((two.positions.len(), two.triangles[2]), (8, [4, 5, 6]));
     let volume = read("a.vtu", document(&piece.replace(">9 3<", ">10 3<"))).unwrap_err();
-    assert!(volume.to_string().contains("cells are no faces"), "{volume}");
+    assert!(volume.to_string().contains("1 cell that fills space was left out"), "{volume}");
     // Beside faces, what fills space is left out.
-    assert_eq!(read("a.vtu", document(&(piece.replace(">9 3<", ">10 3<") + &piece))).unwrap().triangles.len(), 2);
+    let mixed = read("a.vtu", document(&(piece.replace(">9 3<", ">10 3<") + &piece))).unwrap();
+    assert_eq!((mixed.triangles.len(), mixed.warnings[0].code), (2, WarningCode::VolumesLeftOut));
 }
 
 #[test]
@@ -225,8 +226,8 @@ fn errors_name_the_place() {
         let error = read("a.vtk", &bad).unwrap_err().to_string();
         assert!(error.contains(place), "{error}");
     }
-    let error = read("a.vtk", square("POLYGONS 1 4\n3 0 1 4")).unwrap_err();
-    assert_eq!(error, Error::IndexOutOfRange { triangle: 0, vertex: 4, vertices: 4 });
+    let error = read("a.vtk", square("POLYGONS 1 4\n3 0 1 4")).unwrap_err().to_string();
+    assert_eq!(error, "VTK, face 0: vertex 4 does not exist; there are 4, counted from 0");
     assert!(matches!(read("a.vtk", square("LINES 1 3\n2 0 1")), Err(Error::Empty { .. })));
 }
 

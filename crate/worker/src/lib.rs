@@ -21,7 +21,7 @@ mod solver;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::surface::soup::Attribute;
+use heatwalk::surface::soup::{Attribute, Part};
 use heatwalk::surface::{Camera, Light};
 use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
 use heatwalk_bindings::{Failure, Result};
@@ -35,7 +35,7 @@ use crate::camera::CameraView;
 use crate::drawn::Drawn;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
-use crate::results::{BuildReport, DrawMesh, Shade};
+use crate::results::{BuildReport, DrawMesh, Shade, Warning};
 use crate::solver::Solver;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
@@ -129,7 +129,7 @@ impl MeshFile {
     pub fn triangles_of(&self, parts: &[u32]) -> Uint32Array {
         let parts = parts.iter().filter_map(|&part| self.soup.parts.get(part as usize));
         let triangles: Vec<[u32; 3]> =
-            parts.flat_map(|part| self.soup.triangles[part.triangles.clone()].to_vec()).collect();
+            parts.flat_map(Part::triangles).map(|triangle| self.soup.triangles[triangle]).collect();
         triangles.as_flattened().into()
     }
 
@@ -146,7 +146,14 @@ impl MeshFile {
 
     /// Triangles of each part.
     pub fn part_triangles(&self) -> Vec<u32> {
-        self.soup.parts.iter().map(|part| part.triangles.len() as u32).collect()
+        self.soup.parts.iter().map(|part| part.len() as u32).collect()
+    }
+
+    /// Triangles of a part as ranges of the file's, ascending: of each its first one and the one behind its last.
+    pub fn part_ranges(&self, part: u32) -> Vec<u32> {
+        let part = self.soup.parts.get(part as usize);
+        let ranges = part.into_iter().flat_map(|part| &part.ranges);
+        ranges.flat_map(|range| [range.start as u32, range.end as u32]).collect()
     }
 
     /// Whether it says how its triangles look.
@@ -179,6 +186,11 @@ impl MeshFile {
         self.unit.is_assumed
     }
 
+    /// What was left out of it, or taken otherwise than it is written.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.soup.warnings.iter().map(Warning::new).collect()
+    }
+
     /// What it refers to that was not given.
     pub fn missing(&self) -> Vec<String> {
         self.soup.appearance.missing.clone()
@@ -188,7 +200,7 @@ impl MeshFile {
     /// or in so many MiB; 0 windows: for what is factored, before its factors.
     pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
         let parts = active.iter().filter_map(|&part| self.soup.parts.get(part as usize));
-        let triangles = parts.map(|part| part.triangles.len()).sum();
+        let triangles = parts.map(Part::len).sum();
         let vertices = self.soup.positions.len().min(3 * triangles);
         let available = match mebibytes.map(MemoryLimit::mebibytes) {
             Some(MemoryLimit::Bytes(most)) => most.min(ADDRESS_SPACE),
@@ -220,7 +232,7 @@ impl MeshFile {
         let soup = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
             &self.soup
         } else {
-            selection = self.soup.select(&chosen)?;
+            selection = self.soup.chosen(&chosen)?;
             &selection
         };
         let surface = Surface::build(soup)?;

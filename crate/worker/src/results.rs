@@ -9,6 +9,39 @@ use heatwalk_scene::DrawTransform;
 use js_sys::{Float32Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
+/// What was left out of a file, or taken otherwise than it is written.
+#[wasm_bindgen(inspectable)]
+pub struct Warning {
+    warning: heatwalk::Warning,
+}
+
+impl Warning {
+    pub(crate) fn new(warning: &heatwalk::Warning) -> Self {
+        Self { warning: warning.clone() }
+    }
+}
+
+#[wasm_bindgen]
+impl Warning {
+    /// Its kind, in kebab case.
+    #[wasm_bindgen(getter)]
+    pub fn code(&self) -> String {
+        self.warning.code.name().to_owned()
+    }
+
+    /// Of how many things.
+    #[wasm_bindgen(getter)]
+    pub fn count(&self) -> u32 {
+        self.warning.count as u32
+    }
+
+    /// Where the first of them is.
+    #[wasm_bindgen(getter)]
+    pub fn place(&self) -> String {
+        self.warning.place.clone()
+    }
+}
+
 /// Triangles to draw, with vertices split where the normal jumps, and their bounding volume hierarchy.
 #[wasm_bindgen(inspectable)]
 #[derive(Default)]

@@ -116,6 +116,7 @@ const api: SolverApi = {
     progress({ stage: 'Welding', fraction: inner ? FILLED_FROM : BUILD_FROM, vertices: 0 });
     const names = file.part_names();
     const triangles = file.part_triangles();
+    const ranges = names.map((_, part) => file.part_ranges(part));
     file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
     const upright = file.up();
     const up = wantedUp === AUTOMATIC ? upright : wantedUp;
@@ -130,6 +131,7 @@ const api: SolverApi = {
     movingScenery = sceneries.filter(({ scenery: drawn }) => drawn.moves());
     const clips = file.clips().map(plain);
     const missing = file.missing();
+    const warnings = file.warnings().map(plain);
     // The file's triangles go before those that are drawn come.
     file.free();
     const drawing = surface.draw();
@@ -141,7 +143,7 @@ const api: SolverApi = {
     const mesh: OpenedMesh = {
       name,
       hash,
-      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0 })),
+      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0, ranges: ranges[index] })),
       active: [...chosen],
       cameras: drawing.cameras().map(plain),
       lights: drawing.lights(),
@@ -151,6 +153,7 @@ const api: SolverApi = {
       ...(await look),
       clips,
       missing,
+      warnings,
       ...unit,
       inputVertices,
       drawTransform,

@@ -38,6 +38,13 @@ export async function readTetrahedra(mesh: string, bytes: Uint8Array, files: Fil
   return { ...timed(() => withFiles(mesh, files, read)), isFile: true };
 }
 
+/** The surface of a file that may have held some. */
+export async function readFaces(mesh: string, bytes: Uint8Array, files: Files): Promise<wasm.MeshFile> {
+  const module = await loaded();
+  const read = (resource: interior.Resource) => module.Tetrahedra.surface(fileName(mesh), bytes, resource);
+  return wasm.MeshFile.unpacked(withFiles(mesh, files, read), undefined);
+}
+
 /** Those of a shape that is made in code. */
 export async function shapeOfTetrahedra(name: string): Promise<Tetrahedra> {
   const module = await loaded();

@@ -5,7 +5,7 @@ import type { Up } from '../../wasm/contract';
 import { fileName, holdsTetrahedra } from '../../files/paths';
 import { type Files, filesOf, unpackedOf } from './files';
 import { decodeImages } from './images';
-import { boundaryOf, filled, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
+import { boundaryOf, filled, readFaces, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
 import { makeShape } from './maker';
 import { plain } from './plain';
 import { readMesh } from './reader';
@@ -74,9 +74,8 @@ async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
     try {
       return await readTetrahedra(mesh, bytes, files);
     } catch (error) {
-      if (tetrahedra === true) throw error;
-      // What is wrong with it is told by the reader of surfaces.
-      return readMesh(mesh, bytes, files);
+      if (!(error instanceof Error && error.name === 'no-tetrahedra')) throw error;
+      return tetrahedra === true ? readFaces(mesh, bytes, files) : readMesh(mesh, bytes, files);
     }
   };
   return { name: fileName(mesh), hash: await hashOf(bytes), read };

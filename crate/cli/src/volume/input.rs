@@ -46,16 +46,16 @@ impl Input {
 /// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.
 fn read(path: &Path) -> Result<Option<TetFile>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let Some(format) = Format::of_name(&name) else { return Ok(None) };
+    if Format::of_name(&name).is_none() {
+        return Ok(None);
+    }
     let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
     match io::read(&name, &bytes, &companion) {
         Ok(file) => Ok(Some(file)),
-        // What is wrong with it is told by the reader of surfaces.
-        Err(_) if format == Format::Vtk => Ok(None),
-        // They name the file themselves.
-        Err(error @ (Error::NoTetrahedra { .. } | Error::UnknownFormat { .. })) => Err(error.into()),
+        // It may be a surface; what is wrong with it otherwise is told by the reader of surfaces.
+        Err(Error::NoTetrahedra { .. }) => Ok(None),
         Err(error) => Err(error).with_context(|| path.display().to_string()),
     }
 }

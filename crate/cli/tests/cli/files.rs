@@ -16,8 +16,50 @@ fn info_counts() {
     assert_eq!(info["parts"][0]["name"], "torus");
     assert!(info["timings_ms"]["read"].is_number() && info["timings_ms"]["build"].is_number());
     let two = json(&folder, &["info", "two.obj", "--part", "1"]);
-    assert_eq!((&two["vertices"], &two["components"], &two["boundary_loops"]), (&3.into(), &1.into(), &1.into()));
+    assert_eq!((&two["vertices"], &two["components"], &two["boundary_loops"]), (&7.into(), &1.into(), &1.into()));
     assert!(succeed(&folder, &["info", "two.obj"]).contains("near"));
+}
+
+#[test]
+fn what_was_read_otherwise_than_it_is_written_is_told() {
+    let folder = folder("warnings");
+    fs::write(folder.join("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\ng left\\\nf 1 2 3\nl 2 3\n").unwrap();
+    for command in [
+        &["info", "a.obj"][..],
+        &["distance", "a.obj", "--source", "0"],
+        &["path", "a.obj", "--from", "0", "--to", "1"],
+    ] {
+        let output = run(&folder, &[command, &["--json"]].concat());
+        assert!(output.status.success());
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(
+            told,
+            "heatwalk: warning: a.obj, line 4: 2 points or lines were left out\n\
+             heatwalk: warning: a.obj, line 5: 1 backslash ends a name or a comment; the next line was not joined to it\n"
+        );
+        let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let lines = serde_json::json!({ "code": "lines-left-out", "what": "2 points or lines were left out", "where": "line 4" });
+        assert_eq!((&object["warnings"][0], object["warnings"].as_array().unwrap().len()), (&lines, 2));
+    }
+    assert_eq!(json(&folder, &["info", "torus.ply"])["warnings"], serde_json::json!([]));
+}
+
+#[test]
+fn faces_of_files_that_may_hold_tetrahedra_are_a_surface() {
+    let folder = folder("faces");
+    let mesh =
+        "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 Quadrilaterals 1 1 2 3 4 0 End";
+    fs::write(folder.join("a.mesh"), mesh).unwrap();
+    let info = json(&folder, &["info", "a.mesh"]);
+    assert_eq!((&info["vertices"], &info["faces"]), (&4.into(), &2.into()));
+    fs::write(folder.join("b.mesh"), "MeshVersionFormatted 2 Dimension 3 Vertices 1 0 0 0 0 End").unwrap();
+    let told = refused(&folder, &["info", "b.mesh"]);
+    assert!(told.contains("holds neither tetrahedra nor faces"), "{told}");
+    let cells = "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 7\n\
+                 4 0 1 2 3\n1 0\nCELL_TYPES 2\n10\n42\n";
+    fs::write(folder.join("c.vtk"), cells).unwrap();
+    let told = refused(&folder, &["info", "c.vtk"]);
+    assert!(told.contains("volume cell 1, a polyhedron, is not supported"), "{told}");
 }
 
 #[test]

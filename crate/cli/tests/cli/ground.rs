@@ -69,6 +69,29 @@ fn weights_are_read_from_attributes_and_colors() {
 }
 
 #[test]
+fn bad_attributes_are_named_by_their_vertices_but_those_that_no_triangle_uses() {
+    let folder = folder("bad-attributes");
+    let ply = |first: i32, last: i32| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float w\n\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n9 9 9 -5\n0 0 0 {first}\n1 0 0 10\n0 1 0 {last}\n3 1 2 3\n"
+        )
+    };
+    for (first, last, expected) in [
+        (-7, 10, "attribute:w: a cost is -7 at vertex 1; it must be from 0.001 to 1000"),
+        (-7, 2000, "a cost is -7 at vertex 1, and out of range at 1 more"),
+        (10, 0, "a cost is 0 at vertex 3;"),
+    ] {
+        fs::write(folder.join("a.ply"), ply(first, last)).unwrap();
+        let told = refused(&folder, &["distance", "a.ply", "--source", "1", "--weights", "attribute:w"]);
+        assert!(told.contains(expected), "{told}");
+    }
+    fs::write(folder.join("a.ply"), ply(10, 10)).unwrap();
+    let found = distances(&folder, &["a.ply", "--source", "1", "--weights", "attribute:w"]);
+    assert!((found[2] - 10.0).abs() < 1e-9, "{found:?}");
+}
+
+#[test]
 fn slopes_cost_by_the_axis_that_points_up() {
     let folder = folder("slopes");
     // The square lies level in the plane of x and z.
@@ -118,6 +141,12 @@ fn bad_rows_are_named_by_their_lines() {
         ("0,1\n9999,1\n", "--weights", "line 2: there is no triangle 9999"),
         ("0,1\n3\n", "--weights", "line 2: give a triangle and its cost"),
         ("0,1\nx,y\n", "--weights", "line 2"),
+        (
+            "0,1\n1,0\n2,-3\n3,5000\n",
+            "--weights",
+            "line 2: the cost is 0; it must be from 0.001 to 1000; what nobody may enter belongs in --walls; 2 more rows are wrong, too",
+        ),
+        ("0,1\rx,y\rz,z", "--weights", "line 2: \"x,y\" is no row of numbers; 1 more rows are wrong, too"),
         ("face,cost\n3,2\n3,2\n3,4\n", "--weights", "line 4: triangle 3 costs 4 here and 2 in line 2"),
         ("0\n128\n", "--walls", "line 2: there is no triangle 128"),
         ("0,80\n", "--walls", "line 1: no edge joins the vertices 0 and 80"),

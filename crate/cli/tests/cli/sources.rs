@@ -38,13 +38,44 @@ fn a_place_in_a_turned_triangle_keeps_its_weights() {
 }
 
 #[test]
-fn triangles_count_over_the_chosen_parts() {
+fn vertices_and_triangles_count_as_in_the_file_whatever_parts_are_chosen() {
     let folder = folder("part_triangles");
     let near = ["two.obj", "--near", "0", "--t", "1", "--source"];
     let of_both = distances(&folder, &[&near[..], &["1:0.2,0.3,0.5"]].concat());
     assert!(of_both[..3].iter().all(|value| value.is_infinite()) && of_both[6].is_infinite(), "{of_both:?}");
-    let of_far = distances(&folder, &[&near[..], &["0:0.2,0.3,0.5", "--part", "1"]].concat());
-    assert!(difference(&of_both[3..6], &of_far) < 1e-12, "{of_both:?} {of_far:?}");
+    let of_far = distances(&folder, &[&near[..], &["1:0.2,0.3,0.5", "--part", "1"]].concat());
+    assert!(difference(&of_both[3..6], &of_far[3..6]) < 1e-12, "{of_both:?} {of_far:?}");
+    assert!(of_far[..3].iter().all(|value| value.is_infinite()) && of_far.len() == 7, "{of_far:?}");
+    for (source, expected) in [("0", "vertex 0 is used by no triangle"), ("0:1,0,0", "in none of the chosen parts")] {
+        let told = refused(&folder, &["distance", "two.obj", "--part", "1", "--source", source]);
+        assert!(told.contains(expected), "{told}");
+    }
+}
+
+#[test]
+fn triangles_of_interleaved_groups_count_in_the_order_of_their_lines() {
+    let folder = folder("interleaved");
+    let mut obj: String = (0..8).map(|vertex| format!("v {} {} 0\n", vertex % 4, vertex / 4)).collect();
+    for (group, face) in
+        [("A", "1 2 6"), ("B", "1 6 5"), ("A", "2 3 7"), ("B", "2 7 6"), ("A", "3 4 8"), ("B", "3 8 7")]
+    {
+        obj += &format!("g {group}\nf {face}\n");
+    }
+    fs::write(folder.join("a.obj"), obj).unwrap();
+    fs::write(folder.join("costs.csv"), "triangle,cost\n1,100\n").unwrap();
+    fs::write(folder.join("walls.csv"), "1\n").unwrap();
+    // The middle of the triangle of vertices 0, 5 and 4, which alone has vertex 4.
+    let middle = "1:0.3333,0.3333,0.3334";
+    for arguments in
+        [&["a.obj", "--source", middle, "--exact"][..], &["a.obj", "--part", "1", "--source", middle, "--exact"]]
+    {
+        let found = distances(&folder, arguments);
+        assert!((found[4] - 2.0_f64.sqrt() / 3.0).abs() < 1e-3, "{found:?}");
+    }
+    let dear = distances(&folder, &["a.obj", "--source", "0", "--weights", "costs.csv"]);
+    assert!(dear[4] > 10.0 && dear[1] == 1.0, "{dear:?}");
+    let walled = distances(&folder, &["a.obj", "--source", "0", "--walls", "walls.csv"]);
+    assert!(walled[4].is_infinite() && walled[1] == 1.0, "{walled:?}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use heatwalk_surface::Soup;
 use heatwalk_surface::appearance::{Appearance, Material, Run};
+use heatwalk_surface::soup::Part;
 
 use super::solids::{add_box, add_turned, ball, cylinder};
 use motion::{Joint, Limb, joint_motion};
@@ -61,7 +62,7 @@ struct Workshop {
 
 impl Workshop {
     fn end(&mut self, name: &str, finish: Finish) {
-        let start = self.soup.parts.last().map_or(0, |part| part.triangles.end);
+        let start = self.soup.parts.iter().map(Part::len).sum();
         self.soup.end_part(name);
         self.runs.push(Run { triangles: start..self.soup.triangles.len(), material: Some(finish as usize) });
         let first = self.fixed.last().map_or(0, |(_, vertices)| vertices.end);

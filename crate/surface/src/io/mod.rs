@@ -22,6 +22,7 @@
 )]
 
 mod color;
+mod empty;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(feature = "obj")]
@@ -31,12 +32,16 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod reader;
+#[cfg(any(feature = "ply", feature = "vtk"))]
+mod scalar;
 mod seams;
 #[cfg(feature = "stl")]
 mod stl;
+pub mod text;
 #[cfg(feature = "3mf")]
 mod threemf;
-mod triangulate;
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "vtk"))]
+pub mod triangulate;
 #[cfg(feature = "vtk")]
 pub mod vtk;
 pub mod write;
@@ -46,7 +51,6 @@ mod xml;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
-use crate::io::reader::without_mark;
 use crate::soup::Soup;
 
 pub use reader::Resources;
@@ -57,12 +61,9 @@ pub use reader::Resources;
 /// [`Error::UnknownFormat`], [`Error::Malformed`], [`Error::Unsupported`], [`Error::MissingResource`],
 /// [`Error::IndexOutOfRange`], and [`Error::Empty`] where the file holds no triangle.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let bytes = without_mark(bytes);
-    if bytes.starts_with(LFS_POINTER) {
-        let problem = "this is a pointer to the mesh, not the mesh; fetch it by `git lfs pull`".to_owned();
-        return Err(Error::Malformed { format: "Git LFS", place: name.to_owned(), problem });
-    }
     let (stem, extension) = stem_and_extension(name);
+    let bytes = text::decoded(bytes)?;
+    empty::refuse(name, bytes)?;
     let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     let soup: Result<Soup> = match format {
         #[cfg(feature = "gltf")]
@@ -82,7 +83,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     };
     let soup = soup?;
     if soup.triangles.is_empty() {
-        return Err(Error::Empty { reason: format!("{name} holds no faces; points and lines are not surfaces") });
+        return Err(empty::reason(name, &soup));
     }
     Ok(soup)
 }
@@ -104,7 +105,7 @@ fn unknown(name: &str, extension: &str) -> Error {
 /// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
 pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
     let (_, extension) = stem_and_extension(name);
-    match Format::of(without_mark(bytes), extension)? {
+    match Format::of(text::without_mark(bytes), extension)? {
         #[cfg(feature = "gltf")]
         Format::Gltf => Some(DVec3::Y),
         #[cfg(feature = "3mf")]
@@ -112,9 +113,6 @@ pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
         _ => None,
     }
 }
-
-/// What a repository holds in the place of a large file.
-const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 
 fn stem_and_extension(name: &str) -> (&str, &str) {
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);

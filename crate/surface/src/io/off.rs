@@ -1,11 +1,13 @@
-//! Object File Format (Geomview): `[ST][C][N][4]OFF`, ASCII.
+//! Object File Format (Geomview): `[ST][C][N][4][n]OFF`, ASCII.
 
 use glam::DVec3;
 
 use super::reader::Reporter;
+use super::text::{self, Words};
 use super::triangulate::Polygons;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
+use crate::warning::{WarningCode, Warnings};
 
 const OFF: Reporter = Reporter("OFF");
 
@@ -17,87 +19,192 @@ pub fn has_keyword(bytes: &[u8]) -> bool {
     std::str::from_utf8(&line[..end]).is_ok_and(|word| Header::parse(word).is_some())
 }
 
-/// What the keyword says of a vertex line. Normals, colours and texture coordinates follow the position.
+/// What the keyword says of a vertex.
+#[derive(Clone, Copy, Default)]
 struct Header {
-    homogeneous: bool,
+    /// Coordinates, one more than three where they are homogeneous.
+    coordinates: usize,
+    /// Numbers that follow the position: normal, color, texture coordinates.
+    further: usize,
+    /// Whether the number of dimensions comes before the counts.
+    has_dimension: bool,
 }
 
 impl Header {
+    /// The letters are in the order of the format, or in any other: programs differ.
     fn parse(word: &str) -> Option<Self> {
-        let rest = word.strip_prefix("ST").unwrap_or(word);
-        let rest = rest.strip_prefix('C').unwrap_or(rest);
-        let rest = rest.strip_prefix('N').unwrap_or(rest);
-        let (homogeneous, rest) = rest.strip_prefix('4').map_or((false, rest), |rest| (true, rest));
-        (rest == "OFF").then_some(Self { homogeneous })
+        let mut rest = word.strip_suffix("OFF").or(word.strip_suffix("off").filter(|before| before.is_empty()))?;
+        let mut header = Self { coordinates: 3, ..Self::default() };
+        let mut seen = Vec::new();
+        while !rest.is_empty() {
+            let kinds = [("ST", 2), ("C", 4), ("N", 3), ("4", 0), ("n", 0)];
+            let (kind, numbers) = kinds.into_iter().find(|(kind, _)| rest.starts_with(kind) && !seen.contains(kind))?;
+            rest = &rest[kind.len()..];
+            seen.push(kind);
+            header.coordinates += usize::from(kind == "4");
+            header.has_dimension |= kind == "n";
+            header.further += numbers;
+        }
+        Some(header)
     }
 }
 
 pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let mut lines = text
-        .lines()
-        .enumerate()
-        .map(|(index, line)| (index + 1, line.split('#').next().unwrap_or_default().trim()))
-        .filter(|(_, line)| !line.is_empty());
-    let ends = |what: &str| OFF.at("end of file", format!("{what}; the file is cut short, save it again"));
-
-    let (number, first) = lines.next().ok_or_else(|| ends("there is no header"))?;
-    let keyword_end = first.find("OFF").map_or(0, |start| start + 3);
-    let (keyword, rest) = first.split_at(keyword_end);
+    let mut words = Words::new(text::lines(&text).map(|(number, line)| (number, text::statement(line))));
+    let first = words.peek().unwrap_or_default();
+    let keyword_end = first.find("OFF").or(first.find("off")).map_or(0, |start| start + 3);
+    let (keyword, count) = first.split_at(keyword_end);
     // The keyword is optional in the format.
-    let header = if keyword.is_empty() { Some(Header { homogeneous: false }) } else { Header::parse(keyword) }
-        .ok_or_else(|| OFF.line(number, format!("{keyword:?} is not an OFF header; save it as plain OFF")))?;
-    if rest.trim_start().starts_with("BINARY") {
+    let header = if keyword.is_empty() { Header::parse("OFF") } else { Header::parse(keyword) };
+    let header = header
+        .ok_or_else(|| OFF.line(words.line(), format!("{keyword:?} is not an OFF header; save it as plain OFF")))?;
+    words.skip_to(&words.rest()[keyword_end..]);
+    if count.is_empty() && words.peek().is_some_and(|word| word.starts_with("BINARY")) {
         return Err(Error::Unsupported {
             format: "OFF",
             feature: "binary OFF".to_owned(),
             remedy: "save it as ASCII OFF or binary PLY".to_owned(),
         });
     }
-    let (number, counts) =
-        if rest.trim().is_empty() { lines.next().ok_or_else(|| ends("there are no counts"))? } else { (number, rest) };
-    let mut counts = counts.split_whitespace().map(str::parse::<u64>);
-    let (Some(Ok(vertices)), Some(Ok(faces))) = (counts.next(), counts.next()) else {
-        return Err(OFF.line(number, "expected the numbers of vertices and faces"));
-    };
-
-    let least = if header.homogeneous { 4 } else { 3 };
-    // A line takes at least two bytes a number, so a count beyond that is a lie and must not be reserved.
-    let mut positions = Vec::with_capacity((bytes.len() / 6).min(vertices as usize));
-    while (positions.len() as u64) < vertices {
-        let Some((number, line)) = lines.next() else {
-            return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - positions.len() as u64)));
-        };
-        let mut coordinates = [0.0, 0.0, 0.0, 1.0];
-        let mut words = line.split_whitespace();
-        for coordinate in &mut coordinates[..least] {
-            *coordinate = words.next().and_then(|word| word.parse().ok()).ok_or_else(|| {
-                OFF.line(number, format!("vertex {} needs {least} numbers; correct the line", positions.len()))
-            })?;
+    if header.has_dimension {
+        match words.index("the number of dimensions")? {
+            3 => {}
+            other => {
+                return Err(Error::Unsupported {
+                    format: "OFF",
+                    feature: format!("a space of {other} dimensions"),
+                    remedy: "give every vertex three coordinates".to_owned(),
+                });
+            }
         }
-        let [x, y, z, w] = coordinates;
-        positions.push(DVec3::new(x, y, z) / w);
+    }
+    let counts = [words.index("the number of vertices")?, words.index("the number of faces")?];
+    words.pass_edges(header.coordinates);
+    // A line a vertex and a face, with whatever follows on it, or one number after another, as the format has it.
+    let by_lines = Mesh::read(words.clone(), header, counts, true, bytes.len());
+    if matches!(&by_lines, Ok(mesh) if mesh.rest.is_none()) {
+        return by_lines?.soup(name);
+    }
+    match Mesh::read(words, header, counts, false, bytes.len()) {
+        Ok(mesh) if mesh.rest.is_none() => mesh.soup(name),
+        _ => by_lines?.soup(name),
+    }
+}
+
+fn ends(missing: &str) -> Error {
+    OFF.at("end of file", format!("{missing}; the file is cut short, save it again"))
+}
+
+/// The words of a file.
+trait File<'a> {
+    fn index(&mut self, what: &str) -> Result<u64>;
+    /// Passes the number of edges, which some files leave out: then a vertex follows, on a line of its own.
+    fn pass_edges(&mut self, coordinates: usize);
+    fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64>;
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
+    fn index(&mut self, what: &str) -> Result<u64> {
+        let word = self.next().ok_or_else(|| ends(&format!("{what} is missing")))?;
+        let expected = || format!("{what} is expected, but {word:?} is found; correct the line");
+        word.parse().map_err(|_| OFF.line(self.line(), expected()))
     }
 
-    let mut polygons = Polygons::default();
-    for face in 0..faces {
-        let Some((number, line)) = lines.next() else {
-            return Err(ends(&format!("{} of {faces} faces are missing", faces - face)));
-        };
-        let mut words = line.split_whitespace().map(str::parse::<u64>);
-        let Some(Ok(corners)) = words.next() else {
-            return Err(OFF.line(number, format!("face {face} must begin with its number of corners")));
-        };
-        for corner in 0..corners {
-            let Some(Ok(vertex)) = words.next() else {
-                return Err(
-                    OFF.line(number, format!("corner {corner} of face {face} is not a vertex index; correct the line"))
-                );
-            };
-            polygons.corner(vertex, positions.len())?;
+    fn pass_edges(&mut self, coordinates: usize) {
+        let is_on_line = !self.rest().is_empty();
+        self.turn();
+        if is_on_line || self.rest().split_ascii_whitespace().take(coordinates).count() == 1 {
+            self.next();
         }
-        polygons.close();
     }
-    let triangles = polygons.triangulate_all(&positions)?;
-    Ok(Soup::single(name, positions, triangles))
+
+    fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64> {
+        let word = if by_lines && self.rest().is_empty() { None } else { self.next() };
+        word.and_then(text::number).ok_or_else(|| {
+            let Header { coordinates, .. } = header;
+            let found = text::why_no_number(word);
+            OFF.line(self.line(), format!("vertex {vertex} needs {coordinates} numbers, but {found}; correct the line"))
+        })
+    }
+}
+
+/// What the words of a file are.
+struct Mesh {
+    positions: Vec<DVec3>,
+    polygons: Polygons,
+    /// The line of each polygon.
+    lines: Vec<usize>,
+    /// The line of the first word behind the last face.
+    rest: Option<usize>,
+}
+
+impl Mesh {
+    /// `by_lines`: each vertex and each face begins a line, and what follows it there is passed over.
+    fn read<'a>(
+        mut words: Words<'a, impl Iterator<Item = (usize, &'a str)>>,
+        header: Header,
+        [vertices, faces]: [u64; 2],
+        by_lines: bool,
+        bytes: usize,
+    ) -> Result<Self> {
+        if by_lines && words.is_begun() {
+            words.skip_to("");
+        }
+        // A vertex takes at least six bytes, so a count beyond that is a lie and must not be reserved.
+        let mut positions = Vec::with_capacity((bytes / 6).min(vertices as usize));
+        while (positions.len() as u64) < vertices {
+            let vertex = positions.len();
+            if words.peek().is_none() {
+                return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - vertex as u64)));
+            }
+            let mut coordinates = [0.0, 0.0, 0.0, 1.0];
+            for coordinate in &mut coordinates[..header.coordinates] {
+                *coordinate = words.coordinate(vertex, header, by_lines)?;
+            }
+            if by_lines {
+                words.skip_to("");
+            } else {
+                for _ in 0..header.further {
+                    words.next();
+                }
+            }
+            let [x, y, z, w] = coordinates;
+            positions.push(DVec3::new(x, y, z) / w);
+        }
+        let mut polygons = Polygons::default();
+        let mut lines = Vec::with_capacity((bytes / 6).min(faces as usize));
+        for face in 0..faces {
+            if words.peek().is_none() {
+                return Err(ends(&format!("{} of {faces} faces are missing", faces - face)));
+            }
+            let line = words.line();
+            for corner in 0..words.index("the number of corners of a face")? {
+                if by_lines && words.rest().is_empty() {
+                    return Err(OFF.line(line, format!("corner {corner} of face {face} is missing; correct the line")));
+                }
+                polygons.corner(words.index("a vertex of a face")?);
+            }
+            polygons.close();
+            lines.push(line);
+            if by_lines {
+                words.skip_to("");
+            }
+        }
+        let rest = words.peek().map(|_| words.line());
+        Ok(Self { positions, polygons, lines, rest })
+    }
+
+    fn soup(self, name: &str) -> Result<Soup> {
+        let Self { positions, polygons, lines, rest } = self;
+        let mut warnings = Warnings::default();
+        if let Some(line) = rest {
+            warnings.add(WarningCode::Trailing, || format!("line {line}"));
+        }
+        let place = |face: usize| format!("line {}", lines[face]);
+        let triangles = polygons
+            .triangulate_all(&positions, &mut warnings, place)
+            .map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+        Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
+    }
 }

@@ -1,46 +1,20 @@
 //! Polygon File Format (Turk 1994), ASCII and binary of either byte order, with any elements and properties.
 
-use std::str::SplitAsciiWhitespace;
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::color::light;
 use super::reader::Reporter;
+use super::scalar::{Scalar, whole};
+use super::text;
 use super::triangulate::Polygons;
 use crate::appearance::Appearance;
 use crate::error::Result;
 use crate::soup::{Attribute, Soup};
+use crate::warning::{WarningCode, Warnings};
 
 const PLY: Reporter = Reporter("PLY");
-
-#[derive(Clone, Copy, PartialEq)]
-enum Scalar {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    F32,
-    F64,
-}
-
-impl Scalar {
-    fn parse(word: &str) -> Option<Self> {
-        Some(match word {
-            "char" | "int8" => Self::I8,
-            "uchar" | "uint8" => Self::U8,
-            "short" | "int16" => Self::I16,
-            "ushort" | "uint16" => Self::U16,
-            "int" | "int32" => Self::I32,
-            "uint" | "uint32" => Self::U32,
-            "float" | "float32" => Self::F32,
-            "double" | "float64" => Self::F64,
-            _ => return None,
-        })
-    }
-}
 
 enum Kind {
     Scalar(Scalar),
@@ -58,46 +32,38 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// Where the values come from. Every type of the format fits into an f64 without loss.
+/// Where the values come from.
 enum Body<'a> {
-    Ascii(SplitAsciiWhitespace<'a>),
-    LittleEndian(&'a [u8]),
-    BigEndian(&'a [u8]),
+    Ascii(&'a str),
+    Binary { bytes: &'a [u8], is_little: bool },
 }
 
 impl Body<'_> {
-    /// The next value; `None` at the end of the file or where the word is not a number.
-    fn next(&mut self, scalar: Scalar) -> Option<f64> {
+    /// The next value.
+    ///
+    /// # Errors
+    /// What is there instead.
+    fn next(&mut self, scalar: Scalar) -> std::result::Result<f64, String> {
         match self {
-            Self::Ascii(words) => words.next()?.parse().ok(),
-            Self::LittleEndian(bytes) => Some(match scalar {
-                Scalar::I8 => i8::from_le_bytes(take(bytes)?).into(),
-                Scalar::U8 => u8::from_le_bytes(take(bytes)?).into(),
-                Scalar::I16 => i16::from_le_bytes(take(bytes)?).into(),
-                Scalar::U16 => u16::from_le_bytes(take(bytes)?).into(),
-                Scalar::I32 => i32::from_le_bytes(take(bytes)?).into(),
-                Scalar::U32 => u32::from_le_bytes(take(bytes)?).into(),
-                Scalar::F32 => f32::from_le_bytes(take(bytes)?).into(),
-                Scalar::F64 => f64::from_le_bytes(take(bytes)?),
-            }),
-            Self::BigEndian(bytes) => Some(match scalar {
-                Scalar::I8 => i8::from_be_bytes(take(bytes)?).into(),
-                Scalar::U8 => u8::from_be_bytes(take(bytes)?).into(),
-                Scalar::I16 => i16::from_be_bytes(take(bytes)?).into(),
-                Scalar::U16 => u16::from_be_bytes(take(bytes)?).into(),
-                Scalar::I32 => i32::from_be_bytes(take(bytes)?).into(),
-                Scalar::U32 => u32::from_be_bytes(take(bytes)?).into(),
-                Scalar::F32 => f32::from_be_bytes(take(bytes)?).into(),
-                Scalar::F64 => f64::from_be_bytes(take(bytes)?),
-            }),
+            Self::Ascii(rest) => {
+                let word = text::word(rest);
+                word.and_then(text::number).ok_or_else(|| text::why_no_number(word))
+            }
+            Self::Binary { bytes, is_little } => {
+                let (own, rest) = bytes.split_at_checked(scalar.size()).ok_or("the file ends before it")?;
+                *bytes = rest;
+                Ok(scalar.number(own, *is_little))
+            }
         }
     }
-}
 
-fn take<const N: usize>(bytes: &mut &[u8]) -> Option<[u8; N]> {
-    let (value, rest) = bytes.split_first_chunk::<N>()?;
-    *bytes = rest;
-    Some(*value)
+    /// Bytes that are left, but for white space behind text.
+    fn left(&self) -> usize {
+        match self {
+            Self::Ascii(rest) => rest.trim_ascii().len(),
+            Self::Binary { bytes, .. } => bytes.trim_ascii().len(),
+        }
+    }
 }
 
 pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
@@ -106,15 +72,15 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let mut body = match encoding {
         Encoding::Ascii => {
             text = String::from_utf8_lossy(body);
-            Body::Ascii(text.split_ascii_whitespace())
+            Body::Ascii(&text)
         }
-        Encoding::LittleEndian => Body::LittleEndian(body),
-        Encoding::BigEndian => Body::BigEndian(body),
+        Encoding::Binary { is_little } => Body::Binary { bytes: body, is_little },
     };
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
     let mut attributes: Vec<Attribute> = Vec::new();
     let mut polygons = Polygons::default();
+    let mut warnings = Warnings::default();
     let mut list = Vec::new();
     for element in &elements {
         let role = Role::of(element)?;
@@ -123,22 +89,27 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
             positions.reserve((bytes.len() / 3).min(element.count as usize));
             attributes = attributes_of(element);
         }
+        if element.name == "edge" {
+            warnings.add_many(WarningCode::LinesLeftOut, element.count as usize, || "element edge".to_owned());
+        }
         // Elements without properties take no bytes; a count of them could keep the loop below busy for ever.
         let count = if element.properties.is_empty() { 0 } else { element.count };
         for index in 0..count {
-            let broken = || {
-                PLY.at(
-                    format!("{} {index}", element.name),
-                    "the value is missing or not a number; the file is damaged or cut short, save it again",
-                )
-            };
+            let place = || format!("{} {index}", element.name);
             let mut position = [0.0; 3];
             let mut color = [0; 4];
             let mut further = attributes.iter_mut();
             for (column, property) in element.properties.iter().enumerate() {
+                let broken = |found: String| {
+                    let name = &property.name;
+                    PLY.at(
+                        place(),
+                        format!("{name} should be a number, but {found}; the file is damaged, save it again"),
+                    )
+                };
                 match property.kind {
                     Kind::Scalar(scalar) => {
-                        let value = body.next(scalar).ok_or_else(broken)?;
+                        let value = body.next(scalar).map_err(broken)?;
                         if let Role::Vertex { axes, channels } = role {
                             if let Some(axis) = axes.iter().position(|&axis| axis == column) {
                                 position[axis] = value;
@@ -154,22 +125,23 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                         }
                     }
                     Kind::List { count, item } => {
-                        let length = body.next(count).and_then(as_index).ok_or_else(broken)?;
+                        let length = body.next(count).map_err(broken)?;
+                        let length = whole(length).ok_or_else(|| broken(format!("its length is {length}")))?;
                         list.clear();
                         for _ in 0..length {
-                            list.push(body.next(item).ok_or_else(broken)?);
+                            list.push(body.next(item).map_err(broken)?);
                         }
                         let valid = match role {
-                            Role::Face(at) if at == column => face(&list, &mut polygons)?,
-                            Role::Strips(at) if at == column => strips(&list, &mut polygons)?,
-                            _ => true,
+                            Role::Face(at) if at == column => face(&list, &mut polygons),
+                            Role::Strips(at) if at == column => strips(&list, &mut polygons),
+                            _ => Ok(()),
                         };
-                        if !valid {
-                            return Err(PLY.at(
-                                format!("{} {index}", element.name),
-                                "a vertex index is negative or not whole; repair the file",
-                            ));
-                        }
+                        valid.map_err(|value| {
+                            PLY.at(
+                                place(),
+                                format!("vertex {value} is no index, which is whole and not negative; repair the file"),
+                            )
+                        })?;
                     }
                 }
             }
@@ -182,9 +154,15 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
             }
         }
     }
-    let triangles = polygons.triangulate_all(&positions)?;
-    let mut soup = Soup::single(name, positions, triangles);
-    soup.attributes = attributes;
+    let left = body.left();
+    if left > 0 {
+        warnings.add(WarningCode::Trailing, || format!("byte {}", bytes.len() - left));
+    }
+    let place = |polygon: usize| format!("face {polygon}");
+    let triangles = polygons
+        .triangulate_all(&positions, &mut warnings, place)
+        .map_err(|missing| PLY.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+    let mut soup = Soup { attributes, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
     if colors.len() == soup.positions.len() {
         soup.appearance = Arc::new(Appearance { colors, ..Appearance::default() });
     }
@@ -211,6 +189,7 @@ fn channel_value(value: f64, scalar: Scalar, channel: usize) -> u16 {
         Scalar::I8 | Scalar::U8 => f64::from(u8::MAX),
         Scalar::I16 | Scalar::U16 => f64::from(u16::MAX),
         Scalar::I32 | Scalar::U32 => f64::from(u32::MAX),
+        Scalar::I64 | Scalar::U64 => u64::MAX as f64,
         Scalar::F32 | Scalar::F64 => 1.0,
     };
     let share = (value / most).clamp(0.0, 1.0);
@@ -255,67 +234,68 @@ impl Role {
                 }
                 _ => Err(missing("x, y and z")),
             },
-            "face" => indices().map(Self::Face).ok_or_else(|| missing("list of vertex indices")),
-            "tristrips" => indices().map(Self::Strips).ok_or_else(|| missing("list of vertex indices")),
+            "face" | "tristrips" if element.count > 0 => {
+                let column = indices().ok_or_else(|| missing("list of vertex indices"))?;
+                Ok(if element.name == "face" { Self::Face(column) } else { Self::Strips(column) })
+            }
             _ => Ok(Self::Other),
         }
     }
 }
 
-/// The value as a count or an index, if it is one.
-fn as_index(value: f64) -> Option<u64> {
-    (value >= 0.0 && value <= f64::from(u32::MAX) && value.fract() == 0.0).then_some(value as u64)
-}
-
-/// Adds a polygon; false where an index is none.
-fn face(list: &[f64], polygons: &mut Polygons) -> Result<bool> {
+/// Adds a polygon.
+///
+/// # Errors
+/// What is no index.
+fn face(list: &[f64], polygons: &mut Polygons) -> std::result::Result<(), f64> {
     for &value in list {
-        let Some(vertex) = as_index(value) else { return Ok(false) };
-        polygons.corner(vertex, 0)?;
+        polygons.corner(whole(value).ok_or(value)?);
     }
     polygons.close();
-    Ok(true)
+    Ok(())
 }
 
-/// Adds the triangles of strips that are separated by −1, every second one turned; false where an index is none.
-fn strips(list: &[f64], polygons: &mut Polygons) -> Result<bool> {
+/// Adds the triangles of strips that are separated by −1, every second one turned.
+///
+/// # Errors
+/// What is no index.
+fn strips(list: &[f64], polygons: &mut Polygons) -> std::result::Result<(), f64> {
     for strip in list.split(|&value| value == -1.0) {
         for (index, corners) in strip.windows(3).enumerate() {
             let [a, b, c] = [corners[0], corners[1], corners[2]];
-            if !face(&if index % 2 == 0 { [a, b, c] } else { [b, a, c] }, polygons)? {
-                return Ok(false);
-            }
+            face(&if index % 2 == 0 { [a, b, c] } else { [b, a, c] }, polygons)?;
         }
     }
-    Ok(true)
+    Ok(())
 }
 
 #[derive(Clone, Copy)]
 enum Encoding {
     Ascii,
-    LittleEndian,
-    BigEndian,
+    Binary { is_little: bool },
 }
 
 /// The elements, the encoding and the bytes after the header.
 fn header(bytes: &[u8]) -> Result<(Vec<Element>, Encoding, &[u8])> {
     let unfinished = || PLY.at("header", "there is no end_header; the file is cut short, save it again");
-    // The first line tells how lines end: after a lone \r of the last one, a \n would already be data.
-    let first_end = bytes.iter().position(|&byte| byte == b'\n' || byte == b'\r').ok_or_else(unfinished)?;
-    let line_end: &[u8] = match &bytes[first_end..] {
-        [b'\r', b'\n', ..] => b"\r\n",
-        [b'\r', ..] => b"\r",
-        _ => b"\n",
-    };
     let mut elements: Vec<Element> = Vec::new();
     let mut encoding = None;
     let mut rest = bytes;
     let mut number = 0;
+    let mut is_lone = false;
     loop {
         number += 1;
-        let end = rest.windows(line_end.len()).position(|window| window == line_end).ok_or_else(unfinished)?;
-        let line = String::from_utf8_lossy(&rest[..end]);
-        rest = &rest[end + line_end.len()..];
+        let (mut length, text) = text::line_length(rest);
+        if length == text {
+            return Err(unfinished());
+        }
+        // After the lone CR of the last line, an LF is data already: the line before tells.
+        if is_lone {
+            length = text + 1;
+        }
+        is_lone = rest[text] == b'\r' && length == text + 1;
+        let line = String::from_utf8_lossy(&rest[..text]);
+        rest = &rest[length..];
         let wrong = |problem: &str| PLY.line(number, format!("{problem}: {:?}", line.trim()));
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
@@ -323,13 +303,18 @@ fn header(bytes: &[u8]) -> Result<(Vec<Element>, Encoding, &[u8])> {
             ["format", name, ..] => {
                 encoding = Some(match name {
                     "ascii" => Encoding::Ascii,
-                    "binary_little_endian" => Encoding::LittleEndian,
-                    "binary_big_endian" => Encoding::BigEndian,
+                    "binary_little_endian" => Encoding::Binary { is_little: true },
+                    "binary_big_endian" => Encoding::Binary { is_little: false },
                     _ => return Err(wrong("unknown encoding; save as ascii or binary_little_endian")),
                 });
             }
             ["element", name, count] => {
                 let count = count.parse().map_err(|_| wrong("the count is not a whole number"))?;
+                if name == "vertex" && elements.iter().any(|element| element.name == name) {
+                    return Err(wrong(
+                        "there are vertices twice, and faces count in one list of them; merge both lists",
+                    ));
+                }
                 elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
             }
             ["property", ref kind @ .., name] => {

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::text;
 use crate::error::{Error, Result};
 
 /// Gives the bytes of a file that the mesh refers to (percent-decoded relative URI), if there are any.
@@ -19,15 +20,20 @@ impl Reporter {
         self.at(format!("line {number}"), problem)
     }
 
-    /// The position on a vertex line, what follows it ignored.
-    pub fn vertex(&self, arguments: &str, line: usize) -> Result<DVec3> {
-        let mut words = arguments.split_whitespace();
+    /// That a face names a vertex that there is not. `vertex`: as the file counts, from `first`.
+    pub fn no_vertex(&self, place: impl Into<String>, vertex: u64, vertices: usize, first: u8) -> Error {
+        let problem = format!("vertex {vertex} does not exist; there are {vertices}, counted from {first}");
+        self.at(place, problem)
+    }
+
+    /// The next three words as a position.
+    pub fn position<'a>(&self, mut next: impl FnMut() -> Option<&'a str>, line: usize) -> Result<DVec3> {
         let mut coordinates = [0.0; 3];
         for coordinate in &mut coordinates {
-            *coordinate = words
-                .next()
-                .and_then(|word| word.parse().ok())
-                .ok_or_else(|| self.line(line, "a vertex needs three numbers; correct the line"))?;
+            let word = next();
+            *coordinate = word.and_then(text::number).ok_or_else(|| {
+                self.line(line, format!("a vertex needs three numbers, but {}", text::why_no_number(word)))
+            })?;
         }
         Ok(coordinates.into())
     }
@@ -37,9 +43,4 @@ impl Reporter {
 pub fn numbers<const N: usize>(arguments: &str) -> [f32; N] {
     let mut words = arguments.split_whitespace().map(|word| word.parse().unwrap_or(0.0));
     std::array::from_fn(|_| words.next().filter(|number: &f32| number.is_finite()).unwrap_or(0.0))
-}
-
-/// Without the mark that some programs put before text in UTF-8.
-pub fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }

@@ -3,8 +3,10 @@
 use glam::DVec3;
 
 use super::reader::Reporter;
+use super::text::{self, Words};
 use crate::error::Result;
 use crate::soup::Soup;
+use crate::warning::{WarningCode, Warnings};
 
 const STL: Reporter = Reporter("STL");
 /// 80 bytes of free text and the number of triangles.
@@ -22,16 +24,23 @@ pub fn is_binary(bytes: &[u8]) -> bool {
     binary_count(bytes).is_some_and(|count| count > 0 && count.checked_mul(RECORD) == Some(bytes.len() - HEADER))
 }
 
-/// Whether the file begins as ASCII STL does.
+/// Whether the file begins as ASCII STL does, with a name of any length.
 pub fn is_ascii(bytes: &[u8]) -> bool {
-    let start = &bytes[..bytes.len().min(1024)];
-    let has = |word: &[u8]| start.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word));
-    start.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
-        && (has(b"facet") || has(b"endsolid"))
+    let text = bytes.trim_ascii_start();
+    let has = |word: &[u8]| text.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word));
+    text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && (has(b"facet") || has(b"endsolid"))
 }
 
 pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    if !is_binary(bytes) && is_ascii(bytes) { read_ascii(name, bytes) } else { read_binary(name, bytes) }
+    if is_binary(bytes) {
+        read_binary(name, bytes)
+    } else if is_ascii(bytes) {
+        read_ascii(name, bytes)
+    } else if text::is_text(bytes) {
+        Err(STL.at("byte 0", "text that begins with \"solid\" and has facets is expected; save the file again"))
+    } else {
+        read_binary(name, bytes)
+    }
 }
 
 fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
@@ -42,6 +51,11 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
     if records.len() < count {
         return Err(truncated(format!("{} of {count} triangles are missing; save it again", count - records.len())));
     }
+    let mut warnings = Warnings::default();
+    let end = HEADER + count * RECORD;
+    if end < bytes.len() {
+        warnings.add(WarningCode::Trailing, || format!("byte {end}"));
+    }
     let mut positions = Vec::with_capacity(3 * count);
     for record in records.take(count) {
         for corner in record[12..48].chunks_exact(12) {
@@ -51,43 +65,102 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
         }
     }
     let triangles = (0..count as u32).map(|triangle| [0, 1, 2].map(|corner| 3 * triangle + corner)).collect();
-    Ok(Soup::single(name, positions, triangles))
+    Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
 }
 
 fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let mut soup = Soup::default();
+    let mut solids = Solids::default();
     let mut name = file;
-    let mut corners: Vec<DVec3> = Vec::new();
-    let mut complete = true;
-    for (index, line) in text.lines().enumerate() {
-        let number = index + 1;
-        let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
-        match keyword.to_ascii_lowercase().as_str() {
+    let mut words = Words::new(text::lines(&text));
+    // Words of no meaning are passed over, normals among them: nobody needs these.
+    while let Some(word) = words.next() {
+        let line = words.line();
+        match word.to_ascii_lowercase().as_str() {
             "solid" => {
-                soup.end_part(name);
-                name = if arguments.trim().is_empty() { file } else { arguments.trim() };
+                solids.end_facet(line)?;
+                solids.soup.end_part(name);
+                let (own, facets) = name_before(words.rest(), is_facet);
+                name = if own.is_empty() { file } else { own };
+                words.skip_to(facets);
+            }
+            "endsolid" => {
+                solids.end_facet(line)?;
+                solids.is_open = false;
+                let (_, next) = name_before(words.rest(), |word, _| word.eq_ignore_ascii_case("solid"));
+                words.skip_to(next);
             }
             "facet" => {
-                corners.clear();
-                complete = false;
+                solids.end_facet(line)?;
+                solids.begun = Some(line);
+                solids.is_open = true;
             }
-            "vertex" => corners.push(STL.vertex(arguments, number)?),
-            "endfacet" => {
-                if corners.len() != 3 {
-                    return Err(STL.line(number, format!("a facet has {} corners instead of 3", corners.len())));
-                }
-                let first = soup.positions.len() as u32;
-                soup.triangles.push([first, first + 1, first + 2]);
-                soup.positions.append(&mut corners);
-                complete = true;
+            "vertex" => {
+                solids.begun.get_or_insert(line);
+                solids.corners.push(STL.position(|| words.next(), line)?);
             }
+            "endfacet" => solids.add_facet(line)?,
             _ => {}
         }
     }
-    if !complete {
-        return Err(STL.at("end of file", "the last facet is cut short; save the file again"));
+    let last = words.line();
+    if let Some(begun) = solids.begun {
+        return Err(STL.line(begun, "the facet is cut short by the end of the file; save it again"));
     }
-    soup.end_part(name);
-    Ok(soup)
+    if solids.is_open {
+        solids.warnings.add(WarningCode::NoEnd, || format!("line {last}"));
+    }
+    solids.soup.end_part(name);
+    Ok(Soup { warnings: solids.warnings.into_vec(), ..solids.soup })
+}
+
+/// What is read of the solids so far.
+#[derive(Default)]
+struct Solids {
+    soup: Soup,
+    warnings: Warnings,
+    /// Of the facet that has begun.
+    corners: Vec<DVec3>,
+    /// The line where it did.
+    begun: Option<usize>,
+    /// Whether a solid has facets and no end yet.
+    is_open: bool,
+}
+
+impl Solids {
+    fn add_facet(&mut self, line: usize) -> Result<()> {
+        if self.corners.len() != 3 {
+            return Err(STL.line(line, format!("a facet has {} corners instead of 3", self.corners.len())));
+        }
+        let first = self.soup.positions.len() as u32;
+        self.soup.triangles.push([first, first + 1, first + 2]);
+        self.soup.positions.append(&mut self.corners);
+        self.begun = None;
+        Ok(())
+    }
+
+    /// Ends a facet that has begun, if there is one, where no `endfacet` does.
+    fn end_facet(&mut self, line: usize) -> Result<()> {
+        let Some(begun) = self.begun else { return Ok(()) };
+        self.warnings.add(WarningCode::UnendedFacets, || format!("line {begun}"));
+        self.add_facet(line)
+    }
+}
+
+/// Whether a facet begins with this word and the next; names may have the first.
+fn is_facet(word: &str, next: Option<&str>) -> bool {
+    word.eq_ignore_ascii_case("facet") && next.is_some_and(|next| next.eq_ignore_ascii_case("normal"))
+        || word.eq_ignore_ascii_case("endsolid")
+}
+
+/// The part of a line before the first word that `ends` it, given the word behind that, and what is left from there on.
+fn name_before(line: &str, ends: impl Fn(&str, Option<&str>) -> bool) -> (&str, &str) {
+    let mut rest = line;
+    loop {
+        let before = rest;
+        let Some(word) = text::word(&mut rest) else { return (line.trim(), "") };
+        if ends(word, text::word(&mut { rest })) {
+            return (line[..line.len() - before.len()].trim(), before);
+        }
+    }
 }

@@ -1,29 +1,36 @@
-//! Polygons to triangles: a fan where the polygon is strictly convex, ear clipping (Meisters 1975) elsewhere.
+//! Polygons to triangles: a fan where the polygon is strictly convex, a constrained Delaunay triangulation by spade elsewhere.
 
 use glam::{DVec2, DVec3};
+use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};
 
-use crate::error::{Error, Result};
-
-/// Ear clipping costs (corners × reflex corners); beyond this a hostile polygon could stall the page, so it is fanned.
-const MAX_EAR_CLIPPED_CORNERS: usize = 4096;
+use crate::warning::{WarningCode, Warnings};
 
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Polygons {
     corners: Vec<u32>,
     ends: Vec<usize>,
+    /// The first corner of a vertex that no mesh can hold.
+    beyond: Option<Missing>,
+}
+
+/// A corner that names a vertex that there is not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Missing {
+    /// Polygon, counted from 0.
+    pub polygon: usize,
+    /// The vertex that it names.
+    pub vertex: u64,
 }
 
 impl Polygons {
     /// Adds a corner to the polygon that the next [`Self::close`] ends.
-    ///
-    /// # Errors
-    /// [`Error::IndexOutOfRange`] for an index that no mesh can hold; `vertices` is the number known so far.
-    pub fn corner(&mut self, vertex: u64, vertices: usize) -> Result<()> {
-        let triangle = self.ends.len();
-        let corner = u32::try_from(vertex).map_err(|_| Error::IndexOutOfRange { triangle, vertex, vertices })?;
+    pub fn corner(&mut self, vertex: u64) {
+        let corner = u32::try_from(vertex).unwrap_or_else(|_| {
+            self.beyond.get_or_insert(Missing { polygon: self.ends.len(), vertex });
+            u32::MAX
+        });
         self.corners.push(corner);
-        Ok(())
     }
 
     /// Ends the polygon. Fewer than three corners make a point or a line, which triangulate to nothing.
@@ -46,39 +53,52 @@ impl Polygons {
         places.map(|place| self.corners[place])
     }
 
-    /// Appends the triangles of polygon `index` to `triangles`, each corner by its place in the list of all corners.
+    /// Refuses corners of vertices from `vertices` on.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`] where a corner names no vertex; the polygon is counted as the triangle.
-    pub fn triangulate_corners(
-        &self,
-        index: usize,
-        positions: &[DVec3],
-        triangles: &mut Vec<[usize; 3]>,
-    ) -> Result<()> {
-        let start = if index == 0 { 0 } else { self.ends[index - 1] };
-        let corners = &self.corners[start..self.ends[index]];
-        if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= positions.len()) {
-            return Err(Error::IndexOutOfRange { triangle: index, vertex: vertex.into(), vertices: positions.len() });
-        }
-        match corners.len() {
-            0..=2 => {}
-            3 => triangles.push([start, start + 1, start + 2]),
-            _ => polygon(start, corners, positions, triangles),
-        }
-        Ok(())
+    /// The first such corner.
+    pub fn check(&self, vertices: usize) -> Result<(), Missing> {
+        let place = self.corners.iter().position(|&vertex| vertex as usize >= vertices);
+        let missing = place.map(|place| Missing {
+            polygon: self.ends.partition_point(|&end| end <= place),
+            vertex: self.corners[place].into(),
+        });
+        self.beyond.or(missing).map_or(Ok(()), Err)
     }
 
-    /// The triangles of all polygons in order.
+    /// Appends the triangles of polygon `index`, after [`Self::check`], to `triangles`, each corner by its place in the list of all
+    /// corners. Returns false where no triangles have its outline, because it crosses itself.
+    pub fn triangulate_corners(&self, index: usize, positions: &[DVec3], triangles: &mut Vec<[usize; 3]>) -> bool {
+        let start = if index == 0 { 0 } else { self.ends[index - 1] };
+        let corners = &self.corners[start..self.ends[index]];
+        match corners.len() {
+            0..=2 => true,
+            3 => {
+                triangles.push([start, start + 1, start + 2]);
+                true
+            }
+            _ => polygon(start, corners, positions, triangles),
+        }
+    }
+
+    /// The triangles of all polygons in order. `place`: what the file calls a polygon, for warnings.
     ///
     /// # Errors
-    /// As [`Self::triangulate_corners`].
-    pub fn triangulate_all(&self, positions: &[DVec3]) -> Result<Vec<[u32; 3]>> {
+    /// As [`Self::check`].
+    pub fn triangulate_all(
+        &self,
+        positions: &[DVec3],
+        warnings: &mut Warnings,
+        place: impl Fn(usize) -> String,
+    ) -> Result<Vec<[u32; 3]>, Missing> {
+        self.check(positions.len())?;
         let mut triangles = Vec::with_capacity(self.ends.len());
         let mut corners = Vec::new();
         for index in 0..self.ends.len() {
             corners.clear();
-            self.triangulate_corners(index, positions, &mut corners)?;
+            if !self.triangulate_corners(index, positions, &mut corners) {
+                warnings.add(WarningCode::CrossedPolygons, || place(index));
+            }
             triangles.extend(corners.iter().map(|&places| self.vertices(places)));
         }
         Ok(triangles)
@@ -86,15 +106,26 @@ impl Polygons {
 }
 
 /// `first`: the place of the first corner in the list of all.
-fn polygon(first: usize, corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
+fn polygon(first: usize, corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[usize; 3]>) -> bool {
     let plane = project(corners, positions);
     let count = corners.len();
-    let convex = (0..count).all(|i| area(plane[i], plane[(i + 1) % count], plane[(i + 2) % count]) > 0.0);
-    if convex || count > MAX_EAR_CLIPPED_CORNERS {
-        triangles.extend((1..count - 1).map(|i| [first, first + i, first + i + 1]));
-    } else {
-        clip_ears(first, &plane, triangles);
+    let is_turn = |a: usize, b: usize, c: usize| area(plane[a], plane[b], plane[c]) > 0.0;
+    let fan = (1..count - 1).map(|i| [0, i, i + 1]);
+    // One that winds around twice is convex at each corner, too.
+    let is_convex = (0..count).all(|i| is_turn(i, (i + 1) % count, (i + 2) % count))
+        && fan.clone().all(|[a, b, c]| is_turn(a, b, c));
+    let mut add = |[a, b, c]: [usize; 3]| triangles.push([first + a, first + b, first + c]);
+    if is_convex {
+        fan.for_each(add);
+        return true;
     }
+    let cut = cut(&plane);
+    match &cut {
+        Some(cut) => cut.iter().copied().for_each(&mut add),
+        None => fan.for_each(&mut add),
+    }
+    // One without area has no triangles but flat ones.
+    cut.is_some() || (0..count).all(|i| area(plane[0], plane[i], plane[(i + 1) % count]) == 0.0)
 }
 
 /// The polygon along the strongest axis of its Newell normal, counter-clockwise.
@@ -126,45 +157,87 @@ fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-fn clip_ears(first: usize, plane: &[DVec2], triangles: &mut Vec<[usize; 3]>) {
-    let count = plane.len();
-    let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
-    let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
-    let turn = |previous: &[usize], next: &[usize], i: usize| area(plane[previous[i]], plane[i], plane[next[i]]);
-    // Only a corner that is not convex can lie in an ear, and clipping never makes a convex corner reflex.
-    let mut reflex: Vec<usize> = (0..count).filter(|&i| turn(&previous, &next, i) <= 0.0).collect();
-    let mut remaining = count;
-    let mut current = 0;
-    let mut tried = 0;
-    while remaining > 3 {
-        let (before, after) = (previous[current], next[current]);
-        let is_ear = turn(&previous, &next, current) > 0.0 && {
-            let (a, b, c) = (plane[before], plane[current], plane[after]);
-            !reflex.iter().any(|&i| {
-                let point = plane[i];
-                // A corner that coincides with one of the ear's is where a hole's bridge returns, not an obstacle.
-                point != a
-                    && point != b
-                    && point != c
-                    && area(a, b, point) >= 0.0
-                    && area(b, c, point) >= 0.0
-                    && area(c, a, point) >= 0.0
-            })
-        };
-        // A polygon that crosses itself or has no area may have no ear: clip anyway, so that the loop ends.
-        if !is_ear && tried < remaining {
-            tried += 1;
-            current = after;
+/// A corner in its plane.
+struct Corner {
+    point: Point2<f64>,
+    index: usize,
+}
+
+impl HasPosition for Corner {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.point
+    }
+}
+
+/// The triangles inside of a counter-clockwise outline: where it winds around counter-clockwise. Corners of one place count as one,
+/// and an edge that is gone along both ways, as bridges to holes are, bounds nothing. None where the outline crosses itself or
+/// bounds nothing.
+fn cut(plane: &[DVec2]) -> Option<Vec<[usize; 3]>> {
+    let size = plane.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    // By a power of two, so that what is straight stays straight.
+    let scale = (-size.log2().floor()).exp2();
+    let points: Vec<_> =
+        plane.iter().map(|&point| mitigate_underflow(Point2::new(scale * point.x, scale * point.y))).collect();
+    let by_place = |&a: &usize, &b: &usize| {
+        let [a, b] = [a, b].map(|corner| points[corner]);
+        a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+    };
+    let mut sorted: Vec<usize> = (0..points.len()).collect();
+    sorted.sort_by(by_place);
+    let mut first_there = vec![0; points.len()];
+    let mut corners = Vec::with_capacity(points.len());
+    for same in sorted.chunk_by(|a, b| points[*a] == points[*b]) {
+        same.iter().for_each(|&corner| first_there[corner] = same[0]);
+        corners.push(Corner { point: points[same[0]], index: same[0] });
+    }
+    let mut delaunay = ConstrainedDelaunayTriangulation::<Corner>::bulk_load(corners).ok()?;
+    let mut vertex = vec![None; points.len()];
+    delaunay.vertices().for_each(|corner| vertex[corner.data().index] = Some(corner.fix()));
+    // How often the outline goes along a half-edge, less how often against it. Constraints keep their numbers.
+    let mut along = vec![0_i32; delaunay.num_directed_edges()];
+    for corner in 0..points.len() {
+        let [from, to] = [corner, (corner + 1) % points.len()].map(|corner| vertex[first_there[corner]]);
+        if from == to {
             continue;
         }
-        triangles.push([before, current, after].map(|corner| first + corner));
-        next[before] = after;
-        previous[after] = before;
-        remaining -= 1;
-        tried = 0;
-        reflex.retain(|&i| i != current && ((i != before && i != after) || turn(&previous, &next, i) <= 0.0));
-        // Skipping a corner between ears avoids a fan of slivers.
-        current = next[after];
+        let edges = delaunay.try_add_constraint(from?, to?);
+        if edges.is_empty() {
+            return None;
+        }
+        for edge in edges {
+            along[edge.index()] += 1;
+            along[edge.rev().index()] -= 1;
+        }
     }
-    triangles.push([previous[current], current, next[current]].map(|corner| first + corner));
+    let mut winding: Vec<Option<i32>> = vec![None; delaunay.num_all_faces()];
+    let mut open = Vec::new();
+    let hull = delaunay.convex_hull().flat_map(|edge| [edge, edge.rev()]);
+    for edge in hull {
+        if let Some(face) = edge.face().as_inner() {
+            winding[face.index()].get_or_insert_with(|| {
+                open.push(face);
+                along[edge.fix().index()]
+            });
+        }
+    }
+    let mut inside = Vec::new();
+    while let Some(face) = open.pop() {
+        let here = winding[face.index()].unwrap_or_default();
+        for edge in face.adjacent_edges().map(|edge| edge.rev()) {
+            if let Some(other) = edge.face().as_inner() {
+                winding[other.index()].get_or_insert_with(|| {
+                    open.push(other);
+                    here + along[edge.fix().index()]
+                });
+            }
+        }
+        if here > 0 {
+            inside.push(face.vertices().map(|vertex| vertex.data().index));
+        }
+    }
+    // As the corners run, so that what is near in the file stays near.
+    inside.sort_unstable_by_key(|corners| *corners.iter().min().unwrap_or(&0));
+    (!inside.is_empty()).then_some(inside)
 }

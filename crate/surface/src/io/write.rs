@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use crate::soup::Soup;
+use crate::soup::{Part, Soup};
 
 #[cfg(feature = "gltf")]
 mod container;
@@ -15,7 +15,8 @@ pub use container::GlbFile;
 #[cfg(feature = "gltf")]
 pub use glb::distance_glb;
 
-/// Binary little-endian PLY with `x y z distance` as doubles. `distance`: one value an input vertex, may be infinite.
+/// Binary little-endian PLY with `x y z distance` as doubles, all vertices of the input in its order and the triangles of its parts.
+/// `distance`: one value an input vertex, may be infinite.
 ///
 /// # Panics
 /// If there is not one distance for each vertex.
@@ -26,7 +27,7 @@ pub fn distance_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
          property double x\nproperty double y\nproperty double z\nproperty double distance\n\
          element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
         soup.positions.len(),
-        soup.triangles.len()
+        soup.parts.iter().map(Part::len).sum::<usize>()
     )
     .into_bytes();
     for (position, distance) in soup.positions.iter().zip(distance) {
@@ -90,7 +91,7 @@ pub fn weights_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
          property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float weight\n\
          element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
         soup.positions.len(),
-        soup.triangles.len()
+        soup.parts.iter().map(Part::len).sum::<usize>()
     )
     .into_bytes();
     for (position, &distance) in soup.positions.iter().zip(distance) {
@@ -105,7 +106,7 @@ pub fn weights_ply(soup: &Soup, distance: &[f64]) -> Vec<u8> {
 
 /// Faces of a binary PLY.
 fn push_faces(bytes: &mut Vec<u8>, soup: &Soup) {
-    for triangle in &soup.triangles {
+    for triangle in soup.ranges().into_iter().flat_map(|range| &soup.triangles[range]) {
         bytes.push(3);
         bytes.extend(triangle.iter().flat_map(|corner| corner.to_le_bytes()));
     }

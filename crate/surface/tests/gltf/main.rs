@@ -196,6 +196,8 @@ fn sparse_accessors_replace_elements() {
     base.remove("bufferView");
     let soup = builder.read().unwrap();
     assert_eq!((soup.positions[1], soup.positions[2]), (DVec3::ZERO, DVec3::new(3.0, 4.0, 5.0)));
+    builder.root["accessors"][0]["count"] = json!(1000);
+    assert_eq!(builder.read().unwrap().positions.len(), 1000, "zeros need no bytes");
     builder.root["accessors"][0]["count"] = json!(1_u64 << 40);
     assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "a count without bytes reserves nothing");
 }
@@ -218,7 +220,12 @@ fn strips_fans_lists_and_what_is_no_surface() {
     }
     let mut builder = square(json!([{ "mesh": 0 }]));
     builder.root["meshes"][0]["primitives"][0]["mode"] = json!(1);
-    assert!(matches!(builder.read(), Err(Error::Empty { .. })), "lines are no surface");
+    let lines = builder.read().unwrap_err().to_string();
+    assert!(lines.contains("mesh.glb holds no faces: 1 point or line was left out"), "{lines}");
+    for nodes in [json!([]), json!([{ "name": "empty" }])] {
+        let hidden = square(nodes).read().unwrap_err().to_string();
+        assert!(hidden.contains("no node of the scene that is shown has a mesh"), "{hidden}");
+    }
     let primitive = json!({ "attributes": { "POSITION": 0 }, "indices": 1 });
     builder.root["meshes"][0]["primitives"] = json!([primitive, primitive]);
     let soup = builder.read().unwrap();

@@ -89,7 +89,7 @@ fn patches(soup: &Soup, surface: &Surface) -> Vec<Patch> {
     }
     let mut patch_of: Vec<Option<usize>> = vec![None; faces.len()];
     let mut patches: Vec<Vec<Triangle>> = Vec::new();
-    for index in 0..soup.triangles.len() {
+    for index in soup.ranges().into_iter().flatten() {
         let Some((face, corners)) = face_of(soup, surface, InputTriangle::from_index(index)) else { continue };
         let root = joined.least(face.0) as usize;
         let patch = *patch_of[root].get_or_insert_with(|| {

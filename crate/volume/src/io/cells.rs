@@ -5,7 +5,13 @@
 //! the tetrahedra from its own lowest vertex to the triangles of the faces that do not have this vertex: two of a pyramid, three
 //! of a prism, six of a hexahedron.
 
+use std::collections::HashMap;
 use std::fmt;
+
+use glam::DVec3;
+use heatwalk::Soup;
+use heatwalk::io::triangulate::Polygons;
+use heatwalk::surface::{WarningCode, Warnings};
 
 use super::error::{Error, Result};
 use crate::soup::TetSoup;
@@ -108,6 +114,27 @@ impl fmt::Display for CellCounts {
     }
 }
 
+/// What a cell of a file is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A point or a line, of which nothing is wanted.
+    Thin,
+    /// A polygon of so many corners.
+    Face(usize),
+    Solid(Shape),
+}
+
+impl Kind {
+    /// How many corners it has, which come first among its nodes.
+    pub fn corner_count(self) -> usize {
+        match self {
+            Self::Thin => 0,
+            Self::Face(corners) => corners,
+            Self::Solid(shape) => shape.corner_count(),
+        }
+    }
+}
+
 /// Cells that become tetrahedra.
 #[derive(Default)]
 pub struct Cells {
@@ -145,51 +172,112 @@ impl Cells {
             }
         }
     }
-
-    /// Over these positions.
-    pub fn into_soup(self, positions: Vec<glam::DVec3>) -> (TetSoup, CellCounts) {
-        (TetSoup { positions, tetrahedra: self.tetrahedra }, self.counts)
-    }
 }
 
 /// Cells whose vertices are known by the numbers that the file gives them; it may do so after the cells.
 #[derive(Default)]
 pub struct NamedCells {
-    /// Shapes, and whether they are curved.
-    cells: Vec<(Shape, bool)>,
-    /// Of all cells, one after another.
-    corners: Vec<u64>,
-    /// Cells that are faces.
-    pub faces: usize,
+    /// Shapes of those that fill space, and whether they are curved.
+    solids: Vec<(Shape, bool)>,
+    /// Of all these, one after another.
+    solid_corners: Vec<u64>,
+    /// Corners of each face, and whether it is curved.
+    faces: Vec<(u8, bool)>,
+    /// Of all faces, one after another.
+    face_corners: Vec<u64>,
 }
 
 impl NamedCells {
     /// Adds a corner to the cell that the next [`Self::end`] ends.
-    pub fn corner(&mut self, number: u64) {
-        self.corners.push(number);
+    pub fn corner(&mut self, kind: Kind, number: u64) {
+        match kind {
+            Kind::Thin => {}
+            Kind::Face(_) => self.face_corners.push(number),
+            Kind::Solid(_) => self.solid_corners.push(number),
+        }
     }
 
-    /// Ends a cell, which has as many corners as its shape.
-    pub fn end(&mut self, shape: Shape, is_curved: bool) {
-        self.cells.push((shape, is_curved));
+    /// Ends a cell, which has as many corners as its kind.
+    pub fn end(&mut self, kind: Kind, is_curved: bool) {
+        match kind {
+            Kind::Thin => {}
+            Kind::Face(corners) => self.faces.push((corners as u8, is_curved)),
+            Kind::Solid(shape) => self.solids.push((shape, is_curved)),
+        }
+    }
+}
+
+/// What a file holds, as it names it.
+pub struct NamedMesh {
+    pub format: &'static str,
+    /// In file order.
+    pub positions: Vec<DVec3>,
+    pub numbers: Numbers,
+    pub cells: NamedCells,
+}
+
+impl NamedMesh {
+    fn vertex(&self, element: &'static str, index: usize, number: u64) -> Result<u32> {
+        let missing = Error::NoSuchVertex { format: self.format, element, index, vertex: number };
+        self.numbers.get(number).ok_or(missing)
     }
 
-    /// The tetrahedra. `vertex`: that of a number, if there is one.
-    pub fn finish(self, format: &'static str, vertex: impl Fn(u64) -> Option<u32>) -> Result<Cells> {
+    /// The tetrahedra.
+    pub fn tetrahedra(self) -> Result<(TetSoup, CellCounts)> {
         let mut cells = Cells::default();
-        cells.counts.faces = self.faces;
-        let mut rest = &self.corners[..];
+        cells.counts.faces = self.cells.faces.len();
+        let mut rest = &self.cells.solid_corners[..];
         let mut corners = Vec::new();
-        for (cell, &(shape, is_curved)) in self.cells.iter().enumerate() {
+        for (index, &(shape, is_curved)) in self.cells.solids.iter().enumerate() {
             let (own, others) = rest.split_at(shape.corner_count());
             corners.clear();
             for &number in own {
-                corners.push(vertex(number).ok_or(Error::NoSuchVertex { format, cell, vertex: number })?);
+                corners.push(self.vertex("cell", index, number)?);
             }
             cells.add(shape, &corners, is_curved);
             rest = others;
         }
-        Ok(cells)
+        Ok((TetSoup { positions: self.positions, tetrahedra: cells.tetrahedra }, cells.counts))
+    }
+
+    /// The faces, as one part of a name.
+    pub fn surface(self, name: &str) -> Result<Soup> {
+        let mut warnings = Warnings::default();
+        let mut polygons = Polygons::default();
+        let mut rest = &self.cells.face_corners[..];
+        let place = |face: usize| format!("face {face}");
+        for (index, &(corners, is_curved)) in self.cells.faces.iter().enumerate() {
+            let (own, others) = rest.split_at(corners.into());
+            for &number in own {
+                polygons.corner(self.vertex("face", index, number)?.into());
+            }
+            polygons.close();
+            if is_curved {
+                warnings.add(WarningCode::Straightened, || place(index));
+            }
+            rest = others;
+        }
+        let triangles = polygons.triangulate_all(&self.positions, &mut warnings, place);
+        let triangles = triangles.expect("vertices that there are");
+        Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, self.positions, triangles) })
+    }
+}
+
+/// The vertex of each number of a file.
+pub enum Numbers {
+    /// They follow each other from this one on.
+    From(u64, u32),
+    Any(HashMap<u64, u32>),
+}
+
+impl Numbers {
+    pub fn get(&self, number: u64) -> Option<u32> {
+        match self {
+            Self::From(first, count) => {
+                number.checked_sub(*first).and_then(|index| u32::try_from(index).ok()).filter(|index| index < count)
+            }
+            Self::Any(vertices) => vertices.get(&number).copied(),
+        }
     }
 }
 

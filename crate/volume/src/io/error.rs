@@ -31,12 +31,14 @@ pub enum Error {
         remedy: &'static str,
     },
     /// A cell names a vertex that does not exist.
-    #[error("{format}: cell {cell} refers to vertex {vertex}, which does not exist; repair the file")]
+    #[error("{format}: {element} {index} refers to vertex {vertex}, which does not exist; repair the file")]
     NoSuchVertex {
         /// Format, for example `"Gmsh"`.
         format: &'static str,
-        /// Cell that fills space, counted from 0 in file order.
-        cell: usize,
+        /// What names it: a `cell` that fills space, or a `face`.
+        element: &'static str,
+        /// Which one of these, counted from 0 in file order.
+        index: usize,
         /// The vertex it names, as the file counts.
         vertex: u64,
     },

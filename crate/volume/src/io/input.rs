@@ -1,7 +1,6 @@
 //! Numbers of a file, whether written as text or as bytes.
 
-use std::str::FromStr;
-
+use heatwalk::io::text;
 use heatwalk::surface::Error;
 
 use super::error::Result;
@@ -47,8 +46,7 @@ impl<'a> Input<'a> {
     pub fn damaged(&self, problem: &str) -> Error {
         let place = match self.encoding {
             Encoding::Text { .. } => {
-                let line = 1 + self.bytes[..self.at].iter().filter(|&&byte| byte == b'\n').count();
-                format!("line {line}")
+                format!("line {}", text::line_number(&self.bytes[..self.at]))
             }
             Encoding::Binary { .. } => format!("byte {}", self.at),
         };
@@ -72,9 +70,9 @@ impl<'a> Input<'a> {
         if rest.is_empty() {
             return None;
         }
-        let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-        self.seek(self.at + end + 1);
-        Some(&rest[..end])
+        let (length, text) = text::line_length(rest);
+        self.at += length;
+        Some(&rest[..text])
     }
 
     /// The next word of text; none at the end.
@@ -89,25 +87,46 @@ impl<'a> Input<'a> {
                 continue;
             }
             let word = &rest[start..];
-            let ends = |byte: &u8| byte.is_ascii_whitespace() || Some(*byte) == comment;
-            let end = word.iter().position(ends).unwrap_or(word.len());
+            let end = word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len());
+            let end = comment.and_then(|sign| text::comment(&word[..end], sign)).unwrap_or(end);
             self.at += start + end;
             // What is not text is no number or name either.
             return Some(std::str::from_utf8(&word[..end]).unwrap_or("\u{FFFD}"));
         }
     }
 
-    fn parsed<T: FromStr>(&mut self, what: &str) -> Result<T> {
+    /// The words of the next line that has some, without its comment.
+    pub fn words(&mut self) -> Vec<&'a str> {
+        let Encoding::Text { comment } = self.encoding else { return Vec::new() };
+        while let Some(line) = self.line() {
+            let end = comment.and_then(|sign| text::comment(line, sign)).unwrap_or(line.len());
+            let words: Vec<&str> = line[..end]
+                .split(u8::is_ascii_whitespace)
+                .filter(|word| !word.is_empty())
+                .map(|word| std::str::from_utf8(word).unwrap_or("\u{FFFD}"))
+                .collect();
+            if !words.is_empty() {
+                return words;
+            }
+        }
+        Vec::new()
+    }
+
+    /// The next word, as `parse` takes it.
+    fn parsed<T>(&mut self, what: &str, parse: impl Fn(&str) -> Option<T>) -> Result<T> {
         let start = self.at;
         let word = self.word();
-        let value = word.and_then(|word| word.parse().ok());
-        Ok(value.ok_or_else(|| {
+        Ok(word.and_then(parse).ok_or_else(|| {
             // The line of the word, not the end of the white space before it.
             let space = self.bytes[start..].iter().take_while(|byte| byte.is_ascii_whitespace()).count();
             self.seek(start + space);
-            let found = word.map_or("the file ends".to_owned(), |word| format!("{word:?} is found"));
+            let found = word.map_or("the file ends".to_owned(), |word| text::why_no_number(Some(word)));
             self.damaged(&format!("{what} is expected, but {found}"))
         })?)
+    }
+
+    fn whole(&mut self, what: &str) -> Result<i64> {
+        self.parsed(what, |word| word.parse().ok())
     }
 
     fn bytes<const N: usize>(&mut self, is_little: bool, what: &str) -> Result<[u8; N]> {
@@ -124,7 +143,7 @@ impl<'a> Input<'a> {
     /// A whole number of four bytes.
     pub fn int(&mut self, what: &str) -> Result<i64> {
         match self.encoding {
-            Encoding::Text { .. } => self.parsed(what),
+            Encoding::Text { .. } => self.whole(what),
             Encoding::Binary { is_little } => Ok(i32::from_le_bytes(self.bytes(is_little, what)?).into()),
         }
     }
@@ -132,7 +151,7 @@ impl<'a> Input<'a> {
     /// A whole number of eight bytes.
     pub fn long(&mut self, what: &str) -> Result<i64> {
         match self.encoding {
-            Encoding::Text { .. } => self.parsed(what),
+            Encoding::Text { .. } => self.whole(what),
             Encoding::Binary { is_little } => Ok(i64::from_le_bytes(self.bytes(is_little, what)?)),
         }
     }
@@ -140,7 +159,7 @@ impl<'a> Input<'a> {
     /// A number of four bytes.
     pub fn float(&mut self, what: &str) -> Result<f64> {
         match self.encoding {
-            Encoding::Text { .. } => self.parsed(what),
+            Encoding::Text { .. } => self.parsed(what, text::number),
             Encoding::Binary { is_little } => Ok(f32::from_le_bytes(self.bytes(is_little, what)?).into()),
         }
     }
@@ -148,7 +167,7 @@ impl<'a> Input<'a> {
     /// A number of eight bytes.
     pub fn double(&mut self, what: &str) -> Result<f64> {
         match self.encoding {
-            Encoding::Text { .. } => self.parsed(what),
+            Encoding::Text { .. } => self.parsed(what, text::number),
             Encoding::Binary { is_little } => Ok(f64::from_le_bytes(self.bytes(is_little, what)?)),
         }
     }

@@ -3,10 +3,9 @@
 
 use glam::DVec3;
 
-use super::cells::{CellCounts, NamedCells, Shape};
+use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;
 use super::input::{Encoding, Input};
-use crate::soup::TetSoup;
 
 const MEDIT: &str = "Medit";
 
@@ -21,24 +20,24 @@ const DIMENSION: i64 = 3;
 const VERTICES: i64 = 4;
 const END: i64 = 54;
 
-/// The sections of cells: keyword as text and as a number, shape (none of faces), and nodes.
-const CELLS: [(&str, i64, Option<Shape>, usize); 16] = [
-    ("Triangles", 6, None, 3),
-    ("Quadrilaterals", 7, None, 4),
-    ("TrianglesP2", 24, None, 6),
-    ("QuadrilateralsQ2", 27, None, 9),
-    ("TrianglesP3", 90, None, 10),
-    ("TrianglesP4", 91, None, 15),
-    ("Tetrahedra", 8, Some(Shape::Tetrahedron), 4),
-    ("Prisms", 9, Some(Shape::Prism), 6),
-    ("Hexahedra", 10, Some(Shape::Hexahedron), 8),
-    ("Pyramids", 49, Some(Shape::Pyramid), 5),
-    ("TetrahedraP2", 30, Some(Shape::Tetrahedron), 10),
-    ("HexahedraQ2", 33, Some(Shape::Hexahedron), 27),
-    ("PrismsP2", 86, Some(Shape::Prism), 18),
-    ("PyramidsP2", 87, Some(Shape::Pyramid), 14),
-    ("TetrahedraP3", 96, Some(Shape::Tetrahedron), 20),
-    ("TetrahedraP4", 97, Some(Shape::Tetrahedron), 35),
+/// The sections of cells: keyword as text and as a number, kind, and nodes.
+const CELLS: [(&str, i64, Kind, usize); 16] = [
+    ("Triangles", 6, Kind::Face(3), 3),
+    ("Quadrilaterals", 7, Kind::Face(4), 4),
+    ("TrianglesP2", 24, Kind::Face(3), 6),
+    ("QuadrilateralsQ2", 27, Kind::Face(4), 9),
+    ("TrianglesP3", 90, Kind::Face(3), 10),
+    ("TrianglesP4", 91, Kind::Face(3), 15),
+    ("Tetrahedra", 8, Kind::Solid(Shape::Tetrahedron), 4),
+    ("Prisms", 9, Kind::Solid(Shape::Prism), 6),
+    ("Hexahedra", 10, Kind::Solid(Shape::Hexahedron), 8),
+    ("Pyramids", 49, Kind::Solid(Shape::Pyramid), 5),
+    ("TetrahedraP2", 30, Kind::Solid(Shape::Tetrahedron), 10),
+    ("HexahedraQ2", 33, Kind::Solid(Shape::Hexahedron), 27),
+    ("PrismsP2", 86, Kind::Solid(Shape::Prism), 18),
+    ("PyramidsP2", 87, Kind::Solid(Shape::Pyramid), 14),
+    ("TetrahedraP3", 96, Kind::Solid(Shape::Tetrahedron), 20),
+    ("TetrahedraP4", 97, Kind::Solid(Shape::Tetrahedron), 35),
 ];
 
 pub fn has_header(bytes: &[u8]) -> bool {
@@ -62,13 +61,14 @@ fn binary(bytes: &[u8]) -> Option<(Input<'_>, i64)> {
     Some((input, version))
 }
 
-pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
+pub fn read(bytes: &[u8]) -> Result<NamedMesh> {
     let mut mesh = Mesh::default();
     match binary(bytes) {
         Some((input, version)) => mesh.read_binary(input, version)?,
         None => mesh.read_text(text(bytes))?,
     }
-    mesh.finish()
+    let numbers = Numbers::From(1, mesh.positions.len() as u32);
+    Ok(NamedMesh { format: MEDIT, positions: mesh.positions, numbers, cells: mesh.cells })
 }
 
 /// What was read so far.
@@ -89,8 +89,8 @@ impl Mesh {
                 "Vertices" => self.vertices(&mut input, 2)?,
                 // Numbers of sections that are skipped, too.
                 _ => {
-                    if let Some(&(_, _, shape, nodes)) = CELLS.iter().find(|section| section.0 == keyword) {
-                        self.section(&mut input, shape, nodes, 2)?;
+                    if let Some(&(_, _, kind, nodes)) = CELLS.iter().find(|section| section.0 == keyword) {
+                        self.section(&mut input, kind, nodes, 2)?;
                     }
                 }
             }
@@ -110,8 +110,8 @@ impl Mesh {
                 DIMENSION => dimension(&mut input)?,
                 VERTICES => self.vertices(&mut input, version)?,
                 _ => {
-                    if let Some(&(_, _, shape, nodes)) = CELLS.iter().find(|section| section.1 == keyword) {
-                        self.section(&mut input, shape, nodes, version)?;
+                    if let Some(&(_, _, kind, nodes)) = CELLS.iter().find(|section| section.1 == keyword) {
+                        self.section(&mut input, kind, nodes, version)?;
                     }
                 }
             }
@@ -143,29 +143,20 @@ impl Mesh {
         Ok(())
     }
 
-    fn section(&mut self, input: &mut Input, shape: Option<Shape>, nodes: usize, version: i64) -> Result<()> {
+    fn section(&mut self, input: &mut Input, kind: Kind, nodes: usize, version: i64) -> Result<()> {
         let count = whole(input, version, "the number of cells")?;
         let count = input.count(count, "the number of cells")?;
         for _ in 0..count {
             for node in 0..nodes {
                 let vertex = whole(input, version, "a vertex of a cell")?;
-                if shape.is_some_and(|shape| node < shape.corner_count()) {
-                    self.cells.corner(input.count(vertex, "a vertex of a cell")? as u64);
+                if node < kind.corner_count() {
+                    self.cells.corner(kind, input.count(vertex, "a vertex of a cell")? as u64);
                 }
             }
             whole(input, version, "the reference of a cell")?;
-            match shape {
-                Some(shape) => self.cells.end(shape, nodes > shape.corner_count()),
-                None => self.cells.faces += 1,
-            }
+            self.cells.end(kind, nodes > kind.corner_count());
         }
         Ok(())
-    }
-
-    fn finish(self) -> Result<(TetSoup, CellCounts)> {
-        let count = self.positions.len() as u64;
-        let vertex = |number: u64| number.checked_sub(1).filter(|&index| index < count).map(|index| index as u32);
-        Ok(self.cells.finish(MEDIT, vertex)?.into_soup(self.positions))
     }
 }
 

@@ -20,12 +20,14 @@ mod tetgen;
 mod vtk;
 pub mod write;
 
-use heatwalk::io::Resources;
+use heatwalk::Soup;
+use heatwalk::io::{Resources, text};
 use heatwalk::surface::Error as FileError;
 
 pub use cells::CellCounts;
 pub use error::{Error, Result};
 
+use self::cells::NamedMesh;
 use crate::soup::TetSoup;
 
 /// Formats of tetrahedral meshes.
@@ -44,7 +46,7 @@ pub enum Format {
 impl Format {
     /// The format of a file: by its first bytes where they tell, else by the extension of its name.
     pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
-        let bytes = without_mark(bytes);
+        let bytes = text::decoded(bytes).unwrap_or_default();
         if gmsh::has_header(bytes) {
             Some(Self::Gmsh)
         } else if medit::has_header(bytes) {
@@ -85,35 +87,54 @@ pub struct TetFile {
 /// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
 /// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
+    let bytes = text::decoded(bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let bytes = without_mark(bytes);
-    let (soup, cells) = match format {
-        Format::Medit => medit::read(bytes)?,
-        Format::Gmsh => gmsh::read(bytes)?,
-        Format::Vtk => vtk::read(bytes)?,
-        Format::TetGen => {
-            let (stem, extension) = stem_and_extension(name);
-            let has_nodes = extension.eq_ignore_ascii_case("node");
-            let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
-            let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
-            let (nodes, elements) = if has_nodes { (bytes, &other[..]) } else { (&other[..], bytes) };
-            tetgen::read(nodes, elements)?
-        }
+    let (soup, cells) = match named(format, name, bytes, resources)? {
+        Some(mesh) => mesh.tetrahedra()?,
+        None => vtk::read(bytes)?,
     };
     if cells.volumes() == 0 {
-        let remedy = match format {
-            Format::Vtk => "read it as a surface",
-            _ if cells.faces > 0 => "to use the surface, save it as OBJ, PLY or VTK",
-            _ => "save the cells with their vertices",
-        };
+        let remedy = if cells.faces > 0 { "read it as a surface" } else { "save the cells with their vertices" };
         return Err(Error::NoTetrahedra { name: name.to_owned(), faces: cells.faces, remedy });
     }
     Ok(TetFile { soup, cells })
 }
 
-/// Without the mark that some programs put before text in UTF-8.
-fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+/// Reads the triangles and quadrilaterals of a file as a surface.
+///
+/// # Errors
+/// As [`read`], and [`Error::File`] with [`Empty`](FileError::Empty) where there is no face.
+pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let bytes = text::decoded(bytes)?;
+    let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
+    let Some(mesh) = named(format, name, bytes, resources)? else {
+        return Ok(heatwalk::io::read(name, bytes, resources)?);
+    };
+    let soup = mesh.surface(stem_and_extension(name).0)?;
+    if soup.triangles.is_empty() {
+        let reason = format!("{name} holds neither tetrahedra nor faces; save the cells with their vertices");
+        return Err(FileError::Empty { reason }.into());
+    }
+    Ok(soup)
+}
+
+/// What a file holds; none of VTK, whose cells count vertices from 0 without gaps.
+fn named(format: Format, name: &str, bytes: &[u8], resources: Resources) -> Result<Option<NamedMesh>> {
+    let mesh = match format {
+        Format::Vtk => return Ok(None),
+        Format::Medit => medit::read(bytes)?,
+        Format::Gmsh => gmsh::read(bytes)?,
+        Format::TetGen => {
+            let (stem, extension) = stem_and_extension(name);
+            let has_nodes = extension.eq_ignore_ascii_case("node");
+            let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
+            let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
+            let other = text::decoded(&other)?;
+            let (nodes, elements) = if has_nodes { (bytes, other) } else { (other, bytes) };
+            tetgen::read(nodes, elements)?
+        }
+    };
+    Ok(Some(mesh))
 }
 
 fn stem_and_extension(name: &str) -> (&str, &str) {

@@ -3,10 +3,9 @@
 
 use glam::DVec3;
 
-use super::cells::{CellCounts, NamedCells, Shape};
+use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;
 use super::input::{Encoding, Input};
-use crate::soup::TetSoup;
 
 const TETGEN: &str = "TetGen";
 
@@ -14,12 +13,10 @@ const TETGEN: &str = "TetGen";
 const CURVED: usize = 10;
 
 /// `nodes`, `elements`: the contents of both files.
-pub fn read(nodes: &[u8], elements: &[u8]) -> Result<(TetSoup, CellCounts)> {
+pub fn read(nodes: &[u8], elements: &[u8]) -> Result<NamedMesh> {
     let (positions, first) = read_nodes(text(nodes))?;
     let cells = read_elements(text(elements))?;
-    let count = positions.len() as u64;
-    let vertex = |number: u64| number.checked_sub(first).filter(|&index| index < count).map(|index| index as u32);
-    Ok(cells.finish(TETGEN, vertex)?.into_soup(positions))
+    Ok(NamedMesh { format: TETGEN, numbers: Numbers::From(first, positions.len() as u32), positions, cells })
 }
 
 fn text(bytes: &[u8]) -> Input<'_> {
@@ -31,16 +28,27 @@ fn size(input: &mut Input, what: &str) -> Result<usize> {
     input.count(number, what)
 }
 
+/// The numbers of the first line, the last of which may be left out.
+fn header<const N: usize>(input: &mut Input, names: [&str; N], mut header: [usize; N]) -> Result<[usize; N]> {
+    let words = input.words();
+    if words.is_empty() {
+        return Err(input.damaged(&format!("{} is expected, but the file ends", names[0])).into());
+    }
+    for ((number, word), name) in header.iter_mut().zip(words).zip(names) {
+        let found = word.parse();
+        *number = found.map_err(|_| input.damaged(&format!("{name} is expected, but {word:?} is found")))?;
+    }
+    Ok(header)
+}
+
 /// Positions, and the number of the first one.
 fn read_nodes(mut input: Input) -> Result<(Vec<DVec3>, u64)> {
-    let count = size(&mut input, "the number of vertices")?;
-    let dimension = size(&mut input, "the dimension")?;
+    let names = ["the number of vertices", "the dimension", "the number of attributes", "the number of markers"];
+    let [count, dimension, attributes, markers] = header(&mut input, names, [0, 3, 0, 0])?;
     if dimension != 3 {
         let remedy = "give every vertex three coordinates";
         return Err(input.unsupported(format!("the dimension {dimension}"), remedy).into());
     }
-    let attributes = size(&mut input, "the number of attributes")?;
-    let markers = size(&mut input, "the number of markers")?;
     let mut positions = Vec::with_capacity(input.plausible(count));
     let mut first = 0;
     for index in 0..count as u64 {
@@ -63,26 +71,26 @@ fn read_nodes(mut input: Input) -> Result<(Vec<DVec3>, u64)> {
 }
 
 fn read_elements(mut input: Input) -> Result<NamedCells> {
-    let count = size(&mut input, "the number of tetrahedra")?;
-    let nodes = size(&mut input, "the number of vertices of a tetrahedron")?;
-    let corners = Shape::Tetrahedron.corner_count();
+    let names = ["the number of tetrahedra", "the number of vertices of a tetrahedron", "the number of attributes"];
+    let kind = Kind::Solid(Shape::Tetrahedron);
+    let corners = kind.corner_count();
+    let [count, nodes, attributes] = header(&mut input, names, [0, corners, 0])?;
     if nodes != corners && nodes != CURVED {
         return Err(input.damaged(&format!("a tetrahedron has 4 or {CURVED} vertices, not {nodes}")).into());
     }
-    let attributes = size(&mut input, "the number of attributes")?;
     let mut cells = NamedCells::default();
     for _ in 0..count {
         size(&mut input, "the number of a tetrahedron")?;
         for node in 0..nodes {
             let number = size(&mut input, "a vertex of a tetrahedron")?;
             if node < corners {
-                cells.corner(number as u64);
+                cells.corner(kind, number as u64);
             }
         }
         for _ in 0..attributes {
             input.double("an attribute of a tetrahedron")?;
         }
-        cells.end(Shape::Tetrahedron, nodes > corners);
+        cells.end(kind, nodes > corners);
     }
     Ok(cells)
 }

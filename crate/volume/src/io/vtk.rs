@@ -23,7 +23,7 @@ pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
         let Some((shape, is_curved)) = shape(kind) else {
             return Err(FileError::Unsupported {
                 format: "VTK",
-                feature: format!("volume cell {index} of type {kind}"),
+                feature: format!("volume cell {index}, {},", vtk::cell_name(kind)),
                 remedy: "save a grid of tetrahedra, hexahedra, wedges and pyramids".to_owned(),
             }
             .into());
@@ -43,7 +43,7 @@ pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
         }
         cells.add(shape, corners, is_curved);
     }
-    Ok(cells.into_soup(grid.positions))
+    Ok((TetSoup { positions: grid.positions, tetrahedra: cells.tetrahedra }, cells.counts))
 }
 
 /// The shape of a type of cells (`vtkCellType.h`), and whether it is quadratic, of higher order, Lagrange or Bézier.

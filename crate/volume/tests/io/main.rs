@@ -7,7 +7,8 @@ mod meshio;
 
 use std::collections::HashMap;
 
-use heatwalk::surface::Error as FileError;
+use glam::DVec3;
+use heatwalk::surface::{Error as FileError, WarningCode};
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::{self, CellCounts, Error, Format, Result, TetFile, write};
 
@@ -120,12 +121,83 @@ fn files_without_tetrahedra_say_what_they_hold() {
         let error = read(name, &bytes).unwrap_err();
         assert!(matches!(&error, Error::NoTetrahedra { faces: 1, .. }), "{error}");
         assert!(error.to_string().contains("1 face"), "{error}");
+        let surface = io::read_surface(name, &bytes, &|_| None).unwrap();
+        assert_eq!((surface.positions, surface.triangles.len()), (mesh.points.clone(), 1));
     }
     mesh.cells.clear();
     let empty = read("a.mesh", b"MeshVersionFormatted 1 Dimension 3 Vertices 0 End").unwrap_err();
     assert_eq!(empty.code(), "no-tetrahedra");
     let unknown = read("a.obj", b"v 0 0 0").unwrap_err().to_string();
     assert!(unknown.contains("a.obj") && unknown.contains(".msh"), "{unknown}");
+}
+
+/// A corner of the unit cube.
+const CORNER: &str = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+#[test]
+fn gmsh_nodes_with_parameters_are_read() {
+    let nodes = "1 0 0 0 0 1\n2 1 0 0 0 2\n3 0 1 0 1 1 0.5\n4 0 0 1 2 1 0.5 -nan(ind)\n";
+    let text = format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n4\n{nodes}$EndParametricNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n\
+         $EndElements\n"
+    );
+    for text in [text.clone(), text.replace('\n', "\r"), text.replace('\n', "\r\n")] {
+        let soup = read("a.msh", text.as_bytes()).unwrap().soup;
+        assert_eq!((soup.positions[3], &soup.tetrahedra[..]), (DVec3::Z, &[[0, 1, 2, 3]][..]));
+    }
+    let mut bytes = b"$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n$ParametricNodes\n4\n".to_vec();
+    for (number, position, entity) in [(1, DVec3::ZERO, 0), (2, DVec3::X, 3), (3, DVec3::Y, 1), (4, DVec3::Z, 2)] {
+        bytes.extend(i32::to_le_bytes(number));
+        bytes.extend(position.to_array().into_iter().flat_map(f64::to_le_bytes));
+        bytes.extend([i32::to_le_bytes(entity), i32::to_le_bytes(1)].concat());
+        (0..entity % 3).for_each(|_| bytes.extend(0.5_f64.to_le_bytes()));
+    }
+    bytes.extend(b"\n$EndParametricNodes\n$Elements\n1\n");
+    bytes.extend([4, 1, 2, 1, 1, 1, 1, 2, 3, 4].into_iter().flat_map(i32::to_le_bytes));
+    let soup = read("a.msh", &bytes).unwrap().soup;
+    assert_eq!((soup.positions[3], &soup.tetrahedra[..]), (DVec3::Z, &[[0, 1, 2, 3]][..]));
+}
+
+#[test]
+fn tetgen_counts_may_stand_alone_and_lines_end_by_any_sign() {
+    let rows: String = (1..).zip(CORNER.lines()).map(|(number, row)| format!("{number} {row}\n")).collect();
+    for (nodes, elements) in
+        [("4", "1"), ("4 3", "1 4"), ("# made\n4 3 0", "1 4 0"), ("4 3 0 0 # here", "# x\n\n1 # one")]
+    {
+        let (nodes, elements) = (format!("{nodes}\n{rows}"), format!("{elements}\n1 1 2 3 4\n"));
+        for end in ["\n", "\r", "\r\n"] {
+            let nodes = nodes.replace('\n', end);
+            let other = elements.replace('\n', end);
+            let file = io::read("a.node", nodes.as_bytes(), &|_| Some(other.clone().into_bytes())).unwrap();
+            assert_eq!((file.soup.positions[3], &file.soup.tetrahedra[..]), (DVec3::Z, &[[0, 1, 2, 3]][..]), "{nodes}");
+        }
+    }
+}
+
+#[test]
+fn quadrilaterals_and_curved_triangles_are_a_surface() {
+    let medit = "MeshVersionFormatted 2\rDimension 3 # flat\rVertices 4\r0 0 0 0\r1 0 0 0\r1 1 0 0\r0 1 0 0\rQuadrilaterals 1\r1 2 3 4 0\rEnd";
+    let soup = io::read_surface("a.mesh", medit.as_bytes(), &|_| None).unwrap();
+    assert_eq!((&soup.triangles[..], soup.parts[0].name.as_str()), (&[[0, 1, 2], [0, 2, 3]][..], "a"));
+    let gmsh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n10 0 0 0\n20 1 0 0\n30 0 1 0\n40 0.5 0 0\n50 0.5 0.5 0\n60 0 0.5 0\n\
+                $EndNodes\n$Elements\n2\n1 15 2 1 1 10\n2 9 2 1 1 10 20 30 40 50 60\n$EndElements\n";
+    let soup = io::read_surface("a.msh", gmsh.as_bytes(), &|_| None).unwrap();
+    assert_eq!((&soup.triangles[..], soup.warnings[0].code), (&[[0, 1, 2]][..], WarningCode::Straightened));
+    let missing = gmsh.replace("1 1 10 20 30", "1 1 10 20 31");
+    let error = io::read_surface("a.msh", missing.as_bytes(), &|_| None).unwrap_err().to_string();
+    assert!(error.contains("face 0 refers to vertex 31"), "{error}");
+}
+
+#[test]
+fn text_that_no_number_is_read_of_is_told_as_what_it_is() {
+    let text = "MeshVersionFormatted 2\nDimension 3\nVertices 1\n0,5 0 0 0\n";
+    let comma = read("a.mesh", text.as_bytes()).unwrap_err().to_string();
+    assert!(comma.contains("line 4") && comma.contains("decimal comma"), "{comma}");
+    for name in ["a.mesh", "a.msh", "a.vtk", "a.node"] {
+        let utf16: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let error = io::read(name, &utf16, &|_| Some(Vec::new())).unwrap_err().to_string();
+        assert!(error.contains("UTF-16"), "{error}");
+    }
 }
 
 #[test]
@@ -162,7 +234,7 @@ fn errors_name_the_place() {
         assert!(error.contains(place), "{error}");
     }
     let polyhedron = "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\nCELLS 1 2\n1 0\nCELL_TYPES 1\n42\n";
-    assert!(read("a.vtk", polyhedron.as_bytes()).unwrap_err().to_string().contains("type 42"));
+    assert!(read("a.vtk", polyhedron.as_bytes()).unwrap_err().to_string().contains("volume cell 0, a polyhedron,"));
     let outside = polyhedron.replace("\n42", "\n10").replace("CELLS 1 2\n1 0", "CELLS 1 5\n4 0 0 0 1");
     assert!(read("a.vtk", outside.as_bytes()).unwrap_err().to_string().contains("point 1"));
 }

@@ -19,6 +19,10 @@ enum Meaning {
     Index,
 }
 
+/// Elements that are zero without data for them in however small a file: a sparse accessor without a view has few bytes. What they
+/// take is some hundred times their JSON.
+const MOST_IMPLIED: usize = 1024;
+
 #[derive(Clone, Copy)]
 pub struct Accessors<'a> {
     pub root: &'a Root,
@@ -141,7 +145,8 @@ impl<'a> Accessors<'a> {
 
     /// Whether the file has enough data for an accessor without any of its own to be so long.
     fn plausible(&self, count: usize) -> bool {
-        count <= self.buffers.resolved_bytes() + self.compressed.map_or(0, Compressed::vertices)
+        count <= MOST_IMPLIED
+            || count <= self.buffers.resolved_bytes() + self.compressed.map_or(0, Compressed::vertices)
     }
 
     /// Replaces the elements that a sparse accessor lists.

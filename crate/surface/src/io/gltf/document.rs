@@ -9,7 +9,7 @@ use super::instancing::INSTANCING;
 use super::meshopt::MESHOPT;
 use super::pointer;
 use crate::error::{Error, Result};
-use crate::io::reader::without_mark;
+use crate::io::text::without_mark;
 
 /// Extensions of geometry that are read.
 const READ: [&str; 5] = [DRACO, MESHOPT[0], MESHOPT[1], "KHR_mesh_quantization", INSTANCING];
@@ -42,7 +42,7 @@ fn without_padding(json: &[u8]) -> &[u8] {
 
 /// What geometry needs, and of the rest what can be understood.
 fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
-    let mut document: Value = from_slice(json).map_err(|error| unreadable(json, &error))?;
+    let mut document: Value = from_slice(json).map_err(|error| unreadable(&error))?;
     // glTF 1.0 has objects where later versions have arrays.
     let version = &document["asset"]["version"];
     check_version(version.as_str().unwrap_or(if document["meshes"].is_object() { "1.0" } else { "2.0" }))?;
@@ -79,11 +79,7 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
 }
 
 /// What is wrong with text that is not JSON.
-fn unreadable(json: &[u8], error: &JsonError) -> Error {
-    // Of two bytes a character, with a byte order mark or without: a document begins with ASCII.
-    if matches!(json, [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] | [0, _, ..] | [_, 0, ..]) {
-        return GLTF.at("JSON", "its text is UTF-16, and glTF is UTF-8; save it as UTF-8");
-    }
+fn unreadable(error: &JsonError) -> Error {
     let place = format!("JSON line {} column {}", error.line(), error.column());
     if error.is_eof() {
         return GLTF.at(place, "the text is cut short here; copy or export it again");

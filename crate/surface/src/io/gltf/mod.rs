@@ -29,6 +29,7 @@ use crate::error::{Error, Result};
 use crate::motion::{Clip, Deformer, Motion, Skin, Target};
 use crate::soup::Soup;
 use crate::unit::Unit;
+use crate::warning::{WarningCode, Warnings};
 use accessor::Accessors;
 use appearance::{Collector, attributes_of};
 use attributes::Named;
@@ -58,9 +59,14 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
         normals: Vec::new(),
         collector: Collector::default(),
         deformers: Vec::new(),
+        warnings: Warnings::default(),
     };
     for &index in &scene.mesh_nodes {
         reading.add_node(index)?;
+    }
+    if scene.mesh_nodes.is_empty() && !root.meshes.is_empty() {
+        let reason = "no node of the scene that is shown has a mesh of the file; export it with its scene".to_owned();
+        return Err(Error::Empty { reason });
     }
     reading.finish()
 }
@@ -82,6 +88,7 @@ struct Reading<'a> {
     collector: Collector,
     /// Of all vertices, where there are clips.
     deformers: Vec<Deformer>,
+    warnings: Warnings,
 }
 
 impl Reading<'_> {
@@ -115,7 +122,10 @@ impl Reading<'_> {
         let start = self.soup.triangles.len();
         let mut first_vertices = Vec::new();
         for (number, primitive) in mesh.primitives.iter().enumerate() {
-            let Some(position) = primitive::triangles_over(primitive)? else { continue };
+            let Some(position) = primitive::triangles_over(primitive)? else {
+                self.warnings.add(WarningCode::LinesLeftOut, || format!("primitive {number} of node {index}"));
+                continue;
+            };
             let compressed = Compressed::of(primitive, self.accessors.buffers)?;
             let accessors = self.accessors.of(compressed.as_ref());
             // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
@@ -168,7 +178,8 @@ impl Reading<'_> {
     }
 
     fn finish(mut self) -> Result<Soup> {
-        let Self { root, accessors, normals, collector, .. } = self;
+        let Self { root, accessors, normals, collector, warnings, .. } = self;
+        self.soup.warnings = warnings.into_vec();
         let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
         let vertices = self.soup.positions.len();
         self.soup.attributes.iter_mut().for_each(|attribute| attribute.values.resize(vertices, f64::NAN));

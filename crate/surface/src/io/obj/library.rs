@@ -6,6 +6,7 @@ use super::material::Definition;
 use super::texture::{Images, find};
 use crate::appearance::{Appearance, Run};
 use crate::io::reader::Resources;
+use crate::io::text;
 
 /// The materials that libraries define, and those that triangles have.
 pub struct Library<'a> {
@@ -53,7 +54,7 @@ impl<'a> Library<'a> {
         let folder = name.rfind(['/', '\\']).map_or(String::new(), |end| name[..=end].replace('\\', "/"));
         let mut definition: Option<&mut Definition> = None;
         let text = String::from_utf8_lossy(bytes);
-        for line in text.strip_prefix('\u{feff}').unwrap_or(&text).lines() {
+        for (_, line) in text::lines(text.strip_prefix('\u{feff}').unwrap_or(&text)) {
             let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
             if keyword.eq_ignore_ascii_case("newmtl") {
                 let started = Definition::new(folder.clone());

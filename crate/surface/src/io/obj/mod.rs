@@ -6,7 +6,6 @@ mod library;
 mod material;
 mod texture;
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -15,13 +14,49 @@ use glam::{DVec3, Vec3};
 use super::color::light;
 use super::reader::{Reporter, Resources, numbers};
 use super::seams::seams;
+use super::text;
 use super::triangulate::Polygons;
 use crate::appearance::{Appearance, Run};
 use crate::error::Result;
-use crate::soup::Soup;
+use crate::soup::{Part, Soup};
+use crate::warning::{WarningCode, Warnings};
 use library::Library;
 
 const OBJ: Reporter = Reporter("OBJ");
+
+/// Statements that say nothing of a surface of polygons, or are said by curves and surfaces of free form, which are told of.
+const NEEDLESS: [&str; 30] = [
+    "",
+    "s",
+    "mg",
+    "vp",
+    "deg",
+    "bmat",
+    "step",
+    "cstype",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "usemap",
+    "maplib",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "call",
+    "csh",
+    "bsp",
+    "bzp",
+    "res",
+];
 
 /// In place of an index: there is none.
 const NONE: u32 = u32::MAX;
@@ -65,6 +100,8 @@ struct File {
     attributes: Vec<[u32; 2]>,
     part_of_polygon: Vec<usize>,
     material_of_polygon: Vec<Option<usize>>,
+    line_of_polygon: Vec<u32>,
+    warnings: Warnings,
 }
 
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
@@ -73,16 +110,25 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let mut groups = Groups::new(name);
     let mut library = Library::new(resources);
     let mut material = None;
-    let mut lines = text.lines().enumerate();
-    while let Some((index, line)) = lines.next() {
-        let number = index + 1;
-        let mut line = Cow::Borrowed(line);
-        while let Some(head) = line.strip_suffix('\\') {
-            let tail = lines.next().map_or("", |(_, tail)| tail);
-            line = Cow::Owned(format!("{head} {tail}"));
+    let mut lines = text::lines(&text);
+    let mut joined = String::new();
+    while let Some((number, line)) = lines.next() {
+        let mut statement = text::statement(line);
+        let mut arguments = statement;
+        let mut keyword = text::word(&mut arguments).unwrap_or_default();
+        if let Some(head) = line.strip_suffix('\\') {
+            // A backslash joins lines. Names and comments that end in one are paths of folders: what is on the next line is no part
+            // of these.
+            if statement.len() < line.trim().len() || matches!(keyword, "g" | "o" | "usemtl" | "mtllib") {
+                file.warnings.add(WarningCode::UnjoinedLines, || format!("line {number}"));
+            } else {
+                join(head, lines.by_ref().map(|(_, next)| next), &mut joined);
+                statement = text::statement(&joined);
+                arguments = statement;
+                keyword = text::word(&mut arguments).unwrap_or_default();
+            }
         }
-        let statement = line.split('#').next().unwrap_or_default().trim();
-        let (keyword, arguments) = statement.split_once(char::is_whitespace).unwrap_or((statement, ""));
+        let place = || format!("line {number}");
         match keyword {
             "v" => file.vertex(arguments, number)?,
             "vt" => {
@@ -94,6 +140,7 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
                 file.polygon(arguments, number)?;
                 file.part_of_polygon.push(groups.current);
                 file.material_of_polygon.push(material);
+                file.line_of_polygon.push(number as u32);
             }
             "o" => groups.open(arguments.trim(), ""),
             "g" => {
@@ -102,30 +149,44 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
             }
             "mtllib" => library.open(arguments.trim()),
             "usemtl" => material = Some(library.use_material(arguments.trim())),
-            _ => {}
+            "p" | "l" => file.warnings.add(WarningCode::LinesLeftOut, place),
+            "curv" | "curv2" | "surf" => file.warnings.add(WarningCode::CurvesLeftOut, place),
+            keyword if NEEDLESS.contains(&keyword) => {}
+            _ => file.warnings.add(WarningCode::UnknownStatements, place),
         }
     }
     file.assemble(groups.names, library)
 }
 
+/// Joins a line, of which `head` is without its backslash, with the next ones up to the first without.
+fn join<'a>(head: &str, lines: impl Iterator<Item = &'a str>, joined: &mut String) {
+    joined.clear();
+    joined.push_str(head);
+    for line in lines {
+        joined.push(' ');
+        match line.strip_suffix('\\') {
+            Some(head) => joined.push_str(head),
+            None => return joined.push_str(line),
+        }
+    }
+}
+
 impl File {
     fn vertex(&mut self, arguments: &str, line: usize) -> Result<()> {
-        self.positions.push(OBJ.vertex(arguments, line)?);
-        let mut rest = arguments.split_whitespace().skip(3);
+        let mut rest = arguments;
+        self.positions.push(OBJ.position(|| text::word(&mut rest), line)?);
         // A single number is the weight of a rational curve's control point.
-        if let (Some(_), Some(_), Some(_)) = (rest.next(), rest.next(), rest.next()) {
-            let [.., red, green, blue] = numbers::<6>(arguments);
+        if rest.split_ascii_whitespace().nth(2).is_some() {
             self.colors.resize(self.positions.len() - 1, [1.0; 3]);
-            self.colors.push([red, green, blue]);
+            self.colors.push(numbers(rest));
         }
         Ok(())
     }
 
     fn polygon(&mut self, arguments: &str, line: usize) -> Result<()> {
-        for word in arguments.split_whitespace() {
+        for word in arguments.split_ascii_whitespace() {
             let mut indices = word.split('/');
-            let vertex = vertex(indices.next().unwrap_or_default(), line, self.positions.len())?;
-            self.polygons.corner(vertex, self.positions.len())?;
+            self.polygons.corner(vertex(indices.next().unwrap_or_default(), line, self.positions.len())?);
             let texcoord = attribute(indices.next(), self.texcoords.len());
             let attributes = [texcoord, attribute(indices.next(), self.normals.len())];
             if attributes != [NONE; 2] {
@@ -137,34 +198,45 @@ impl File {
         Ok(())
     }
 
-    /// Brings the polygons of each part together and drops parts without triangles.
-    fn assemble(self, names: Vec<String>, library: Library) -> Result<Soup> {
-        let mut members = vec![Vec::new(); names.len()];
-        for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
-            members[part].push(polygon);
-        }
+    /// The triangles in the order of the file, and the parts that have some.
+    fn assemble(mut self, names: Vec<String>, library: Library) -> Result<Soup> {
+        let line = |polygon: usize| format!("line {}", self.line_of_polygon[polygon]);
+        let vertices = self.positions.len();
+        self.polygons
+            .check(vertices)
+            .map_err(|missing| OBJ.no_vertex(line(missing.polygon), missing.vertex.saturating_add(1), vertices, 1))?;
         let mut corners = Vec::with_capacity(self.part_of_polygon.len());
         let mut runs: Vec<Run> = Vec::new();
-        let mut soup = Soup::default();
-        for (name, members) in names.into_iter().zip(members) {
-            for polygon in members {
-                let start = corners.len();
-                self.polygons.triangulate_corners(polygon, &self.positions, &mut corners)?;
-                let material = self.material_of_polygon[polygon];
-                match runs.last_mut().filter(|run| run.material == material) {
-                    Some(run) => run.triangles.end = corners.len(),
-                    None => runs.push(Run { triangles: start..corners.len(), material }),
-                }
+        let mut parts: Vec<Part> = names.into_iter().map(Part::new).collect();
+        for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
+            let start = corners.len();
+            if !self.polygons.triangulate_corners(polygon, &self.positions, &mut corners) {
+                self.warnings.add(WarningCode::CrossedPolygons, || line(polygon));
             }
-            soup.triangles.extend(corners[soup.triangles.len()..].iter().map(|&places| self.polygons.vertices(places)));
-            soup.end_part(name);
+            let own = start..corners.len();
+            if own.is_empty() {
+                self.warnings.add(WarningCode::LinesLeftOut, || line(polygon));
+                continue;
+            }
+            parts[part].add(own.clone());
+            let material = self.material_of_polygon[polygon];
+            match runs.last_mut().filter(|run| run.material == material) {
+                Some(run) => run.triangles.end = own.end,
+                None => runs.push(Run { triangles: own, material }),
+            }
         }
-        runs.retain(|run| !run.triangles.is_empty());
+        parts.retain(|part| !part.is_empty());
+        let triangles: Vec<_> = corners.iter().map(|&places| self.polygons.vertices(places)).collect();
         let mut appearance = library.finish(runs);
-        self.add_attributes(&soup.triangles, &corners, &mut appearance);
-        soup.appearance = Arc::new(appearance);
-        soup.positions = self.positions;
-        Ok(soup)
+        self.add_attributes(&triangles, &corners, &mut appearance);
+        Ok(Soup {
+            positions: self.positions,
+            triangles,
+            parts,
+            appearance: Arc::new(appearance),
+            warnings: self.warnings.into_vec(),
+            ..Soup::default()
+        })
     }
 
     /// Adds the attributes of vertices; `corners` are places among those of the polygons.

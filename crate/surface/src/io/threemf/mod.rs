@@ -36,7 +36,15 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     load(&package, &root, &mut models)?;
     let mut assembly = Assembly { file: name, models, soup: Soup::default(), colors: Vec::new(), visited: 0 };
     assembly.soup.unit = assembly.models.get(&root).map(|model| model.unit);
+    let has_mesh =
+        assembly.models.values().flat_map(|model| model.objects.values()).any(|object| !object.triangles.is_empty());
     assembly.build(&root)?;
+    if assembly.soup.triangles.is_empty() && has_mesh {
+        let reason = format!(
+            "no build item of {name} shows a mesh that it holds, or as support alone; save the model with its build"
+        );
+        return Err(Error::Empty { reason });
+    }
     Ok(assembly.finish())
 }
 
@@ -129,7 +137,8 @@ impl Assembly<'_> {
         }
         for (triangle, &corners) in object.triangles.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= count) {
-                return Err(Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices: count });
+                let place = format!("triangle {triangle} of the object {name:?}");
+                return Err(THREEMF.no_vertex(place, vertex.into(), count, 0));
             }
             soup.triangles.push(turned(corners).map(|vertex| first as u32 + vertex));
         }

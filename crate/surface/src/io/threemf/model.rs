@@ -7,6 +7,7 @@ use quick_xml::events::BytesStart;
 
 use super::format::THREEMF;
 use crate::error::Result;
+use crate::io::text;
 use crate::io::xml::{Document, Node, attributes};
 use crate::unit::Unit;
 
@@ -78,7 +79,10 @@ impl Model {
                 }
                 ("vertex", Some((_, object))) => {
                     let position = position(&element);
-                    object.positions.push(position.ok_or_else(|| document.broken("a vertex needs three numbers"))?);
+                    object.positions.push(
+                        position
+                            .map_err(|found| document.broken(&format!("a vertex needs three numbers, but {found}")))?,
+                    );
                 }
                 ("triangle", Some((_, object))) => {
                     let triangle = Triangle::of(&element);
@@ -166,15 +170,17 @@ fn unit(model: &BytesStart) -> Unit {
     }
 }
 
-fn position(vertex: &BytesStart) -> Option<DVec3> {
+/// A position; what is there instead otherwise.
+fn position(vertex: &BytesStart) -> std::result::Result<DVec3, String> {
     let mut position = [None; 3];
     for (name, value) in attributes(vertex) {
         if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
-            position[axis] = value.trim().parse().ok();
+            let word = value.trim();
+            position[axis] = Some(text::number(word).ok_or_else(|| text::why_no_number(Some(word)))?);
         }
     }
-    let [x, y, z] = position;
-    Some(DVec3::new(x?, y?, z?))
+    let [x, y, z] = position.map(|coordinate| coordinate.ok_or_else(|| text::why_no_number(None)));
+    Ok(DVec3::new(x?, y?, z?))
 }
 
 /// A triangle, with the group and the indices of the colors of its corners.

@@ -3,10 +3,11 @@
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use quick_xml::events::BytesStart;
 
-use super::array::{Scalar, whole};
 use super::base64::Base64;
 use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
+use crate::io::scalar::{Scalar, whole};
+use crate::io::text;
 use crate::io::xml::{Document, Node, attributes};
 
 /// Bytes in which the root element begins.
@@ -52,11 +53,12 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Piece>> {
     let mut document = Document::new(VTK, "document", &text);
     let (mut pieces, mut arrays) = (Vec::new(), Vec::new());
     let mut section = String::new();
+    let mut thin = 0;
     while let Some(node) = document.next()? {
         match node {
             Node::Start { element, is_empty } => match element.local_name().as_ref() {
                 "VTKFile" => encoding.read(&element)?,
-                name @ ("Points" | "Polys" | "Strips" | "Cells" | "PointData" | "CellData") => {
+                name @ ("Points" | "Verts" | "Lines" | "Polys" | "Strips" | "Cells" | "PointData" | "CellData") => {
                     name.clone_into(&mut section);
                 }
                 "DataArray" if matches!(section.as_str(), "Points" | "Polys" | "Strips" | "Cells") => {
@@ -64,9 +66,19 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Piece>> {
                     arrays
                         .push(encoding.array(&section, &element, &text).map_err(|problem| document.broken(&problem))?);
                 }
+                // Points and lines are told of by their number alone.
+                "Piece" => {
+                    let count = |wanted: &str| {
+                        let own = attributes(&element).find(|(name, _)| *name == wanted);
+                        own.and_then(|(_, count)| count.parse::<usize>().ok()).unwrap_or_default()
+                    };
+                    thin = count("NumberOfVerts").saturating_add(count("NumberOfLines"));
+                }
                 _ => {}
             },
-            Node::End(name) if name == "Piece" => pieces.push(piece(&std::mem::take(&mut arrays))?),
+            Node::End(name) if name == "Piece" => {
+                pieces.push(Piece { thin, ..piece(&std::mem::take(&mut arrays))? });
+            }
             Node::End(_) | Node::Text(_) => {}
         }
     }
@@ -135,7 +147,7 @@ impl<'a> Encoding<'a> {
     }
 
     /// The array of an element; what is wrong with it otherwise.
-    fn array(&self, section: &str, element: &BytesStart, text: &str) -> std::result::Result<Array, String> {
+    fn array(&self, section: &str, element: &BytesStart, content: &str) -> std::result::Result<Array, String> {
         let (mut name, mut scalar, mut format, mut offset) = (String::new(), None, String::new(), None);
         for (key, value) in attributes(element) {
             match key {
@@ -154,10 +166,13 @@ impl<'a> Encoding<'a> {
                 let source = if self.is_appended_raw { Source::Raw(data) } else { Source::Base64(Base64::new(data)) };
                 self.bytes(source)
             }
-            "binary" => self.bytes(Source::Base64(Base64::new(text.as_bytes()))),
+            "binary" => self.bytes(Source::Base64(Base64::new(content.as_bytes()))),
             _ => {
-                let numbers = text.split_ascii_whitespace().map(|word| word.parse().ok());
-                let numbers = numbers.collect::<Option<Vec<f64>>>().ok_or_else(damaged)?;
+                let no_number =
+                    |word| format!("in the array {name:?} a number should be, but {}", text::why_no_number(Some(word)));
+                let numbers =
+                    content.split_ascii_whitespace().map(|word| text::number(word).ok_or_else(|| no_number(word)));
+                let numbers = numbers.collect::<std::result::Result<_, _>>()?;
                 return Ok(Array { section: section.to_owned(), name, numbers });
             }
         };

@@ -1,8 +1,9 @@
 //! Legacy files: text lines, between them numbers as text or, big-endian, as bytes.
 
-use super::array::{Scalar, whole};
 use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
+use crate::io::scalar::{Scalar, whole};
+use crate::io::text;
 
 const HEADER: &[u8] = b"# vtk datafile";
 
@@ -42,7 +43,9 @@ pub fn read(bytes: &[u8]) -> Result<Piece> {
                 let coordinates = rest.numbers(scalar, count.checked_mul(3).ok_or_else(broken)?)?;
                 piece.set_positions(&coordinates);
             }
-            "VERTICES" | "LINES" => drop(rest.cells(count(1).zip(count(2)).ok_or_else(broken)?)?),
+            "VERTICES" | "LINES" => {
+                piece.thin += rest.cells(count(1).zip(count(2)).ok_or_else(broken)?)?.ends.len();
+            }
             "POLYGONS" | "TRIANGLE_STRIPS" => {
                 let cells = rest.cells(count(1).zip(count(2)).ok_or_else(broken)?)?;
                 let kind = if keyword == "POLYGONS" { cell::POLYGON } else { cell::STRIP };
@@ -98,14 +101,14 @@ impl Rest<'_> {
         if self.bytes.is_empty() {
             return None;
         }
-        let end = self.bytes.iter().position(|&byte| byte == b'\n').unwrap_or(self.bytes.len());
-        let line = String::from_utf8_lossy(&self.bytes[..end]).into_owned();
-        self.bytes = self.bytes.get(end + 1..).unwrap_or_default();
+        let (length, text) = text::line_length(self.bytes);
+        let line = String::from_utf8_lossy(&self.bytes[..text]).into_owned();
+        self.bytes = &self.bytes[length..];
         Some(line)
     }
 
     fn numbers(&mut self, scalar: Scalar, count: usize) -> Result<Vec<f64>> {
-        let short = |rest: &Self| rest.broken(&format!("{count} numbers should follow"));
+        let short = |rest: &Self| rest.broken(&format!("{count} numbers should follow, and the file ends"));
         if self.is_binary {
             let length = count.checked_mul(scalar.size()).filter(|&length| length <= self.bytes.len());
             let (own, rest) = self.bytes.split_at(length.ok_or_else(|| short(self))?);
@@ -120,8 +123,9 @@ impl Rest<'_> {
         while numbers.len() < count {
             let start = self.bytes.trim_ascii_start();
             let end = start.iter().position(u8::is_ascii_whitespace).unwrap_or(start.len());
-            let number = std::str::from_utf8(&start[..end]).ok().and_then(|word| word.parse().ok());
-            numbers.push(number.ok_or_else(|| short(self))?);
+            let word = std::str::from_utf8(&start[..end]).ok().filter(|word| !word.is_empty());
+            let no_number = || self.broken(&format!("a number should follow, but {}", text::why_no_number(word)));
+            numbers.push(word.and_then(text::number).ok_or_else(no_number)?);
             self.bytes = &start[end..];
         }
         Ok(numbers)

@@ -2,7 +2,6 @@
 //! binary, and in XML files (`.vtp`, `.vtu`), ASCII, base64 or appended, compressed by zlib or not. Of curved cells the corners are
 //! read. What fills space is no surface; [`volumes`] gives it to those who know what to do with it.
 
-mod array;
 mod base64;
 mod document;
 mod legacy;
@@ -10,10 +9,11 @@ mod piece;
 
 use glam::DVec3;
 
-use self::array::whole;
 use self::piece::{Piece, VTK};
-use crate::error::{Error, Result};
+use super::scalar::whole;
+use crate::error::Result;
 use crate::soup::Soup;
+use crate::warning::{Warning, WarningCode, Warnings};
 
 /// The cells of a file that fill space, of all its pieces.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -28,6 +28,8 @@ pub struct VolumeCells {
     pub ends: Vec<usize>,
     /// How many cells are faces, which are left out.
     pub faces: usize,
+    /// What else was left out.
+    pub warnings: Vec<Warning>,
 }
 
 /// Whether the file begins as one of either kind does.
@@ -42,9 +44,10 @@ fn pieces(bytes: &[u8]) -> Result<Vec<Piece>> {
 /// The cells of a file that fill space; none where there is none such.
 ///
 /// # Errors
-/// [`Error::Malformed`] and [`Error::Unsupported`], as [`read`](super::read).
+/// [`Malformed`](crate::Error::Malformed) and [`Unsupported`](crate::Error::Unsupported), as [`read`](super::read).
 pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
     let mut all = VolumeCells::default();
+    let mut warnings = Warnings::default();
     for piece in pieces(bytes)? {
         let (first, before, count) = (all.positions.len(), all.points.len(), piece.positions.len());
         for (place, &point) in piece.volumes.points.iter().enumerate() {
@@ -62,27 +65,42 @@ pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
         all.kinds.extend(piece.volumes.kinds);
         all.positions.extend(piece.positions);
         all.faces += piece.faces.count();
+        warnings.add_many(WarningCode::LinesLeftOut, piece.thin, || "cells".to_owned());
     }
+    all.warnings = warnings.into_vec();
     Ok(all)
+}
+
+/// What a type of cells is called (`vtkCellType.h`), where it has no points in a fixed order or is not known at all.
+pub fn cell_name(kind: u64) -> String {
+    match kind {
+        41 => "a convex point set".to_owned(),
+        42 => "a polyhedron".to_owned(),
+        51..=56 => "a parametric cell".to_owned(),
+        other => format!("a cell of type {other}"),
+    }
 }
 
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let pieces = pieces(bytes)?;
     let mut soup = Soup::default();
-    let (count, has_volumes) = (pieces.len(), pieces.iter().any(|piece| !piece.volumes.kinds.is_empty()));
+    let mut warnings = Warnings::default();
+    let count = pieces.len();
     for (index, piece) in pieces.into_iter().enumerate() {
+        let of_piece = if count == 1 { String::new() } else { format!("piece {index}, ") };
         let first = soup.positions.len() as u32;
-        let triangles = piece.faces.triangulate_all(&piece.positions)?;
+        let place = |face: usize| format!("{of_piece}face {face}");
+        let triangles = piece
+            .faces
+            .triangulate_all(&piece.positions, &mut warnings, place)
+            .map_err(|missing| VTK.no_vertex(place(missing.polygon), missing.vertex, piece.positions.len(), 0))?;
         soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|vertex| first + vertex)));
         soup.positions.extend(piece.positions);
         soup.end_part(if count == 1 { name.to_owned() } else { format!("{name} {index}") });
+        warnings.add_many(WarningCode::VolumesLeftOut, piece.volumes.kinds.len(), || format!("{of_piece}cells"));
+        warnings.add_many(WarningCode::LinesLeftOut, piece.thin, || format!("{of_piece}cells"));
+        warnings.add_many(WarningCode::Straightened, piece.curved, || format!("{of_piece}cells"));
     }
-    if soup.triangles.is_empty() && has_volumes {
-        return Err(Error::Unsupported {
-            format: "VTK",
-            feature: "a mesh whose cells are no faces (tetrahedra, hexahedra, ...)".to_owned(),
-            remedy: "extract its surface and save that".to_owned(),
-        });
-    }
+    soup.warnings = warnings.into_vec();
     Ok(soup)
 }

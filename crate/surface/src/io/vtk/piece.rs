@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::array::whole;
 use crate::error::Result;
 use crate::io::reader::Reporter;
+use crate::io::scalar::whole;
 use crate::io::triangulate::Polygons;
 
 pub const VTK: Reporter = Reporter("VTK");
@@ -14,6 +14,10 @@ pub const VTK: Reporter = Reporter("VTK");
 pub struct Piece {
     pub positions: Vec<DVec3>,
     pub faces: Polygons,
+    /// How many points and lines were left out.
+    pub thin: usize,
+    /// Of how many faces the corners were taken, because they are curved.
+    pub curved: usize,
     /// The cells that are no faces.
     pub volumes: Volumes,
 }
@@ -86,10 +90,14 @@ impl Piece {
             cell::Corners::Of(corners) => {
                 let missing =
                     || VTK.at(format!("cell {}", self.faces.count()), "it has too few points; save the file again");
+                self.curved += usize::from(corners.len() < points.len());
                 let corners: Option<Vec<f64>> = corners.iter().map(|&corner| points.get(corner).copied()).collect();
                 self.add_face(corners.ok_or_else(missing)?.into_iter())
             }
-            cell::Corners::Thin => Ok(()),
+            cell::Corners::Thin => {
+                self.thin += 1;
+                Ok(())
+            }
             cell::Corners::Volume => {
                 self.volumes.kinds.push(kind);
                 self.volumes.points.extend(points);
@@ -107,7 +115,7 @@ impl Piece {
                     "a point index is negative or not whole; repair the file",
                 )
             })?;
-            self.faces.corner(vertex, self.positions.len())?;
+            self.faces.corner(vertex);
         }
         self.faces.close();
         Ok(())

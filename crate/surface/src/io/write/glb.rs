@@ -26,6 +26,7 @@ const KTX2: &[u8] = b"\xABKTX 20\xBB\r\n\x1A\n";
 /// If there is not one distance for each vertex.
 pub fn distance_glb(soup: &Soup, distance: &[f64]) -> Vec<u8> {
     assert_eq!(soup.positions.len(), distance.len(), "one distance for each vertex");
+    let soup = &*soup.surface_alone();
     let mut file = GlbFile::default();
     let mut attributes = Map::new();
     let mut add = |name: &str, accessor: usize| attributes.insert(name.to_owned(), accessor.into());

@@ -1,22 +1,21 @@
 //! The types of elements.
 
-use crate::io::cells::Shape;
+use crate::io::cells::{Kind, Shape};
 
 /// What is known of a type.
 #[derive(Debug, Clone, Copy)]
 pub struct Element {
-    /// None of points, lines and faces.
-    pub shape: Option<Shape>,
-    pub is_face: bool,
+    pub kind: Kind,
     /// The corners come first.
     pub nodes: usize,
 }
 
 /// By its number (Gmsh reference manual, "MSH file format"; those of higher order in its file `GmshDefines.h`).
 pub fn element(kind: i64) -> Option<Element> {
-    let thin = |nodes| Element { shape: None, is_face: false, nodes };
-    let face = |nodes| Element { shape: None, is_face: true, nodes };
-    let solid = |shape, nodes| Element { shape: Some(shape), is_face: false, nodes };
+    let thin = |nodes| Element { kind: Kind::Thin, nodes };
+    let triangle = |nodes| Element { kind: Kind::Face(3), nodes };
+    let quadrilateral = |nodes| Element { kind: Kind::Face(4), nodes };
+    let solid = |shape, nodes| Element { kind: Kind::Solid(shape), nodes };
     Some(match kind {
         15 => thin(1),
         1 => thin(2),
@@ -24,19 +23,19 @@ pub fn element(kind: i64) -> Option<Element> {
         26 => thin(4),
         27 => thin(5),
         28 => thin(6),
-        2 => face(3),
-        9 => face(6),
-        20 => face(9),
-        21 => face(10),
-        22 => face(12),
-        23 | 24 => face(15),
-        25 => face(21),
-        3 => face(4),
-        10 => face(9),
-        16 => face(8),
-        36 => face(16),
-        37 => face(25),
-        38 => face(36),
+        2 => triangle(3),
+        9 => triangle(6),
+        20 => triangle(9),
+        21 => triangle(10),
+        22 => triangle(12),
+        23 | 24 => triangle(15),
+        25 => triangle(21),
+        3 => quadrilateral(4),
+        10 => quadrilateral(9),
+        16 => quadrilateral(8),
+        36 => quadrilateral(16),
+        37 => quadrilateral(25),
+        38 => quadrilateral(36),
         4 => solid(Shape::Tetrahedron, 4),
         11 => solid(Shape::Tetrahedron, 10),
         29 => solid(Shape::Tetrahedron, 20),

@@ -9,10 +9,9 @@ mod section;
 use self::format::{GMSH, Header, TEXT, unsupported_version};
 use self::nodes::Nodes;
 use self::section::Section;
-use super::cells::{CellCounts, NamedCells};
+use super::cells::{NamedCells, NamedMesh};
 use super::error::Result;
 use super::input::Input;
-use crate::soup::TetSoup;
 
 const HEADER: &[u8] = b"$MeshFormat";
 /// Of version 1.
@@ -23,7 +22,7 @@ pub fn has_header(bytes: &[u8]) -> bool {
     start.starts_with(HEADER) || start.starts_with(OLD_HEADER)
 }
 
-pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
+pub fn read(bytes: &[u8]) -> Result<NamedMesh> {
     let mut input = Input::new(GMSH, bytes, TEXT);
     let mut header = None;
     let (mut nodes, mut cells) = (Nodes::default(), NamedCells::default());
@@ -32,10 +31,12 @@ pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
         match (name, &header) {
             ("MeshFormat", _) => header = Some(Header::read(&mut input)?),
             ("NOD" | "ELM", _) => return Err(unsupported_version(&input, "1")),
-            ("Nodes" | "Elements", None) => {
+            ("Nodes" | "ParametricNodes" | "Elements", None) => {
                 return Err(input.damaged("the section $MeshFormat has to come before this one").into());
             }
-            ("Nodes", Some(header)) => input = Section::new(input, header).nodes(&mut nodes)?,
+            ("Nodes" | "ParametricNodes", Some(header)) => {
+                input = Section::new(input, header).nodes(&mut nodes, name == "ParametricNodes")?;
+            }
             ("Elements", Some(header)) => input = Section::new(input, header).elements(&mut cells)?,
             _ => skip(&mut input, name),
         }
@@ -44,8 +45,7 @@ pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
         return Err(input.damaged("there is no section $MeshFormat").into());
     }
     let (positions, numbers) = nodes.finish()?;
-    let cells = cells.finish(GMSH, |tag| numbers.get(tag))?;
-    Ok(cells.into_soup(positions))
+    Ok(NamedMesh { format: GMSH, positions, numbers, cells })
 }
 
 /// Goes on behind a section; where it does not end, at the end.

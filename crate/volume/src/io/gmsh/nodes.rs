@@ -5,30 +5,13 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::format::GMSH;
+use crate::io::cells::Numbers;
 use crate::io::error::Result;
 
 #[derive(Default)]
 pub struct Nodes {
     positions: Vec<DVec3>,
     numbers: Vec<u64>,
-}
-
-/// The vertex of a number.
-pub enum Numbers {
-    /// They follow each other from this one on.
-    From(u64, u32),
-    Any(HashMap<u64, u32>),
-}
-
-impl Numbers {
-    pub fn get(&self, number: u64) -> Option<u32> {
-        match self {
-            Self::From(first, count) => {
-                number.checked_sub(*first).and_then(|index| u32::try_from(index).ok()).filter(|index| index < count)
-            }
-            Self::Any(vertices) => vertices.get(&number).copied(),
-        }
-    }
 }
 
 impl Nodes {

@@ -3,7 +3,7 @@
 use super::element::element;
 use super::format::{Header, Layout, TEXT};
 use super::nodes::Nodes;
-use crate::io::cells::{NamedCells, Shape};
+use crate::io::cells::NamedCells;
 use crate::io::error::Result;
 use crate::io::input::Input;
 
@@ -64,12 +64,18 @@ impl<'a, 'b> Section<'a, 'b> {
         self.input
     }
 
-    /// Reads the section of nodes. Returns what comes after it.
-    pub fn nodes(mut self, nodes: &mut Nodes) -> Result<Input<'a>> {
+    /// Reads the section of nodes. Returns what comes after it. `is_parametric`: rows of versions 2 go on with the entity that a node
+    /// is on, and its parameters there.
+    pub fn nodes(mut self, nodes: &mut Nodes, is_parametric: bool) -> Result<Input<'a>> {
         if self.header.layout == Layout::Rows {
             for _ in 0..self.row_count("the number of nodes")? {
                 let number = self.node_number()?;
                 nodes.add(number, self.position()?);
+                if is_parametric {
+                    let dimension = self.input.int("the dimension of an entity")?;
+                    self.input.int("an entity")?;
+                    self.parameters(if (1..=2).contains(&dimension) { dimension } else { 0 })?;
+                }
             }
             return Ok(self.rest());
         }
@@ -93,12 +99,14 @@ impl<'a, 'b> Section<'a, 'b> {
                     None => self.node_number()?,
                 };
                 nodes.add(number, self.position()?);
-                for _ in 0..parameters {
-                    self.input.double("a parameter of a node")?;
-                }
+                self.parameters(parameters)?;
             }
         }
         Ok(self.rest())
+    }
+
+    fn parameters(&mut self, count: i64) -> Result<()> {
+        (0..count).try_for_each(|_| self.input.double("a parameter of a node").map(drop))
     }
 
     fn node_number(&mut self) -> Result<u64> {
@@ -163,18 +171,15 @@ impl<'a, 'b> Section<'a, 'b> {
             let feature = format!("an element of type {kind}");
             return Err(self.input.unsupported(feature, "save the tetrahedra alone").into());
         };
-        let corners = element.shape.map_or(0, Shape::corner_count);
+        let corners = element.kind.corner_count();
         for node in 0..element.nodes {
             let what = "a node of an element";
             let number = if self.header.layout == Layout::Blocks { self.size(what)? } else { self.int_size(what)? };
             if node < corners {
-                cells.corner(number as u64);
+                cells.corner(element.kind, number as u64);
             }
         }
-        match element.shape {
-            Some(shape) => cells.end(shape, element.nodes > corners),
-            None => cells.faces += usize::from(element.is_face),
-        }
+        cells.end(element.kind, element.nodes > corners);
         Ok(())
     }
 }
