@@ -3,6 +3,7 @@
 mod answer;
 mod args;
 mod commands;
+mod complaint;
 mod distance;
 mod fill;
 mod ground;
@@ -28,6 +29,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use crate::args::Arguments;
+use crate::complaint::complain;
 
 /// Bad input and bad usage alike: the caller has to change something.
 const FAILURE: u8 = 2;
@@ -59,10 +61,7 @@ fn print(text: &str) -> io::Result<()> {
     stdout.flush()
 }
 
-/// One line on standard error, whatever file names the message quotes.
 fn fail(message: &str) -> ExitCode {
-    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    // If standard error is gone too, the exit code has to say it alone.
-    let _ = writeln!(io::stderr(), "heatwalk: {}", line.trim());
+    complain(message);
     ExitCode::from(FAILURE)
 }

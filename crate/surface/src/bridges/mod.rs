@@ -129,6 +129,11 @@ impl Bridges {
         cracks.flat_map(|contact| &self.portals[contact.first as usize..][..contact.count as usize])
     }
 
+    /// The widest gap between the boundaries on both sides of them, in the file's unit; 0 without any.
+    pub fn crack_width(&self) -> f64 {
+        self.across_cracks().map(|portal| portal.gap).fold(0.0, f64::max)
+    }
+
     /// The group of a component: components of one group are reached from each other.
     pub fn group(&self, component: u32) -> u32 {
         self.groups.get(component as usize).copied().unwrap_or(component)

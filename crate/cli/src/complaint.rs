@@ -1,0 +1,10 @@
+//! Standard error.
+
+use std::io::{self, Write};
+
+/// One line on standard error, whatever file names the message quotes.
+pub fn complain(message: &str) {
+    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    // If standard error is gone too, the exit code has to say it alone.
+    let _ = writeln!(io::stderr(), "heatwalk: {}", line.trim());
+}
