@@ -26,7 +26,7 @@ pub enum Budget {
 impl Budget {
     /// For the search through so many triangles.
     pub fn new(triangles: usize) -> Self {
-        Self::Whole(AtomicUsize::new(STEPS + STEPS_OF_TRIANGLE * triangles))
+        Self::Whole(AtomicUsize::new(STEPS_OF_TRIANGLE.saturating_mul(triangles).saturating_add(STEPS)))
     }
 
     /// What a search through so many triangles finds, and whether it finds all: where that would be too much, it is done again

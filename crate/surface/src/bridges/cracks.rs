@@ -155,7 +155,7 @@ fn for_pairs<'a>(rims: &[&'a Rim], reach: impl Fn(&Rim) -> f64, found: &mut impl
     for node in (0..inner).rev() {
         boxes[node] = boxes[2 * node + 1].around(boxes[2 * node + 2]);
     }
-    let mut left = PAIRS + PAIRS_OF_EDGE * rims.len();
+    let mut left = PAIRS_OF_EDGE.saturating_mul(rims.len()).saturating_add(PAIRS);
     let mut waiting = Vec::new();
     for &rim in rims {
         let own = Bounds::of_points(rim.ends);

@@ -45,7 +45,11 @@ impl Bridges {
     /// bounding box. What rounding of the positions may have moved apart touches.
     ///
     /// Where boundary edges of one component run along each other, no farther apart than that and than 5 % of the longer one,
-    /// portals lead across, too: such are cracks with vertices of one side inside edges of the other.
+    /// portals lead across, too: such are cracks with vertices of one side inside edges of the other. Boundaries with the surface
+    /// between them, as the lips of a groove, are none.
+    ///
+    /// Where parts meet far more often than those of an assembly do, not all contacts are looked at
+    /// ([`is_complete`](Self::is_complete)): time and memory are in proportion to the faces.
     #[must_use]
     pub fn find(surface: &Surface, rule: BridgeRule) -> Self {
         Self::find_on_threads(surface, rule, parallel::ONE)
