@@ -131,6 +131,12 @@ export interface Factoring {
   groups: number;
   /** Pairs of components that meet. */
   contacts: number;
+  /** Whether all contacts were looked at, or there are too many. */
+  contactsComplete: boolean;
+  /** Places where paths cross cracks within components. */
+  crackPortals: number;
+  /** The widest of these cracks, in the unit of the file. */
+  crackGap: number;
   /** Links between groups that would stay apart. */
   links: number;
   /** The widest gap that is linked, in the unit of the file; 0 without links. */

@@ -48,7 +48,16 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     quick: false,
   };
   const timings = { readMs: 0, buildMs: 0, drawMs: 0, joinMs: 0, precomputeMs: 0 };
-  const factoring = { timings, groups: 0, contacts: 0, links: 0, linkedGap: 0, factorNonzeros: 0, memoryBytes: 0 };
+  const joined = {
+    groups: 0,
+    contacts: 0,
+    contactsComplete: true,
+    crackPortals: 0,
+    crackGap: 0,
+    links: 0,
+    linkedGap: 0,
+  };
+  const factoring = { timings, ...joined, factorNonzeros: 0, memoryBytes: 0 };
   return {
     question,
     posed: null,

@@ -117,7 +117,20 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: 
     done.length > 0 && !proxy
       ? t`${name}: ${done.join(', ')}; ${shape}.`
       : t`${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
-  return proxy ? `${told} ${proxy}` : told;
+  return [told, joinedSentence(factoring), proxy].filter(Boolean).join(' ');
+}
+
+/** What may be joined otherwise than the surface is meant; null where nothing is. */
+function joinedSentence({ crackPortals, crackGap, contactsComplete }: Factoring): string | null {
+  const told: string[] = [];
+  if (crackPortals > 0) {
+    const places = counted(crackPortals, 'place', 'places');
+    told.push(t`Paths cross gaps between boundaries, up to ${length(crackGap)} units wide, at ${places}.`);
+  }
+  if (!contactsComplete) {
+    told.push(t('Parts meet in more places than are looked at; those that meet elsewhere alone are not joined.'));
+  }
+  return told.length > 0 ? told.join(' ') : null;
 }
 
 /** That a simplified model is seen, of what, and how far it is off; null for a mesh as it is in its file. */

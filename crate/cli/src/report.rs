@@ -48,6 +48,9 @@ impl Report {
     pub fn push_bridges(&mut self, bridges: &Bridges, contacts: usize, links: &[Link]) {
         self.push("groups", bridges.group_count());
         self.push("contacts", contacts);
+        self.push("contacts_complete", bridges.is_complete());
+        self.push("crack_portals", bridges.across_cracks().count());
+        self.push("crack_gap", bridges.crack_width());
         let link = |link: &Link| json!({ "components": link.components, "gap": link.gap });
         self.push("links", links.iter().map(link).collect::<Vec<_>>());
     }

@@ -12,6 +12,7 @@ use heatwalk::{
 };
 
 use crate::args::Bridging;
+use crate::complaint::complain;
 use crate::input::Input;
 use crate::report::milliseconds;
 
@@ -42,7 +43,19 @@ pub fn join(surface: &Surface, bridging: &Bridging, threads: NonZeroUsize) -> Jo
         links.truncate(bridging.links);
         bridges = bridges.linked(surface, &links);
     }
+    for warning in warnings(&bridges) {
+        complain(&format!("warning: {warning}"));
+    }
     Joined { bridges, contacts, links, join_ms: milliseconds(start) }
+}
+
+/// What may be otherwise than the surface is meant.
+fn warnings(bridges: &Bridges) -> Vec<String> {
+    let (places, gap) = (bridges.across_cracks().count(), bridges.crack_width());
+    let across = format!("paths cross gaps between boundaries, up to {gap} wide, at {places} places; --bridge off keeps both sides apart");
+    let some = "parts meet in more places than are looked at; those that meet elsewhere alone are of different groups";
+    let told = [(places > 0).then_some(across), (!bridges.is_complete()).then(|| some.to_owned())];
+    told.into_iter().flatten().collect()
 }
 
 /// A surface's solver, ready to be asked, and what that took in milliseconds.

@@ -184,3 +184,22 @@ fn neither_the_unit_nor_the_origin_matters() {
         assert_eq!((report.crack_vertices, report.boundary_loops), (25, 2), "{scale} {offset}");
     }
 }
+
+/// So many triangles in a row, each a little farther from the last one than that was from the one before.
+fn row(count: u32) -> Soup {
+    let mut start = 0.0;
+    let corners = (0..count).flat_map(|number| {
+        let corners = [dvec3(start, 0.0, 0.0), dvec3(start + 1.0, 0.5, 0.0), dvec3(start + 0.5, 1.0, 0.0)];
+        start += 1.0 + 1e-3 * (1.0 + f64::from(number) / f64::from(count));
+        corners
+    });
+    let positions = corners.collect();
+    soup(positions, (0..count).map(|number| [0, 1, 2].map(|k| 3 * number + k)).collect())
+}
+
+#[test]
+fn a_long_row_of_triangles_takes_no_longer_than_any_other_surface() {
+    // As many rounds of a tree of them all would be a matter of hours.
+    let report = built(&row(50_000), WeldRule::Automatic).report().clone();
+    assert_eq!((report.components, report.crack_vertices), (50_000, 0));
+}

@@ -1,6 +1,8 @@
 //! Fans of one surface that touch in a vertex without an edge or a vertex of the file in common. Distance must not take
 //! a short cut there, so they are parted; but where the touch is all that holds two components together, it is kept.
 
+use std::collections::HashSet;
+
 use glam::DVec3;
 
 use crate::csr::NONE;
@@ -28,8 +30,8 @@ enum Common {
 struct Scratch {
     /// What corners have in common, each with the place of a corner that has it.
     keys: Vec<(Common, usize)>,
-    /// The first corner of each corner's fan.
-    fan: Vec<usize>,
+    /// The fan of each corner, named by its first corner, and its place.
+    fans: Vec<(u32, usize)>,
 }
 
 impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
@@ -57,11 +59,10 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
         let components = self.components(faces.len());
         let before = positions.len();
         for fans in touching {
-            let mut here = Vec::new();
+            let mut here = HashSet::new();
             for fan in fans {
                 let component = components.least(fan[0].triangle().0);
-                if !here.contains(&component) {
-                    here.push(component);
+                if here.insert(component) {
                     continue;
                 }
                 positions.push(positions[faces[fan[0].triangle().index()][fan[0].corner()].index()]);
@@ -83,7 +84,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
         faces: &[[VertexId; 3]],
         scratch: &mut Scratch,
     ) -> Option<Vec<Vec<HalfedgeId>>> {
-        let Scratch { keys, fan } = scratch;
+        let Scratch { keys, fans } = scratch;
         keys.clear();
         for (index, &corner) in corners.iter().enumerate() {
             let (face, k) = (faces[corner.triangle().index()], corner.corner());
@@ -91,25 +92,18 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
             keys.extend(neighbours.into_iter().chain([Common::Input((self.input)(corner))]).map(|key| (key, index)));
         }
         keys.sort_unstable();
-        fan.clear();
-        fan.extend(0..corners.len());
+        let sets = UnionFind::new(corners.len());
         for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            let [a, b] = [pair[0].1, pair[1].1].map(|index| fan[index]);
-            if a != b {
-                for number in fan.iter_mut().filter(|number| **number == a.max(b)) {
-                    *number = a.min(b);
-                }
-            }
+            sets.join(pair[0].1 as u32, pair[1].1 as u32);
         }
-        if fan.iter().all(|&number| number == 0) {
+        fans.clear();
+        fans.extend((0..corners.len()).map(|index| (sets.least(index as u32), index)));
+        if fans.iter().all(|&(first, _)| first == 0) {
             return None;
         }
-        let mut fans: Vec<Vec<HalfedgeId>> = Vec::new();
-        for first in (0..corners.len()).filter(|&index| fan[index] == index) {
-            let of_fan = corners.iter().zip(&*fan).filter(|&(_, &number)| number == first);
-            fans.push(of_fan.map(|(&corner, _)| corner).collect());
-        }
-        Some(fans)
+        fans.sort_unstable();
+        let of_fan = |fan: &[(u32, usize)]| fan.iter().map(|&(_, index)| corners[index]).collect();
+        Some(fans.chunk_by(|a, b| a.0 == b.0).map(of_fan).collect())
     }
 
     /// Faces that edges or vertices of the file hold together.

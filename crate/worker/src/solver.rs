@@ -213,6 +213,21 @@ impl Solver {
         self.joined.contact_count() as u32
     }
 
+    /// Whether all contacts were looked at, or there are too many.
+    pub fn contacts_complete(&self) -> bool {
+        self.joined.bridges().is_complete()
+    }
+
+    /// Portals across cracks within components.
+    pub fn crack_portals(&self) -> u32 {
+        self.joined.bridges().across_cracks().count() as u32
+    }
+
+    /// The widest gap that these lead across, in the unit of the file.
+    pub fn crack_gap(&self) -> f64 {
+        self.joined.bridges().crack_width()
+    }
+
     /// Links between groups.
     pub fn links(&self) -> u32 {
         self.joined.linked().len() as u32

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::Portal;
 use super::bounds::Bounds;
-use super::scene::Scene;
+use super::scene::{Scene, cuts};
 use super::triangles::{nearest_on_segment, on_side};
 use crate::element::{FaceId, HalfedgeId};
 use crate::order::along_curve;
@@ -25,8 +25,25 @@ const ALONG: f64 = 0.866;
 /// crack.
 const LAYERED: f64 = 0.866;
 
+/// Edges that are apart by this share of the altitudes of their triangles have no surface between them, unless it is folded by
+/// less than 6°: these are layers.
+const TIGHT: f64 = 0.05;
+
+/// Triangles on both sides of a crack that is not as tight point away from each other, with this cosine between them at most
+/// (120°). Those on the walls of a groove do not.
+const OPPOSED: f64 = -0.5;
+
+/// In the plane of each triangle, the other edge is before or behind its own by this share of its altitude at most. Across a
+/// strip, it is behind by all of it or more.
+const OF_ALTITUDE: f64 = 0.5;
+
 /// Edges that run along each other over less than this share of the shorter one only meet at their ends.
 const MEETING: f64 = 1e-3;
+
+/// Pairs of edges that are looked at, of a boundary of so many edges: so many, and so many an edge. Where a crack is, each edge
+/// has a few beside it.
+const PAIRS: usize = 1 << 20;
+const PAIRS_OF_EDGE: usize = 64;
 
 /// Portals along a crack are this share of the usual spacing apart, since all that crosses has to pass through one.
 const OF_SPACING: f64 = 0.5;
@@ -44,6 +61,8 @@ struct Rim {
     length: f64,
     /// Unit vector at right angles to it, to where its triangle lies.
     side: DVec3,
+    /// How far the triangle reaches there.
+    altitude: f64,
 }
 
 impl Rim {
@@ -52,14 +71,28 @@ impl Rim {
         let corners = scene.triangle(face.0);
         let ends = [corners[k], corners[(k + 1) % 3]];
         let along = unit(ends[1] - ends[0]);
+        let side = scene.normal(face.0).cross(along);
         Self {
             halfedge,
             component: scene.surface.component(scene.surface.faces()[face][0]),
             ends,
             along,
             length: ends[0].distance(ends[1]),
-            side: scene.normal(face.0).cross(along),
+            side,
+            altitude: side.dot(corners[(k + 2) % 3] - ends[0]),
         }
+    }
+
+    /// How far from it another edge along it may be.
+    fn reach(&self, most: f64) -> f64 {
+        most.min(OF_EDGE * self.length)
+    }
+
+    /// Whether another edge beside it, `gap` away from its own, lies on the other side of a crack.
+    fn faces(&self, other: &Self, gap: DVec3) -> bool {
+        let is_near = |rim: &Self| rim.side.dot(gap).abs() <= OF_ALTITUDE * rim.altitude;
+        let is_tight = gap.length() <= TIGHT * self.altitude.min(other.altitude);
+        is_tight || (self.side.dot(other.side) <= OPPOSED && is_near(self) && is_near(other))
     }
 
     fn at(&self, share: f64) -> DVec3 {
@@ -72,21 +105,22 @@ impl Rim {
     }
 }
 
-/// The portals across the cracks within each component that has some. `most`: how wide cracks may be, as a share of the diagonal
-/// of the scene.
-pub fn across_cracks(scene: &Scene, most: f64) -> Vec<([u32; 2], Vec<Portal>)> {
+/// The portals across the cracks within each component that has some; and whether these are all, or there is too much to look at.
+/// `most`: how wide cracks may be, as a share of the diagonal of the scene.
+pub fn across_cracks(scene: &Scene, most: f64) -> (Vec<([u32; 2], Vec<Portal>)>, bool) {
     let surface = scene.surface;
     let halfedges = (0..3 * surface.face_count() as u32).map(HalfedgeId);
     let boundary = halfedges.filter(|&halfedge| surface.edges().is_single(halfedge));
     let rims: Vec<Rim> = boundary.map(|halfedge| Rim::new(scene, halfedge)).collect();
     if rims.is_empty() {
-        return Vec::new();
+        return (Vec::new(), true);
     }
     let middle = |index: usize| rims[index].at(0.5);
     let order = along_curve(rims.len(), middle, parallel::ONE);
     let rims: Vec<&Rim> = order.into_iter().map(|index| &rims[index as usize]).collect();
     let mut found: Vec<([u32; 2], HalfedgeId, Portal)> = Vec::new();
-    for_pairs(&rims, most, &mut |first, second| {
+    let reach = |rim: &Rim| rim.reach(most) + scene.rounding;
+    let are_all = for_pairs(&rims, reach, &mut |first, second| {
         // The one that comes first in the surface, so that the order of the search makes no difference.
         let [first, second] = if first.halfedge < second.halfedge { [first, second] } else { [second, first] };
         let components = [first.component; 2];
@@ -101,7 +135,7 @@ pub fn across_cracks(scene: &Scene, most: f64) -> Vec<([u32; 2], Vec<Portal>)> {
         !is_at_vertex || known.insert([a.min(b), a.max(b)])
     });
     let contacts = found.chunk_by(|a, b| a.0 == b.0);
-    contacts.map(|own| (own[0].0, own.iter().map(|&(.., portal)| portal).collect())).collect()
+    (contacts.map(|own| (own[0].0, own.iter().map(|&(.., portal)| portal).collect())).collect(), are_all)
 }
 
 /// What tells the vertex, the edge or the face of a place from others.
@@ -113,41 +147,48 @@ fn number(place: Place) -> (u8, u32) {
     }
 }
 
-/// Shows all pairs of edges whose boxes are no farther apart than this.
-fn for_pairs<'a>(rims: &[&'a Rim], within: f64, found: &mut impl FnMut(&'a Rim, &'a Rim)) {
+/// Shows each edge with those beside it that are no longer, as far as it reaches. Returns whether these were all, or too many.
+fn for_pairs<'a>(rims: &[&'a Rim], reach: impl Fn(&Rim) -> f64, found: &mut impl FnMut(&'a Rim, &'a Rim)) -> bool {
     let inner = rims.len().div_ceil(LEAF) - 1;
     let mut boxes = vec![Bounds::EMPTY; inner];
     boxes.extend(rims.chunks(LEAF).map(|leaf| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends))));
     for node in (0..inner).rev() {
         boxes[node] = boxes[2 * node + 1].around(boxes[2 * node + 2]);
     }
+    let mut left = PAIRS_OF_EDGE.saturating_mul(rims.len()).saturating_add(PAIRS);
     let mut waiting = Vec::new();
-    for (number, rim) in rims.iter().enumerate() {
+    for &rim in rims {
         let own = Bounds::of_points(rim.ends);
+        let squared = reach(rim).powi(2);
         waiting.push(0);
         while let Some(node) = waiting.pop() {
-            if boxes[node].squared_distance(own) > within * within {
+            if boxes[node].squared_distance(own) > squared {
                 continue;
             }
             if node < inner {
                 waiting.extend([2 * node + 1, 2 * node + 2]);
                 continue;
             }
+            if left == 0 {
+                return false;
+            }
+            left -= 1;
             let first = LEAF * (node - inner);
-            let last = rims.len().min(first + LEAF);
-            for other in first.max(number + 1)..last {
-                if rims[other].component == rim.component {
-                    found(rim, rims[other]);
+            for &other in &rims[first..rims.len().min(first + LEAF)] {
+                let is_no_longer = (other.length, other.halfedge) < (rim.length, rim.halfedge);
+                if is_no_longer && other.component == rim.component {
+                    found(rim, other);
                 }
             }
         }
     }
+    true
 }
 
 /// The portals between two edges, where these run along each other.
 fn portals_between(scene: &Scene, [first, second]: [&Rim; 2], most: f64, found: &mut impl FnMut(Portal)) {
-    let (shorter, longer) = (first.length.min(second.length), first.length.max(second.length));
-    let within = most.min(OF_EDGE * longer) + scene.rounding;
+    let shorter = first.length.min(second.length);
+    let within = first.reach(most).max(second.reach(most)) + scene.rounding;
     if first.along.dot(second.along).abs() < ALONG || first.side.dot(second.side) > LAYERED {
         return;
     }
@@ -158,14 +199,22 @@ fn portals_between(scene: &Scene, [first, second]: [&Rim; 2], most: f64, found: 
         return;
     }
     let spacing = OF_SPACING * scene.spacing([first.component; 2]);
-    let cuts = (length / spacing).ceil().max(1.0) as u32;
+    // Where both ends of what runs along each other are near, all between is.
+    let apart = |share: f64| {
+        let point = first.at(share);
+        second.at(nearest_on_segment(point, second.ends)) - point
+    };
+    let gaps = [apart(enters), apart(leaves)];
+    let is_crack =
+        |gap: &DVec3| gap.length() <= within && (gap.length() <= scene.rounding || first.faces(second, *gap));
+    if !gaps.iter().all(is_crack) {
+        return;
+    }
+    let cuts = cuts(length, spacing);
     for cut in 0..=cuts {
         let share = if cut == cuts { leaves } else { enters + (leaves - enters) * f64::from(cut) / f64::from(cuts) };
         let point = first.at(share);
         let other = nearest_on_segment(point, second.ends);
-        if point.distance(second.at(other)) > within {
-            continue;
-        }
         let ends = [first.place(scene, share), second.place(scene, other)];
         if ends[0] != ends[1] {
             let [start, end] = ends.map(|place| scene.point(place));

@@ -45,7 +45,11 @@ impl Bridges {
     /// bounding box. What rounding of the positions may have moved apart touches.
     ///
     /// Where boundary edges of one component run along each other, no farther apart than that and than 5 % of the longer one,
-    /// portals lead across, too: such are cracks with vertices of one side inside edges of the other.
+    /// portals lead across, too: such are cracks with vertices of one side inside edges of the other. Boundaries with the surface
+    /// between them, as the lips of a groove, are none.
+    ///
+    /// Where parts meet far more often than those of an assembly do, not all contacts are looked at
+    /// ([`is_complete`](Self::is_complete)): time and memory are in proportion to the faces.
     #[must_use]
     pub fn find(surface: &Surface, rule: BridgeRule) -> Self {
         Self::find_on_threads(surface, rule, parallel::ONE)
@@ -66,41 +70,52 @@ impl Bridges {
             BridgeRule::Within(distance) => scene.in_scene_unit(distance.max(0.0)).min(WIDEST),
             _ => OF_SCENE[0],
         };
-        let mut found = across_cracks(&scene, most);
+        let (mut found, mut is_complete) = across_cracks(&scene, most);
         if report.components > 1 {
-            found.extend(contacts(&scene, &between_components(&scene, rule, most)));
+            let (candidates, are_all) = between_components(&scene, rule, most);
+            found.extend(contacts(&scene, &candidates));
             found.sort_by_key(|&(components, _)| components);
+            is_complete &= are_all;
         }
-        Self::new(surface, found)
+        Self { is_complete, ..Self::new(surface, found) }
     }
 }
 
-/// Where components meet. `most`: how far apart they may be where a distance is given, as a share of the diagonal of the scene.
-fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> Vec<Candidate> {
+/// Where components meet; and whether that is all. `most`: how far apart they may be where a distance is given, as a share of the
+/// diagonal of the scene.
+fn between_components(scene: &Scene, rule: BridgeRule, most: f64) -> (Vec<Candidate>, bool) {
     let hierarchy = Hierarchy::new(scene);
     let alone = (0..scene.bounds.len() as u32).collect();
     match rule {
         BridgeRule::Within(_) => {
             let mut within = tolerance(scene, alone, f64::INFINITY, most);
+            let mut is_complete = true;
             if most > SLACK {
                 // Each component is a set of its own.
-                let least = distances(scene, &hierarchy, &within);
+                let least;
+                (least, is_complete) = distances(scene, &hierarchy, &within);
                 let slack = SLACK + scene.rounding;
                 within.pairs = least.into_iter().map(|(pair, least)| (pair, least + slack)).collect();
             }
             // Where no component is near another, there is nothing to look for.
-            if most > SLACK && within.pairs.is_empty() { Vec::new() } else { search(scene, &hierarchy, &within) }
+            if most > SLACK && within.pairs.is_empty() {
+                return (Vec::new(), is_complete);
+            }
+            let (candidates, are_all) = search(scene, &hierarchy, &within);
+            (candidates, is_complete && are_all)
         }
         _ => {
             let [near, farther] = OF_SCENE;
             let first = tolerance(scene, alone, OF_SMALLER, near);
-            let mut candidates = search(scene, &hierarchy, &first);
+            let (mut candidates, mut is_complete) = search(scene, &hierarchy, &first);
             let groups = groups(first.set, &candidates);
             if groups.iter().any(|&group| group != 0) {
                 let second = tolerance(scene, groups, OF_SMALLER, farther);
-                candidates.extend(search(scene, &hierarchy, &second));
+                let (more, are_all) = search(scene, &hierarchy, &second);
+                candidates.extend(more);
+                is_complete &= are_all;
             }
-            candidates
+            (candidates, is_complete)
         }
     }
 }

@@ -81,7 +81,7 @@ impl Bridges {
             }
         }
         // The search looks for the nearest places no further than they matter; the tree knows them.
-        places.extend(search(&scene, &hierarchy, &near));
+        places.extend(search(&scene, &hierarchy, &near).0);
         for contact in contacts(&scene, &places) {
             links[number[&pair(contact.0)]].contacts.push(contact);
         }
@@ -95,7 +95,8 @@ impl Bridges {
     pub fn linked(&self, surface: &Surface, links: &[Link]) -> Self {
         let portals = |first: u32, count: u32| self.portals[first as usize..][..count as usize].to_vec();
         let own = self.contacts.iter().map(|contact| (contact.components, portals(contact.first, contact.count)));
-        Self::new(surface, own.chain(links.iter().flat_map(|link| link.contacts.iter().cloned())).collect())
+        let contacts = own.chain(links.iter().flat_map(|link| link.contacts.iter().cloned())).collect();
+        Self { is_complete: self.is_complete, ..Self::new(surface, contacts) }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod bounds;
 mod boxes;
+mod budget;
 mod cells;
 mod cracks;
 mod distances;
@@ -51,13 +52,21 @@ pub struct Contact {
 }
 
 /// What joins the components of a surface.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Bridges {
     /// Contact after contact.
     portals: Vec<Portal>,
     contacts: Vec<Contact>,
     /// `#components`, the number of the group of each, from 0; empty for no surface in particular.
     groups: Vec<u32>,
+    is_complete: bool,
+}
+
+/// Of no surface in particular.
+impl Default for Bridges {
+    fn default() -> Self {
+        Self { portals: Vec::new(), contacts: Vec::new(), groups: Vec::new(), is_complete: true }
+    }
 }
 
 impl Bridges {
@@ -106,6 +115,23 @@ impl Bridges {
     /// Pairs of components that meet, and components with cracks within.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// Whether all contacts were looked at. Where parts meet far more often than those of an assembly do, some are not, and
+    /// components that are joined by these alone are of different groups.
+    pub fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// The portals across cracks within components.
+    pub fn across_cracks(&self) -> impl Iterator<Item = &Portal> {
+        let cracks = self.contacts.iter().filter(|contact| contact.components[0] == contact.components[1]);
+        cracks.flat_map(|contact| &self.portals[contact.first as usize..][..contact.count as usize])
+    }
+
+    /// The widest gap between the boundaries on both sides of them, in the file's unit; 0 without any.
+    pub fn crack_width(&self) -> f64 {
+        self.across_cracks().map(|portal| portal.gap).fold(0.0, f64::max)
     }
 
     /// The group of a component: components of one group are reached from each other.

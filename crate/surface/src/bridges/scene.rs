@@ -19,8 +19,17 @@ const ROUNDINGS: f64 = 64.0;
 /// Portals of a contact are no farther apart than this share of the diagonal of the scene, even on a coarse mesh.
 const MOST_SPACING: f64 = 0.0075;
 
+/// Parts that a line along which there are portals is cut into at most: several times as many as of the widest spacing make the
+/// diagonal.
+const MOST_CUTS: f64 = 1024.0;
+
 /// Cosine of the angle between faces from which on the surface bends at a side: 30°.
 const BENT: f64 = 0.866;
+
+/// The number of parts that a line is cut into, no longer than the spacing but where that is no length to speak of.
+pub fn cuts(length: f64, spacing: f64) -> u32 {
+    (length / spacing).ceil().clamp(1.0, MOST_CUTS) as u32
+}
 
 /// Lengths here are shares of the diagonal of the surface's bounding box, places are relative to its centre.
 pub struct Scene<'a> {
@@ -61,6 +70,7 @@ impl<'a> Scene<'a> {
         let component = |face: usize| Some(surface.component(surface.faces().as_slice()[face][0]) as usize);
         let face_count = surface.face_count();
         let (first_face, faces) = distribute(components, face_count, parallel::ONE, component, |face| face as u32);
+        let rounding = ROUNDINGS * f64::EPSILON * farthest.max(1.0);
         let mut scene = Self {
             surface,
             threads,
@@ -68,8 +78,8 @@ impl<'a> Scene<'a> {
             normals: Vec::new(),
             longest: vec![0.0; face_count],
             half_diagonal,
-            rounding: ROUNDINGS * f64::EPSILON * farthest.max(1.0),
-            least_spacing: 0.0,
+            rounding,
+            least_spacing: rounding,
             bounds: Vec::with_capacity(components),
             mean_sides: Vec::with_capacity(components),
             first_face,

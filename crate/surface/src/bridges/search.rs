@@ -7,9 +7,10 @@
 //! Of the triangles that share a corner or a side, the largest one alone tells of it. What meets another of them meets that one,
 //! too, and it is small only where they all are.
 
+use super::budget::{Budget, STEPS_OF_PLACE};
 use super::cells::{cell_of, list_of};
 use super::hierarchy::{Hierarchy, Item, LEAF};
-use super::scene::Scene;
+use super::scene::{Scene, cuts};
 use super::tolerance::Tolerance;
 use super::triangles::{self, Features, Pair, Separation, Weights};
 use super::visit::{Visitor, visit};
@@ -59,28 +60,41 @@ impl Candidate {
     }
 }
 
-/// All places where components are no farther apart than they may be. Of those that pierce each other, that they do.
-pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> Vec<Candidate> {
+/// All places where components are no farther apart than they may be, of those that pierce each other, that they do; and whether
+/// these are all. Where they are too many, each triangle tells of one place of each component, as long as it is not too much.
+pub fn search(scene: &Scene, hierarchy: &Hierarchy, tolerance: &Tolerance) -> (Vec<Candidate>, bool) {
+    Budget::spend(scene.surface.face_count(), |budget| search_within(scene, hierarchy, tolerance, budget))
+}
+
+fn search_within(
+    scene: &Scene,
+    hierarchy: &Hierarchy,
+    tolerance: &Tolerance,
+    budget: &Budget,
+) -> (Vec<Candidate>, bool) {
     // Parts are dealt out in turn: where components meet, there is more to do.
     let busy = parallel::ranges(scene.surface.face_count(), scene.threads).len();
     let blocks = if busy > 1 { BLOCKS_OF_PART } else { usize::MAX };
     let sets = hierarchy.common(|component| tolerance.set[component as usize]);
     let dealt = parallel::map(0..busy, |first| {
         let parts = hierarchy.parts(blocks).skip(first).step_by(busy);
-        let mut search = Search::new(scene, tolerance);
+        let mut search = Search::new(scene, tolerance, matches!(budget, Budget::Each));
+        let mut are_all = true;
         let found = parts.map(|blocks| {
-            visit(hierarchy, &sets, blocks, tolerance, &mut search);
+            are_all &= visit(hierarchy, &sets, blocks, tolerance, budget, &mut search);
             std::mem::take(&mut search.found)
         });
-        found.collect::<Vec<_>>()
+        (found.collect::<Vec<_>>(), are_all)
     });
-    let mut dealt: Vec<_> = dealt.into_iter().map(Vec::into_iter).collect();
+    let are_all = dealt.iter().all(|&(_, are_all)| are_all);
+    let dealt = dealt.into_iter().map(|(parts, _)| parts);
+    let mut dealt: Vec<_> = dealt.map(Vec::into_iter).collect();
     let mut found = Vec::new();
     // The first thread has as many parts as any.
     for _ in 0..dealt[0].len() {
         dealt.iter_mut().for_each(|parts| found.extend(parts.next().into_iter().flatten()));
     }
-    found
+    (found, are_all)
 }
 
 /// No slot.
@@ -118,6 +132,8 @@ impl Nearest {
 struct Search<'a> {
     scene: &'a Scene<'a>,
     tolerance: &'a Tolerance,
+    /// Whether one place tells where any triangle is, as if all were small.
+    are_small: bool,
     /// `#components`, the number of each among those that are reached, or [`NONE`].
     slots: Vec<u32>,
     /// The components that any triangle of the group has met.
@@ -125,6 +141,8 @@ struct Search<'a> {
     /// Places that triangles of the group know.
     places: Vec<Candidate>,
     found: Vec<Candidate>,
+    /// What was looked at and kept so far, in steps of a budget.
+    steps: usize,
     /// Where a place of large triangles of the group was found, and its number, in lists by [`list_of`].
     cells: [Vec<(Cell, usize)>; LISTS],
     /// `#F`, what [`Scene::features`] says of a face once it was asked.
@@ -133,6 +151,10 @@ struct Search<'a> {
 
 /// Lists of cells; a power of two.
 const LISTS: usize = 64;
+
+/// Cells of a list that are compared with a new one, the last first: with those of the same two triangles, and not with all where
+/// a triangle meets a thousand others.
+const COMPARED: usize = 64;
 
 /// Places that do the same for distance: of one other component, near each other, on the same sides of both surfaces.
 #[derive(Clone, Copy, PartialEq)]
@@ -163,6 +185,11 @@ impl Visitor for Search<'_> {
     }
 
     #[inline]
+    fn steps(&self) -> usize {
+        self.steps
+    }
+
+    #[inline]
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64) {
         let item = &group[own];
         if let Some(bound) = self.bound_of(group, own, other.component)
@@ -178,21 +205,22 @@ impl Visitor for Search<'_> {
 impl<'a> Search<'a> {
     /// Looks at a triangle of a group and a larger one, whose places must be so near to be of use.
     fn look(&mut self, group: &[Item], own: usize, other: &Item, bound: f64, separation: Separation) {
+        self.steps += 1;
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
         let normals = [items[0].normal, items[1].normal];
         let Separation { least, is_by_plane } = separation;
         let components = [items[0].component, items[1].component];
         let spacing = self.scene.spacing(components);
-        let is_small = items[0].longest <= SMALL * spacing;
+        let is_small = self.are_small || items[0].longest <= SMALL * spacing;
         let crossing = if is_by_plane { None } else { triangles::crossing(&pair) };
         if let Some(ends) = &crossing {
             let length = triangles::point(&pair[0], ends[0][0]).distance(triangles::point(&pair[0], ends[1][0]));
-            if length > SHORT * spacing {
-                let cuts = (length / spacing * DENSITY).ceil() as u32;
+            if length > SHORT * spacing && !self.are_small {
+                let cuts = cuts(length * DENSITY, spacing);
                 for cut in 0..=cuts {
                     let weights = triangles::between(ends, f64::from(cut) / f64::from(cuts));
-                    self.found.push(Candidate::new(items, weights, 0.0));
+                    self.tell(Candidate::new(items, weights, 0.0));
                 }
                 if is_small {
                     self.settle(group, own, other.component, None);
@@ -200,7 +228,7 @@ impl<'a> Search<'a> {
             } else if is_small {
                 self.settle(group, own, other.component, Some(Candidate::new(items, ends[0], 0.0)));
             } else {
-                self.found.push(Candidate::new(items, ends[0], 0.0));
+                self.tell(Candidate::new(items, ends[0], 0.0));
             }
         }
         if !is_small {
@@ -230,14 +258,16 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn new(scene: &'a Scene<'a>, tolerance: &'a Tolerance) -> Self {
+    fn new(scene: &'a Scene<'a>, tolerance: &'a Tolerance, are_small: bool) -> Self {
         Self {
             scene,
             tolerance,
+            are_small,
             slots: vec![NONE; scene.bounds.len()],
             reached: Vec::new(),
             places: Vec::new(),
             found: Vec::new(),
+            steps: 0,
             cells: std::array::from_fn(|_| Vec::new()),
             features: vec![None; scene.surface.face_count()],
         }
@@ -272,6 +302,7 @@ impl<'a> Search<'a> {
         let number = &mut nearest.places[own];
         if *number == NONE {
             *number = next;
+            self.steps += STEPS_OF_PLACE;
             self.places.push(place);
         } else {
             let number = *number as usize;
@@ -288,15 +319,22 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Tells of a place.
+    fn tell(&mut self, place: Candidate) {
+        self.steps += STEPS_OF_PLACE;
+        self.found.push(place);
+    }
+
     /// Keeps a place of large triangles, unless one of the same cell is as near.
     fn keep(&mut self, cell: Cell, place: Candidate) {
+        self.steps += 1;
         let cells = &mut self.cells[list_of(cell.place, LISTS)];
-        match cells.iter().find(|(other, _)| *other == cell) {
+        match cells.iter().rev().take(COMPARED).find(|(other, _)| *other == cell) {
             Some(&(_, number)) if self.found[number].gap <= place.gap => {}
             Some(&(_, number)) => self.found[number] = place,
             None => {
                 cells.push((cell, self.found.len()));
-                self.found.push(place);
+                self.tell(place);
             }
         }
     }

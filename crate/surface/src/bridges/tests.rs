@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3, EulerRot};
 
 use super::*;
 use crate::soup::Soup;
@@ -262,4 +262,131 @@ fn what_is_found_once_is_found_again() {
     let surface = assembled(&assembly());
     let bridges = Bridges::find(&surface, BridgeRule::Automatic);
     assert_eq!(bridges, Bridges::find(&surface.clone(), BridgeRule::Automatic));
+}
+
+/// What a profile in the plane of y and z sweeps along x, 10 long, in so many steps, turned so that no axis is of use.
+fn swept(profile: &[[f64; 2]], steps: u32) -> Shape {
+    let turn = DQuat::from_euler(EulerRot::XYZ, 0.3, 0.7, 1.1);
+    let along = |step: u32| 10.0 * f64::from(step) / f64::from(steps);
+    let row = |step: u32| profile.iter().map(move |&[y, z]| turn * DVec3::new(along(step), y, z));
+    let count = profile.len() as u32;
+    let quads =
+        (0..steps).flat_map(|step| (1..count).map(move |place| [step * count + place - 1, step * count + place]));
+    let triangles = quads.flat_map(|[a, b]| [[a, a + count, b + count], [a, b + count, b]]).collect();
+    ((0..=steps).flat_map(row).collect(), triangles)
+}
+
+#[test]
+fn rims_with_the_surface_between_them_are_no_crack() {
+    // The lips of each are 0.005 apart at most, which is half of what contacts may be.
+    let mut profiles: Vec<Vec<[f64; 2]>> = Vec::new();
+    for degrees in [2.0_f64, 10.0, 40.0, 90.0, 150.0] {
+        for parts in [1, 3] {
+            for lip in [0.0, 0.00125] {
+                let half = 0.0025 - lip;
+                let depth = half / (0.5 * degrees).to_radians().tan();
+                let shares = (-parts..=parts).map(|part| f64::from(part) / f64::from(parts));
+                let groove = shares.map(|share| [half * share, depth * (share.abs() - 1.0)]);
+                let beside = |side: f64| (lip > 0.0).then_some([0.0025 * side, 0.0]);
+                profiles.push(beside(-1.0).into_iter().chain(groove).chain(beside(1.0)).collect());
+            }
+        }
+    }
+    for degrees in [60.0_f64, 120.0, 180.0, 240.0] {
+        for parts in [4, 16] {
+            let angles = (0..=parts).map(|part| degrees.to_radians() * (f64::from(part) / f64::from(parts) - 0.5));
+            profiles.push(angles.map(|angle| [0.0025 * angle.sin(), -0.0025 * angle.cos()]).collect());
+        }
+    }
+    // A box without a lid, and a ribbon.
+    profiles.push(vec![[-0.0025, 0.1], [-0.0025, 0.0], [0.0025, 0.0], [0.0025, 0.1]]);
+    profiles.push(vec![[-0.0025, 0.0], [0.0, 0.001], [0.0025, 0.0]]);
+    for profile in profiles {
+        for steps in [1, 10, 50] {
+            let surface = assembled(&[swept(&profile, steps)]);
+            let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+            assert_eq!(bridges.across_cracks().count(), 0, "{profile:?}, {steps} steps");
+            assert_eq!(surface.report().crack_vertices, 0);
+        }
+    }
+}
+
+#[test]
+fn rims_that_face_each_other_are_a_crack_and_are_told() {
+    // A tube with a slit that is too wide to be welded.
+    let gap = 4e-3;
+    let angles = (0..=32).map(|part| (0.5 * gap) + (std::f64::consts::TAU - gap) * f64::from(part) / 32.0);
+    let tube: Vec<[f64; 2]> = angles.map(|angle| [angle.cos(), angle.sin()]).collect();
+    let surface = assembled(&[swept(&tube, 20)]);
+    let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+    assert!(bridges.across_cracks().count() >= 21 && (bridges.crack_width() - gap).abs() < 1e-6, "{bridges:?}");
+    assert!(bridges.is_complete());
+    assert_eq!(Bridges::find(&surface, BridgeRule::Off).crack_width(), 0.0);
+}
+
+/// So many triangles through the middle of a ball, each of which pierces nearly all others.
+fn pierced(count: u32) -> Surface {
+    let mut state = 7_u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
+    };
+    let mut point = || DVec3::new(random(), random(), random());
+    let mut shape = || {
+        let [first, second, off] = [point(), point(), point()];
+        vec![first, second, 0.1 * off - first - second]
+    };
+    assembled(&(0..count).map(|_| (shape(), vec![[0, 1, 2]])).collect::<Vec<_>>())
+}
+
+#[test]
+fn of_parts_that_all_meet_a_few_contacts_each_are_found_and_that_is_told() {
+    let [some, many] = [400, 1600].map(|count| Bridges::find(&pierced(count), BridgeRule::Automatic));
+    assert!(!some.is_complete() && !many.is_complete());
+    assert_eq!((some.group_count(), many.group_count()), (1, 1));
+    // In proportion to the parts, and not to their pairs.
+    let [of_some, of_many] = [&some, &many].map(|bridges| bridges.portals().len());
+    assert!(of_many < 5 * of_some && of_many < 64 * 1600, "{of_some} {of_many}");
+}
+
+#[test]
+fn what_is_beside_things_of_another_order_of_magnitude_takes_no_time() {
+    let far = DVec3::new(2.5e18, 0.0, 0.0);
+    let mut shapes: Vec<Shape> =
+        (0..300).map(|number| cuboid([f64::from(number); 3], [f64::from(number) + 0.5; 3])).collect();
+    shapes[0].0[0] = far;
+    let tiny = |scale: f64| (vec![scale * DVec3::X, scale * DVec3::Y, scale * DVec3::Z], vec![[0, 1, 2]]);
+    for surface in [assembled(&shapes), assembled(&[tiny(1e31), tiny(1.0), tiny(1e-20)])] {
+        let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+        assert!(bridges.portals().len() < 100 * surface.face_count(), "{}", bridges.portals().len());
+    }
+}
+
+#[test]
+fn a_chair_whose_parts_miss_each_other_by_rounding_is_one_group() {
+    let legs = [[0.0, 0.0], [0.41, 0.0], [0.0, 0.41], [0.41, 0.41]];
+    let slats = [0.55, 0.68, 0.82];
+    let mut parts = vec![([0.0, 0.0, 0.42], [0.45, 0.45, 0.46])];
+    parts.extend(legs.map(|[x, y]| ([x, y, 0.0], [x + 0.04, y + 0.04, 0.42])));
+    parts.extend([0.0, 0.41].map(|x| ([x, 0.41, 0.46], [x + 0.04, 0.45, 0.95])));
+    parts.extend(slats.map(|z| ([0.04, 0.42, z], [0.41, 0.44, z + 0.06])));
+    let turn = DQuat::from_euler(EulerRot::XYZ, 0.3, 0.7, 1.1);
+    // Of meters, down to millimeters.
+    for digit in [1e-7, 1e-5, 1e-4, 1e-3] {
+        let rounded = |position: DVec3| digit * (turn * position / digit).round();
+        let shape = |&(low, high): &([f64; 3], [f64; 3])| {
+            let (positions, triangles) = cuboid(low, high);
+            (positions.into_iter().map(rounded).collect(), triangles)
+        };
+        let mut soup = Soup::default();
+        for (positions, triangles) in parts.iter().map(shape) {
+            let (first, positions): (u32, Vec<DVec3>) = (soup.positions.len() as u32, positions);
+            let triangles: Vec<[u32; 3]> = triangles;
+            soup.positions.extend(positions);
+            soup.triangles.extend(triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+        }
+        let surface = Surface::build(&soup).expect("a surface");
+        let bridges = Bridges::find(&surface, BridgeRule::Automatic);
+        assert_eq!(bridges.group_count(), 1, "{digit}");
+    }
 }

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::bounds::Bounds;
 use super::boxes::{Boxes, WIDTH};
+use super::budget::Budget;
 use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
 use super::tolerance::Tolerance;
 
@@ -32,22 +33,29 @@ pub trait Visitor {
     /// Looks at a triangle of a group and a larger one. `squared`: square of the distance of their boxes.
     fn meet(&mut self, group: &[Item], own: usize, other: &Item, squared: f64);
 
-    /// All triangles near this group were met.
+    /// All triangles near this group were met, or as many as it may meet.
     fn leave(&mut self) {}
+
+    /// What was looked at and kept so far, in steps of a budget.
+    fn steps(&self) -> usize;
 }
 
 /// Shows the triangles of each of the blocks those larger ones of other components that may be near enough. `sets`: the set of all
-/// components below each node, if it is one.
+/// components below each node, if it is one. Returns whether the budget was enough to show all.
 pub fn visit<'a>(
     hierarchy: &Hierarchy,
     sets: &[Option<u32>],
     blocks: impl Iterator<Item = &'a [Item]>,
     tolerance: &Tolerance,
+    budget: &Budget,
     visitor: &mut impl Visitor,
-) {
+) -> bool {
+    let mut are_all = true;
     let (mut waiting, mut near, mut near_part) = (Vec::new(), Vec::new(), Vec::new());
     for block in blocks {
         let mut query = Query::new(hierarchy, sets, block, tolerance);
+        let most = budget.of_group();
+        let mut steps = 0;
         waiting.push(Near { node: 0, squared: 0.0, apart: 0.0 });
         while let Some(Near { node, .. }) = waiting.pop() {
             match hierarchy.below(node) {
@@ -56,7 +64,15 @@ pub fn visit<'a>(
                 }
                 _ => near.push(node),
             }
+            steps += 1;
+            if steps > most {
+                // Each group goes all the way alone, to what is nearest to it.
+                waiting.clear();
+                near.clear();
+                near.push(0);
+            }
         }
+        are_all &= budget.take(steps);
         for part in block.chunks(PART) {
             query.narrow(part);
             near_part.extend(near.iter().filter_map(|&node| query.may_hold(node)));
@@ -65,6 +81,8 @@ pub fn visit<'a>(
             for group in part.chunks(LEAF) {
                 query.narrow(group);
                 query.boxes = Boxes::new(group.iter().map(|item| item.bounds));
+                let (most, before) = (budget.of_group(), visitor.steps());
+                let mut steps = 0;
                 waiting.extend(near_part.iter().filter_map(|near| query.may_hold(near.node)));
                 while let Some(Near { node, squared, .. }) = waiting.pop() {
                     let Node { component, longest, .. } = *hierarchy.node(node);
@@ -77,13 +95,19 @@ pub fn visit<'a>(
                         Below::Nodes(children) => query.near(node, children, bound, &mut waiting),
                         Below::Items(others) => meet(group, &query, node, others, bound, visitor),
                     }
+                    steps += 1;
+                    if steps + visitor.steps() - before > most {
+                        waiting.clear();
+                    }
                 }
+                are_all &= budget.take(steps + visitor.steps() - before);
                 visitor.leave();
             }
             near_part.clear();
         }
         near.clear();
     }
+    are_all
 }
 
 /// Shows the triangles of a group those larger ones of a leaf that may be near enough, and no farther away than `within`.
@@ -201,6 +225,10 @@ mod tests {
             assert_eq!(squared, group[own].bounds.squared_distance(other.bounds));
             assert!(self.pairs.insert([group[own].face, other.face]));
         }
+
+        fn steps(&self) -> usize {
+            self.pairs.len()
+        }
     }
 
     #[test]
@@ -215,7 +243,8 @@ mod tests {
             let tolerance = Tolerance { set, reach: vec![0.004; 6], pairs: HashMap::new() };
             let sets = hierarchy.common(|component| tolerance.set[component as usize]);
             let mut met = Met { tolerance: &tolerance, pairs: HashSet::new() };
-            visit(&hierarchy, &sets, hierarchy.blocks(), &tolerance, &mut met);
+            let budget = Budget::new(items.len());
+            assert!(visit(&hierarchy, &sets, hierarchy.blocks(), &tolerance, &budget, &mut met));
             let pairs = items.iter().flat_map(|item| items.iter().map(move |other| [item, other]));
             let near = pairs.filter(|[item, other]| {
                 let bound = tolerance.between(item.component, other.component);

@@ -20,7 +20,7 @@ impl Bridges {
             let kept = contacts.entry([a.min(b), a.max(b)]).or_default();
             kept.push(Portal { ends: if a <= b { ends } else { [ends[1], ends[0]] }, gap: portal.gap });
         }
-        Self::new(walled, contacts.into_iter().collect())
+        Self { is_complete: self.is_complete, ..Self::new(walled, contacts.into_iter().collect()) }
     }
 }
 

@@ -9,6 +9,9 @@ mod tree;
 
 pub use rule::WeldRule;
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use glam::DVec3;
 
 use crate::csr::NONE;
@@ -26,6 +29,10 @@ const OF_ALTITUDE: f64 = 0.05;
 /// Triangles on the same side of an edge, with more than this cosine between them (6°), are layers, as a decal is on a wall, and
 /// not the two sides of a crack. 6° is what a vertex of each that moves by [`OF_ALTITUDE`] tilts them.
 const LAYERED: f64 = 0.9945;
+
+/// Vertices of layers stay where they are, and what is left is matched again, so many times at most: where layers cover layers
+/// that cover cracks, the last of these stay open.
+const MOST_ROUNDS: u32 = 8;
 
 /// What closes the cracks of a triangle list.
 pub struct Closed {
@@ -134,59 +141,46 @@ impl<'a> Rims<'a> {
 
     /// `#V`, the vertex that each vertex becomes; none where each stays itself.
     fn targets(mut self) -> Option<Vec<u32>> {
+        let mut round = 1;
         loop {
             let cluster = self.clusters();
-            let matched = self.matched(&cluster);
+            let mut matched = self.matched(&cluster);
             let layered = self.layered(&matched);
-            if layered.is_empty() {
+            if layered.is_empty() || round == MOST_ROUNDS {
+                matched.retain(|edge| self.ends_of(edge).all(|end| layered.binary_search(&end).is_err()));
                 return self.closing(&cluster, &matched);
             }
             for vertex in layered {
                 self.reach[vertex as usize] = 0.0;
             }
+            round += 1;
         }
     }
 
-    /// `#vertices`, the least number of those that each becomes one with. Round by round, vertices become one that are
-    /// nearest to each other; none is farther from the one that it becomes than it may move.
+    /// `#vertices`, the least number of those that each becomes one with. The two that are nearest to each other of all become
+    /// one, then the nearest two of those that are left, and so on; none is farther from the one that it becomes than it may move.
     fn clusters(&self) -> Vec<u32> {
         let mut cluster: Vec<u32> = (0..self.vertices.len() as u32).collect();
-        let mut reach = self.reach.clone();
-        let mut waiting: Vec<u32> = cluster.iter().copied().filter(|&vertex| reach[vertex as usize] > 0.0).collect();
-        loop {
-            let tree = Tree::new(&self.points, waiting.clone());
-            let mut nearest: Vec<u32> = vec![NONE; self.vertices.len()];
-            let mut gaps: Vec<f64> = vec![0.0; self.vertices.len()];
-            for &vertex in &waiting {
-                let within = reach[vertex as usize];
-                let accepts = |other: u32, gap: f64| other != vertex && gap <= reach[other as usize];
-                if let Some((other, gap)) = tree.nearest(self.points[vertex as usize], within, accepts) {
-                    nearest[vertex as usize] = other;
-                    gaps[vertex as usize] = gap;
-                }
-            }
-            // What has nothing near it now will never have.
-            waiting.retain(|&vertex| nearest[vertex as usize] != NONE);
-            let mut is_merged = false;
-            waiting.retain(|&vertex| {
-                let other = nearest[vertex as usize];
-                if nearest[other as usize] != vertex {
-                    return true;
-                }
-                let gap = gaps[vertex as usize];
-                if other < vertex {
-                    cluster[vertex as usize] = other;
-                    is_merged = true;
-                    return false;
-                }
+        let mut tree = Tree::new(&self.points, &self.reach);
+        let pair = |tree: &Tree, vertex: u32| {
+            let (other, gap) = tree.nearest(vertex)?;
+            // Of numbers that are not negative, the bits are in the order of the numbers.
+            Some(Reverse((gap.to_bits(), vertex.min(other), vertex.max(other), vertex)))
+        };
+        let mut waiting: BinaryHeap<_> = tree.points().iter().filter_map(|&vertex| pair(&tree, vertex)).collect();
+        while let Some(Reverse((gap, first, second, vertex))) = waiting.pop() {
+            let gap = f64::from_bits(gap);
+            let least = tree.reach(first).min(tree.reach(second));
+            // As reaches only become shorter, what still is within them is the nearest still.
+            if gap <= least {
+                cluster[second as usize] = first;
+                tree.remove(second);
                 // What was moved here before may move so much less.
-                reach[vertex as usize] = reach[vertex as usize].min(reach[other as usize]) - gap;
-                true
-            });
-            if !is_merged {
-                break;
+                tree.shorten(first, least - gap);
             }
+            waiting.extend(pair(&tree, vertex));
         }
+        // The one that each became is an earlier one, which is in its cluster already.
         for vertex in 0..cluster.len() {
             cluster[vertex] = cluster[cluster[vertex] as usize];
         }
@@ -205,7 +199,12 @@ impl<'a> Rims<'a> {
         edges.map(|edge| edge.iter().map(|&(_, halfedge)| halfedge).collect()).collect()
     }
 
-    /// The ends of matched half-edges whose triangles are layers.
+    /// The ends of half-edges.
+    fn ends_of<'e>(&'e self, edge: &'e [u32]) -> impl Iterator<Item = u32> + 'e {
+        edge.iter().flat_map(|&halfedge| self.ends[halfedge as usize])
+    }
+
+    /// The ends of matched half-edges whose triangles are layers, ascending.
     fn layered(&self, matched: &[Vec<u32>]) -> Vec<u32> {
         let side = |&halfedge: &u32| self.triangles.side(self.halfedges[halfedge as usize]);
         let mut layered = Vec::new();
@@ -213,9 +212,11 @@ impl<'a> Rims<'a> {
             let sides: Vec<DVec3> = edge.iter().map(side).collect();
             let is_layered = |k: usize| sides[..k].iter().any(|other| other.dot(sides[k]) > LAYERED);
             if (1..sides.len()).any(is_layered) {
-                layered.extend(edge.iter().flat_map(|&halfedge| self.ends[halfedge as usize]));
+                layered.extend(self.ends_of(edge));
             }
         }
+        layered.sort_unstable();
+        layered.dedup();
         layered
     }
 
@@ -225,7 +226,7 @@ impl<'a> Rims<'a> {
             return None;
         }
         let mut is_end = vec![false; self.vertices.len()];
-        for end in matched.iter().flatten().flat_map(|&halfedge| self.ends[halfedge as usize]) {
+        for end in matched.iter().flat_map(|edge| self.ends_of(edge)) {
             is_end[end as usize] = true;
         }
         let mut target: Vec<u32> = (0..self.triangles.positions.len() as u32).collect();
