@@ -64,6 +64,12 @@ pub enum Error {
         /// Vertex of the input, counted from 0.
         vertex: usize,
     },
+    /// A vertex has a coordinate beyond ±[`MOST_COORDINATE`](crate::MOST_COORDINATE).
+    #[error("vertex {vertex} has a coordinate beyond ±1e150, where areas are no numbers any more; scale the mesh down")]
+    TooFar {
+        /// Vertex of the input, counted from 0.
+        vertex: usize,
+    },
     /// A source lies where walls are all around.
     #[error("a source lies in a wall, at face {face}; move it, or open the wall there")]
     SourceInWall {
@@ -195,6 +201,7 @@ impl Error {
             Self::Empty { .. } => "empty",
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
+            Self::TooFar { .. } => "too-far",
             Self::SourceInWall { .. } => "source-in-wall",
             Self::NoSuchPart { .. } => "no-such-part",
             Self::NoSuchAttribute { .. } => "no-such-attribute",

@@ -46,3 +46,4 @@ pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Attribute, Camera, Light, LightKind, Projection, Soup};
 pub use surface::{BuildReport, Surface, SurfaceId, Walls};
 pub use unit::{LengthUnit, Unit, UnitRule};
+pub use weld::MOST_COORDINATE;

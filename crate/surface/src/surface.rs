@@ -134,7 +134,8 @@ impl Surface {
     /// place. Layers, such as a decal on a wall, stay apart.
     ///
     /// # Errors
-    /// [`IndexOutOfRange`](crate::Error::IndexOutOfRange); [`NotFinite`](crate::Error::NotFinite) for a used vertex;
+    /// [`IndexOutOfRange`](crate::Error::IndexOutOfRange); [`NotFinite`](crate::Error::NotFinite) and
+    /// [`TooFar`](crate::Error::TooFar) for a used vertex;
     /// [`Empty`](crate::Error::Empty) where no triangle of non-zero area is left; [`OutOfMemory`](crate::Error::OutOfMemory).
     ///
     /// # Panics

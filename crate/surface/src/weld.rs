@@ -1,6 +1,7 @@
 //! From soup to clean indexed triangles: input vertices of equal position become one vertex where surfaces join along edges,
 //! useless triangles go.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,6 +20,9 @@ use crate::order::{gather, sort_faces};
 use crate::parallel;
 use crate::soup::Soup;
 use crate::touching::Fans;
+
+/// Coordinates are at most this, up or down: squares of lengths and areas are numbers then, with room for sums of them.
+pub const MOST_COORDINATE: f64 = 1e150;
 
 /// Welded triangles over vertices, each used by a triangle.
 pub struct Welded {
@@ -42,7 +46,7 @@ pub struct Welded {
 /// Welds the soup.
 ///
 /// # Errors
-/// [`Error::IndexOutOfRange`], [`Error::NotFinite`] (a vertex that no triangle uses may be anything), [`Error::Empty`].
+/// [`Error::IndexOutOfRange`], [`Error::NotFinite`] and [`Error::TooFar`] (a vertex that no triangle uses may be anything), [`Error::Empty`].
 pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded> {
     let is_used = used_vertices(soup, threads)?;
     let (mut vertex_of_input, mut positions) = merge(&soup.positions, &is_used, threads);
@@ -55,18 +59,9 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
     } else {
         parallel::collect(faces.len(), threads, InputTriangle::from_index)
     };
-    let degenerate = degenerate_faces(&faces, &positions, threads);
-    remove(&degenerate, &mut faces);
-    remove(&degenerate, &mut triangle_of_face);
-
-    if faces.is_empty() {
-        let reason = if soup.triangles.is_empty() {
-            "the file holds none; export the surface as triangles".to_owned()
-        } else {
-            format!("all {} have zero area; check the scale of the file", soup.triangles.len())
-        };
-        return Err(Error::Empty { reason });
-    }
+    let collapsed = faces_where(&faces, threads, |[a, b, c]| a == b || b == c || c == a);
+    remove(&collapsed, &mut faces);
+    remove(&collapsed, &mut triangle_of_face);
     let group = |vertices: usize, faces: &[[VertexId; 3]]| Corners::group(vertices, faces.as_flattened(), threads);
     let connect = |faces: &mut Vec<_>, triangle_of_face: &mut Vec<_>| {
         let corners = group(positions.len(), faces);
@@ -79,6 +74,24 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         (group(positions.len(), faces), edges.without(&duplicates), duplicates.len())
     };
     let (mut corners, mut edges, mut duplicate_faces) = connect(&mut faces, &mut triangle_of_face);
+    let flat = faces_where(&faces, threads, |face| {
+        let [p, q, r] = face.map(|vertex| positions[vertex.index()]);
+        (q - p).cross(r - p) == DVec3::ZERO
+    });
+    if flat.len() == faces.len() {
+        let reason = if soup.triangles.is_empty() {
+            "the file holds none; export the surface as triangles".to_owned()
+        } else {
+            format!("all {} have zero area; check the scale of the file", soup.triangles.len())
+        };
+        return Err(Error::Empty { reason });
+    }
+    let idle = idle_faces(&flat, &edges);
+    if !idle.is_empty() {
+        remove(&idle, &mut faces);
+        remove(&idle, &mut triangle_of_face);
+        (corners, edges) = (group(positions.len(), &faces), edges.without(&idle));
+    }
     let triangles = Triangles { positions: &positions, faces: &faces, edges: &edges, corners: &corners };
     let closed = triangles.closed(rule);
     if let Some(Closed { target, .. }) = &closed {
@@ -100,7 +113,8 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         let fans = Fans { corners: &corners, edges: &edges, input };
         fans.part_touching(&mut faces, &mut positions, &mut vertex_of_input)
     };
-    if !degenerate.is_empty() || closed.is_some() {
+    let degenerate_faces = collapsed.len() + idle.len();
+    if degenerate_faces > 0 || closed.is_some() {
         is_renumbered |= drop_unused(&mut faces, &mut positions, &mut vertex_of_input);
     }
     if is_renumbered {
@@ -114,7 +128,7 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         triangle_of_face: triangle_of_face.into(),
         edges,
         corners,
-        degenerate_faces: degenerate.len(),
+        degenerate_faces,
         duplicate_faces,
         crack_vertices: closed.as_ref().map_or(0, |closed| closed.count),
         crack_width: closed.map_or(0.0, |closed| closed.width),
@@ -138,23 +152,41 @@ fn used_vertices(soup: &Soup, threads: NonZeroUsize) -> Result<Vec<bool>> {
     };
     parallel::map(parallel::ranges(soup.triangles.len(), threads), mark).into_iter().collect::<Result<()>>()?;
     let is_used: Vec<bool> = is_used.into_iter().map(AtomicBool::into_inner).collect();
-    let is_bad = |&vertex: &usize| is_used[vertex] && !soup.positions[vertex].is_finite();
+    let is_far = |vertex: usize| soup.positions[vertex].abs().max_element() > MOST_COORDINATE;
+    let is_bad = |&vertex: &usize| is_used[vertex] && (is_far(vertex) || !soup.positions[vertex].is_finite());
     let bad = parallel::map(parallel::ranges(vertices, threads), |mut vertices| vertices.find(is_bad));
     match bad.into_iter().flatten().next() {
+        Some(vertex) if soup.positions[vertex].is_finite() => Err(Error::TooFar { vertex }),
         Some(vertex) => Err(Error::NotFinite { vertex }),
         None => Ok(is_used),
     }
 }
 
-/// The faces with a repeated corner or no area, ascending.
-fn degenerate_faces(faces: &[[VertexId; 3]], positions: &[DVec3], threads: NonZeroUsize) -> Vec<FaceId> {
-    let is_degenerate = |&face: &FaceId| {
-        let [a, b, c] = faces[face.index()];
-        let [p, q, r] = [a, b, c].map(|vertex| positions[vertex.index()]);
-        a == b || b == c || c == a || (q - p).cross(r - p) == DVec3::ZERO
-    };
-    let degenerate = |faces: Range<usize>| faces.map(FaceId::from_index).filter(is_degenerate).collect::<Vec<_>>();
-    parallel::map(parallel::ranges(faces.len(), threads), degenerate).concat()
+/// The faces of some kind, ascending.
+fn faces_where(
+    faces: &[[VertexId; 3]],
+    threads: NonZeroUsize,
+    is_such: impl Fn([VertexId; 3]) -> bool + Sync,
+) -> Vec<FaceId> {
+    let found =
+        |own: Range<usize>| own.filter(|&face| is_such(faces[face])).map(FaceId::from_index).collect::<Vec<_>>();
+    parallel::map(parallel::ranges(faces.len(), threads), found).concat()
+}
+
+/// Those of some faces without area that sew nothing, ascending: they are alone, or one of several, on two of their edges. The
+/// others close T-junctions, between a long edge and the shorter ones along it, and the surface would be slit without them.
+fn idle_faces(flat: &[FaceId], edges: &Edges) -> Vec<FaceId> {
+    let mut idle: BTreeSet<FaceId> = BTreeSet::new();
+    let mut left = flat.to_vec();
+    while let Some(face) = left.pop() {
+        let mates = [0, 1, 2].map(|k| edges.mate(face.halfedge(k)).map(|mate| mate.triangle()));
+        let sewn: Vec<FaceId> = mates.into_iter().flatten().filter(|mate| !idle.contains(mate)).collect();
+        if sewn.len() < 2 && idle.insert(face) {
+            // What it is sewn to may do nothing without it.
+            left.extend(sewn.into_iter().filter(|mate| flat.binary_search(mate).is_ok()));
+        }
+    }
+    idle.into_iter().collect()
 }
 
 /// Removes the values of some faces, ascending.
