@@ -105,17 +105,19 @@ impl Factorization {
         let components = surface.components().as_slice();
         let is_exact =
             |vertex: usize| region.value(vertex as u32).is_some() || !has_source[components[vertex] as usize];
-        let mut values = if (0..surface.vertex_count()).all(is_exact) {
+        let logarithm = self.logarithm().filter(|_| *multi_source == MultiSource::Exact);
+        let is_exact_everywhere = (0..surface.vertex_count()).all(is_exact);
+        let mut values = if is_exact_everywhere {
             vec![0.0; surface.vertex_count()]
         } else {
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            match (self.logarithm(), multi_source) {
-                (Some(logarithm), MultiSource::Exact) => {
+            match logarithm {
+                Some(logarithm) => {
                     let known = region.known(surface, self.exact_geometry().costs(), &active);
                     logarithm.distances(self.operators(), heat, self.time(), known)
                 }
-                _ => {
+                None => {
                     let (divergence, touched) = divergence(&self.operators().elements, heat, region);
                     let constraints = region.constraints(surface, &touched, &active);
                     match multi_source {
@@ -132,6 +134,9 @@ impl Factorization {
         }
         for (vertex, exact) in region.values() {
             values[vertex as usize] = exact;
+        }
+        if let Some(logarithm) = logarithm.filter(|_| !is_exact_everywhere) {
+            logarithm.bounds().keep(self.exact_geometry(), sources, &mut values);
         }
         let mut values = VertexData::from(values);
         if *multi_source == MultiSource::Exact {
