@@ -14,8 +14,8 @@ use common::{random, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::propagation::Propagation;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, ExactRadius, ExactSearch, Method, Place, PropagationOptions, Soup, Surface,
-    VertexId, Windows,
+    DistanceOptions, DistanceSolver, ExactRadius, ExactSearch, InputVertex, Method, Place, PropagationOptions, Soup,
+    Surface, VertexId, Windows,
 };
 
 /// What rounding may take from a length, as a share of the extent.
@@ -162,6 +162,35 @@ fn propagation_is_near_on_thin_triangles_and_nearer_with_more_windows() {
         }
     }
     assert!(means.windows(2).all(|pair| pair[1] < 0.5 * pair[0]), "{means:?}");
+}
+
+/// A triangle above a line, `count` below it, and triangles without area between them, all from one end of the line. The first and the
+/// last vertex are straight above each other, this far apart.
+fn t_junctions(count: u32) -> (Soup, f64) {
+    let size = f64::from(count);
+    let mut positions = vec![DVec3::new(0.5 * size, size, 0.0)];
+    positions.extend((0..=count).map(|x| DVec3::new(f64::from(x), 0.0, 0.0)));
+    positions.push(DVec3::new(0.5 * size, -0.1 * size, 0.0));
+    let (first, last, below) = (1, count + 1, count + 2);
+    let mut triangles = vec![[first, last, 0]];
+    triangles.extend((first..last - 1).map(|at| [last, at, at + 1]));
+    triangles.extend((first..last).map(|at| [at + 1, at, below]));
+    (soup(positions, triangles), 1.1 * size)
+}
+
+#[test]
+fn t_junctions_closed_by_triangles_without_area_are_no_slits() {
+    for count in [2, 7, 40, 400] {
+        let (soup, straight) = t_junctions(count);
+        let surface = Arc::new(surface(&soup));
+        let [from, to] = [0, soup.positions.len() as u32 - 1]
+            .map(|input| surface.vertex_of_input(InputVertex(input)).expect("a vertex in use"));
+        let far = |values: Vec<f64>| values[to.0 as usize] / straight;
+        assert!((far(solved(&surface, from, &exact())) - 1.0).abs() < 1e-9);
+        assert!((far(propagated(&surface, from, 1)) - 1.0).abs() < 1e-9);
+        // Heat crosses few triangles here; around the slit it would be 1.6 times as far.
+        assert!(far(solved(&surface, from, &heat())) < 1.05, "{}", far(solved(&surface, from, &heat())));
+    }
 }
 
 #[test]

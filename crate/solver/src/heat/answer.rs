@@ -129,14 +129,16 @@ impl Factorization {
                 }
             }
         };
-        for (value, &component) in values.iter_mut().zip(surface.components()) {
-            *value = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
-        }
-        for (vertex, exact) in region.values() {
-            values[vertex as usize] = exact;
+        for ((value, &component), vertex) in values.iter_mut().zip(surface.components()).zip(0..) {
+            let beyond = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
+            *value = region.value(vertex).unwrap_or(beyond);
         }
         if let Some(logarithm) = logarithm.filter(|_| !is_exact_everywhere) {
             logarithm.bounds().keep(self.exact_geometry(), sources, &mut values);
+            // These keep them but for rounding.
+            for (vertex, exact) in region.values() {
+                values[vertex as usize] = exact;
+            }
         }
         let mut values = VertexData::from(values);
         if *multi_source == MultiSource::Exact {
