@@ -148,7 +148,8 @@ pub(crate) fn extent(surface: &Surface, costs: Option<&Costs>) -> f64 {
 
 /// Distances along edges from a vertex to all of its component, in mean edges and single precision, which an extent needs no
 /// better. Vertices are taken from buckets of distance in any order and again when they got nearer (delta-stepping: Meyer
-/// and Sanders 2003), which is cheaper than a heap and ends at the same distances.
+/// and Sanders 2003), which is cheaper than a heap and ends at the same distances. Where too many come again, because edges are far
+/// shorter than buckets are wide, the rest are taken in exact order.
 struct Sweep {
     /// `#P + 1`, where each vertex's edges begin.
     start: Vec<u32>,
@@ -158,6 +159,8 @@ struct Sweep {
     reached: Vec<VertexId>,
     /// Vertices to take, by distance, in a circle longer than any edge. Their number is a power of two.
     buckets: Vec<Vec<(VertexId, f32)>>,
+    /// The same in exact order, by the bits of their distances, which order as these do.
+    sorted: BinaryHeap<Reverse<(u32, VertexId)>>,
     /// Buckets in a mean edge.
     density: f32,
 }
@@ -167,6 +170,8 @@ impl Sweep {
     const WIDTH: f32 = 0.5;
     /// Most buckets, for meshes with edges far longer than the mean.
     const MOST: f32 = 4096.0;
+    /// How often vertices are taken from buckets, on the mean.
+    const TIMES: usize = 16;
 
     fn new(surface: &Surface, costs: Option<&Costs>) -> Self {
         let mut start = Vec::with_capacity(surface.vertex_count() + 1);
@@ -196,7 +201,8 @@ impl Sweep {
         let width = Self::WIDTH.max(longest / Self::MOST);
         // One bucket more for the one at work, one for rounding.
         let circle = ((longest / width) as usize + 3).next_power_of_two();
-        Self { start, edges, reached: Vec::new(), buckets: vec![Vec::new(); circle], density: width.recip() }
+        let buckets = vec![Vec::new(); circle];
+        Self { start, edges, reached: Vec::new(), buckets, sorted: BinaryHeap::new(), density: width.recip() }
     }
 
     /// The farthest vertex of the component from `start`, the last one of several, with its distance. `best` holds infinity
@@ -207,10 +213,17 @@ impl Sweep {
         self.reached.clear();
         self.reached.push(start);
         self.buckets[0].push((start, 0.0));
-        let (mut waiting, mut at) = (1, 0);
+        let (mut waiting, mut at, mut taken, mut is_sorted) = (1, 0, 0, false);
         while waiting > 0 {
-            while let Some((vertex, distance)) = self.buckets[at & mask].pop() {
+            while let Some((vertex, distance)) = if is_sorted { self.nearest() } else { self.buckets[at & mask].pop() }
+            {
                 waiting -= 1;
+                taken += 1;
+                if !is_sorted && taken > Self::TIMES * self.reached.len() {
+                    is_sorted = true;
+                    let items = self.buckets.iter_mut().flat_map(|bucket| bucket.drain(..));
+                    self.sorted.extend(items.map(|(vertex, distance)| Reverse((distance.to_bits(), vertex))));
+                }
                 if distance > best[vertex.index()] {
                     continue;
                 }
@@ -223,7 +236,11 @@ impl Sweep {
                             self.reached.push(tip);
                         }
                         *known = candidate;
-                        self.buckets[(candidate * self.density) as usize & mask].push((tip, candidate));
+                        if is_sorted {
+                            self.sorted.push(Reverse((candidate.to_bits(), tip)));
+                        } else {
+                            self.buckets[(candidate * self.density) as usize & mask].push((tip, candidate));
+                        }
                         waiting += 1;
                     }
                 }
@@ -232,5 +249,10 @@ impl Sweep {
         }
         let reached = self.reached.iter().map(|&vertex| (vertex, best[vertex.index()]));
         reached.max_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0))).unwrap_or((start, 0.0))
+    }
+
+    /// Takes the nearest of those in exact order.
+    fn nearest(&mut self) -> Option<(VertexId, f32)> {
+        self.sorted.pop().map(|Reverse((bits, vertex))| (vertex, f32::from_bits(bits)))
     }
 }

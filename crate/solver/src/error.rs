@@ -46,6 +46,17 @@ pub enum Error {
         /// Steps done.
         iterations: usize,
     },
+    /// A step of conjugate gradients has no finite length.
+    #[error(
+        "conjugate gradients broke down after {iterations} steps: rounding on thin triangles leaves no positive definite matrix; choose the Cholesky solver"
+    )]
+    Breakdown {
+        /// Steps done.
+        iterations: usize,
+    },
+    /// Arguments of linear algebra that do not fit together.
+    #[error(transparent)]
+    Algebra(heatwalk_sparse::Error),
     /// The factors do not fit into memory, or not into the [`MemoryLimit`](crate::MemoryLimit) given.
     #[error(
         "factoring takes {} of memory, more than there is; choose conjugate gradients, which need no factors",
@@ -123,6 +134,8 @@ impl Error {
             Self::UnknownChoice(_) => "unknown-choice",
             Self::NotPositiveDefinite { .. } => "not-positive-definite",
             Self::NotConverged { .. } => "not-converged",
+            Self::Breakdown { .. } => "breakdown",
+            Self::Algebra(error) => error.code(),
             Self::TooLarge { .. } => "too-large",
             Self::MeshTooLarge { .. } => "mesh-too-large",
             Self::TooManyWindows { .. } => "too-many-windows",
@@ -138,12 +151,14 @@ impl Error {
     pub(crate) fn of_matrices(error: &heatwalk_sparse::Error, names: &[&'static str]) -> Self {
         use heatwalk_sparse::Error as Sparse;
         match *error {
+            Sparse::Cancelled => Self::Cancelled,
             Sparse::NotPositiveDefinite { matrix, row } => {
                 Self::NotPositiveDefinite { matrix: names.get(matrix).copied().unwrap_or("system"), vertex: row }
             }
             Sparse::NotConverged { iterations } => Self::NotConverged { iterations },
             Sparse::OutOfMemory { stage } => Self::OutOfMemory { stage },
-            _ => Self::Cancelled,
+            Sparse::Breakdown { iterations } => Self::Breakdown { iterations },
+            ref other => Self::Algebra(other.clone()),
         }
     }
 }

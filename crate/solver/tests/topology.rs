@@ -155,6 +155,21 @@ fn useless_triangles_go() {
 }
 
 #[test]
+fn triangles_without_area_that_close_t_junctions_stay() {
+    // Above the x axis one triangle, below it three.
+    let places = [(0.0, 0.0), (3.0, 0.0), (1.0, 2.0), (1.0, 0.0), (2.0, 0.0), (1.0, -2.0), (2.0, 4.0)];
+    let real = [[0, 1, 2], [0, 5, 3], [3, 5, 4], [4, 5, 1]];
+    let of = |flat_ones: &[[u32; 3]]| {
+        let surface = checked(&soup(flat(&places), [&real, flat_ones].concat()));
+        (surface.report().faces, surface.report().degenerate_faces, surface.report().boundary_loops)
+    };
+    let closing = [[1, 0, 3], [3, 4, 1]];
+    assert_eq!(of(&closing), (6, 0, 1));
+    let hanging = [[0, 6, 2], [0, 1, 4], [2, 6, 6]];
+    assert_eq!(of(&[closing.as_slice(), &hanging].concat()), (6, 3, 1));
+}
+
+#[test]
 fn flipped_faces_are_turned() {
     let mut flipped = shapes::icosphere(2);
     for triangle in [3, 50, 51, 200] {
@@ -281,6 +296,9 @@ fn bad_input_is_named() {
         positions[2].y = bad;
         assert_eq!(error(positions, vec![[0, 1, 2]]), Some(SurfaceError::NotFinite { vertex: 2 }));
     }
+    let mut far = corners();
+    far[1].z = -1.1e150;
+    assert_eq!(error(far, vec![[0, 1, 2]]), Some(SurfaceError::TooFar { vertex: 1 }));
     assert!(matches!(error(corners(), vec![]), Some(SurfaceError::Empty { .. })));
     assert!(matches!(error(corners(), vec![[0, 1, 1]]), Some(SurfaceError::Empty { .. })));
 }

@@ -12,6 +12,9 @@ use crate::simd::dot;
 /// The residual at which it stops, as a share of the right side.
 const TOLERANCE: f64 = 1e-12;
 
+/// Steps that it takes at most: tens are enough on any mesh but one that it will not solve at all.
+const MOST_STEPS: usize = 2000;
+
 /// A symmetric positive definite matrix, to be solved by conjugate gradients.
 #[derive(Debug)]
 pub struct ConjugateGradients {
@@ -32,7 +35,7 @@ impl ConjugateGradients {
     /// The solution for one right side.
     ///
     /// # Errors
-    /// [`Error::NotConverged`].
+    /// [`Error::NotConverged`]; [`Error::Breakdown`].
     pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
         self.solve_recording(right).map(|(solution, _)| solution)
     }
@@ -41,7 +44,7 @@ impl ConjugateGradients {
     /// after each. A right side of 0 takes no step and has the residual 0.
     ///
     /// # Errors
-    /// [`Error::NotConverged`].
+    /// [`Error::NotConverged`]; [`Error::Breakdown`].
     pub fn solve_recording(&self, right: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
         let size = right.len();
         // Heat comes near the largest float, whose square would overflow.
@@ -60,8 +63,8 @@ impl ConjugateGradients {
         // Of the last direction with its image; none at first.
         let mut curvature = f64::INFINITY;
         // In exact arithmetic as many steps as unknowns are enough; rounding may take a few times more.
-        let most = 10 * size + 100;
-        for _ in 0..most {
+        let most = (10 * size + 100).min(MOST_STEPS);
+        for iterations in 0..most {
             let share = dot(&residual, &residual).sqrt() / whole;
             residuals.push(share);
             if share <= TOLERANCE {
@@ -76,7 +79,7 @@ impl ConjugateGradients {
             curvature = dot(&direction, &image);
             let step = dot(&guess, &residual) / curvature;
             if !step.is_finite() {
-                break;
+                return Err(Error::Breakdown { iterations });
             }
             for row in 0..size {
                 solution[row] += step * direction[row];
@@ -84,5 +87,18 @@ impl ConjugateGradients {
             }
         }
         Err(Error::NotConverged { iterations: most })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_that_is_not_positive_definite_is_told_as_such() {
+        // Along (1, −1) its curvature is 0.
+        let matrix = SymmetricMatrix::from_entries(&[1.0, 1.0], &[0, 1, 1], &mut [(1, 1.0)]);
+        let broken = ConjugateGradients::new(matrix).solve(&[1.0, -1.0]).unwrap_err();
+        assert!(matches!(broken, Error::Breakdown { .. }), "{broken}");
     }
 }

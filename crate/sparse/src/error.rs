@@ -79,6 +79,12 @@ pub enum Error {
         /// Iterations done.
         iterations: usize,
     },
+    /// A step of conjugate gradients has no finite length: in rounding, the matrix is not positive definite.
+    #[error("conjugate gradients broke down after {iterations} iterations")]
+    Breakdown {
+        /// Iterations done.
+        iterations: usize,
+    },
     /// Something does not fit into memory.
     #[error("out of memory while {stage}")]
     OutOfMemory {
@@ -103,6 +109,7 @@ impl Error {
             Self::PatternMismatch { .. } => "pattern-mismatch",
             Self::NotPositiveDefinite { .. } => "not-positive-definite",
             Self::NotConverged { .. } => "not-converged",
+            Self::Breakdown { .. } => "breakdown",
             Self::OutOfMemory { .. } => "out-of-memory",
             Self::Cancelled => "cancelled",
         }

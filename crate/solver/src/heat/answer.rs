@@ -105,17 +105,19 @@ impl Factorization {
         let components = surface.components().as_slice();
         let is_exact =
             |vertex: usize| region.value(vertex as u32).is_some() || !has_source[components[vertex] as usize];
-        let mut values = if (0..surface.vertex_count()).all(is_exact) {
+        let logarithm = self.logarithm().filter(|_| *multi_source == MultiSource::Exact);
+        let is_exact_everywhere = (0..surface.vertex_count()).all(is_exact);
+        let mut values = if is_exact_everywhere {
             vec![0.0; surface.vertex_count()]
         } else {
             let active: Vec<Source> =
                 sources.iter().zip(is_active).filter(|&(_, &active)| active).map(|(&source, _)| source).collect();
-            match (self.logarithm(), multi_source) {
-                (Some(logarithm), MultiSource::Exact) => {
+            match logarithm {
+                Some(logarithm) => {
                     let known = region.known(surface, self.exact_geometry().costs(), &active);
                     logarithm.distances(self.operators(), heat, self.time(), known)
                 }
-                _ => {
+                None => {
                     let (divergence, touched) = divergence(&self.operators().elements, heat, region);
                     let constraints = region.constraints(surface, &touched, &active);
                     match multi_source {
@@ -127,11 +129,16 @@ impl Factorization {
                 }
             }
         };
-        for (value, &component) in values.iter_mut().zip(surface.components()) {
-            *value = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
+        for ((value, &component), vertex) in values.iter_mut().zip(surface.components()).zip(0..) {
+            let beyond = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
+            *value = region.value(vertex).unwrap_or(beyond);
         }
-        for (vertex, exact) in region.values() {
-            values[vertex as usize] = exact;
+        if let Some(logarithm) = logarithm.filter(|_| !is_exact_everywhere) {
+            logarithm.bounds().keep(self.exact_geometry(), sources, &mut values);
+            // These keep them but for rounding.
+            for (vertex, exact) in region.values() {
+                values[vertex as usize] = exact;
+            }
         }
         let mut values = VertexData::from(values);
         if *multi_source == MultiSource::Exact {

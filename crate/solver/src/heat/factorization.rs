@@ -7,6 +7,7 @@ use crate::dijkstra;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::larger;
+use crate::heat::bounds::Bounds;
 use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
 use crate::heat::logarithm::Logarithm;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
@@ -100,7 +101,10 @@ impl Factorization {
         let mass: Arc<[f64]> = operators.laplacian().mass.as_slice().into();
         let suited_factor = suited_factor(&operators, extent);
         let has_logarithm = (options.operator, options.solver) == (Operator::Delaunay, LinearSolver::Cholesky);
-        let logarithm = has_logarithm.then(|| Logarithm::new(&operators, exact.bumpiness(&mass)));
+        let logarithm = has_logarithm.then(|| {
+            let bounds = Bounds::new(&exact, costs.as_ref());
+            Logarithm::new(&operators, exact.bumpiness(&mass), bounds)
+        });
         let systems = Systems::numbered(operators, numbering(&surface), options.solver, progress)?;
         let dirichlet = dirichlet(&surface);
         let mut factorization = Self {

@@ -11,6 +11,7 @@
 use std::sync::Arc;
 
 use crate::extremum::{larger, smaller};
+use crate::heat::bounds::Bounds;
 use crate::heat::upwind::{EdgeField, Upwind};
 use crate::operator::elements::{BLOCK, Element, Elements};
 use crate::operator::{Laplacian, Operators};
@@ -48,6 +49,7 @@ pub(super) struct Logarithm {
     /// `#V`, what heat is to be computed with: plane waves are nearly solutions then on uneven meshes, too.
     mass: Arc<[f64]>,
     least_time_factor: f64,
+    bounds: Bounds,
 }
 
 /// A side of a triangle.
@@ -61,18 +63,17 @@ struct Side {
 
 impl Logarithm {
     /// On a surface of this [bumpiness](crate::exact::ExactGeometry::bumpiness).
-    pub(super) fn new(operators: &Operators, bumpiness: f64) -> Self {
+    pub(super) fn new(operators: &Operators, bumpiness: f64, bounds: Bounds) -> Self {
         let (elements, laplacian) = (&operators.elements, operators.laplacian());
         let unit = operators.mean_edge();
-        let (sides, lengths) = sides(elements, laplacian, unit);
-        let upwind = Upwind::new(laplacian, unit, lengths);
         Self {
-            upwind,
-            sides,
+            upwind: Upwind::new(laplacian, unit),
+            sides: sides(elements, laplacian),
             unit,
             length: 1.0 - LOSS * bumpiness * bumpiness,
             mass: operators.circumcentric_mass().into(),
             least_time_factor: least_time_factor(operators),
+            bounds,
         }
     }
 
@@ -86,11 +87,16 @@ impl Logarithm {
         self.least_time_factor
     }
 
+    /// What its distances are to keep.
+    pub(super) fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
     /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
     /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
     pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
         let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
-        let rates = self.rates(&operators.elements, &logarithms, MOST_RATE * time.sqrt() / self.unit);
+        let rates = self.rates(operators, &logarithms, MOST_RATE * time.sqrt() / self.unit);
         let laplacian = operators.laplacian();
         let mut inflows = self.upwind.inflows();
         for (low, &own) in logarithms.iter().enumerate() {
@@ -108,8 +114,9 @@ impl Logarithm {
 
     /// `#E`, what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length of
     /// the gradient in the triangles beside it.
-    fn rates(&self, elements: &Elements, logarithms: &[f64], most: f64) -> Vec<f32> {
-        let mut rates = vec![0.0; self.upwind.lengths().len()];
+    fn rates(&self, operators: &Operators, logarithms: &[f64], most: f64) -> Vec<f32> {
+        let elements = &operators.elements;
+        let mut rates = vec![0.0; edge_count(operators.laplacian())];
         let blocks = elements.faces.chunks(BLOCK).zip(elements.shapes.chunks(BLOCK)).zip(self.sides.chunks(BLOCK));
         for ((faces, shapes), sides) in blocks {
             let [mut squares, mut areas] = [[1.0; BLOCK]; 2];
@@ -130,6 +137,11 @@ impl Logarithm {
     }
 }
 
+/// Number of the [edges](Laplacian::edges).
+fn edge_count(laplacian: &Laplacian) -> usize {
+    laplacian.rows().len() - laplacian.size()
+}
+
 /// Where triangles are long, heat is lost within them, and its fall tells nothing of distance.
 fn least_time_factor(operators: &Operators) -> f64 {
     let mut sides: Vec<f64> = operators.elements.shapes.iter().flat_map(Element::sides).collect();
@@ -138,22 +150,17 @@ fn least_time_factor(operators: &Operators) -> f64 {
     smaller((LONG_SIDE_SHARE * long / operators.mean_edge()).powi(2), MOST_FOR_LONG_SIDES)
 }
 
-/// The sides of all triangles, and the lengths (`#E`) of the edges that they are, in this unit.
-fn sides(elements: &Elements, laplacian: &Laplacian, unit: f64) -> (Vec<[Side; 3]>, Vec<f32>) {
-    let edge_count = laplacian.rows().len() - laplacian.size();
-    let (mut shares, mut lengths) = (vec![0.0_f32; edge_count], vec![f32::INFINITY; edge_count]);
+/// The sides of all triangles.
+fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
+    let mut shares = vec![0.0_f32; edge_count(laplacian)];
     let mut sides = Vec::with_capacity(elements.faces.len());
     for (index, (&[a, b, c], shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
-        let [ab, bc, ca] = shape.sides();
         let mut own = [Side::default(); 3];
-        for (((side, ends), cotan), length) in
-            own.iter_mut().zip([[b, c], [c, a], [a, b]]).zip(shape.cotans()).zip([bc, ca, ab])
-        {
+        for ((side, ends), cotan) in own.iter_mut().zip([[b, c], [c, a], [a, b]]).zip(shape.cotans()) {
             // A side from a vertex to itself is no edge, and counts for nothing.
             if let Some(edge) = laplacian.edge(ends) {
                 let share = (elements.share(index) * larger(cotan, LEAST_COTAN)) as f32;
                 shares[edge] += share;
-                lengths[edge] = lengths[edge].min((length / unit) as f32);
                 *side = Side { edge: edge as u32, share };
             }
         }
@@ -162,5 +169,5 @@ fn sides(elements: &Elements, laplacian: &Laplacian, unit: f64) -> (Vec<[Side; 3
     for side in sides.as_flattened_mut() {
         side.share /= shares[side.edge as usize];
     }
-    (sides, lengths)
+    sides
 }

@@ -10,6 +10,7 @@
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
 
 mod answer;
+mod bounds;
 mod constraint;
 mod convergence;
 mod exact_region;

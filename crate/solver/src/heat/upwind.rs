@@ -10,23 +10,13 @@ use std::ops::Range;
 use crate::extremum::smaller;
 use crate::operator::Laplacian;
 
-/// The edges of a mesh, from each of their ends.
+/// How many edges of a mesh end at each vertex.
 #[derive(Debug, Clone)]
 pub(super) struct Upwind {
-    /// `#V + 1`, where the spokes of each vertex begin.
+    /// `#V + 1`, where the edges of each vertex begin, in a list of them from both their ends.
     start: Vec<u32>,
-    spokes: Vec<Spoke>,
-    /// `#E`, in the unit.
-    lengths: Vec<f32>,
     /// The unit of lengths.
     unit: f64,
-}
-
-/// An edge of a vertex.
-#[derive(Debug, Clone, Copy, Default)]
-struct Spoke {
-    other: u32,
-    edge: u32,
 }
 
 /// Stands for a distance that is not known: times no flow it is 0, and times the least one far above any sum of others, which are
@@ -41,9 +31,9 @@ const FEW: usize = 4;
 /// What comes to each vertex along its edges from warmer ones, in one place, so that the pass, which goes to and fro over the mesh, reads
 /// little of it.
 pub(super) struct Inflows {
-    /// `#V`, where those of each vertex end. They begin where its spokes do.
+    /// `#V`, where those of each vertex end. They begin where its edges do.
     ends: Vec<u32>,
-    /// As many as spokes.
+    /// Two for each edge, one of which counts.
     inflows: Vec<Inflow>,
 }
 
@@ -82,7 +72,7 @@ impl Inflows {
         self.ends[low as usize] = own;
     }
 
-    /// Those of a vertex that has these spokes, and perhaps some without flow.
+    /// Those of a vertex that has these edges, and perhaps some without flow.
     fn of(&self, vertex: u32, Range { start, end }: Range<usize>) -> &[Inflow] {
         let few = (start + FEW).max(self.ends[vertex as usize] as usize);
         &self.inflows[start..few.min(end)]
@@ -90,8 +80,8 @@ impl Inflows {
 }
 
 impl Upwind {
-    /// Of the [edges](Laplacian::edges) of a stiffness matrix, which have these lengths (`#E`) in this unit.
-    pub(super) fn new(laplacian: &Laplacian, unit: f64, lengths: Vec<f32>) -> Self {
+    /// Of the [edges](Laplacian::edges) of a stiffness matrix, in this unit of lengths.
+    pub(super) fn new(laplacian: &Laplacian, unit: f64) -> Self {
         let vertices = laplacian.size();
         let mut start = vec![0_u32; vertices + 1];
         for ends in laplacian.edges().map(|(ends, _)| ends) {
@@ -100,31 +90,17 @@ impl Upwind {
         for vertex in 0..vertices {
             start[vertex + 1] += start[vertex];
         }
-        let mut next = start.clone();
-        let mut spokes = vec![Spoke::default(); start[vertices] as usize];
-        for (edge, [a, b]) in (0..).zip(laplacian.edges().map(|(ends, _)| ends)) {
-            for [own, other] in [[a, b], [b, a]] {
-                let place = &mut next[own as usize];
-                spokes[*place as usize] = Spoke { other, edge };
-                *place += 1;
-            }
-        }
-        Self { start, spokes, lengths, unit }
-    }
-
-    /// Lengths of the edges (`#E`), in the unit.
-    pub(super) fn lengths(&self) -> &[f32] {
-        &self.lengths
+        Self { start, unit }
     }
 
     /// Without any yet.
     pub(super) fn inflows(&self) -> Inflows {
-        let ends = self.start[..self.start.len() - 1].to_vec();
-        Inflows { ends, inflows: vec![Inflow::default(); self.spokes.len()] }
+        let (vertices, count) = (self.start.len() - 1, self.start[self.start.len() - 1] as usize);
+        Inflows { ends: self.start[..vertices].to_vec(), inflows: vec![Inflow::default(); count] }
     }
 
-    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where no edges
-    /// lead to one of them.
+    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where heat tells
+    /// nothing.
     pub(super) fn distances(&self, inflows: &Inflows, heat: &[f64], known: Vec<f64>) -> Vec<f64> {
         let (mut distances, inverse) = (known, 1.0 / self.unit);
         distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
@@ -132,48 +108,24 @@ impl Upwind {
         let mut order: Vec<u64> = Vec::with_capacity(distances.len());
         order.extend(unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)));
         order.sort_unstable();
-        let mut left: Vec<u32> = Vec::new();
         for vertex in order.into_iter().map(|key| key as u32) {
-            let own = inflows.of(vertex, self.spoke_range(vertex));
+            let own = inflows.of(vertex, self.edges_of(vertex));
             let [mut flow, mut sum] = total(own, &distances, |_| true);
             if sum > LEAST_UNKNOWN_SUM {
                 [flow, sum] = total(own, &distances, |distance| distance < UNKNOWN);
             }
             if flow > 0.0 {
-                distances[vertex as usize] = sum / flow;
-            } else {
-                left.push(vertex);
+                distances[vertex as usize] = smaller(sum / flow, UNKNOWN);
             }
         }
-        self.complete(left, &mut distances);
         distances
             .iter_mut()
             .for_each(|distance| *distance *= if *distance < UNKNOWN { self.unit } else { f64::INFINITY });
         distances
     }
 
-    /// What heat does not tell is no farther than along the edges.
-    fn complete(&self, mut left: Vec<u32>, distances: &mut [f64]) {
-        loop {
-            let before = left.len();
-            left.retain(|&vertex| {
-                let through =
-                    |&Spoke { other, edge }: &Spoke| distances[other as usize] + f64::from(self.lengths[edge as usize]);
-                let least = self.spokes(vertex).iter().map(through).fold(UNKNOWN, f64::min);
-                distances[vertex as usize] = least;
-                least == UNKNOWN
-            });
-            if left.is_empty() || left.len() == before {
-                return;
-            }
-        }
-    }
-
-    fn spokes(&self, vertex: u32) -> &[Spoke] {
-        &self.spokes[self.spoke_range(vertex)]
-    }
-
-    fn spoke_range(&self, vertex: u32) -> Range<usize> {
+    /// The places of a vertex's edges.
+    fn edges_of(&self, vertex: u32) -> Range<usize> {
         self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize
     }
 }
@@ -202,11 +154,11 @@ mod tests {
 
     use super::*;
 
-    /// The edges 0–1, 1–2 and 2–3 of stiffness 1, two units long.
+    /// The edges 0–1, 1–2 and 2–3 of stiffness 1.
     fn path() -> Upwind {
         let mut entries = [(1, -1.0), (2, -1.0), (3, -1.0)];
         let stiffness = SymmetricMatrix::from_entries(&[1.0, 2.0, 2.0, 1.0], &[0, 1, 2, 3, 3], &mut entries);
-        Upwind::new(&Laplacian { stiffness, mass: vec![1.0; 4] }, 0.5, vec![2.0; 3])
+        Upwind::new(&Laplacian { stiffness, mass: vec![1.0; 4] }, 0.5)
     }
 
     fn distances(field: [EdgeField; 3], heat: [f64; 4], known: Vec<f64>) -> Vec<f64> {
@@ -238,9 +190,9 @@ mod tests {
     }
 
     #[test]
-    fn what_heat_does_not_tell_is_as_far_as_along_edges() {
+    fn what_heat_does_not_tell_is_infinite() {
         let none = [EdgeField::default(); 3];
-        assert_eq!(distances(none, [0.0; 4], known(0.0)), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(distances(none, [0.0; 4], known(0.0)), known(0.0));
     }
 
     #[test]

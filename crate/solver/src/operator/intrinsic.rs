@@ -3,6 +3,8 @@
 //! Fisher, Springborn, Schröder, Bobenko, "An algorithm for the construction of intrinsic Delaunay triangulations"
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
+use std::collections::BinaryHeap;
+
 use crate::operator::elements::{Element, Elements, edge_statistics};
 use heatwalk_surface::HalfedgeId;
 use heatwalk_surface::csr::NONE;
@@ -15,6 +17,10 @@ const MOLLIFICATION: f64 = 1e-5;
 /// An edge is flipped where the sum of the cotangents beside it is below minus this. Rounding of the sum after
 /// mollification is far below; without the margin four points on a circle could be flipped back and forth.
 const FLIP_TOLERANCE: f64 = 1e-9;
+
+/// Flips on the mean of all sides that it takes at most. Meshes need a fraction of one; from a few hubs that all edges lead to it would
+/// be as many as there are vertices, and triangles that are not Delaunay are better than none.
+const MOST_FLIPS: usize = 8;
 
 /// Triangles of given edge lengths, glued. Slot `3 f + k` is the side of face `f` from corner `k` to the next.
 #[derive(Debug, Clone)]
@@ -139,17 +145,16 @@ impl IntrinsicTriangulation {
         }
     }
 
-    /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay.
-    fn flip_to_delaunay(&mut self, sides: impl DoubleEndedIterator<Item = u32>) {
-        let mut is_queued = vec![false; self.twins.len()];
-        let mut queue: Vec<u32> = sides.rev().filter(|&slot| self.is_to_flip(slot)).collect();
-        // Of the two slots of an edge, the lower one stands for it.
-        queue.retain_mut(|slot| {
-            *slot = self.twins[*slot as usize].min(*slot);
-            !std::mem::replace(&mut is_queued[*slot as usize], true)
-        });
-        while let Some(slot) = queue.pop() {
-            is_queued[slot as usize] = false;
+    /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay, or [`MOST_FLIPS`] are done.
+    ///
+    /// What is farthest from it is flipped first, so that flat triangles in a row, as at a T-junction, are flipped away one after another
+    /// and not among themselves.
+    fn flip_to_delaunay(&mut self, sides: impl Iterator<Item = u32>) {
+        let mut waiting = Waiting { edges: BinaryHeap::new(), holds: vec![false; self.twins.len()] };
+        sides.for_each(|side| self.let_wait(side, &mut waiting));
+        let most = self.flips + MOST_FLIPS * self.twins.len();
+        while let Some((_, slot)) = waiting.edges.pop().filter(|_| self.flips < most) {
+            waiting.holds[slot as usize] = false;
             if !self.is_to_flip(slot) {
                 continue;
             }
@@ -157,12 +162,24 @@ impl IntrinsicTriangulation {
             self.flip(slot);
             self.flips += 1;
             for side in [next(slot), previous(slot), next(twin), previous(twin)] {
-                let low = side.min(self.twins[side as usize]);
-                if self.is_to_flip(low) && !std::mem::replace(&mut is_queued[low as usize], true) {
-                    queue.push(low);
-                }
+                self.let_wait(side, &mut waiting);
             }
         }
+    }
+
+    /// Lets an edge wait to be flipped, where it is to be.
+    fn let_wait(&self, side: u32, waiting: &mut Waiting) {
+        // Of the two slots of an edge, the lower one stands for it.
+        let low = side.min(self.twins[side as usize]);
+        if self.is_to_flip(low) && !std::mem::replace(&mut waiting.holds[low as usize], true) {
+            waiting.edges.push((self.excess(low).to_bits(), low));
+        }
+    }
+
+    /// How far an edge is from Delaunay, above 0 where it is to be flipped.
+    fn excess(&self, slot: u32) -> f64 {
+        let twin = self.twins[slot as usize];
+        -self.cotans[slot as usize] - self.cotans[twin as usize]
     }
 
     fn is_open(&self, slot: usize) -> bool {
@@ -174,7 +191,7 @@ impl IntrinsicTriangulation {
         let (slot, twin) = (slot as usize, self.twins[slot as usize] as usize);
         !self.is_open(slot)
             && twin / 3 != slot / 3
-            && self.cotans[slot] + self.cotans[twin] < -FLIP_TOLERANCE
+            && self.excess(slot as u32) > FLIP_TOLERANCE
             && self.cost(slot / 3) == self.cost(twin / 3)
     }
 
@@ -259,6 +276,14 @@ impl IntrinsicTriangulation {
         let shapes = order.iter().map(|&face| Element::of_lengths(lengths[face])).collect();
         Elements { faces, shapes, whole, mean_edge, deviation }
     }
+}
+
+/// Edges that wait to be flipped.
+struct Waiting {
+    /// By the bits of their excess, which order as positive numbers do.
+    edges: BinaryHeap<(u64, u32)>,
+    /// By slot.
+    holds: Vec<bool>,
 }
 
 /// Cotangents of the angles opposite the sides of these lengths.

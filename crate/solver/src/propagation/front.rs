@@ -8,8 +8,9 @@ use super::ends::Ends;
 use super::grow::{BATCH, Grow, NOWHERE, fetch_around, lights, nearest_start};
 use super::labels::{Bar, Bars, Count, Labels};
 use super::medium::{Medium, head_wave, refracted};
+use super::queue::{Queue, sort_spent};
 use crate::error::Result;
-use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Ring, Side, Wavefront, after, before, length};
+use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
 use crate::room::{REFUSED, refilled};
 use heatwalk_surface::lanes::Lanes;
@@ -29,9 +30,9 @@ pub(super) struct Front<C, M> {
     nearest: VertexData<u32>,
     labels: Labels<C>,
     /// Half-edges where windows wait. What is pushed twice waits twice, and the second time finds nothing to do.
-    crossing: Ring,
+    crossing: Queue,
     /// Vertices that have to send windows, and after them ends of portals; likewise.
-    sending: Ring,
+    sending: Queue,
     ends: Ends,
     /// `#V`, whether a vertex has still to send windows.
     waits: Vec<bool>,
@@ -53,8 +54,8 @@ impl<C: Count, M: Medium> Front<C, M> {
             values: VertexData::default(),
             nearest: VertexData::default(),
             labels: Labels::new(3 * surface.face_count(), stretches, geometry.mean_edge(), geometry.threads)?,
-            crossing: Ring::new(0.0, BUCKET * geometry.mean_edge()),
-            sending: Ring::new(0.0, BUCKET * geometry.mean_edge()),
+            crossing: Queue::new(BUCKET * geometry.mean_edge()),
+            sending: Queue::new(BUCKET * geometry.mean_edge()),
             ends: Ends::default(),
             waits: Vec::new(),
             crossed: 0,
@@ -347,8 +348,8 @@ impl<C: Count, M: Medium> Front<C, M> {
         self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE)?.into();
         self.waits = refilled(std::mem::take(&mut self.waits), vertices, false)?;
         self.labels.clear();
-        self.crossing.clear(least, |_| ());
-        self.sending.clear(least, |_| ());
+        self.crossing.clear(least, 3 * self.surface.face_count());
+        self.sending.clear(least, vertices);
         (self.crossed, self.is_refused) = (0, false);
         Ok(())
     }
@@ -399,6 +400,7 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
         let mut batch = std::mem::take(&mut self.batch);
         let mut entering = std::mem::take(&mut self.entering);
         while self.crossed < enough && self.radius() < radius && !self.is_refused() {
+            sort_spent([&mut self.crossing, &mut self.sending]);
             // Vertices wait for the windows of their bucket, which may bring them shorter paths.
             self.crossing.pop_some(smaller(radius, self.sending.ceiling()), BATCH, &mut batch);
             self.fetch(&batch);

@@ -9,9 +9,10 @@ use std::sync::Arc;
 
 use super::ends::Ends;
 use super::grow::{BATCH, Grow, NOWHERE, fetch_around, lights, nearest_start};
+use super::queue::{Queue, sort_spent};
 use crate::cost::Costs;
 use crate::error::Result;
-use crate::exact::{ExactGeometry, Ring, Wavefront, after, before, length};
+use crate::exact::{ExactGeometry, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
 use crate::room::{REFUSED, refilled};
 use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
@@ -32,7 +33,7 @@ pub(super) struct March {
     waits: Vec<bool>,
     /// Vertices that wait, and after them ends of portals. What is pushed twice waits twice, and the second time finds nothing
     /// to do.
-    sending: Ring,
+    sending: Queue,
     ends: Ends,
     /// What is nearer than this is known from the exact search.
     exact_below: f64,
@@ -49,7 +50,7 @@ impl March {
             values: VertexData::default(),
             nearest: VertexData::default(),
             waits: Vec::new(),
-            sending: Ring::new(0.0, BUCKET * geometry.mean_edge()),
+            sending: Queue::new(BUCKET * geometry.mean_edge()),
             ends: Ends::default(),
             exact_below: 0.0,
             crossed: 0,
@@ -64,7 +65,7 @@ impl March {
         self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY)?.into();
         self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE)?.into();
         self.waits = refilled(std::mem::take(&mut self.waits), vertices, false)?;
-        self.sending.clear(least, |_| ());
+        self.sending.clear(least, vertices);
         (self.exact_below, self.crossed) = (0.0, 0);
         Ok(())
     }
@@ -231,6 +232,7 @@ impl Grow for March {
         let vertices = self.waits.len() as u32;
         let mut batch = std::mem::take(&mut self.batch);
         while self.crossed < enough && self.radius() < radius && !self.sending.is_refused() {
+            sort_spent([&mut self.sending]);
             self.sending.pop_some(radius, BATCH, &mut batch);
             let settled = self.sending.ceiling();
             fetch_around(&geometry, &surface, batch.iter().copied().filter(|&item| item < vertices));

@@ -20,6 +20,7 @@ mod labels;
 mod march;
 mod medium;
 mod options;
+mod queue;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
