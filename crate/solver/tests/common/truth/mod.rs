@@ -38,7 +38,9 @@ impl Case {
         (mut positions, mut triangles): (Vec<DVec3>, Vec<[u32; 3]>),
         unrolled: Option<Vec<DVec2>>,
     ) -> Self {
-        let scale = random.log_between(1e-6, 1e6);
+        // Most often a size that files have, else one that only overflows where powers of lengths are taken.
+        let exponent = random.between(-6.0, 6.0);
+        let scale = 10_f64.powf(if exponent.abs() < 5.0 { exponent } else { 20.0 * exponent });
         let turn = if random.chance(0.8) { random.turn() } else { DQuat::IDENTITY };
         positions.iter_mut().for_each(|position| *position = turn * (*position * scale));
         let mut order: Vec<u32> = (0..positions.len() as u32).collect();
