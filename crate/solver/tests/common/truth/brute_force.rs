@@ -17,13 +17,17 @@ const CLEARLY_LONGER: DoubleDouble = DoubleDouble::new(1.0 + 1e-14);
 
 /// `#V × #V` distances, infinite where there is no path. No triangle may have two corners of one position.
 pub fn all_distances(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Vec<f64>> {
-    let mut search = Search::new(positions, triangles);
+    let largest = positions.iter().map(|position| position.abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
+    // A power of two, near 1 / largest, which no digit is lost by.
+    let scale = f64::exp2(-largest.log2().round());
+    let scaled: Vec<DVec3> = positions.iter().map(|&position| position * scale).collect();
+    let mut search = Search::new(&scaled, triangles);
     search.close();
     for source in 0..positions.len() {
         search.see_from(source);
     }
     search.close();
-    search.distances.into_iter().map(|row| row.into_iter().map(DoubleDouble::to_f64).collect()).collect()
+    search.distances.into_iter().map(|row| row.into_iter().map(|value| value.to_f64() / scale).collect()).collect()
 }
 
 /// A side of a triangle, from the first corner to the second, and where the third is beside it.

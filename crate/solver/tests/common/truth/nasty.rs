@@ -4,9 +4,12 @@ use glam::DVec3;
 
 use super::{Case, Random};
 
+/// Makes triangles.
+type Make = fn(&mut Random) -> Vec<[u32; 3]>;
+
 pub fn case(seed: u64) -> Case {
     let mut random = Random::new(seed);
-    let (kind, make): (_, fn(&mut Random) -> Vec<[u32; 3]>) =
+    let (kind, make): (_, Make) =
         random.pick(&[("soup", soup), ("fans on edges", fans), ("flipped strip", strip), ("patches", patches)]);
     let mut triangles = make(&mut random);
     for _ in 0..random.pick(&[0, 0, 1, 3]) {
