@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
 use heatwalk::{
-    Answer, Choice, Costs, DistanceOptions, DistanceSolver, HeatSolver, Method, SurfacePoint, descend, refract,
+    Answer, Choice, Costs, DistanceOptions, DistanceSolver, HeatSolver, Method, Place, SurfacePoint, descend, refract,
     straighten,
 };
 use serde_json::json;
@@ -21,6 +21,8 @@ use crate::volume;
 struct Found {
     path: heatwalk::Path,
     distance: f64,
+    /// Whether the distance is one between those of the vertices around.
+    is_interpolated: bool,
     method: Method,
     solve_ms: f64,
     path_ms: f64,
@@ -60,6 +62,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     report.push("method", found.method.name());
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     report.push("distance", found.distance);
+    report.push("distance_interpolated", found.is_interpolated);
     report.push("length", found.path.length());
     if let Some(costs) = prepared.solver.costs() {
         report.push("cost", costs.of_path(prepared.solver.surface(), &found.path));
@@ -83,6 +86,10 @@ fn by_descent(
 ) -> Result<Found> {
     let start = Instant::now();
     let Answer { distance, method, .. } = solver.distance(&[to], options, &mut go_on)?;
+    if method == Method::Exact {
+        // Values of vertices are exact, what lies between them is not.
+        return exactly(solver, from, to);
+    }
     let solve_ms = milliseconds(start);
     let start = Instant::now();
     let surface = solver.surface();
@@ -93,7 +100,9 @@ fn by_descent(
             None => straighten(surface, &path)?,
         };
     }
-    Ok(Found { path, distance: distance.at(surface, from)?, method, solve_ms, path_ms: milliseconds(start) })
+    let is_interpolated = !matches!(from.place(), Place::Vertex(_));
+    let distance = distance.at(surface, from)?;
+    Ok(Found { path, distance, is_interpolated, method, solve_ms, path_ms: milliseconds(start) })
 }
 
 fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) -> Result<Found> {
@@ -102,5 +111,6 @@ fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) ->
     // One search gives distance and path.
     let solve_ms = milliseconds(start);
     let cost = solver.costs().and_then(Costs::constant).unwrap_or(1.0);
-    Ok(Found { distance: cost * path.length(), path, method: Method::Exact, solve_ms, path_ms: 0.0 })
+    let distance = cost * path.length();
+    Ok(Found { path, distance, is_interpolated: false, method: Method::Exact, solve_ms, path_ms: 0.0 })
 }

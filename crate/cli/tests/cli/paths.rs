@@ -65,6 +65,20 @@ fn a_path_joins_places_inside_triangles() {
 }
 
 #[test]
+fn where_distances_are_exact_places_are_as_far_apart_as_the_path_is_long() {
+    let folder = folder("path_exact_places");
+    let places = [("3:0.2,0.4,0.4", "3:0.21,0.4,0.39"), ("3:0.2,0.3,0.5", "100:0.2,0.3,0.5"), ("7", "7:0.2,0.3,0.5")];
+    for (from, to) in places.into_iter().chain([("3:0.2,0.3,0.5", "3:0.2,0.3,0.5")]) {
+        let answer = json(&folder, &["path", "flat.ply", "--from", from, "--to", to]);
+        let (distance, straight) = (number(&answer, "distance"), length(end(&answer, false), end(&answer, true)));
+        assert_eq!((distance, &answer["distance_interpolated"]), (number(&answer, "length"), &false.into()), "{answer}");
+        assert!((distance - straight).abs() < 1e-12, "{from} {to}: {distance} {straight}");
+    }
+    let by_heat = ["path", "flat.ply", "--from", "3:0.2,0.4,0.4", "--to", "100", "--method", "heat"];
+    assert_eq!(json(&folder, &by_heat)["distance_interpolated"], true);
+}
+
+#[test]
 fn straightened_and_exact_paths_on_a_flat_square_are_straight() {
     let folder = folder("straight");
     for (from, to, straight) in [
