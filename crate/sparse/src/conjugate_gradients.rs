@@ -89,16 +89,3 @@ impl ConjugateGradients {
         Err(Error::NotConverged { iterations: most })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_matrix_that_is_not_positive_definite_is_told_as_such() {
-        // Along (1, −1) its curvature is 0.
-        let matrix = SymmetricMatrix::from_entries(&[1.0, 1.0], &[0, 1, 1], &mut [(1, 1.0)]);
-        let broken = ConjugateGradients::new(matrix).solve(&[1.0, -1.0]).unwrap_err();
-        assert!(matches!(broken, Error::Breakdown { .. }), "{broken}");
-    }
-}
