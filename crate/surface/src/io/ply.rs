@@ -104,7 +104,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                     let name = &property.name;
                     PLY.at(
                         place(),
-                        format!("{name} should be a number, but {found}; the file is damaged, save it again"),
+                        format!(
+                            "{name} should be a number, but {found}; the file is damaged or cut short, save it again"
+                        ),
                     )
                 };
                 match property.kind {
