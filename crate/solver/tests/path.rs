@@ -199,7 +199,8 @@ fn a_path_through_the_corners_of_a_cube_has_no_place_twice() {
     for start in 0..8 {
         // Over two sides to the opposite corner.
         let path = shortest_path(&geometry, VertexId(start), &[VertexId(7 - start)]).expect("a path");
-        assert_eq!(path.points.len(), 3, "from {start}: {:?}", path.points);
+        let is_still = |pair: &[PathPoint]| pair[0].position == pair[1].position;
+        assert!(!path.points.windows(2).any(is_still), "from {start}: {:?}", path.points);
         assert!((path.length() - 5_f64.sqrt()).abs() < 1e-12);
     }
 }
