@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::reader::Reporter;
 use super::triangulate::Polygons;
 use crate::error::{Error, Result};
@@ -32,7 +33,7 @@ impl Header {
     }
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut lines = text
         .lines()
@@ -63,7 +64,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
 
     let least = if header.homogeneous { 4 } else { 3 };
     // A line takes at least two bytes a number, so a count beyond that is a lie and must not be reserved.
-    let mut positions = Vec::with_capacity((bytes.len() / 6).min(vertices as usize));
+    let mut positions = budget.list((bytes.len() / 6).min(vertices as usize))?;
     while (positions.len() as u64) < vertices {
         let Some((number, line)) = lines.next() else {
             return Err(ends(&format!("{} of {vertices} vertices are missing", vertices - positions.len() as u64)));
@@ -76,10 +77,10 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
             })?;
         }
         let [x, y, z, w] = coordinates;
-        positions.push(DVec3::new(x, y, z) / w);
+        budget.push(&mut positions, DVec3::new(x, y, z) / w)?;
     }
 
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     for face in 0..faces {
         let Some((number, line)) = lines.next() else {
             return Err(ends(&format!("{} of {faces} faces are missing", faces - face)));
@@ -96,7 +97,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
             };
             polygons.corner(vertex, positions.len())?;
         }
-        polygons.close();
+        polygons.close()?;
     }
     let triangles = polygons.triangulate_all(&positions)?;
     Ok(Soup::single(name, positions, triangles))

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::color::light;
 use super::reader::Reporter;
 use super::triangulate::Polygons;
@@ -100,7 +101,7 @@ fn take<const N: usize>(bytes: &mut &[u8]) -> Option<[u8; N]> {
     Some(*value)
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let (elements, encoding, body) = header(bytes)?;
     let text;
     let mut body = match encoding {
@@ -114,13 +115,13 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
     let mut attributes: Vec<Attribute> = Vec::new();
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     let mut list = Vec::new();
     for element in &elements {
         let role = Role::of(element)?;
         if let Role::Vertex { .. } = role {
             // Three coordinates take at least three bytes, so a count beyond that is a lie and must not be reserved.
-            positions.reserve((bytes.len() / 3).min(element.count as usize));
+            budget.reserve(&mut positions, (bytes.len() / 3).min(element.count as usize))?;
             attributes = attributes_of(element);
         }
         // Elements without properties take no bytes; a count of them could keep the loop below busy for ever.
@@ -149,7 +150,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                             } else if !KNOWN.contains(&property.name.as_str())
                                 && let Some(attribute) = further.next()
                             {
-                                attribute.values.push(value);
+                                budget.push(&mut attribute.values, value)?;
                             }
                         }
                     }
@@ -157,7 +158,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                         let length = body.next(count).and_then(as_index).ok_or_else(broken)?;
                         list.clear();
                         for _ in 0..length {
-                            list.push(body.next(item).ok_or_else(broken)?);
+                            budget.push(&mut list, body.next(item).ok_or_else(broken)?)?;
                         }
                         let valid = match role {
                             Role::Face(at) if at == column => face(&list, &mut polygons)?,
@@ -174,10 +175,10 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                 }
             }
             if let Role::Vertex { channels, .. } = role {
-                positions.push(position.into());
+                budget.push(&mut positions, position.into())?;
                 if let Some([.., alpha]) = channels {
                     color[ALPHA] = if alpha.is_some() { color[ALPHA] } else { u16::MAX };
-                    colors.push(color);
+                    budget.push(&mut colors, color)?;
                 }
             }
         }
@@ -273,7 +274,7 @@ fn face(list: &[f64], polygons: &mut Polygons) -> Result<bool> {
         let Some(vertex) = as_index(value) else { return Ok(false) };
         polygons.corner(vertex, 0)?;
     }
-    polygons.close();
+    polygons.close()?;
     Ok(true)
 }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::reader::Reporter;
 use crate::error::Result;
 use crate::soup::Soup;
@@ -30,11 +31,15 @@ pub fn is_ascii(bytes: &[u8]) -> bool {
         && (has(b"facet") || has(b"endsolid"))
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    if !is_binary(bytes) && is_ascii(bytes) { read_ascii(name, bytes) } else { read_binary(name, bytes) }
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+    if !is_binary(bytes) && is_ascii(bytes) {
+        read_ascii(budget, name, bytes)
+    } else {
+        read_binary(budget, name, bytes)
+    }
 }
 
-fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
+fn read_binary(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let truncated = |problem: String| STL.at(format!("byte {}", bytes.len()), problem);
     let count = binary_count(bytes)
         .ok_or_else(|| truncated("the file is shorter than an STL header; save it again".to_owned()))?;
@@ -42,7 +47,7 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
     if records.len() < count {
         return Err(truncated(format!("{} of {count} triangles are missing; save it again", count - records.len())));
     }
-    let mut positions = Vec::with_capacity(3 * count);
+    let mut positions = budget.list(3 * count)?;
     for record in records.take(count) {
         for corner in record[12..48].chunks_exact(12) {
             let coordinate =
@@ -50,11 +55,12 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
             positions.push(DVec3::new(coordinate(0), coordinate(4), coordinate(8)));
         }
     }
+    budget.take_items::<[u32; 3]>(count)?;
     let triangles = (0..count as u32).map(|triangle| [0, 1, 2].map(|corner| 3 * triangle + corner)).collect();
     Ok(Soup::single(name, positions, triangles))
 }
 
-fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
+fn read_ascii(budget: &Budget, file: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut soup = Soup::default();
     let mut name = file;
@@ -72,13 +78,14 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
                 corners.clear();
                 complete = false;
             }
-            "vertex" => corners.push(STL.vertex(arguments, number)?),
+            "vertex" => budget.push(&mut corners, STL.vertex(arguments, number)?)?,
             "endfacet" => {
                 if corners.len() != 3 {
                     return Err(STL.line(number, format!("a facet has {} corners instead of 3", corners.len())));
                 }
                 let first = soup.positions.len() as u32;
-                soup.triangles.push([first, first + 1, first + 2]);
+                budget.push(&mut soup.triangles, [first, first + 1, first + 2])?;
+                budget.reserve(&mut soup.positions, corners.len())?;
                 soup.positions.append(&mut corners);
                 complete = true;
             }

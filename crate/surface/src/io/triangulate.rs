@@ -2,33 +2,43 @@
 
 use glam::{DVec2, DVec3};
 
+use super::budget::Budget;
 use crate::error::{Error, Result};
 
 /// Ear clipping costs (corners × reflex corners); beyond this a hostile polygon could stall the page, so it is fanned.
 const MAX_EAR_CLIPPED_CORNERS: usize = 4096;
 
+/// Bytes a corner that a polygon takes while it is cut: a point in space and in the plane, both neighbors, the list of reflex corners.
+const CUTTING_BYTES: u64 = (size_of::<DVec3>() + size_of::<DVec2>() + 3 * size_of::<usize>()) as u64;
+
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
-#[derive(Default)]
-pub struct Polygons {
+pub struct Polygons<'a> {
+    budget: &'a Budget,
     corners: Vec<u32>,
     ends: Vec<usize>,
 }
 
-impl Polygons {
+impl<'a> Polygons<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, corners: Vec::new(), ends: Vec::new() }
+    }
+
     /// Adds a corner to the polygon that the next [`Self::close`] ends.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`] for an index that no mesh can hold; `vertices` is the number known so far.
+    /// [`Error::IndexOutOfRange`] for an index that no mesh can hold; `vertices` is the number known so far. [`Error::OverBudget`].
     pub fn corner(&mut self, vertex: u64, vertices: usize) -> Result<()> {
         let triangle = self.ends.len();
         let corner = u32::try_from(vertex).map_err(|_| Error::IndexOutOfRange { triangle, vertex, vertices })?;
-        self.corners.push(corner);
-        Ok(())
+        self.budget.push(&mut self.corners, corner)
     }
 
     /// Ends the polygon. Fewer than three corners make a point or a line, which triangulate to nothing.
-    pub fn close(&mut self) {
-        self.ends.push(self.corners.len());
+    ///
+    /// # Errors
+    /// [`Error::OverBudget`].
+    pub fn close(&mut self) -> Result<()> {
+        self.budget.push(&mut self.ends, self.corners.len())
     }
 
     /// Polygons so far.
@@ -49,7 +59,7 @@ impl Polygons {
     /// Appends the triangles of polygon `index` to `triangles`, each corner by its place in the list of all corners.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`] where a corner names no vertex; the polygon is counted as the triangle.
+    /// [`Error::IndexOutOfRange`] where a corner names no vertex; the polygon is counted as the triangle. [`Error::OverBudget`].
     pub fn triangulate_corners(
         &self,
         index: usize,
@@ -61,10 +71,15 @@ impl Polygons {
         if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= positions.len()) {
             return Err(Error::IndexOutOfRange { triangle: index, vertex: vertex.into(), vertices: positions.len() });
         }
+        self.budget.reserve(triangles, corners.len().saturating_sub(2))?;
         match corners.len() {
             0..=2 => {}
             3 => triangles.push([start, start + 1, start + 2]),
-            _ => polygon(start, corners, positions, triangles),
+            count => {
+                let _loan = self.budget.loan();
+                self.budget.lend(CUTTING_BYTES * count as u64)?;
+                polygon(start, corners, positions, triangles);
+            }
         }
         Ok(())
     }
@@ -74,7 +89,7 @@ impl Polygons {
     /// # Errors
     /// As [`Self::triangulate_corners`].
     pub fn triangulate_all(&self, positions: &[DVec3]) -> Result<Vec<[u32; 3]>> {
-        let mut triangles = Vec::with_capacity(self.ends.len());
+        let mut triangles = self.budget.list(self.corners.len().saturating_sub(2 * self.ends.len()))?;
         let mut corners = Vec::new();
         for index in 0..self.ends.len() {
             corners.clear();

@@ -7,6 +7,8 @@
 
 use std::fmt;
 
+use heatwalk::io::Budget;
+
 use super::error::{Error, Result};
 use crate::soup::TetSoup;
 
@@ -109,15 +111,19 @@ impl fmt::Display for CellCounts {
 }
 
 /// Cells that become tetrahedra.
-#[derive(Default)]
-pub struct Cells {
+pub struct Cells<'a> {
+    budget: &'a Budget,
     pub tetrahedra: Vec<[u32; 4]>,
     pub counts: CellCounts,
 }
 
-impl Cells {
+impl<'a> Cells<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, tetrahedra: Vec::new(), counts: CellCounts::default() }
+    }
+
     /// Adds a cell by its corners, of which some may be equal: hexahedra that stand for prisms are written so.
-    pub fn add(&mut self, shape: Shape, corners: &[u32], is_curved: bool) {
+    pub fn add(&mut self, shape: Shape, corners: &[u32], is_curved: bool) -> Result<()> {
         self.counts.curved += usize::from(is_curved);
         match shape {
             Shape::Tetrahedron => self.counts.tetrahedra += 1,
@@ -126,8 +132,7 @@ impl Cells {
             Shape::Hexahedron => self.counts.hexahedra += 1,
         }
         if let (Shape::Tetrahedron, &[a, b, c, d]) = (shape, corners) {
-            self.tetrahedra.push([a, b, c, d]);
-            return;
+            return Ok(self.budget.push(&mut self.tetrahedra, [a, b, c, d])?);
         }
         let apex = corners.iter().copied().min().unwrap_or_default();
         for face in shape.faces() {
@@ -140,10 +145,11 @@ impl Cells {
             for step in 1..count - 1 {
                 let [a, b, c] = [corner(0), corner(step), corner(step + 1)];
                 if a != b && b != c && c != a {
-                    self.tetrahedra.push([a, c, b, apex]);
+                    self.budget.push(&mut self.tetrahedra, [a, c, b, apex])?;
                 }
             }
         }
+        Ok(())
     }
 
     /// Over these positions.
@@ -153,8 +159,8 @@ impl Cells {
 }
 
 /// Cells whose vertices are known by the numbers that the file gives them; it may do so after the cells.
-#[derive(Default)]
-pub struct NamedCells {
+pub struct NamedCells<'a> {
+    budget: &'a Budget,
     /// Shapes, and whether they are curved.
     cells: Vec<(Shape, bool)>,
     /// Of all cells, one after another.
@@ -163,20 +169,24 @@ pub struct NamedCells {
     pub faces: usize,
 }
 
-impl NamedCells {
+impl<'a> NamedCells<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, cells: Vec::new(), corners: Vec::new(), faces: 0 }
+    }
+
     /// Adds a corner to the cell that the next [`Self::end`] ends.
-    pub fn corner(&mut self, number: u64) {
-        self.corners.push(number);
+    pub fn corner(&mut self, number: u64) -> Result<()> {
+        Ok(self.budget.push(&mut self.corners, number)?)
     }
 
     /// Ends a cell, which has as many corners as its shape.
-    pub fn end(&mut self, shape: Shape, is_curved: bool) {
-        self.cells.push((shape, is_curved));
+    pub fn end(&mut self, shape: Shape, is_curved: bool) -> Result<()> {
+        Ok(self.budget.push(&mut self.cells, (shape, is_curved))?)
     }
 
     /// The tetrahedra. `vertex`: that of a number, if there is one.
-    pub fn finish(self, format: &'static str, vertex: impl Fn(u64) -> Option<u32>) -> Result<Cells> {
-        let mut cells = Cells::default();
+    pub fn finish(self, format: &'static str, vertex: impl Fn(u64) -> Option<u32>) -> Result<Cells<'a>> {
+        let mut cells = Cells::new(self.budget);
         cells.counts.faces = self.faces;
         let mut rest = &self.corners[..];
         let mut corners = Vec::new();
@@ -186,7 +196,7 @@ impl NamedCells {
             for &number in own {
                 corners.push(vertex(number).ok_or(Error::NoSuchVertex { format, cell, vertex: number })?);
             }
-            cells.add(shape, &corners, is_curved);
+            cells.add(shape, &corners, is_curved)?;
             rest = others;
         }
         Ok(cells)
@@ -196,6 +206,8 @@ impl NamedCells {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+
+    use heatwalk::io::Budget;
 
     use super::{Cells, Shape};
 
@@ -240,8 +252,9 @@ mod tests {
             for step in (1..count).filter(|step| (1..count).all(|k| step * k % count != 0)) {
                 for first in 0..count {
                     let corners: Vec<u32> = (0..count).map(|k| ((first + k * step) % count) as u32).collect();
-                    let mut cells = Cells::default();
-                    cells.add(shape, &corners, false);
+                    let budget = Budget::of_file(0);
+                    let mut cells = Cells::new(&budget);
+                    cells.add(shape, &corners, false).unwrap();
                     let position = |vertex: u32| points[corners.iter().position(|&corner| corner == vertex).unwrap()];
                     let volumes = cells.tetrahedra.iter().map(|tetrahedron| {
                         let [a, b, c, d] = tetrahedron.map(position);
@@ -258,8 +271,9 @@ mod tests {
 
     #[test]
     fn a_hexahedron_that_stands_for_a_prism_becomes_three_tetrahedra() {
-        let mut cells = Cells::default();
-        cells.add(Shape::Hexahedron, &[0, 1, 2, 2, 4, 5, 6, 6], false);
+        let budget = Budget::of_file(0);
+        let mut cells = Cells::new(&budget);
+        cells.add(Shape::Hexahedron, &[0, 1, 2, 2, 4, 5, 6, 6], false).unwrap();
         assert_eq!(cells.tetrahedra.len(), 3);
     }
 }

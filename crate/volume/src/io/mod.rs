@@ -20,7 +20,7 @@ mod tetgen;
 mod vtk;
 pub mod write;
 
-use heatwalk::io::Resources;
+use heatwalk::io::{Budget, Resources};
 use heatwalk::surface::Error as FileError;
 
 pub use cells::CellCounts;
@@ -85,19 +85,28 @@ pub struct TetFile {
 /// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
 /// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
+    read_within(&Budget::of_file(bytes.len()), name, bytes, resources)
+}
+
+/// As [`read`], with what is left of a budget.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let bytes = without_mark(bytes);
     let (soup, cells) = match format {
-        Format::Medit => medit::read(bytes)?,
-        Format::Gmsh => gmsh::read(bytes)?,
-        Format::Vtk => vtk::read(bytes)?,
+        Format::Medit => medit::read(budget, bytes)?,
+        Format::Gmsh => gmsh::read(budget, bytes)?,
+        Format::Vtk => vtk::read(budget, bytes)?,
         Format::TetGen => {
             let (stem, extension) = stem_and_extension(name);
             let has_nodes = extension.eq_ignore_ascii_case("node");
             let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
             let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
+            let other = budget.admit(other)?;
             let (nodes, elements) = if has_nodes { (bytes, &other[..]) } else { (&other[..], bytes) };
-            tetgen::read(nodes, elements)?
+            tetgen::read(budget, nodes, elements)?
         }
     };
     if cells.volumes() == 0 {

@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
+use super::budget::Budget;
 use super::color::light;
 use super::reader::{Reporter, Resources, numbers};
 use super::seams::seams;
@@ -52,24 +53,24 @@ impl Groups {
 }
 
 /// What the file holds, polygons in its order.
-#[derive(Default)]
-struct File {
+struct File<'a> {
+    budget: &'a Budget,
     positions: Vec<DVec3>,
     /// Red, green and blue as displays take them; of as many vertices as there are up to the last that has one.
     colors: Vec<[f32; 3]>,
     /// u and v, (0, 0) at an image's upper left corner.
     texcoords: Vec<[f32; 2]>,
     normals: Vec<Vec3>,
-    polygons: Polygons,
+    polygons: Polygons<'a>,
     /// Of each corner of the polygons up to the last that has any, its texture coordinate and its normal.
     attributes: Vec<[u32; 2]>,
     part_of_polygon: Vec<usize>,
     material_of_polygon: Vec<Option<usize>>,
 }
 
-pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let mut file = File::default();
+    let mut file = File::new(budget);
     let mut groups = Groups::new(name);
     let mut library = Library::new(resources);
     let mut material = None;
@@ -87,17 +88,19 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
             "v" => file.vertex(arguments, number)?,
             "vt" => {
                 let [u, v] = numbers(arguments);
-                file.texcoords.push([u, 1.0 - v]);
+                budget.push(&mut file.texcoords, [u, 1.0 - v])?;
             }
-            "vn" => file.normals.push(Vec3::from(numbers(arguments)).normalize_or_zero()),
+            "vn" => budget.push(&mut file.normals, Vec3::from(numbers(arguments)).normalize_or_zero())?,
             "f" => {
                 file.polygon(arguments, number)?;
-                file.part_of_polygon.push(groups.current);
-                file.material_of_polygon.push(material);
+                budget.push(&mut file.part_of_polygon, groups.current)?;
+                budget.push(&mut file.material_of_polygon, material)?;
             }
             "o" => groups.open(arguments.trim(), ""),
             "g" => {
                 let object = std::mem::take(&mut groups.object);
+                // Each group has the name of its object.
+                budget.take(object.len() as u64)?;
                 groups.open(&object, arguments.trim());
             }
             "mtllib" => library.open(arguments.trim()),
@@ -108,15 +111,29 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     file.assemble(groups.names, library)
 }
 
-impl File {
+impl<'a> File<'a> {
+    fn new(budget: &'a Budget) -> Self {
+        Self {
+            budget,
+            positions: Vec::new(),
+            colors: Vec::new(),
+            texcoords: Vec::new(),
+            normals: Vec::new(),
+            polygons: Polygons::new(budget),
+            attributes: Vec::new(),
+            part_of_polygon: Vec::new(),
+            material_of_polygon: Vec::new(),
+        }
+    }
+
     fn vertex(&mut self, arguments: &str, line: usize) -> Result<()> {
-        self.positions.push(OBJ.vertex(arguments, line)?);
+        self.budget.push(&mut self.positions, OBJ.vertex(arguments, line)?)?;
         let mut rest = arguments.split_whitespace().skip(3);
         // A single number is the weight of a rational curve's control point.
         if let (Some(_), Some(_), Some(_)) = (rest.next(), rest.next(), rest.next()) {
             let [.., red, green, blue] = numbers::<6>(arguments);
-            self.colors.resize(self.positions.len() - 1, [1.0; 3]);
-            self.colors.push([red, green, blue]);
+            self.budget.resize(&mut self.colors, self.positions.len() - 1, [1.0; 3])?;
+            self.budget.push(&mut self.colors, [red, green, blue])?;
         }
         Ok(())
     }
@@ -129,12 +146,11 @@ impl File {
             let texcoord = attribute(indices.next(), self.texcoords.len());
             let attributes = [texcoord, attribute(indices.next(), self.normals.len())];
             if attributes != [NONE; 2] {
-                self.attributes.resize(self.polygons.corner_count() - 1, [NONE; 2]);
-                self.attributes.push(attributes);
+                self.budget.resize(&mut self.attributes, self.polygons.corner_count() - 1, [NONE; 2])?;
+                self.budget.push(&mut self.attributes, attributes)?;
             }
         }
-        self.polygons.close();
-        Ok(())
+        self.polygons.close()
     }
 
     /// Brings the polygons of each part together and drops parts without triangles.
@@ -143,7 +159,7 @@ impl File {
         for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
             members[part].push(polygon);
         }
-        let mut corners = Vec::with_capacity(self.part_of_polygon.len());
+        let mut corners = self.budget.list(self.part_of_polygon.len())?;
         let mut runs: Vec<Run> = Vec::new();
         let mut soup = Soup::default();
         for (name, members) in names.into_iter().zip(members) {
@@ -156,7 +172,9 @@ impl File {
                     None => runs.push(Run { triangles: start..corners.len(), material }),
                 }
             }
-            soup.triangles.extend(corners[soup.triangles.len()..].iter().map(|&places| self.polygons.vertices(places)));
+            let own = &corners[soup.triangles.len()..];
+            self.budget.reserve(&mut soup.triangles, own.len())?;
+            soup.triangles.extend(own.iter().map(|&places| self.polygons.vertices(places)));
             soup.end_part(name);
         }
         runs.retain(|run| !run.triangles.is_empty());

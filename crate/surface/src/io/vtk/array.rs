@@ -1,5 +1,8 @@
 //! Arrays of numbers. Every type of the format fits into an f64, but for whole numbers above 2⁵³, which no index is.
 
+use crate::error::Result;
+use crate::io::budget::Budget;
+
 /// A type of numbers.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scalar {
@@ -44,7 +47,10 @@ impl Scalar {
     }
 
     /// The numbers that bytes hold, those of a number in ascending order where `is_little`.
-    pub fn numbers(self, bytes: &[u8], is_little: bool) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// Where the budget has no room for them.
+    pub fn numbers(self, budget: &Budget, bytes: &[u8], is_little: bool) -> Result<Vec<f64>> {
         let number = |bytes: &[u8]| {
             let mut word = [0; 8];
             word[..bytes.len()].copy_from_slice(bytes);
@@ -62,7 +68,9 @@ impl Scalar {
                 Self::F64 => f64::from_bits(bits),
             }
         };
-        bytes.chunks_exact(self.size()).map(number).collect()
+        let mut numbers = budget.list(bytes.len() / self.size())?;
+        numbers.extend(bytes.chunks_exact(self.size()).map(number));
+        Ok(numbers)
     }
 }
 

@@ -13,6 +13,7 @@ use glam::DVec3;
 use self::array::whole;
 use self::piece::{Piece, VTK};
 use crate::error::{Error, Result};
+use crate::io::budget::Budget;
 use crate::soup::Soup;
 
 /// The cells of a file that fill space, of all its pieces.
@@ -35,18 +36,28 @@ pub fn has_header(bytes: &[u8]) -> bool {
     legacy::has_header(bytes) || document::has_header(bytes)
 }
 
-fn pieces(bytes: &[u8]) -> Result<Vec<Piece>> {
-    Ok(if document::has_header(bytes) { document::read(bytes)? } else { vec![legacy::read(bytes)?] })
+fn pieces<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Vec<Piece<'a>>> {
+    Ok(if document::has_header(bytes) { document::read(budget, bytes)? } else { vec![legacy::read(budget, bytes)?] })
 }
 
 /// The cells of a file that fill space; none where there is none such.
 ///
 /// # Errors
-/// [`Error::Malformed`] and [`Error::Unsupported`], as [`read`](super::read).
-pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
+/// [`Error::Malformed`], [`Error::Unsupported`] and [`Error::OverBudget`], as [`read`](super::read).
+pub fn volumes(budget: &Budget, bytes: &[u8]) -> Result<VolumeCells> {
+    let volumes = volumes_of(budget, bytes);
+    budget.finish()?;
+    volumes
+}
+
+fn volumes_of(budget: &Budget, bytes: &[u8]) -> Result<VolumeCells> {
     let mut all = VolumeCells::default();
-    for piece in pieces(bytes)? {
+    for piece in pieces(budget, bytes)? {
         let (first, before, count) = (all.positions.len(), all.points.len(), piece.positions.len());
+        budget.reserve(&mut all.positions, count)?;
+        budget.reserve(&mut all.points, piece.volumes.points.len())?;
+        budget.reserve(&mut all.ends, piece.volumes.ends.len())?;
+        budget.reserve(&mut all.kinds, piece.volumes.kinds.len())?;
         for (place, &point) in piece.volumes.points.iter().enumerate() {
             let index = whole(point).and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count);
             let number = index.and_then(|index| u32::try_from(first + index).ok());
@@ -66,13 +77,15 @@ pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
     Ok(all)
 }
 
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    let pieces = pieces(bytes)?;
+pub(super) fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+    let pieces = pieces(budget, bytes)?;
     let mut soup = Soup::default();
     let (count, has_volumes) = (pieces.len(), pieces.iter().any(|piece| !piece.volumes.kinds.is_empty()));
     for (index, piece) in pieces.into_iter().enumerate() {
         let first = soup.positions.len() as u32;
         let triangles = piece.faces.triangulate_all(&piece.positions)?;
+        budget.reserve(&mut soup.triangles, triangles.len())?;
+        budget.reserve(&mut soup.positions, piece.positions.len())?;
         soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|vertex| first + vertex)));
         soup.positions.extend(piece.positions);
         soup.end_part(if count == 1 { name.to_owned() } else { format!("{name} {index}") });

@@ -69,7 +69,7 @@ impl<'a, 'b> Section<'a, 'b> {
         if self.header.layout == Layout::Rows {
             for _ in 0..self.row_count("the number of nodes")? {
                 let number = self.node_number()?;
-                nodes.add(number, self.position()?);
+                nodes.add(number, self.position()?)?;
             }
             return Ok(self.rest());
         }
@@ -82,9 +82,10 @@ impl<'a, 'b> Section<'a, 'b> {
             let count = self.size("the number of nodes of a block")?;
             let mut numbers = Vec::new();
             if self.header.layout == Layout::Blocks {
-                numbers.reserve(self.input.plausible(count));
+                nodes.budget.reserve(&mut numbers, self.input.plausible(count))?;
                 for _ in 0..count {
-                    numbers.push(self.size("the number of a node")? as u64);
+                    let number = self.size("the number of a node")? as u64;
+                    nodes.budget.push(&mut numbers, number)?;
                 }
             }
             for row in 0..count {
@@ -92,7 +93,7 @@ impl<'a, 'b> Section<'a, 'b> {
                     Some(&number) => number,
                     None => self.node_number()?,
                 };
-                nodes.add(number, self.position()?);
+                nodes.add(number, self.position()?)?;
                 for _ in 0..parameters {
                     self.input.double("a parameter of a node")?;
                 }
@@ -168,11 +169,11 @@ impl<'a, 'b> Section<'a, 'b> {
             let what = "a node of an element";
             let number = if self.header.layout == Layout::Blocks { self.size(what)? } else { self.int_size(what)? };
             if node < corners {
-                cells.corner(number as u64);
+                cells.corner(number as u64)?;
             }
         }
         match element.shape {
-            Some(shape) => cells.end(shape, element.nodes > corners),
+            Some(shape) => cells.end(shape, element.nodes > corners)?,
             None => cells.faces += usize::from(element.is_face),
         }
         Ok(())
