@@ -242,14 +242,16 @@ impl Soup {
         if let Some(&part) = parts.iter().find(|&&part| part >= self.parts.len()) {
             return Err(Error::NoSuchPart { part, parts: self.parts.len() });
         }
-        let chosen = |index: usize| parts.contains(&index);
-        if (0..self.parts.len()).all(chosen) {
+        let mut is_chosen = vec![false; self.parts.len()];
+        parts.iter().for_each(|&part| is_chosen[part] = true);
+        let chosen = || self.parts.iter().zip(&is_chosen).filter(|(_, is_chosen)| **is_chosen).map(|(part, _)| part);
+        if is_chosen.iter().all(|&is_chosen| is_chosen) {
             return Ok(self.clone());
         }
         let mut used = vec![false; self.positions.len()];
         let mut selection =
             Self { unit: self.unit, cameras: self.cameras.clone(), lights: self.lights.clone(), ..Self::default() };
-        for (_, part) in self.parts.iter().enumerate().filter(|&(index, _)| chosen(index)) {
+        for part in chosen() {
             let start = selection.triangles.len();
             for index in part.triangles.clone() {
                 let triangle = self.triangles[index];
@@ -259,8 +261,7 @@ impl Soup {
             selection.parts.push(Part { name: part.name.clone(), triangles: start..selection.triangles.len() });
         }
         if !self.appearance.is_empty() {
-            let triangles = self.parts.iter().enumerate().filter(|&(index, _)| chosen(index));
-            let triangles = triangles.flat_map(|(_, part)| part.triangles.clone());
+            let triangles = chosen().flat_map(|part| part.triangles.clone());
             selection.appearance = Arc::new(self.appearance.select(triangles, &used));
         }
         if !self.motion.is_empty() {
