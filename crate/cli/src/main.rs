@@ -4,6 +4,7 @@ mod answer;
 mod args;
 mod commands;
 mod distance;
+mod file;
 mod fill;
 mod ground;
 mod input;

@@ -12,14 +12,14 @@ const LEAST_BYTES: u64 = 64 << 20;
 /// Bytes for each byte of a file. Meshes are packed by 20 at most, and what is unpacked takes up to 20 bytes a byte once read.
 const PER_BYTE: u64 = 512;
 /// Bytes that the two above come to at most.
-const MOST_BYTES: u64 = 4 << 30;
+const MOST_BYTES: u64 = 2 << 30;
 /// Bytes for each byte of a file that is so large that this is more.
 const PER_BYTE_OF_LARGE: u64 = 64;
 
 /// The bytes that may be allocated for a file. Readers take from it before they allocate, so that a file which claims much, or packs
 /// or repeats it, is refused and does not fill the memory.
 ///
-/// 64 MiB and 512 bytes for each byte of the file, up to 4 GiB; a file of more than 64 MiB may take 64 bytes for each of its bytes. Of
+/// 64 MiB and 512 bytes for each byte of the file, up to 2 GiB; a file of more than 32 MiB may take 64 bytes for each of its bytes. Of
 /// files that it refers to, each brings its own bytes along, once.
 ///
 /// What is no longer than a line, or no more than the text that it came from, is not counted.
@@ -210,11 +210,11 @@ mod tests {
 
     #[test]
     fn a_larger_file_may_take_more() {
-        let sizes = [0, 1, 1 << 10, 1 << 20, 8 << 20, 64 << 20, 65 << 20, 1 << 30, u64::MAX / 2];
+        let sizes = [0, 1, 1 << 10, 1 << 20, 8 << 20, 32 << 20, 33 << 20, 1 << 30, u64::MAX / 2];
         let bytes = sizes.map(bytes_for);
         assert!(bytes.is_sorted(), "{bytes:?}");
         assert_eq!(bytes[..2], [LEAST_BYTES, LEAST_BYTES + PER_BYTE]);
-        assert_eq!(bytes_for(64 << 20), MOST_BYTES);
+        assert_eq!(bytes_for(32 << 20), MOST_BYTES);
     }
 
     #[test]

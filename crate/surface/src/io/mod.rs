@@ -64,15 +64,16 @@ pub use reader::Resources;
 /// [`Error::UnknownFormat`], [`Error::Malformed`], [`Error::Unsupported`], [`Error::MissingResource`],
 /// [`Error::IndexOutOfRange`], [`Error::OverBudget`], and [`Error::Empty`] where the file holds no triangle.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    read_within(&Budget::of_file(bytes.len()), name, bytes, resources)
+    let budget = Budget::of_file(bytes.len());
+    read_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
 }
 
-/// As [`read`], with what is left of a budget.
+/// As [`read`], with what is left of a budget. What `resources` gives is for the caller to count.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let soup = read_format(budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok());
+    let soup = read_format(budget, name, bytes, resources);
     // A reader may do without a part that it could not read.
     budget.finish()?;
     soup
@@ -121,6 +122,12 @@ fn unknown(name: &str, extension: &str) -> Error {
         "dae" => convert("COLLADA", "Blender up to version 4.5"),
         _ => Error::UnknownFormat { name: name.to_owned() },
     }
+}
+
+/// Whether the extension of a name is that of a format read here.
+pub fn names_mesh(name: &str) -> bool {
+    let (_, extension) = stem_and_extension(name);
+    Format::of_extension(extension).is_some()
 }
 
 /// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.

@@ -85,10 +85,13 @@ pub struct TetFile {
 /// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
 /// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
-    read_within(&Budget::of_file(bytes.len()), name, bytes, resources)
+    let budget = Budget::of_file(bytes.len());
+    let file = read_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok());
+    budget.finish().map_err(Error::File)?;
+    file
 }
 
-/// As [`read`], with what is left of a budget.
+/// As [`read`], with what is left of a budget. What `resources` gives is for the caller to count.
 ///
 /// # Errors
 /// As [`read`].
@@ -104,7 +107,6 @@ pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resourc
             let has_nodes = extension.eq_ignore_ascii_case("node");
             let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
             let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
-            let other = budget.admit(other)?;
             let (nodes, elements) = if has_nodes { (bytes, &other[..]) } else { (&other[..], bytes) };
             tetgen::read(budget, nodes, elements)?
         }
