@@ -94,6 +94,7 @@ impl<'a> Polygons<'a> {
         for index in 0..self.ends.len() {
             corners.clear();
             self.triangulate_corners(index, positions, &mut corners)?;
+            self.budget.reserve(&mut triangles, corners.len())?;
             triangles.extend(corners.iter().map(|&places| self.vertices(places)));
         }
         Ok(triangles)
