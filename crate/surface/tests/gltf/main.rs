@@ -197,7 +197,7 @@ fn sparse_accessors_replace_elements() {
     let soup = builder.read().unwrap();
     assert_eq!((soup.positions[1], soup.positions[2]), (DVec3::ZERO, DVec3::new(3.0, 4.0, 5.0)));
     builder.root["accessors"][0]["count"] = json!(1_u64 << 40);
-    assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "a count without bytes reserves nothing");
+    assert!(matches!(builder.read(), Err(Error::OverBudget { .. })), "a count without bytes reserves nothing");
 }
 
 #[test]
