@@ -1,6 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { packScene, sceneIn } from '../../web/files/scene';
+import { Archive } from '../../web/files/zip';
 
 const LINK = 'v=1&m=file&name=cow.obj&s=7';
 const file = (path: string, content: string) => ({ path, content: new Blob([content]) });
@@ -34,6 +35,16 @@ test('a scene is packed with its mesh and what that refers to, and nothing else'
   ]);
   const pair = [file('t.node', '0'), file('t.ele', '0')];
   expect(await paths(await packScene(LINK, { kind: 'files', mesh: 't.node', files: pair }))).toHaveLength(3);
+});
+
+test('files are packed whatever their names are', async () => {
+  const gltf = JSON.stringify({ buffers: [{ uri: 'constructor' }, { uri: '__proto__' }, { uri: 'toString' }] });
+  const files = [file('m.gltf', gltf), file('constructor', 'a'), file('__proto__', 'b'), file('toString', 'c')];
+  const packed = await packScene(LINK, { kind: 'files', mesh: 'm.gltf', files });
+  const saved = await Archive.of(packed);
+  expect(saved.paths.toSorted()).toEqual(['__proto__', 'constructor', 'heatwalk.json', 'm.gltf', 'toString']);
+  const text = (path: string) => new TextDecoder().decode(saved.read(path));
+  expect(['constructor', '__proto__', 'toString'].map(text)).toEqual(['a', 'b', 'c']);
 });
 
 test('a mesh that every page has is not packed', async () => {

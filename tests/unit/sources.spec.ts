@@ -12,6 +12,7 @@ import { isList, isNamedList, rowsOf } from '../../web/state/list';
 import { emptyScene, Scene } from '../../web/state/scene';
 import { decodeSets, encodeSets, fitLink } from '../../web/state/sets';
 import { allSources, type SourceSet } from '../../web/state/sources';
+import { pack } from '../../web/state/text';
 
 const LINE: SourceSet = {
   shape: { kind: 'line', corners: [3, 1], closed: false },
@@ -130,6 +131,23 @@ test('ten thousand vertices make a link, and places that are too many for one do
   expect(fitLink(sets)).toBe(true);
   expect(fitLink(many)).toBe(false);
   expect(encodeSets(many)).toBe('');
+});
+
+const packed = (plain: string) => `~${pack(new TextEncoder().encode(plain))}`;
+const components = (count: number) => packed(Array.from({ length: count }, (_, i) => `component:${i}`).join(','));
+const list = (count: number) => `list:a:${Array.from({ length: count }, () => 1).join('_')}`;
+
+test('a link has a thousand sets and a hundred thousand places at most', () => {
+  expect(decodeSets(components(1000))).toHaveLength(1000);
+  expect(decodeSets(components(1001))).toBeNull();
+  const start = performance.now();
+  expect(decodeSets(packed('component:1,'.repeat(600_000)))).toBeNull();
+  expect(decodeSets(packed(`line:${'1-'.repeat(4_000_000)}1`))).toBeNull();
+  // A frozen page takes a minute.
+  expect(performance.now() - start).toBeLessThan(2000);
+  expect(decodeSets(packed([list(60_000), list(40_000)].join(',')))).toHaveLength(2);
+  expect(decodeSets(packed([list(60_000), list(40_001)].join(',')))).toBeNull();
+  expect(decodeSets(packed(`${list(99_999)},line:1-2`))).toBeNull();
 });
 
 for (const broken of [

@@ -32,7 +32,6 @@ test('a comment at the end is no part of the archive', () => {
 for (const [what, change, sentence] of [
   ['an encrypted file', (view, at) => view.setUint16(at + 8, 1, true), /^a\/mesh\.obj is encrypted; unpack/],
   ['an unknown method', (view, at) => view.setUint16(at + 10, 12, true), /^a\/mesh\.obj is packed by method 12,/],
-  ['a size beyond 2 GiB', (view, at) => view.setUint32(at + 24, 2 ** 31 + 1, true), /more than 2 GiB unpacked/],
   ['an absurd ratio', (view, at) => view.setUint32(at + 24, 2 ** 30, true), /claims to be \d+ times as large/],
   ['a size that is not true', (view, at) => view.setUint32(at + 24, 2 * TEXT.length, true), /damaged or cut short/],
   ['a place beyond the end', (view, at) => view.setUint32(at + 42, 2 ** 30, true), /damaged or cut short/],
@@ -47,6 +46,37 @@ test('what is unpacked counts together', () => {
   const archive = new Archive(PLAIN, 2 * TEXT.length);
   for (const path of archive.paths) archive.read(path);
   expect(() => archive.read('a/mesh.obj')).toThrow(/^a\/mesh\.obj and what is with it take more than/);
+});
+
+test('small files may take no more together than meshes of the size of the archive do', () => {
+  const zeros = new Uint8Array(2 ** 24);
+  const archive = new Archive(zipSync({ 'a.obj': zeros, 'b.obj': zeros, 'c.obj': zeros }));
+  archive.read('a.obj');
+  archive.read('b.obj');
+  expect(() => archive.read('c.obj')).toThrow(/^c\.obj and what is with it take more than \d+ MiB unpacked/);
+});
+
+/** Entry `b.obj` of the directory gets a name of as many letters. */
+const renamed = (name: string) =>
+  changed(zipSync({ 'a.obj': TEXT, 'b.obj': new Uint8Array(9) }), (view, at) => {
+    if (view.getUint8(at + 46) === 0x62) strToU8(name).forEach((byte, i) => view.setUint8(at + 46 + i, byte));
+  });
+
+test('two files of one name are refused', () => {
+  expect(() => new Archive(renamed('a.obj'))).toThrow('the archive holds a.obj twice');
+  expect(new Archive(renamed('c.obj')).read('c.obj')).toEqual(new Uint8Array(9));
+});
+
+test('names that objects have are names like others', () => {
+  const [proto, inherited] = ['__proto__', 'constructor'];
+  const archive = new Archive(
+    changed(zipSync({ [inherited]: TEXT, 'long name': new Uint8Array(9) }), (view, at) => {
+      if (view.getUint8(at + 46) === 0x6c) strToU8(proto).forEach((byte, i) => view.setUint8(at + 46 + i, byte));
+    }),
+  );
+  expect(archive.paths).toEqual([inherited, proto]);
+  expect(archive.read(inherited)).toEqual(TEXT);
+  expect(archive.read(proto)).toEqual(new Uint8Array(9));
 });
 
 for (const length of [0, 10, 21, 22, PLAIN.length - 30, PLAIN.length - 1]) {

@@ -1,5 +1,5 @@
 /** A scene in a file: an archive of its link, its mesh, and the files that the mesh refers to. */
-import { strToU8, zipSync } from 'fflate';
+import { strToU8, Zip, ZipDeflate } from 'fflate';
 import type { GivenFile, MeshInput } from '../protocol';
 import { percentDecoded } from './address';
 import { resolve } from './paths';
@@ -22,9 +22,25 @@ export interface SceneFile {
 export async function packScene(link: string, input: MeshInput | null): Promise<Blob> {
   const mesh = input && 'mesh' in input ? input.mesh : null;
   const told = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
-  const files = input ? await filesOf(input) : {};
-  // Most of it is compressed already, or soon.
-  return new Blob([zipSync({ [SCENE]: told, ...files }, { level: 1 })], { type: 'application/zip' });
+  const files = input ? await filesOf(input) : new Map<string, Uint8Array>();
+  return zipped(new Map([[SCENE, told], ...files]));
+}
+
+/** Names are no keys of an object: `constructor` and `__proto__` are names like others. */
+function zipped(files: Contents): Blob {
+  const chunks: Uint8Array<ArrayBuffer>[] = [];
+  const zip = new Zip((error, chunk) => {
+    if (error) throw error;
+    chunks.push(chunk);
+  });
+  for (const [path, content] of files) {
+    // Most of it is compressed already, or soon.
+    const file = new ZipDeflate(path, { level: 1 });
+    zip.add(file);
+    file.push(content, true);
+  }
+  zip.end();
+  return new Blob(chunks, { type: 'application/zip' });
 }
 
 /**
@@ -54,7 +70,7 @@ function parsed(text: string): { heatwalk?: unknown; link?: unknown; mesh?: unkn
   }
 }
 
-type Contents = Record<string, Uint8Array>;
+type Contents = ReadonlyMap<string, Uint8Array>;
 
 async function filesOf(input: MeshInput): Promise<Contents> {
   switch (input.kind) {
@@ -70,7 +86,7 @@ async function filesOf(input: MeshInput): Promise<Contents> {
     case 'shape':
     case 'tetrahedra':
     case 'arrays':
-      return {};
+      return new Map();
   }
 }
 
@@ -80,20 +96,20 @@ async function belonging(
   paths: readonly string[],
   read: (path: string) => Promise<Uint8Array>,
 ): Promise<Contents> {
-  const found: Contents = { [mesh]: await read(mesh) };
+  const found = new Map([[mesh, await read(mesh)]]);
+  const textOf = (path: string) => new TextDecoder().decode(found.get(path));
   const take = async (uri: string): Promise<string | null> => {
     const path = resolve(mesh, uri, paths);
     if (path === undefined) return null;
-    found[path] ??= await read(path);
+    if (!found.has(path)) found.set(path, await read(path));
     return path;
   };
-  const text = () => new TextDecoder().decode(found[mesh]);
   if (/\.gltf$/i.test(mesh)) {
-    for (const { uri } of gltfReferences(mesh, text())) await take(percentDecoded(uri));
+    for (const { uri } of gltfReferences(mesh, textOf(mesh))) await take(percentDecoded(uri));
   } else if (/\.obj$/i.test(mesh)) {
-    for (const { uri } of librariesOf(mesh, text())) {
+    for (const { uri } of librariesOf(mesh, textOf(mesh))) {
       const library = await take(percentDecoded(uri));
-      const maps = library === null ? [] : mapsOf(mesh, library, new TextDecoder().decode(found[library]));
+      const maps = library === null ? [] : mapsOf(mesh, library, textOf(library));
       for (const map of maps) await take(percentDecoded(map.uri));
     }
   } else if (/\.(node|ele)$/i.test(mesh)) {

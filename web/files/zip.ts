@@ -8,12 +8,14 @@ const MOST_BYTES = 2 ** 31;
 /** What is packed tighter than this, and is not small, only claims its size: meshes are packed by 2 to 20. */
 const MOST_RATIO = 250;
 const SMALL_BYTES = 2 ** 24;
+const MEBIBYTE = 2 ** 20;
 
 const STORED = 0;
 const DEFLATED = 8;
 
 interface Entry {
-  /** As fflate finds it. */
+  /** Its number among the entries, and its name there. */
+  index: number;
   name: string;
   packed: number;
   size: number;
@@ -27,10 +29,12 @@ export class Archive {
   /** Bytes that may still be unpacked. */
   #left: number;
 
-  /** Throws a sentence where the bytes are no archive, or one of too many files. */
-  constructor(bytes: Uint8Array, mostBytes = MOST_BYTES) {
+  readonly #most: number;
+
+  /** Throws a sentence where the bytes are no archive, one of too many files, or one with two files of one name. */
+  constructor(bytes: Uint8Array, mostBytes = Math.min(MOST_BYTES, 2 * SMALL_BYTES + MOST_RATIO * bytes.length)) {
     this.#bytes = bytes;
-    this.#left = mostBytes;
+    this.#left = this.#most = mostBytes;
     this.#entries = entriesOf(bytes);
   }
 
@@ -48,14 +52,20 @@ export class Archive {
   read(path: string): Uint8Array<ArrayBuffer> {
     const entry = this.#entries.get(path);
     if (!entry) throw new Error(t`${path} is not in the archive`);
-    const { name, packed, size, method, isEncrypted } = entry;
+    const { index, name, packed, size, method, isEncrypted } = entry;
     if (isEncrypted) throw new Error(t`${path} is encrypted; unpack the archive and open the files`);
     if (method !== STORED && method !== DEFLATED)
       throw new Error(t`${path} is packed by method ${method}, which is not supported; pack it again as a plain .zip`);
-    if (size > this.#left) throw new Error(t`${path} and what is with it take more than 2 GiB unpacked`);
     if (size > SMALL_BYTES && size > MOST_RATIO * packed)
       throw new Error(t`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
-    const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: (other) => other.name === name })[name]);
+    if (size > this.#left) {
+      const most = Math.floor(this.#most / MEBIBYTE);
+      throw new Error(
+        t`${path} and what is with it take more than ${most} MiB unpacked, too much for an archive of this size`,
+      );
+    }
+    let at = 0;
+    const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: () => at++ === index })[name]);
     if (bytes.length !== size) throw new Error(damaged());
     this.#left -= size;
     return bytes;
@@ -67,17 +77,23 @@ const damaged = () => t('the archive is damaged or cut short; copy it again');
 function entriesOf(bytes: Uint8Array): Map<string, Entry> {
   const flags = flagsOf(bytes);
   const entries = new Map<string, Entry>();
+  const twice: string[] = [];
   let index = 0;
   orDamaged(() =>
     unzipSync(bytes, {
       filter({ name, size, originalSize, compression }) {
-        const isEncrypted = (flags[index++] & ENCRYPTED) !== 0;
-        const entry = { name, packed: size, size: originalSize, method: compression, isEncrypted };
-        if (!/[/\\]$/.test(name)) entries.set(name.replaceAll('\\', '/'), entry);
+        const isEncrypted = (flags[index] & ENCRYPTED) !== 0;
+        const entry = { index, name, packed: size, size: originalSize, method: compression, isEncrypted };
+        index++;
+        const path = name.replaceAll('\\', '/');
+        if (entries.has(path)) twice.push(path);
+        if (!path.endsWith('/')) entries.set(path, entry);
         return false;
       },
     }),
   );
+  // Programs differ in which one they take.
+  if (twice.length > 0) throw new Error(t`the archive holds ${twice[0]} twice; unpack it and open the files`);
   return entries;
 }
 

@@ -3,7 +3,7 @@ import type { OpenedMesh, Source } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import type { Places } from '../state/places';
-import { MOST_POINTS, type SetShape, type SourceSet } from '../state/sources';
+import { MOST_POINTS, placesOf, type SetShape, type SourceSet } from '../state/sources';
 import { boundaryThrough, componentOf, type Outlined, verticesOfPart } from './outlines';
 import { t } from '../texts';
 
@@ -14,12 +14,16 @@ export interface Mesh {
   places: Places;
 }
 
-/** Sets with their places on a mesh. What the mesh does not have is left out. */
+/** Sets with their places on a mesh. What the mesh does not have is left out, and what a scene may not have beside the sets before it. */
 export async function found(mesh: Mesh, sets: readonly SourceSet[]): Promise<SourceSet[]> {
   const all: SourceSet[] = [];
+  let left = MOST_POINTS;
   for (const set of sets) {
     try {
-      all.push({ ...set, points: await pointsOf(mesh, set.shape, set.points) });
+      const placed = { ...set, points: await pointsOf(mesh, set.shape, set.points) };
+      left -= placesOf(placed);
+      if (left < 0) break;
+      all.push(placed);
     } catch (error) {
       if (error instanceof Cancelled || error instanceof WorkerLost) throw error;
     }

@@ -3,8 +3,18 @@ import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
 import type { Vector } from '../state/places';
-import { unitOf } from '../state/scene';
-import { allSources, type Corner, indexOf, type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { type Scene, unitOf } from '../state/scene';
+import {
+  allSources,
+  type Corner,
+  indexOf,
+  MOST_POINTS,
+  MOST_SETS,
+  placesOf,
+  type SetShape,
+  type SourceSet,
+  withOffset,
+} from '../state/sources';
 import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
@@ -116,6 +126,15 @@ export async function addBoundary(session: Session, point: MeshPoint): Promise<v
   });
 }
 
+/** @throws where the scene would have more than it may. */
+function addWhole(scene: Scene, set: SourceSet): void {
+  const { sets } = scene.state;
+  const places = sets.reduce((sum, other) => sum + placesOf(other), placesOf(set));
+  if (places > MOST_POINTS) throw new Error(t`With these there are ${places} sources; up to ${MOST_POINTS} are taken.`);
+  if (sets.length >= MOST_SETS) throw new Error(t`A scene takes ${MOST_SETS} sets of sources; remove one first.`);
+  addSet(scene, set);
+}
+
 /** Adds all vertices of the part that a place is on; of the component, where the file has one part. */
 export async function addPart(session: Session, point: MeshPoint): Promise<void> {
   await addFound(session, async (mesh) => {
@@ -129,7 +148,7 @@ async function addFound(session: Session, shapeOn: (mesh: Mesh) => Promise<SetSh
   if (!mesh) return;
   const shape = await shapeOn(mesh);
   const points = await pointsOf(mesh, shape, []);
-  if (mesh.engine === session.engine) addSet(session.scene, { shape, points, offset: 0 });
+  if (mesh.engine === session.engine) addWhole(session.scene, { shape, points, offset: 0 });
 }
 
 /**
@@ -152,7 +171,7 @@ export function addList(session: Session, name: string, text: string): string {
   }
   const points = inOrder(placed.map(({ source }) => source));
   const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
-  addSet(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
+  addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
   const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
   return t`${points.length.toLocaleString(language)} sources added${isByPlace ? t`, at most ${far} away from where they were given` : ''}.`;
 }

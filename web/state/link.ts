@@ -32,7 +32,7 @@ import { decodeCompared, encodeCompared } from './compared';
 import { decodeIsolines, encodeIsolines } from './isolines';
 import { decodeSets, encodeSets } from './sets';
 import { encodeSettings, parserOf, SETTINGS } from './settings';
-import { withOffset } from './sources';
+import { MOST_POINTS, withOffset } from './sources';
 import { decodeTapes, encodeTapes, SCALES } from './tapes';
 import { amount, automaticOr, choiceOf, flag, number, oneOf, parseAmount, within } from './text';
 import { t } from '../texts';
@@ -315,8 +315,8 @@ function parseMaps(text: string): MapName[] | null {
 function listOf<T>(parse: (text: string) => T | null): (text: string) => T[] | null {
   return (text) => {
     if (text === 'none') return [];
-    const items = text.split(',').map(parse);
-    return items.every((item) => item !== null) ? items : null;
+    const items = text.split(',', MOST_POINTS + 1).map(parse);
+    return items.length <= MOST_POINTS && items.every((item) => item !== null) ? items : null;
   };
 }
 

@@ -1,6 +1,6 @@
 /** Sets of sources as text in a link. */
 import type { MeshPoint, Source } from '../protocol';
-import { indexOf, MOST_POINTS, type SetShape, type SourceSet, withOffset } from './sources';
+import { indexOf, MOST_POINTS, MOST_SETS, placesOf, type SetShape, type SourceSet, withOffset } from './sources';
 import { amount, pack, parseAmount, unpack } from './text';
 
 /** Text that is longer is packed, and marked so. */
@@ -36,13 +36,22 @@ export function encodeAllSets(sets: readonly SourceSet[]): string {
   return text;
 }
 
-/** Null for text that is none. Places that only a mesh can tell are empty. */
+/** Null for text that is none, and for more than a scene may have. Places that only a mesh can tell are empty. */
 export function decodeSets(text: string): SourceSet[] | null {
   if (text === '') return [];
   try {
     const plain = text.startsWith(PACKED) ? new TextDecoder().decode(unpack(text.slice(PACKED.length))) : text;
-    const sets = plain.split(',').map(parseSet);
-    return sets.every((set) => set !== null) ? sets : null;
+    const words = plain.split(',', MOST_SETS + 1);
+    if (words.length > MOST_SETS) return null;
+    const sets: SourceSet[] = [];
+    let left = MOST_POINTS;
+    for (const word of words) {
+      const set = parseSet(word);
+      left -= set ? placesOf(set) : Infinity;
+      if (!set || left < 0) return null;
+      sets.push(set);
+    }
+    return sets;
   } catch {
     return null;
   }
@@ -80,7 +89,7 @@ function parseSet(text: string): SourceSet | null {
   switch (kind) {
     case 'line':
     case 'loop': {
-      const corners = places.split('-').map(parseIndex);
+      const corners = places.split('-', MOST_POINTS + 1).map(parseIndex);
       const isLine = corners.every((corner) => corner !== null);
       return isLine ? of({ kind: 'line', corners, closed: kind === 'loop' }) : null;
     }

@@ -34,8 +34,10 @@ export interface Corner {
   readonly vertex: number;
 }
 
-/** Sources of a list at most: more is no list of sources but a field. */
+/** Sources of a scene at most, those of all its sets together: more is no list of sources but a field. */
 export const MOST_POINTS = 100_000;
+/** Sets of a scene at most. */
+export const MOST_SETS = 1000;
 
 interface Both {
   sources: readonly Source[];
@@ -74,6 +76,11 @@ function placeOf(point: MeshPoint): MeshPoint {
 export function indexOf(point: MeshPoint): number {
   if ('vertex' in point) return point.vertex;
   return 'face' in point ? point.face : point.tetrahedron;
+}
+
+/** How many places a set has; of one whose places a mesh has still to tell, how many are given. */
+export function placesOf({ shape, points }: SourceSet): number {
+  return Math.max(points.length, shape.kind === 'line' ? shape.corners.length : 1);
 }
 
 /** Whether places of a set are joined one to the next. */

@@ -65,18 +65,18 @@ export function pack(bytes: Uint8Array): string {
 export function unpack(text: string): Uint8Array {
   const letters = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
   const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const chunks: number[][] = [];
+  const bytes = new Uint8Array(MOST_BYTES);
   let size = 0;
   let ended = false;
   const inflate = new Inflate((chunk, final) => {
+    // Throws where it is too large.
+    bytes.set(chunk, size);
     size += chunk.length;
     ended ||= final;
-    if (size > MOST_BYTES) throw new RangeError('too large');
-    chunks.push([...chunk]);
   });
   for (let first = 0; first < packed.length; first += SLICE) {
     inflate.push(packed.subarray(first, first + SLICE), first + SLICE >= packed.length);
   }
   if (!ended) throw new RangeError('cut off');
-  return Uint8Array.from(chunks.flat());
+  return bytes.slice(0, size);
 }

@@ -1,7 +1,6 @@
 //! Mesh files and what they refer to.
 
-use std::fs;
-use std::path::{Component, Path};
+use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
@@ -12,6 +11,7 @@ use heatwalk_volume::io::{self as volume, Format};
 
 use crate::args::Mesh;
 use crate::complaint::complain;
+use crate::file;
 use crate::report::milliseconds;
 
 /// In place of a file: a shape by its name.
@@ -64,18 +64,17 @@ impl Input {
 }
 
 fn read_mesh(path: &Path) -> Result<Soup> {
-    let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
-    if Format::of_name(&name).is_some() {
-        return volume::read_surface(&name, &bytes, &companion).with_context(|| path.display().to_string());
-    }
-    match io::read(&name, &bytes, &companion) {
-        // It names the file itself.
-        Err(error @ SurfaceError::UnknownFormat { .. }) => Err(error.into()),
-        read => read.with_context(|| path.display().to_string()),
-    }
+    file::open(path, |file| {
+        if Format::of_name(file.name).is_some() {
+            return volume::read_surface_within(file.budget, file.name, file.bytes, file.resources)
+                .with_context(|| path.display().to_string());
+        }
+        match io::read_within(file.budget, file.name, file.bytes, file.resources) {
+            // It names the file itself.
+            Err(error @ SurfaceError::UnknownFormat { .. }) => Err(error.into()),
+            read => read.with_context(|| path.display().to_string()),
+        }
+    })
 }
 
 /// A line on standard error for each warning.
@@ -83,15 +82,4 @@ fn tell(path: &Path, warnings: &[Warning]) {
     for warning in warnings {
         complain(&format!("warning: {}, {warning}", path.display()));
     }
-}
-
-/// Devices and pipes may never end, so only plain files are read.
-pub fn read_file(path: &Path) -> Result<Vec<u8>> {
-    ensure!(fs::metadata(path)?.is_file(), "it is not a file");
-    Ok(fs::read(path)?)
-}
-
-/// A mesh may bring in files beside or below it, never from elsewhere on the disk.
-pub fn beside(uri: &Path) -> bool {
-    uri.components().all(|component| matches!(component, Component::Normal(_) | Component::CurDir))
 }

@@ -5,6 +5,7 @@ mod args;
 mod commands;
 mod complaint;
 mod distance;
+mod file;
 mod fill;
 mod ground;
 mod input;

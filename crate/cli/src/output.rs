@@ -1,7 +1,10 @@
 //! Output files. Their format and place are checked before the work begins.
 
 use std::fmt::Write as _;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+#[cfg(unix)]
+use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,6 +14,7 @@ use heatwalk::io::write;
 use heatwalk::{Soup, Up};
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::write as volume;
+use tempfile::{Builder, NamedTempFile};
 
 /// Columns of distances by their names, each a value an input vertex.
 pub type Columns = Vec<(String, Vec<f64>)>;
@@ -181,21 +185,58 @@ impl Output<FillFormat> {
 
 impl<F> Output<F> {
     fn new(path: &Path, format: F) -> Result<Self> {
-        let writable = || -> std::io::Result<()> {
-            if path.exists() {
-                // Not truncated: what is there stays if the work fails.
-                return OpenOptions::new().write(true).open(path).map(drop);
-            }
-            File::create_new(path)?;
-            fs::remove_file(path)
-        };
-        writable().with_context(|| format!("cannot write {}", path.display()))?;
+        check(path).with_context(|| format!("cannot write {}", path.display()))?;
         Ok(Self { path: path.to_owned(), format })
     }
 
     pub fn save(&self, bytes: &[u8]) -> Result<()> {
-        fs::write(&self.path, bytes).with_context(|| format!("cannot write {}", self.path.display()))
+        replace(&self.path, bytes).with_context(|| format!("cannot write {}", self.path.display()))
     }
+}
+
+/// Whether a file can be written, without a change to it.
+fn check(path: &Path) -> io::Result<()> {
+    if path.exists() {
+        OpenOptions::new().write(true).open(path)?;
+    }
+    if is_special(path) { Ok(()) } else { beside(&target(path)).map(drop) }
+}
+
+/// Writes a file beside the one of this path, whose place it takes when it is whole: where the disk is full or the program is ended,
+/// what was there stays.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if is_special(path) {
+        return fs::write(path, bytes);
+    }
+    let path = target(path);
+    let mut file = beside(&path)?;
+    file.write_all(bytes)?;
+    if let Ok(earlier) = fs::metadata(&path) {
+        file.as_file().set_permissions(earlier.permissions())?;
+    }
+    file.persist(path)?;
+    Ok(())
+}
+
+/// A device or a pipe has no place to take.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|file| !file.is_file())
+}
+
+/// The file that a link leads to.
+fn target(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// A file in the same folder, removed at its end.
+fn beside(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = Builder::new();
+    builder.prefix(".heatwalk-");
+    // As the user has files made, not for the user alone.
+    #[cfg(unix)]
+    builder.permissions(fs::Permissions::from_mode(0o666));
+    builder.tempfile_in(folder)
 }
 
 fn extension(path: &Path) -> String {

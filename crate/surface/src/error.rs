@@ -182,6 +182,18 @@ pub enum Error {
         /// The range allowed.
         range: &'static str,
     },
+    /// A file asks for more memory than one of its size may take: see [`Budget`](crate::io::Budget).
+    #[error(
+        "the file takes more than {} of memory, the most that a file of {} may take; it is damaged or made to fill memory, save it again",
+        of_bytes(*.budget),
+        of_bytes(*.size)
+    )]
+    OverBudget {
+        /// Bytes of the file, and of those that it refers to.
+        size: u64,
+        /// Bytes that it may take.
+        budget: u64,
+    },
     /// Something other than the factors does not fit into memory.
     #[error("out of memory while {stage}")]
     OutOfMemory {
@@ -217,7 +229,17 @@ impl Error {
             Self::NotOnFace { .. } => "not-on-face",
             Self::ForeignSurface { .. } => "foreign-surface",
             Self::BadParameter { .. } => "bad-parameter",
+            Self::OverBudget { .. } => "over-budget",
             Self::OutOfMemory { .. } => "out-of-memory",
         }
+    }
+}
+
+/// Bytes in words.
+fn of_bytes(bytes: u64) -> String {
+    match bytes {
+        0..1_000 => format!("{bytes} bytes"),
+        1_000..1_000_000 => format!("{:.0} KB", bytes as f64 / 1e3),
+        _ => format!("{:.0} MB", bytes as f64 / 1e6),
     }
 }

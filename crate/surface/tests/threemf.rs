@@ -9,7 +9,8 @@ use std::io::Write;
 
 use glam::DVec3;
 use heatwalk_surface::Unit;
-use heatwalk_surface::{InputTriangle, InputVertex};
+use heatwalk_surface::io::{self, Budget};
+use heatwalk_surface::{Error, InputTriangle, InputVertex};
 use miniz_oxide::deflate::compress_to_vec;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 
@@ -159,8 +160,10 @@ fn errors_name_the_place() {
 fn files_that_grow_without_measure_are_refused() {
     // 2²⁵ spaces are packed to a thousandth.
     let padding = format!("<!--{}-->", " ".repeat(1 << 25));
-    let error = read("a.3mf", file("", &format!("{padding}{}", triangle(1, "", "")), ITEM)).unwrap_err();
-    assert!(error.to_string().contains("too much room"), "{error}");
+    let bytes = file("", &format!("{padding}{}", triangle(1, "", "")), ITEM);
+    let budget = Budget::limited(bytes.len(), 1 << 24);
+    let error = io::read_within(&budget, "a.3mf", &bytes, &|_| None).unwrap_err();
+    assert_eq!(error, Error::OverBudget { size: bytes.len() as u64, budget: 1 << 24 });
     // Each object is twice the one before: 2⁴⁰ triangles.
     let doubled = |id: u32| {
         let half = format!("<component objectid=\"{}\"/>", id - 1);
@@ -168,7 +171,14 @@ fn files_that_grow_without_measure_are_refused() {
     };
     let resources: String = (2..=41).map(doubled).collect();
     let error = read("a.3mf", file("", &(triangle(1, "", "") + &resources), "<item objectid=\"41\"/>")).unwrap_err();
-    assert!(error.to_string().contains("without end"), "{error}");
+    assert!(matches!(error, Error::OverBudget { .. }), "{error}");
+}
+
+#[test]
+fn two_files_of_one_name_are_refused() {
+    let model = model("", &triangle(1, "", ""), ITEM);
+    let error = read("a.3mf", archive(&[("3D/3dmodel.model", &model), ("3D/3dmodel.model", &model)])).unwrap_err();
+    assert!(error.to_string().contains("3D/3dmodel.model: two files of the archive have this name"), "{error}");
 }
 
 #[test]

@@ -265,6 +265,10 @@ export const PAGE: Texts = {
   'The solver stopped unexpectedly ({0}).': 'Le solveur s’est arrêté de façon inattendue ({0}).',
   'The other settings cannot be shown: {0}': 'Les autres réglages ne peuvent pas être montrés : {0}',
   'This has {0} vertices; up to {1} can be sources.': 'Ceci a {0} sommets ; {1} au plus peuvent être des sources.',
+  'With these there are {0} sources; up to {1} are taken.':
+    'Avec celles-ci, il y a {0} sources ; {1} au plus sont prises.',
+  'A scene takes {0} sets of sources; remove one first.':
+    'Une scène prend {0} ensembles de sources ; enlevez-en un d’abord.',
   '{0} is for surfaces: inside of tetrahedra nothing is painted.':
     '{0} est pour les surfaces : à l’intérieur de tétraèdres, rien n’est peint.',
   'Use conjugate gradients': 'Utiliser le gradient conjugué',
@@ -330,8 +334,10 @@ export const PAGE: Texts = {
     '{0} est chiffré ; décompressez l’archive et ouvrez les fichiers',
   '{0} is packed by method {1}, which is not supported; pack it again as a plain .zip':
     '{0} est compressé par la méthode {1}, qui n’est pas lue ; recompressez-le en simple .zip',
-  '{0} and what is with it take more than 2 GiB unpacked':
-    '{0} et ce qui l’accompagne prennent plus de 2 Gio une fois décompressés',
+  '{0} and what is with it take more than {1} MiB unpacked, too much for an archive of this size':
+    '{0} et ce qui l’accompagne prennent plus de {1} Mio une fois décompressés, trop pour une archive de cette taille',
+  'the archive holds {0} twice; unpack it and open the files':
+    'l’archive contient {0} deux fois ; décompressez-la et ouvrez les fichiers',
   '{0} claims to be {1} times as large as it is packed': '{0} prétend être {1} fois plus grand que compressé',
   'the archive is damaged or cut short; copy it again': 'l’archive est endommagée ou tronquée ; copiez-la de nouveau',
   'the archive holds {0} files, more than {1}; unpack it and open the files':

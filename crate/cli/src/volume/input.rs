@@ -10,7 +10,8 @@ use heatwalk_volume::io::{self, CellCounts, Error, Format, TetFile};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, edge_polyline, shapes};
 
 use crate::args::{Bridging, Mesh};
-use crate::input::{SHAPE, beside, read_file};
+use crate::file;
+use crate::input::SHAPE;
 use crate::place::{Line, Place, SourcePlace};
 use crate::report::milliseconds;
 
@@ -45,19 +46,20 @@ impl Input {
 
 /// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.
 fn read(path: &Path) -> Result<Option<TetFile>> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    if Format::of_name(&name).is_none() {
+    if !file::may_hold_tetrahedra(path) {
         return Ok(None);
     }
-    let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let companion = |uri: &str| beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
-    match io::read(&name, &bytes, &companion) {
-        Ok(file) => Ok(Some(file)),
-        // It may be a surface; what is wrong with it otherwise is told by the reader of surfaces.
-        Err(Error::NoTetrahedra { .. }) => Ok(None),
-        Err(error) => Err(error).with_context(|| path.display().to_string()),
-    }
+    file::open(path, |file| {
+        if Format::of_name(file.name).is_none() {
+            return Ok(None);
+        }
+        match io::read_within(file.budget, file.name, file.bytes, file.resources) {
+            Ok(file) => Ok(Some(file)),
+            // It may be a surface; what is wrong with it otherwise is told by the reader of surfaces.
+            Err(Error::NoTetrahedra { .. }) => Ok(None),
+            Err(error) => Err(error).with_context(|| path.display().to_string()),
+        }
+    })
 }
 
 /// Refuses options that are for surfaces.

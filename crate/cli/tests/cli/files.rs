@@ -1,6 +1,11 @@
 //! Files read and written.
 
 use std::fs;
+use std::io::Write;
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use rawzip::ZipArchiveWriter;
 
 use crate::{folder, json, refused, run, succeed};
 
@@ -210,4 +215,114 @@ fn files_cut_short_or_damaged_never_crash() {
         let output = run(&folder, &["distance", "damaged.ply", "--source", "0"]);
         assert!(matches!(output.status.code(), Some(0 | 2)), "{output:?}");
     }
+}
+
+/// A file and what it is packed as by gzip.
+fn gzip(text: &str) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(text.as_bytes()).unwrap();
+    encoder.finish().unwrap()
+}
+
+/// An archive of files that are stored.
+fn zip(files: &[(&str, &str)]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut archive = ZipArchiveWriter::new(&mut bytes);
+    for (name, text) in files {
+        let (mut entry, config) = archive.new_file(name).start().unwrap();
+        let mut writer = config.wrap(Vec::new());
+        writer.write_all(text.as_bytes()).unwrap();
+        let (plain, descriptor) = writer.finish().unwrap();
+        entry.write_all(&plain).unwrap();
+        entry.finish(descriptor).unwrap();
+    }
+    archive.finish().unwrap();
+    bytes
+}
+
+const SQUARE: &str = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+const TETRAHEDRON: &str = "MeshVersionFormatted 2 Dimension 3 \
+    Vertices 4 0 0 0 0  1 0 0 0  0 1 0 0  0 0 1 0 Tetrahedra 1 1 2 3 4 0 End";
+
+#[test]
+fn packed_files_are_read() {
+    let folder = folder("packed");
+    fs::write(folder.join("square.off.gz"), gzip(SQUARE)).unwrap();
+    fs::write(folder.join("corner.mesh.gz"), gzip(TETRAHEDRON)).unwrap();
+    let halves = [gzip(&SQUARE[..9]), gzip(&SQUARE[9..])].concat();
+    fs::write(folder.join("halves.off.GZ"), halves).unwrap();
+    for name in ["square.off.gz", "halves.off.GZ"] {
+        assert_eq!(json(&folder, &["info", name])["faces"], 2, "{name}");
+    }
+    assert_eq!(json(&folder, &["info", "square.off.gz"])["parts"][0]["name"], "square");
+    assert_eq!(json(&folder, &["info", "corner.mesh.gz"])["tetrahedra"], 1);
+
+    let text = "mtllib skin.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    let files = [("farm/cow.obj", text), ("farm/skin.mtl", "newmtl a\nmap_Kd maps/cow.png\n"), ("readme.txt", "")];
+    fs::write(folder.join("cow.zip"), zip(&files)).unwrap();
+    let told = json(&folder, &["info", "cow.zip"]);
+    assert_eq!((&told["faces"], &told["missing"]), (&1.into(), &serde_json::json!(["maps/cow.png"])));
+    fs::write(folder.join("corner.zip"), zip(&[("a/corner.mesh", TETRAHEDRON), (".hidden.off", SQUARE)])).unwrap();
+    assert_eq!(json(&folder, &["info", "corner.zip"])["tetrahedra"], 1);
+}
+
+#[test]
+fn packed_files_that_are_none_are_refused() {
+    let folder = folder("not_packed");
+    let whole = gzip(SQUARE);
+    let bomb = gzip(&"#".repeat(80 << 20));
+    for (name, bytes, part) in [
+        ("cut.off.gz", &whole[..whole.len() - 9], "damaged or cut short"),
+        ("bomb.off.gz", &bomb, "of memory"),
+        ("none.zip", &zip(&[("readme.txt", "")]), "holds no mesh"),
+        ("two.zip", &zip(&[("a.off", SQUARE), ("b/c.obj", "")]), "2 meshes (a.off, b/c.obj)"),
+        ("twice.zip", &zip(&[("a.off", SQUARE), ("a.off", SQUARE)]), "two files of the archive have this name"),
+        ("cut.zip", b"PK\x03\x04", "damaged or cut short"),
+    ] {
+        fs::write(folder.join(name), bytes).unwrap();
+        let told = refused(&folder, &["info", name]);
+        assert!(told.contains(part) && told.contains(name), "{told}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn an_earlier_file_stays_where_a_new_one_cannot_be_written() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::process::Command;
+
+    let folder = folder("earlier");
+    let place = folder.join("d.csv");
+    let stumps = || {
+        let paths = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+        paths.filter(|path| path.file_name().unwrap().to_string_lossy().starts_with(".heatwalk"))
+    };
+    stumps().for_each(|path| fs::remove_file(path).unwrap());
+    // The disk is full after a kilobyte: the program is told, or ended.
+    for (signal, left) in [("trap '' XFSZ; ", 0), ("", 1)] {
+        fs::write(&place, "earlier").unwrap();
+        let script = format!(
+            "{signal}ulimit -f 1; exec '{}' distance torus.ply --source 0 --output d.csv",
+            env!("CARGO_BIN_EXE_heatwalk")
+        );
+        let status = Command::new("sh").current_dir(&folder).args(["-c", &script]).output().unwrap().status;
+        assert!(!status.success());
+        assert_eq!(fs::read_to_string(&place).unwrap(), "earlier");
+        assert_eq!(stumps().count(), left, "{signal}");
+    }
+    // Its permissions stay, and a link to it stays one.
+    fs::set_permissions(&place, fs::Permissions::from_mode(0o640)).unwrap();
+    let link = folder.join("link.csv");
+    let _ = fs::remove_file(&link);
+    symlink("d.csv", &link).unwrap();
+    succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", "link.csv"]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(&place).unwrap().starts_with("vertex,distance"));
+    assert_eq!(fs::metadata(&place).unwrap().permissions().mode() & 0o777, 0o640);
+    // What is no file is written as it is.
+    let device = folder.join("device.csv");
+    let _ = fs::remove_file(&device);
+    symlink("/dev/null", &device).unwrap();
+    succeed(&folder, &["distance", "torus.ply", "--source", "0", "--output", "device.csv"]);
+    assert!(!fs::metadata(&device).unwrap().is_file());
 }

@@ -1,6 +1,7 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
 //!
-//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by default.
+//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by default. `3mf` brings
+//! archives along (`zip`).
 
 #![cfg_attr(
     not(all(
@@ -21,6 +22,9 @@
     )
 )]
 
+#[cfg(feature = "zip")]
+mod archive;
+mod budget;
 mod color;
 mod empty;
 #[cfg(feature = "gltf")]
@@ -53,33 +57,52 @@ use glam::DVec3;
 use crate::error::{Error, Result};
 use crate::soup::Soup;
 
+#[cfg(feature = "zip")]
+pub use archive::{Archive, MAGIC as ARCHIVE_MAGIC};
+pub use budget::{Budget, Loan};
 pub use reader::Resources;
 
 /// Reads a mesh. The first bytes tell the format where they can, the extension of `name` otherwise.
 ///
 /// # Errors
 /// [`Error::UnknownFormat`], [`Error::Malformed`], [`Error::Unsupported`], [`Error::MissingResource`],
-/// [`Error::IndexOutOfRange`], and [`Error::Empty`] where the file holds no triangle.
+/// [`Error::IndexOutOfRange`], [`Error::OverBudget`], and [`Error::Empty`] where the file holds no triangle.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let budget = Budget::of_file(bytes.len());
+    read_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
+}
+
+/// As [`read`], with what is left of a budget. What `resources` gives is for the caller to count.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let soup = read_format(budget, name, bytes, resources);
+    // A reader may do without a part that it could not read.
+    budget.finish()?;
+    soup
+}
+
+fn read_format(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let (stem, extension) = stem_and_extension(name);
     let bytes = text::decoded(bytes)?;
     empty::refuse(name, bytes)?;
     let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     let soup: Result<Soup> = match format {
         #[cfg(feature = "gltf")]
-        Format::Gltf => gltf::read(bytes, resources),
+        Format::Gltf => gltf::read(budget, bytes, resources),
         #[cfg(feature = "obj")]
-        Format::Obj => obj::read(stem, bytes, resources),
+        Format::Obj => obj::read(budget, stem, bytes, resources),
         #[cfg(feature = "off")]
-        Format::Off => off::read(stem, bytes),
+        Format::Off => off::read(budget, stem, bytes),
         #[cfg(feature = "ply")]
-        Format::Ply => ply::read(stem, bytes),
+        Format::Ply => ply::read(budget, stem, bytes),
         #[cfg(feature = "stl")]
-        Format::Stl => stl::read(stem, bytes),
+        Format::Stl => stl::read(budget, stem, bytes),
         #[cfg(feature = "3mf")]
-        Format::ThreeMf => threemf::read(stem, bytes),
+        Format::ThreeMf => threemf::read(budget, stem, bytes),
         #[cfg(feature = "vtk")]
-        Format::Vtk => vtk::read(stem, bytes),
+        Format::Vtk => vtk::read(budget, stem, bytes),
     };
     let soup = soup?;
     if soup.triangles.is_empty() {
@@ -100,6 +123,12 @@ fn unknown(name: &str, extension: &str) -> Error {
         "dae" => convert("COLLADA", "Blender up to version 4.5"),
         _ => Error::UnknownFormat { name: name.to_owned() },
     }
+}
+
+/// Whether the extension of a name is that of a format read here.
+pub fn names_mesh(name: &str) -> bool {
+    let (_, extension) = stem_and_extension(name);
+    Format::of_extension(extension).is_some()
 }
 
 /// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
@@ -157,7 +186,7 @@ impl Format {
             return Some(Self::Off);
         }
         #[cfg(feature = "3mf")]
-        if bytes.starts_with(threemf::MAGIC) {
+        if bytes.starts_with(archive::MAGIC) {
             return Some(Self::ThreeMf);
         }
         #[cfg(feature = "vtk")]

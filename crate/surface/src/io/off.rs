@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::reader::Reporter;
 use super::text::{self, Words};
 use super::triangulate::Polygons;
@@ -49,7 +50,7 @@ impl Header {
     }
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut words = Words::new(text::lines(&text).map(|(number, line)| (number, text::statement(line))));
     let first = words.peek().unwrap_or_default();
@@ -82,11 +83,11 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let counts = [words.index("the number of vertices")?, words.index("the number of faces")?];
     words.pass_edges(header.coordinates);
     // A line a vertex and a face, with whatever follows on it, or one number after another, as the format has it.
-    let by_lines = Mesh::read(words.clone(), header, counts, true, bytes.len());
+    let by_lines = Mesh::read(budget, words.clone(), header, counts, true, bytes.len());
     if matches!(&by_lines, Ok(mesh) if mesh.rest.is_none()) {
         return by_lines?.soup(name);
     }
-    match Mesh::read(words, header, counts, false, bytes.len()) {
+    match Mesh::read(budget, words, header, counts, false, bytes.len()) {
         Ok(mesh) if mesh.rest.is_none() => mesh.soup(name),
         _ => by_lines?.soup(name),
     }
@@ -130,19 +131,20 @@ impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
 }
 
 /// What the words of a file are.
-struct Mesh {
+struct Mesh<'a> {
     positions: Vec<DVec3>,
-    polygons: Polygons,
+    polygons: Polygons<'a>,
     /// The line of each polygon.
     lines: Vec<usize>,
     /// The line of the first word behind the last face.
     rest: Option<usize>,
 }
 
-impl Mesh {
+impl<'a> Mesh<'a> {
     /// `by_lines`: each vertex and each face begins a line, and what follows it there is passed over.
-    fn read<'a>(
-        mut words: Words<'a, impl Iterator<Item = (usize, &'a str)>>,
+    fn read<'b>(
+        budget: &'a Budget,
+        mut words: Words<'b, impl Iterator<Item = (usize, &'b str)>>,
         header: Header,
         [vertices, faces]: [u64; 2],
         by_lines: bool,
@@ -152,7 +154,7 @@ impl Mesh {
             words.skip_to("");
         }
         // A vertex takes at least six bytes, so a count beyond that is a lie and must not be reserved.
-        let mut positions = Vec::with_capacity((bytes / 6).min(vertices as usize));
+        let mut positions = budget.list((bytes / 6).min(vertices as usize))?;
         while (positions.len() as u64) < vertices {
             let vertex = positions.len();
             if words.peek().is_none() {
@@ -170,10 +172,10 @@ impl Mesh {
                 }
             }
             let [x, y, z, w] = coordinates;
-            positions.push(DVec3::new(x, y, z) / w);
+            budget.push(&mut positions, DVec3::new(x, y, z) / w)?;
         }
-        let mut polygons = Polygons::default();
-        let mut lines = Vec::with_capacity((bytes / 6).min(faces as usize));
+        let mut polygons = Polygons::new(budget);
+        let mut lines = budget.list((bytes / 6).min(faces as usize))?;
         for face in 0..faces {
             if words.peek().is_none() {
                 return Err(ends(&format!("{} of {faces} faces are missing", faces - face)));
@@ -183,10 +185,10 @@ impl Mesh {
                 if by_lines && words.rest().is_empty() {
                     return Err(OFF.line(line, format!("corner {corner} of face {face} is missing; correct the line")));
                 }
-                polygons.corner(words.index("a vertex of a face")?);
+                polygons.corner(words.index("a vertex of a face")?)?;
             }
-            polygons.close();
-            lines.push(line);
+            polygons.close()?;
+            budget.push(&mut lines, line)?;
             if by_lines {
                 words.skip_to("");
             }
@@ -202,9 +204,8 @@ impl Mesh {
             warnings.add(WarningCode::Trailing, || format!("line {line}"));
         }
         let place = |face: usize| format!("line {}", lines[face]);
-        let triangles = polygons
-            .triangulate_all(&positions, &mut warnings, place)
-            .map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+        polygons.check(positions.len()).map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+        let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
         Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
     }
 }

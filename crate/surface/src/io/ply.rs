@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::color::light;
 use super::reader::Reporter;
 use super::scalar::{Scalar, whole};
 use super::text;
 use super::triangulate::Polygons;
 use crate::appearance::Appearance;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::soup::{Attribute, Soup};
 use crate::warning::{WarningCode, Warnings};
 
@@ -66,7 +67,7 @@ impl Body<'_> {
     }
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let (elements, encoding, body) = header(bytes)?;
     let text;
     let mut body = match encoding {
@@ -79,14 +80,14 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
     let mut attributes: Vec<Attribute> = Vec::new();
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     let mut warnings = Warnings::default();
     let mut list = Vec::new();
     for element in &elements {
         let role = Role::of(element)?;
         if let Role::Vertex { .. } = role {
             // Three coordinates take at least three bytes, so a count beyond that is a lie and must not be reserved.
-            positions.reserve((bytes.len() / 3).min(element.count as usize));
+            budget.reserve(&mut positions, (bytes.len() / 3).min(element.count as usize))?;
             attributes = attributes_of(element);
         }
         if element.name == "edge" {
@@ -122,7 +123,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                             } else if !KNOWN.contains(&property.name.as_str())
                                 && let Some(attribute) = further.next()
                             {
-                                attribute.values.push(value);
+                                budget.push(&mut attribute.values, value)?;
                             }
                         }
                     }
@@ -131,27 +132,27 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
                         let length = whole(length).ok_or_else(|| broken(format!("its length is {length}")))?;
                         list.clear();
                         for _ in 0..length {
-                            list.push(body.next(item).map_err(broken)?);
+                            budget.push(&mut list, body.next(item).map_err(broken)?)?;
                         }
-                        let valid = match role {
-                            Role::Face(at) if at == column => face(&list, &mut polygons),
-                            Role::Strips(at) if at == column => strips(&list, &mut polygons),
-                            _ => Ok(()),
-                        };
-                        valid.map_err(|value| {
+                        let wrong = |value: f64| {
                             PLY.at(
                                 place(),
                                 format!("vertex {value} is no index, which is whole and not negative; repair the file"),
                             )
-                        })?;
+                        };
+                        match role {
+                            Role::Face(at) if at == column => face(&list, &mut polygons, wrong)?,
+                            Role::Strips(at) if at == column => strips(&list, &mut polygons, wrong)?,
+                            _ => {}
+                        }
                     }
                 }
             }
             if let Role::Vertex { channels, .. } = role {
-                positions.push(position.into());
+                budget.push(&mut positions, position.into())?;
                 if let Some([.., alpha]) = channels {
                     color[ALPHA] = if alpha.is_some() { color[ALPHA] } else { u16::MAX };
-                    colors.push(color);
+                    budget.push(&mut colors, color)?;
                 }
             }
         }
@@ -161,9 +162,10 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         warnings.add(WarningCode::Trailing, || format!("byte {}", bytes.len() - left));
     }
     let place = |polygon: usize| format!("face {polygon}");
-    let triangles = polygons
-        .triangulate_all(&positions, &mut warnings, place)
+    polygons
+        .check(positions.len())
         .map_err(|missing| PLY.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+    let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
     let mut soup = Soup { attributes, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
     if colors.len() == soup.positions.len() {
         soup.appearance = Arc::new(Appearance { colors, ..Appearance::default() });
@@ -245,27 +247,20 @@ impl Role {
     }
 }
 
-/// Adds a polygon.
-///
-/// # Errors
-/// What is no index.
-fn face(list: &[f64], polygons: &mut Polygons) -> std::result::Result<(), f64> {
+/// Adds a polygon. `wrong`: the error of what is no index.
+fn face(list: &[f64], polygons: &mut Polygons, wrong: impl Fn(f64) -> Error) -> Result<()> {
     for &value in list {
-        polygons.corner(whole(value).ok_or(value)?);
+        polygons.corner(whole(value).ok_or_else(|| wrong(value))?)?;
     }
-    polygons.close();
-    Ok(())
+    polygons.close()
 }
 
 /// Adds the triangles of strips that are separated by −1, every second one turned.
-///
-/// # Errors
-/// What is no index.
-fn strips(list: &[f64], polygons: &mut Polygons) -> std::result::Result<(), f64> {
+fn strips(list: &[f64], polygons: &mut Polygons, wrong: impl Fn(f64) -> Error) -> Result<()> {
     for strip in list.split(|&value| value == -1.0) {
         for (index, corners) in strip.windows(3).enumerate() {
             let [a, b, c] = [corners[0], corners[1], corners[2]];
-            face(&if index % 2 == 0 { [a, b, c] } else { [b, a, c] }, polygons)?;
+            face(&if index % 2 == 0 { [a, b, c] } else { [b, a, c] }, polygons, &wrong)?;
         }
     }
     Ok(())

@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 pub type Resources<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// How each reader says that its format is broken.
+#[derive(Clone, Copy)]
 pub struct Reporter(pub &'static str);
 
 impl Reporter {

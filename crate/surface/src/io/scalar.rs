@@ -1,5 +1,10 @@
 //! Numbers as bytes. Every type fits into an f64, but for whole numbers above 2⁵³, which no index is.
 
+#[cfg(feature = "vtk")]
+use super::budget::Budget;
+#[cfg(feature = "vtk")]
+use crate::error::Result;
+
 /// A type of numbers.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scalar {
@@ -63,9 +68,14 @@ impl Scalar {
     }
 
     /// The numbers that bytes hold.
+    ///
+    /// # Errors
+    /// Where the budget has no room for them.
     #[cfg(feature = "vtk")]
-    pub fn numbers(self, bytes: &[u8], is_little: bool) -> Vec<f64> {
-        bytes.chunks_exact(self.size()).map(|bytes| self.number(bytes, is_little)).collect()
+    pub fn numbers(self, budget: &Budget, bytes: &[u8], is_little: bool) -> Result<Vec<f64>> {
+        let mut numbers = budget.list(bytes.len() / self.size())?;
+        numbers.extend(bytes.chunks_exact(self.size()).map(|bytes| self.number(bytes, is_little)));
+        Ok(numbers)
     }
 }
 

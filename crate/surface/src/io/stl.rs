@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::reader::Reporter;
 use super::text::{self, Words};
 use crate::error::Result;
@@ -31,19 +32,19 @@ pub fn is_ascii(bytes: &[u8]) -> bool {
     text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && (has(b"facet") || has(b"endsolid"))
 }
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     if is_binary(bytes) {
-        read_binary(name, bytes)
+        read_binary(budget, name, bytes)
     } else if is_ascii(bytes) {
-        read_ascii(name, bytes)
+        read_ascii(budget, name, bytes)
     } else if text::is_text(bytes) {
         Err(STL.at("byte 0", "text that begins with \"solid\" and has facets is expected; save the file again"))
     } else {
-        read_binary(name, bytes)
+        read_binary(budget, name, bytes)
     }
 }
 
-fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
+fn read_binary(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let truncated = |problem: String| STL.at(format!("byte {}", bytes.len()), problem);
     let count = binary_count(bytes)
         .ok_or_else(|| truncated("the file is shorter than an STL header; save it again".to_owned()))?;
@@ -56,7 +57,7 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
     if end < bytes.len() {
         warnings.add(WarningCode::Trailing, || format!("byte {end}"));
     }
-    let mut positions = Vec::with_capacity(3 * count);
+    let mut positions = budget.list(3 * count)?;
     for record in records.take(count) {
         for corner in record[12..48].chunks_exact(12) {
             let coordinate =
@@ -64,13 +65,14 @@ fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
             positions.push(DVec3::new(coordinate(0), coordinate(4), coordinate(8)));
         }
     }
+    budget.take_items::<[u32; 3]>(count)?;
     let triangles = (0..count as u32).map(|triangle| [0, 1, 2].map(|corner| 3 * triangle + corner)).collect();
     Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
 }
 
-fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
+fn read_ascii(budget: &Budget, file: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let mut solids = Solids::default();
+    let mut solids = Solids::new(budget);
     let mut name = file;
     let mut words = Words::new(text::lines(&text));
     // Words of no meaning are passed over, normals among them: nobody needs these.
@@ -97,7 +99,7 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
             }
             "vertex" => {
                 solids.begun.get_or_insert(line);
-                solids.corners.push(STL.position(|| words.next(), line)?);
+                budget.push(&mut solids.corners, STL.position(|| words.next(), line)?)?;
             }
             "endfacet" => solids.add_facet(line)?,
             _ => {}
@@ -115,8 +117,8 @@ fn read_ascii(file: &str, bytes: &[u8]) -> Result<Soup> {
 }
 
 /// What is read of the solids so far.
-#[derive(Default)]
-struct Solids {
+struct Solids<'a> {
+    budget: &'a Budget,
     soup: Soup,
     warnings: Warnings,
     /// Of the facet that has begun.
@@ -127,13 +129,25 @@ struct Solids {
     is_open: bool,
 }
 
-impl Solids {
+impl<'a> Solids<'a> {
+    fn new(budget: &'a Budget) -> Self {
+        Self {
+            budget,
+            soup: Soup::default(),
+            warnings: Warnings::default(),
+            corners: Vec::new(),
+            begun: None,
+            is_open: false,
+        }
+    }
+
     fn add_facet(&mut self, line: usize) -> Result<()> {
         if self.corners.len() != 3 {
             return Err(STL.line(line, format!("a facet has {} corners instead of 3", self.corners.len())));
         }
         let first = self.soup.positions.len() as u32;
-        self.soup.triangles.push([first, first + 1, first + 2]);
+        self.budget.push(&mut self.soup.triangles, [first, first + 1, first + 2])?;
+        self.budget.reserve(&mut self.soup.positions, self.corners.len())?;
         self.soup.positions.append(&mut self.corners);
         self.begun = None;
         Ok(())

@@ -3,11 +3,18 @@
 use glam::{DVec2, DVec3};
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};
 
+use super::budget::Budget;
+use crate::error::Result;
 use crate::warning::{WarningCode, Warnings};
 
+
+/// Bytes a corner that a polygon takes while it is cut: points, sorted and as they are, and the vertices, edges and faces of spade.
+const CUTTING_BYTES: u64 = 512;
+
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
-#[derive(Debug, Default)]
-pub struct Polygons {
+#[derive(Debug)]
+pub struct Polygons<'a> {
+    budget: &'a Budget,
     corners: Vec<u32>,
     ends: Vec<usize>,
     /// The first corner of a vertex that no mesh can hold.
@@ -23,19 +30,30 @@ pub struct Missing {
     pub vertex: u64,
 }
 
-impl Polygons {
+impl<'a> Polygons<'a> {
+    /// None yet.
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, corners: Vec::new(), ends: Vec::new(), beyond: None }
+    }
+
     /// Adds a corner to the polygon that the next [`Self::close`] ends.
-    pub fn corner(&mut self, vertex: u64) {
+    ///
+    /// # Errors
+    /// [`OverBudget`](crate::Error::OverBudget).
+    pub fn corner(&mut self, vertex: u64) -> Result<()> {
         let corner = u32::try_from(vertex).unwrap_or_else(|_| {
             self.beyond.get_or_insert(Missing { polygon: self.ends.len(), vertex });
             u32::MAX
         });
-        self.corners.push(corner);
+        self.budget.push(&mut self.corners, corner)
     }
 
     /// Ends the polygon. Fewer than three corners make a point or a line, which triangulate to nothing.
-    pub fn close(&mut self) {
-        self.ends.push(self.corners.len());
+    ///
+    /// # Errors
+    /// [`OverBudget`](crate::Error::OverBudget).
+    pub fn close(&mut self) -> Result<()> {
+        self.budget.push(&mut self.ends, self.corners.len())
     }
 
     /// Polygons so far.
@@ -57,7 +75,7 @@ impl Polygons {
     ///
     /// # Errors
     /// The first such corner.
-    pub fn check(&self, vertices: usize) -> Result<(), Missing> {
+    pub fn check(&self, vertices: usize) -> std::result::Result<(), Missing> {
         let place = self.corners.iter().position(|&vertex| vertex as usize >= vertices);
         let missing = place.map(|place| Missing {
             polygon: self.ends.partition_point(|&end| end <= place),
@@ -68,37 +86,50 @@ impl Polygons {
 
     /// Appends the triangles of polygon `index`, after [`Self::check`], to `triangles`, each corner by its place in the list of all
     /// corners. Returns false where no triangles have its outline, because it crosses itself.
-    pub fn triangulate_corners(&self, index: usize, positions: &[DVec3], triangles: &mut Vec<[usize; 3]>) -> bool {
+    ///
+    /// # Errors
+    /// [`OverBudget`](crate::Error::OverBudget).
+    pub fn triangulate_corners(
+        &self,
+        index: usize,
+        positions: &[DVec3],
+        triangles: &mut Vec<[usize; 3]>,
+    ) -> Result<bool> {
         let start = if index == 0 { 0 } else { self.ends[index - 1] };
         let corners = &self.corners[start..self.ends[index]];
-        match corners.len() {
+        self.budget.reserve(triangles, corners.len().saturating_sub(2))?;
+        Ok(match corners.len() {
             0..=2 => true,
             3 => {
                 triangles.push([start, start + 1, start + 2]);
                 true
             }
-            _ => polygon(start, corners, positions, triangles),
-        }
+            count => {
+                let _loan = self.budget.loan();
+                self.budget.lend(CUTTING_BYTES * count as u64)?;
+                polygon(start, corners, positions, triangles)
+            }
+        })
     }
 
-    /// The triangles of all polygons in order. `place`: what the file calls a polygon, for warnings.
+    /// The triangles of all polygons in order, after [`Self::check`]. `place`: what the file calls a polygon, for warnings.
     ///
     /// # Errors
-    /// As [`Self::check`].
+    /// [`OverBudget`](crate::Error::OverBudget).
     pub fn triangulate_all(
         &self,
         positions: &[DVec3],
         warnings: &mut Warnings,
         place: impl Fn(usize) -> String,
-    ) -> Result<Vec<[u32; 3]>, Missing> {
-        self.check(positions.len())?;
-        let mut triangles = Vec::with_capacity(self.ends.len());
+    ) -> Result<Vec<[u32; 3]>> {
+        let mut triangles = self.budget.list(self.corners.len().saturating_sub(2 * self.ends.len()))?;
         let mut corners = Vec::new();
         for index in 0..self.ends.len() {
             corners.clear();
-            if !self.triangulate_corners(index, positions, &mut corners) {
+            if !self.triangulate_corners(index, positions, &mut corners)? {
                 warnings.add(WarningCode::CrossedPolygons, || place(index));
             }
+            self.budget.reserve(&mut triangles, corners.len())?;
             triangles.extend(corners.iter().map(|&places| self.vertices(places)));
         }
         Ok(triangles)

@@ -199,7 +199,7 @@ fn sparse_accessors_replace_elements() {
     builder.root["accessors"][0]["count"] = json!(1000);
     assert_eq!(builder.read().unwrap().positions.len(), 1000, "zeros need no bytes");
     builder.root["accessors"][0]["count"] = json!(1_u64 << 40);
-    assert!(matches!(builder.read(), Err(Error::Malformed { .. })), "a count without bytes reserves nothing");
+    assert!(matches!(builder.read(), Err(Error::OverBudget { .. })), "a count without bytes reserves nothing");
 }
 
 #[test]

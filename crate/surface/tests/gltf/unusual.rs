@@ -4,7 +4,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use heatwalk_surface::Error;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::document::square;
 use crate::reading::{part_names, read};
@@ -106,5 +106,96 @@ fn a_pointer_to_a_large_file_is_called_so() {
     for name in ["mesh.glb", "mesh.obj"] {
         let error = read(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0a\nsize 3\n").unwrap_err();
         assert!(error.to_string().contains(&format!("Git LFS, {name}")), "{error}");
+    }
+}
+
+/// Puts each of some values in the place of each value of a document.
+fn with_each_value_replaced(document: &Value, mut read: impl FnMut(&Value)) {
+    fn places(value: &Value, place: &str, all: &mut Vec<String>) {
+        all.push(place.to_owned());
+        match value {
+            Value::Object(object) => {
+                object.iter().for_each(|(key, value)| places(value, &format!("{place}/{key}"), all))
+            }
+            Value::Array(list) => {
+                list.iter().enumerate().for_each(|(at, value)| places(value, &format!("{place}/{at}"), all))
+            }
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    places(document, "", &mut all);
+    for place in all {
+        for other in [
+            json!(null),
+            json!(true),
+            json!(7),
+            json!(-1.5),
+            json!(1e300),
+            json!("a"),
+            json!([]),
+            json!([1]),
+            json!({}),
+        ] {
+            let mut document = document.clone();
+            *document.pointer_mut(&place).expect("a place of the document") = other;
+            read(&document);
+        }
+    }
+}
+
+#[test]
+fn no_value_of_another_type_anywhere_makes_a_reader_panic() {
+    let mut builder = square(json!([{
+        "mesh": 0, "camera": 0, "name": "a", "weights": [0.5], "rotation": [0, 0, 0, 1],
+        "extensions": { "KHR_lights_punctual": { "light": 0 }, "EXT_mesh_gpu_instancing": { "attributes": { "TRANSLATION": 0 } } }
+    }, { "mesh": 0, "skin": 0 }]));
+    let more = json!({
+        "scenes": [{ "nodes": [0, 1] }], "scene": 0,
+        "extensionsUsed": ["KHR_animation_pointer"], "extensionsRequired": [],
+        "cameras": [{ "type": "perspective", "perspective": { "yfov": 1, "znear": 1 } }],
+        "skins": [{ "joints": [0], "inverseBindMatrices": 0 }],
+        "extensions": { "KHR_lights_punctual": { "lights": [
+            { "type": "spot", "color": [1, 1, 1], "intensity": 2, "spot": { "innerConeAngle": 0.1, "outerConeAngle": 0.2 } }
+        ] } },
+        "animations": [{ "name": "b", "samplers": [{ "input": 0, "output": 0, "interpolation": "LINEAR" }], "channels": [
+            { "sampler": 0, "target": { "node": 0, "path": "translation" } },
+            { "sampler": 0, "target": { "path": "pointer",
+                "extensions": { "KHR_animation_pointer": { "pointer": "/nodes/0/translation" } } } }
+        ] }],
+        "images": [{ "uri": "a.png" }, { "bufferView": 0, "mimeType": "image/png" }],
+        "samplers": [{ "wrapS": 33071, "magFilter": 9728 }],
+        "textures": [{ "source": 0, "sampler": 0, "extensions": { "EXT_texture_webp": { "source": 1 } } }],
+        "materials": [{
+            "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "texCoord": 0, "extensions": {
+                "KHR_texture_transform": { "offset": [0, 1], "scale": [1, 2], "rotation": 1, "texCoord": 1 } } } },
+            "normalTexture": { "index": 0, "scale": 1 }, "occlusionTexture": { "index": 0, "strength": 1 },
+            "extensions": { "KHR_materials_emissive_strength": { "emissiveStrength": 2 }, "KHR_materials_sheen": { "a": 1 },
+                "KHR_materials_pbrSpecularGlossiness": { "diffuseFactor": [1, 1, 1, 1], "glossinessFactor": 0.5,
+                    "diffuseTexture": { "index": 0 } } }
+        }],
+    });
+    let root = builder.root.as_object_mut().expect("a document");
+    root.extend(more.as_object().expect("more of it").clone());
+    builder.root["meshes"][0]["weights"] = json!([1]);
+    let primitive = &mut builder.root["meshes"][0]["primitives"][0];
+    primitive["material"] = json!(0);
+    primitive["targets"] = json!([{ "POSITION": 0 }]);
+    primitive["attributes"]["_OWN"] = json!(0);
+    let draco = json!({ "KHR_draco_mesh_compression": { "bufferView": 0, "attributes": { "POSITION": 0 } } });
+    let meshopt = json!({ "EXT_meshopt_compression":
+        { "buffer": 0, "byteOffset": 0, "byteLength": 8, "byteStride": 4, "count": 2, "mode": "ATTRIBUTES", "filter": "NONE" } });
+    for (place, extensions) in
+        [("/meshes/0", json!({})), ("/meshes/0/primitives/0", draco), ("/bufferViews/0", meshopt)]
+    {
+        let uri = format!("data:;base64,{}", "AAAA".repeat(builder.binary.len().div_ceil(3)));
+        let mut document: Value = serde_json::from_str(&builder.gltf(&uri)).expect("a document");
+        document.pointer_mut(place).expect("a place of the document")["extensions"] = extensions;
+        with_each_value_replaced(&document, |document| drop(read("a.gltf", document.to_string())));
+    }
+    for document in
+        [r#"{"asset":{"version":"2.0"},"animations":[1]}"#, r#"{"asset":1,"animations":[{"channels":[[]]}]}"#]
+    {
+        assert!(read("a.gltf", document).is_err(), "{document}");
     }
 }

@@ -10,6 +10,7 @@ use std::fmt;
 
 use glam::DVec3;
 use heatwalk::Soup;
+use heatwalk::io::Budget;
 use heatwalk::io::triangulate::Polygons;
 use heatwalk::surface::{WarningCode, Warnings};
 
@@ -136,15 +137,19 @@ impl Kind {
 }
 
 /// Cells that become tetrahedra.
-#[derive(Default)]
-pub struct Cells {
+pub struct Cells<'a> {
+    budget: &'a Budget,
     pub tetrahedra: Vec<[u32; 4]>,
     pub counts: CellCounts,
 }
 
-impl Cells {
+impl<'a> Cells<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, tetrahedra: Vec::new(), counts: CellCounts::default() }
+    }
+
     /// Adds a cell by its corners, of which some may be equal: hexahedra that stand for prisms are written so.
-    pub fn add(&mut self, shape: Shape, corners: &[u32], is_curved: bool) {
+    pub fn add(&mut self, shape: Shape, corners: &[u32], is_curved: bool) -> Result<()> {
         self.counts.curved += usize::from(is_curved);
         match shape {
             Shape::Tetrahedron => self.counts.tetrahedra += 1,
@@ -153,8 +158,7 @@ impl Cells {
             Shape::Hexahedron => self.counts.hexahedra += 1,
         }
         if let (Shape::Tetrahedron, &[a, b, c, d]) = (shape, corners) {
-            self.tetrahedra.push([a, b, c, d]);
-            return;
+            return Ok(self.budget.push(&mut self.tetrahedra, [a, b, c, d])?);
         }
         let apex = corners.iter().copied().min().unwrap_or_default();
         for face in shape.faces() {
@@ -167,16 +171,17 @@ impl Cells {
             for step in 1..count - 1 {
                 let [a, b, c] = [corner(0), corner(step), corner(step + 1)];
                 if a != b && b != c && c != a {
-                    self.tetrahedra.push([a, c, b, apex]);
+                    self.budget.push(&mut self.tetrahedra, [a, c, b, apex])?;
                 }
             }
         }
+        Ok(())
     }
 }
 
 /// Cells whose vertices are known by the numbers that the file gives them; it may do so after the cells.
-#[derive(Default)]
-pub struct NamedCells {
+pub struct NamedCells<'a> {
+    budget: &'a Budget,
     /// Shapes of those that fill space, and whether they are curved.
     solids: Vec<(Shape, bool)>,
     /// Of all these, one after another.
@@ -187,36 +192,44 @@ pub struct NamedCells {
     face_corners: Vec<u64>,
 }
 
-impl NamedCells {
+impl<'a> NamedCells<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, solids: Vec::new(), solid_corners: Vec::new(), faces: Vec::new(), face_corners: Vec::new() }
+    }
+
     /// Adds a corner to the cell that the next [`Self::end`] ends.
-    pub fn corner(&mut self, kind: Kind, number: u64) {
+    pub fn corner(&mut self, kind: Kind, number: u64) -> Result<()> {
+        let budget = self.budget;
         match kind {
             Kind::Thin => {}
-            Kind::Face(_) => self.face_corners.push(number),
-            Kind::Solid(_) => self.solid_corners.push(number),
+            Kind::Face(_) => budget.push(&mut self.face_corners, number)?,
+            Kind::Solid(_) => budget.push(&mut self.solid_corners, number)?,
         }
+        Ok(())
     }
 
     /// Ends a cell, which has as many corners as its kind.
-    pub fn end(&mut self, kind: Kind, is_curved: bool) {
+    pub fn end(&mut self, kind: Kind, is_curved: bool) -> Result<()> {
+        let budget = self.budget;
         match kind {
             Kind::Thin => {}
-            Kind::Face(corners) => self.faces.push((corners as u8, is_curved)),
-            Kind::Solid(shape) => self.solids.push((shape, is_curved)),
+            Kind::Face(corners) => budget.push(&mut self.faces, (corners as u8, is_curved))?,
+            Kind::Solid(shape) => budget.push(&mut self.solids, (shape, is_curved))?,
         }
+        Ok(())
     }
 }
 
 /// What a file holds, as it names it.
-pub struct NamedMesh {
+pub struct NamedMesh<'a> {
     pub format: &'static str,
     /// In file order.
     pub positions: Vec<DVec3>,
     pub numbers: Numbers,
-    pub cells: NamedCells,
+    pub cells: NamedCells<'a>,
 }
 
-impl NamedMesh {
+impl NamedMesh<'_> {
     fn vertex(&self, element: &'static str, index: usize, number: u64) -> Result<u32> {
         let missing = Error::NoSuchVertex { format: self.format, element, index, vertex: number };
         self.numbers.get(number).ok_or(missing)
@@ -224,7 +237,7 @@ impl NamedMesh {
 
     /// The tetrahedra.
     pub fn tetrahedra(self) -> Result<(TetSoup, CellCounts)> {
-        let mut cells = Cells::default();
+        let mut cells = Cells::new(self.cells.budget);
         cells.counts.faces = self.cells.faces.len();
         let mut rest = &self.cells.solid_corners[..];
         let mut corners = Vec::new();
@@ -234,7 +247,7 @@ impl NamedMesh {
             for &number in own {
                 corners.push(self.vertex("cell", index, number)?);
             }
-            cells.add(shape, &corners, is_curved);
+            cells.add(shape, &corners, is_curved)?;
             rest = others;
         }
         Ok((TetSoup { positions: self.positions, tetrahedra: cells.tetrahedra }, cells.counts))
@@ -243,22 +256,21 @@ impl NamedMesh {
     /// The faces, as one part of a name.
     pub fn surface(self, name: &str) -> Result<Soup> {
         let mut warnings = Warnings::default();
-        let mut polygons = Polygons::default();
+        let mut polygons = Polygons::new(self.cells.budget);
         let mut rest = &self.cells.face_corners[..];
         let place = |face: usize| format!("face {face}");
         for (index, &(corners, is_curved)) in self.cells.faces.iter().enumerate() {
             let (own, others) = rest.split_at(corners.into());
             for &number in own {
-                polygons.corner(self.vertex("face", index, number)?.into());
+                polygons.corner(self.vertex("face", index, number)?.into())?;
             }
-            polygons.close();
+            polygons.close()?;
             if is_curved {
                 warnings.add(WarningCode::Straightened, || place(index));
             }
             rest = others;
         }
-        let triangles = polygons.triangulate_all(&self.positions, &mut warnings, place);
-        let triangles = triangles.expect("vertices that there are");
+        let triangles = polygons.triangulate_all(&self.positions, &mut warnings, place)?;
         Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, self.positions, triangles) })
     }
 }
@@ -284,6 +296,8 @@ impl Numbers {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+
+    use heatwalk::io::Budget;
 
     use super::{Cells, Shape};
 
@@ -328,8 +342,9 @@ mod tests {
             for step in (1..count).filter(|step| (1..count).all(|k| step * k % count != 0)) {
                 for first in 0..count {
                     let corners: Vec<u32> = (0..count).map(|k| ((first + k * step) % count) as u32).collect();
-                    let mut cells = Cells::default();
-                    cells.add(shape, &corners, false);
+                    let budget = Budget::of_file(0);
+                    let mut cells = Cells::new(&budget);
+                    cells.add(shape, &corners, false).unwrap();
                     let position = |vertex: u32| points[corners.iter().position(|&corner| corner == vertex).unwrap()];
                     let volumes = cells.tetrahedra.iter().map(|tetrahedron| {
                         let [a, b, c, d] = tetrahedron.map(position);
@@ -346,8 +361,9 @@ mod tests {
 
     #[test]
     fn a_hexahedron_that_stands_for_a_prism_becomes_three_tetrahedra() {
-        let mut cells = Cells::default();
-        cells.add(Shape::Hexahedron, &[0, 1, 2, 2, 4, 5, 6, 6], false);
+        let budget = Budget::of_file(0);
+        let mut cells = Cells::new(&budget);
+        cells.add(Shape::Hexahedron, &[0, 1, 2, 2, 4, 5, 6, 6], false).unwrap();
         assert_eq!(cells.tetrahedra.len(), 3);
     }
 }

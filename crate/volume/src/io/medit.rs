@@ -2,6 +2,7 @@
 //! or bytes of versions 1 to 4 in either order. Sections that are no vertices or cells are skipped.
 
 use glam::DVec3;
+use heatwalk::io::Budget;
 
 use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;
@@ -61,8 +62,8 @@ fn binary(bytes: &[u8]) -> Option<(Input<'_>, i64)> {
     Some((input, version))
 }
 
-pub fn read(bytes: &[u8]) -> Result<NamedMesh> {
-    let mut mesh = Mesh::default();
+pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<NamedMesh<'a>> {
+    let mut mesh = Mesh { budget, positions: Vec::new(), cells: NamedCells::new(budget) };
     match binary(bytes) {
         Some((input, version)) => mesh.read_binary(input, version)?,
         None => mesh.read_text(text(bytes))?,
@@ -72,14 +73,14 @@ pub fn read(bytes: &[u8]) -> Result<NamedMesh> {
 }
 
 /// What was read so far.
-#[derive(Default)]
-struct Mesh {
+struct Mesh<'a> {
+    budget: &'a Budget,
     positions: Vec<DVec3>,
     /// By vertices counted from 1.
-    cells: NamedCells,
+    cells: NamedCells<'a>,
 }
 
-impl Mesh {
+impl Mesh<'_> {
     fn read_text(&mut self, mut input: Input) -> Result<()> {
         while let Some(keyword) = input.word() {
             match keyword {
@@ -104,7 +105,6 @@ impl Mesh {
             if keyword == END {
                 return Ok(());
             }
-            let start = input.position();
             let next = if version >= 3 { input.long("the next place")? } else { input.int("the next place")? };
             match keyword {
                 DIMENSION => dimension(&mut input)?,
@@ -115,12 +115,12 @@ impl Mesh {
                     }
                 }
             }
-            // The end may be meant, and nothing leads backward.
+            // The end may be meant, and nothing leads back into what was read.
             let next = usize::try_from(next).unwrap_or_default();
             if next == 0 {
                 return Ok(());
             }
-            if next <= start || next > input.position() + input.rest().len() {
+            if next < input.position() || next > input.position() + input.rest().len() {
                 return Err(input.damaged(&format!("the section before goes on at byte {next}")).into());
             }
             input.seek(next);
@@ -130,7 +130,7 @@ impl Mesh {
     fn vertices(&mut self, input: &mut Input, version: i64) -> Result<()> {
         let count = whole(input, version, "the number of vertices")?;
         let count = input.count(count, "the number of vertices")?;
-        self.positions.reserve(input.plausible(count));
+        self.budget.reserve(&mut self.positions, input.plausible(count))?;
         for _ in 0..count {
             let mut position = [0.0; 3];
             for coordinate in &mut position {
@@ -138,7 +138,7 @@ impl Mesh {
                 *coordinate = if version == 1 { input.float(what)? } else { input.double(what)? };
             }
             whole(input, version, "the reference of a vertex")?;
-            self.positions.push(position.into());
+            self.budget.push(&mut self.positions, position.into())?;
         }
         Ok(())
     }
@@ -150,11 +150,11 @@ impl Mesh {
             for node in 0..nodes {
                 let vertex = whole(input, version, "a vertex of a cell")?;
                 if node < kind.corner_count() {
-                    self.cells.corner(kind, input.count(vertex, "a vertex of a cell")? as u64);
+                    self.cells.corner(kind, input.count(vertex, "a vertex of a cell")? as u64)?;
                 }
             }
             whole(input, version, "the reference of a cell")?;
-            self.cells.end(kind, nodes > kind.corner_count());
+            self.cells.end(kind, nodes > kind.corner_count())?;
         }
         Ok(())
     }

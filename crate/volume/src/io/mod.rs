@@ -21,7 +21,7 @@ mod vtk;
 pub mod write;
 
 use heatwalk::Soup;
-use heatwalk::io::{Resources, text};
+use heatwalk::io::{Budget, Resources, text};
 use heatwalk::surface::Error as FileError;
 
 pub use cells::CellCounts;
@@ -87,11 +87,27 @@ pub struct TetFile {
 /// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
 /// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
+    let budget = Budget::of_file(bytes.len());
+    read_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
+}
+
+/// As [`read`], with what is left of a budget. What `resources` gives is for the caller to count.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
+    let file = tetrahedra(budget, name, bytes, resources);
+    // A second file that the budget has no room for is as if it were missing.
+    budget.finish()?;
+    file
+}
+
+fn tetrahedra(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
     let bytes = text::decoded(bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let (soup, cells) = match named(format, name, bytes, resources)? {
+    let (soup, cells) = match named(budget, format, name, bytes, resources)? {
         Some(mesh) => mesh.tetrahedra()?,
-        None => vtk::read(bytes)?,
+        None => vtk::read(budget, bytes)?,
     };
     if cells.volumes() == 0 {
         let remedy = if cells.faces > 0 { "read it as a surface" } else { "save the cells with their vertices" };
@@ -105,10 +121,25 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
 /// # Errors
 /// As [`read`], and [`Error::File`] with [`Empty`](FileError::Empty) where there is no face.
 pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let budget = Budget::of_file(bytes.len());
+    read_surface_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
+}
+
+/// As [`read_surface`], with what is left of a budget. What `resources` gives is for the caller to count.
+///
+/// # Errors
+/// As [`read_surface`].
+pub fn read_surface_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+    let soup = surface(budget, name, bytes, resources);
+    budget.finish()?;
+    soup
+}
+
+fn surface(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let bytes = text::decoded(bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let Some(mesh) = named(format, name, bytes, resources)? else {
-        return Ok(heatwalk::io::read(name, bytes, resources)?);
+    let Some(mesh) = named(budget, format, name, bytes, resources)? else {
+        return Ok(heatwalk::io::read_within(budget, name, bytes, resources)?);
     };
     let soup = mesh.surface(stem_and_extension(name).0)?;
     if soup.triangles.is_empty() {
@@ -119,11 +150,17 @@ pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<So
 }
 
 /// What a file holds; none of VTK, whose cells count vertices from 0 without gaps.
-fn named(format: Format, name: &str, bytes: &[u8], resources: Resources) -> Result<Option<NamedMesh>> {
+fn named<'a>(
+    budget: &'a Budget,
+    format: Format,
+    name: &str,
+    bytes: &[u8],
+    resources: Resources,
+) -> Result<Option<NamedMesh<'a>>> {
     let mesh = match format {
         Format::Vtk => return Ok(None),
-        Format::Medit => medit::read(bytes)?,
-        Format::Gmsh => gmsh::read(bytes)?,
+        Format::Medit => medit::read(budget, bytes)?,
+        Format::Gmsh => gmsh::read(budget, bytes)?,
         Format::TetGen => {
             let (stem, extension) = stem_and_extension(name);
             let has_nodes = extension.eq_ignore_ascii_case("node");
@@ -131,7 +168,7 @@ fn named(format: Format, name: &str, bytes: &[u8], resources: Resources) -> Resu
             let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
             let other = text::decoded(&other)?;
             let (nodes, elements) = if has_nodes { (bytes, other) } else { (other, bytes) };
-            tetgen::read(nodes, elements)?
+            tetgen::read(budget, nodes, elements)?
         }
     };
     Ok(Some(mesh))

@@ -2,6 +2,7 @@
 //! from 0 or 1 as the first vertex is. Attributes and boundary markers are skipped.
 
 use glam::DVec3;
+use heatwalk::io::Budget;
 
 use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;
@@ -13,9 +14,9 @@ const TETGEN: &str = "TetGen";
 const CURVED: usize = 10;
 
 /// `nodes`, `elements`: the contents of both files.
-pub fn read(nodes: &[u8], elements: &[u8]) -> Result<NamedMesh> {
-    let (positions, first) = read_nodes(text(nodes))?;
-    let cells = read_elements(text(elements))?;
+pub fn read<'a>(budget: &'a Budget, nodes: &[u8], elements: &[u8]) -> Result<NamedMesh<'a>> {
+    let (positions, first) = read_nodes(budget, text(nodes))?;
+    let cells = read_elements(budget, text(elements))?;
     Ok(NamedMesh { format: TETGEN, numbers: Numbers::From(first, positions.len() as u32), positions, cells })
 }
 
@@ -42,14 +43,14 @@ fn header<const N: usize>(input: &mut Input, names: [&str; N], mut header: [usiz
 }
 
 /// Positions, and the number of the first one.
-fn read_nodes(mut input: Input) -> Result<(Vec<DVec3>, u64)> {
+fn read_nodes(budget: &Budget, mut input: Input) -> Result<(Vec<DVec3>, u64)> {
     let names = ["the number of vertices", "the dimension", "the number of attributes", "the number of markers"];
     let [count, dimension, attributes, markers] = header(&mut input, names, [0, 3, 0, 0])?;
     if dimension != 3 {
         let remedy = "give every vertex three coordinates";
         return Err(input.unsupported(format!("the dimension {dimension}"), remedy).into());
     }
-    let mut positions = Vec::with_capacity(input.plausible(count));
+    let mut positions = budget.list(input.plausible(count))?;
     let mut first = 0;
     for index in 0..count as u64 {
         let number = size(&mut input, "the number of a vertex")? as u64;
@@ -65,12 +66,12 @@ fn read_nodes(mut input: Input) -> Result<(Vec<DVec3>, u64)> {
         for _ in 0..attributes.saturating_add(markers) {
             input.double("an attribute of a vertex")?;
         }
-        positions.push(position.into());
+        budget.push(&mut positions, position.into())?;
     }
     Ok((positions, first))
 }
 
-fn read_elements(mut input: Input) -> Result<NamedCells> {
+fn read_elements<'a>(budget: &'a Budget, mut input: Input) -> Result<NamedCells<'a>> {
     let names = ["the number of tetrahedra", "the number of vertices of a tetrahedron", "the number of attributes"];
     let kind = Kind::Solid(Shape::Tetrahedron);
     let corners = kind.corner_count();
@@ -78,19 +79,19 @@ fn read_elements(mut input: Input) -> Result<NamedCells> {
     if nodes != corners && nodes != CURVED {
         return Err(input.damaged(&format!("a tetrahedron has 4 or {CURVED} vertices, not {nodes}")).into());
     }
-    let mut cells = NamedCells::default();
+    let mut cells = NamedCells::new(budget);
     for _ in 0..count {
         size(&mut input, "the number of a tetrahedron")?;
         for node in 0..nodes {
             let number = size(&mut input, "a vertex of a tetrahedron")?;
             if node < corners {
-                cells.corner(kind, number as u64);
+                cells.corner(kind, number as u64)?;
             }
         }
         for _ in 0..attributes {
             input.double("an attribute of a tetrahedron")?;
         }
-        cells.end(kind, nodes > corners);
+        cells.end(kind, nodes > corners)?;
     }
     Ok(cells)
 }

@@ -1,6 +1,6 @@
 //! VTK (Kitware, "VTK File Formats"): the cells of unstructured grids that fill space, of legacy and XML files.
 
-use heatwalk::io::vtk;
+use heatwalk::io::{Budget, vtk};
 use heatwalk::surface::Error as FileError;
 
 use super::cells::{CellCounts, Cells, Shape};
@@ -11,9 +11,9 @@ use crate::soup::TetSoup;
 const VOXEL: u64 = 11;
 const VOXEL_CORNERS: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
-pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
-    let grid = vtk::volumes(bytes)?;
-    let mut cells = Cells::default();
+pub fn read(budget: &Budget, bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
+    let grid = vtk::volumes(budget, bytes)?;
+    let mut cells = Cells::new(budget);
     cells.counts.faces = grid.faces;
     let mut start = 0;
     let mut ring = Vec::new();
@@ -41,7 +41,7 @@ pub fn read(bytes: &[u8]) -> Result<(TetSoup, CellCounts)> {
             ring.extend(VOXEL_CORNERS.map(|corner| corners[corner]));
             corners = &ring;
         }
-        cells.add(shape, corners, is_curved);
+        cells.add(shape, corners, is_curved)?;
     }
     Ok((TetSoup { positions: grid.positions, tetrahedra: cells.tetrahedra }, cells.counts))
 }

@@ -28,12 +28,12 @@ pub struct Accessors<'a> {
     pub root: &'a Root,
     pub buffers: &'a Buffers<'a>,
     /// The primitive that is being read, if it is compressed: its accessors have no data of their own.
-    pub compressed: Option<&'a Compressed>,
+    pub compressed: Option<&'a Compressed<'a>>,
 }
 
 impl<'a> Accessors<'a> {
     /// The same accessors as a primitive sees them, all of its attributes decoded.
-    pub fn of<'b>(self, primitive: Option<&'b Compressed>) -> Accessors<'b>
+    pub fn of<'b>(self, primitive: Option<&'b Compressed<'b>>) -> Accessors<'b>
     where
         'a: 'b,
     {
@@ -116,6 +116,7 @@ impl<'a> Accessors<'a> {
         if !matches!(accessor.type_, Checked::Valid(found) if found == shape) {
             return Err(error(index, &format!("its type is not {shape:?}")));
         }
+        self.buffers.budget.lend(bytes_of::<N>(count))?;
         let layout =
             Layout { component, normalized: accessor.normalized && meaning == Meaning::Quantity, accessor: index };
         let compressed = self.compressed.map_or(Ok(None), |primitive| primitive.values(index))?;
@@ -146,7 +147,7 @@ impl<'a> Accessors<'a> {
     /// Whether the file has enough data for an accessor without any of its own to be so long.
     fn plausible(&self, count: usize) -> bool {
         count <= MOST_IMPLIED
-            || count <= self.buffers.resolved_bytes() + self.compressed.map_or(0, Compressed::vertices)
+            || count <= self.buffers.resolved_bytes() + self.compressed.map_or(0, |primitive| primitive.vertices())
     }
 
     /// Replaces the elements that a sparse accessor lists.
@@ -162,6 +163,7 @@ impl<'a> Accessors<'a> {
             return Err(error(index, "its sparse indices have an unknown type"));
         };
         let replaced = usize::try_from(sparse.count.0).map_err(|_| error(index, "its sparse count is too large"))?;
+        self.buffers.budget.lend(bytes_of::<1>(replaced).saturating_add(bytes_of::<N>(replaced)))?;
         let (bytes, _) = self.buffers.view(sparse.indices.buffer_view)?;
         let index_layout = Layout { component: component.0, normalized: false, accessor: index };
         let targets = index_layout.read::<1>(bytes, offset(Some(sparse.indices.byte_offset)), None, replaced)?;
@@ -177,6 +179,10 @@ impl<'a> Accessors<'a> {
         }
         Ok(())
     }
+}
+
+fn bytes_of<const N: usize>(rows: usize) -> u64 {
+    (rows as u64).saturating_mul(size_of::<[f64; N]>() as u64)
 }
 
 fn offset(offset: Option<gltf::json::validation::USize64>) -> u64 {

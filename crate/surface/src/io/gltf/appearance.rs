@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use super::accessor::{Accessors, number};
 use super::container::Buffers;
 use crate::appearance::{Alpha, Appearance, Channel, Image, Material, Run, Texels, Texture, Wrap};
-use crate::error::Error;
+use crate::error::{Error, Result};
 
 /// The accessors of a primitive's attributes: texture coordinates of both sets, colors, normals.
 pub fn attributes_of(primitive: &Primitive) -> [Option<u32>; 4] {
@@ -30,7 +30,11 @@ pub struct Collector {
 
 impl Collector {
     /// Adds texture coordinates and colors of these vertices.
-    pub fn add_vertices(&mut self, accessors: Accessors, primitive: &Primitive, vertices: &Range<usize>) {
+    ///
+    /// # Errors
+    /// Where the budget has no room for them.
+    pub fn add_vertices(&mut self, accessors: Accessors, primitive: &Primitive, vertices: &Range<usize>) -> Result<()> {
+        let budget = accessors.buffers.budget;
         let [first_set, second_set, colors, _] = attributes_of(primitive);
         let Range { start: first, .. } = *vertices;
         let count = vertices.len();
@@ -40,7 +44,8 @@ impl Collector {
         });
         if sets.iter().any(Option::is_some) {
             let at = |set: usize, vertex: usize| sets[set].as_ref().map_or([0.0; 2], |coordinates| coordinates[vertex]);
-            self.appearance.texcoords.resize(first, [0.0; 4]);
+            budget.resize(&mut self.appearance.texcoords, first, [0.0; 4])?;
+            budget.reserve(&mut self.appearance.texcoords, count)?;
             self.appearance.texcoords.extend((0..count).map(|vertex| {
                 let ([u, v], [u1, v1]) = (at(0, vertex), at(1, vertex));
                 [u, v, u1, v1].map(|coordinate| coordinate as f32)
@@ -49,9 +54,11 @@ impl Collector {
         let colors = colors.and_then(|index| accessors.colors(index).ok());
         if let Some(colors) = colors.filter(|colors| colors.len() == count) {
             let wide = |share: f64| (share.clamp(0.0, 1.0) * f64::from(u16::MAX)).round() as u16;
-            self.appearance.colors.resize(first, [u16::MAX; 4]);
+            budget.resize(&mut self.appearance.colors, first, [u16::MAX; 4])?;
+            budget.reserve(&mut self.appearance.colors, count)?;
             self.appearance.colors.extend(colors.into_iter().map(|color| color.map(wide)));
         }
+        Ok(())
     }
 
     /// Adds the triangles of a primitive.
@@ -61,27 +68,30 @@ impl Collector {
     }
 
     /// What was collected, over so many vertices. `normals`: of each, zero for none.
+    ///
+    /// # Errors
+    /// Where the budget has no room for it.
     pub fn finish<'b>(
         self,
         root: &'b Root,
         buffers: &'b Buffers<'b>,
         vertices: usize,
         normals: Vec<Vec3>,
-    ) -> Appearance {
+    ) -> Result<Appearance> {
         let mut appearance = self.appearance;
         if normals.iter().any(|&normal| normal != Vec3::ZERO) {
             appearance.normals = normals;
         }
         if !appearance.texcoords.is_empty() {
-            appearance.texcoords.resize(vertices, [0.0; 4]);
+            buffers.budget.resize(&mut appearance.texcoords, vertices, [0.0; 4])?;
         }
         if !appearance.colors.is_empty() {
-            appearance.colors.resize(vertices, [u16::MAX; 4]);
+            buffers.budget.resize(&mut appearance.colors, vertices, [u16::MAX; 4])?;
         }
         if appearance.runs.iter().all(|run| run.material.is_none()) {
             appearance.runs.clear();
             appearance.texcoords.clear();
-            return appearance;
+            return Ok(appearance);
         }
         let mut images =
             Images { root, buffers, of_file: vec![None; root.images.len()], images: Vec::new(), missing: Vec::new() };
@@ -91,7 +101,7 @@ impl Collector {
         for run in &mut appearance.runs {
             run.material = run.material.filter(|&material| material < count);
         }
-        appearance
+        Ok(appearance)
     }
 }
 
@@ -119,7 +129,7 @@ fn read_material(given: &material::Material, images: &mut Images) -> Material {
         },
         ..Material::default()
     };
-    let strength = extension(EMISSIVE_STRENGTH).and_then(|strength| strength["emissiveStrength"].as_f64());
+    let strength = extension(EMISSIVE_STRENGTH).and_then(|strength| strength.get("emissiveStrength")?.as_f64());
     material.emission = given.emissive_factor.0.map(|color| color * strength.unwrap_or(1.0) as f32);
     let mut set = |channel: Channel, texture| material.textures[channel as usize] = texture;
     set(Channel::BaseColor, images.texture_of_info(pbr.base_color_texture.as_ref()));
@@ -156,12 +166,13 @@ fn further(extensions: &Map<String, Value>) -> Vec<(String, String)> {
 
 /// The older model: its diffuse color is the base color of a dielectric, whose specular color is taken as usual.
 fn read_specular_glossiness(extension: &Value, images: &mut Images, material: &mut Material) {
-    let diffuse = extension["diffuseFactor"].as_array();
+    let diffuse = extension.get("diffuseFactor").and_then(Value::as_array);
     let factor = |index: usize| diffuse.and_then(|factors| factors.get(index)?.as_f64()).unwrap_or(1.0) as f32;
     material.base_color = [0, 1, 2, 3].map(factor);
     material.metalness = 0.0;
-    material.roughness = 1.0 - extension["glossinessFactor"].as_f64().unwrap_or(1.0) as f32;
-    let info: Option<texture::Info> = serde_json::from_value(extension["diffuseTexture"].clone()).ok();
+    material.roughness = 1.0 - extension.get("glossinessFactor").and_then(Value::as_f64).unwrap_or(1.0) as f32;
+    let info = extension.get("diffuseTexture").cloned();
+    let info: Option<texture::Info> = info.and_then(|info| serde_json::from_value(info).ok());
     material.textures[Channel::BaseColor as usize] = images.texture_of_info(info.as_ref());
     material.textures[Channel::MetallicRoughness as usize] = None;
 }
@@ -190,7 +201,7 @@ impl Images<'_> {
     ) -> Option<Texture> {
         let texture = self.root.textures.get(index.value())?;
         let source = |name: &str| {
-            let source = texture.extensions.as_ref()?.others.get(name)?["source"].as_u64();
+            let source = texture.extensions.as_ref()?.others.get(name)?.get("source")?.as_u64();
             source.and_then(|source| usize::try_from(source).ok())
         };
         // A browser decodes the others by itself.
@@ -203,7 +214,7 @@ impl Images<'_> {
             _ => Wrap::Repeat,
         };
         let transform = extensions.and_then(|others| others.get("KHR_texture_transform"));
-        let set = transform.and_then(|transform| transform["texCoord"].as_u64()).unwrap_or(set.into());
+        let set = transform.and_then(|transform| transform.get("texCoord")?.as_u64()).unwrap_or(set.into());
         Some(Texture {
             image,
             set: usize::from(set == 1),
@@ -222,7 +233,7 @@ impl Images<'_> {
         let image = &self.root.images[source];
         let media_type = image.mime_type.as_ref().map_or_else(String::new, |media_type| media_type.0.clone());
         let bytes = match (image.buffer_view, &image.uri) {
-            (Some(view), _) => self.buffers.view(view).map(|(bytes, _)| bytes.to_vec()),
+            (Some(view), _) => self.buffers.copy(view),
             (None, Some(uri)) => self.buffers.fetch(uri, || format!("image {source}")),
             (None, None) => Ok(Vec::new()),
         };
@@ -239,8 +250,9 @@ impl Images<'_> {
 
 /// Rows of offset · rotation · scale (KHR_texture_transform).
 fn texture_transform(extension: &Value) -> [[f32; 3]; 2] {
-    let pair = |name: &str, default: f64| [0, 1].map(|index| extension[name][index].as_f64().unwrap_or(default));
-    let ([x, y], [u, v]) = (pair("offset", 0.0), pair("scale", 1.0));
-    let (sine, cosine) = extension["rotation"].as_f64().unwrap_or(0.0).sin_cos();
+    let number = |place: &str, default: f64| extension.pointer(place).and_then(Value::as_f64).unwrap_or(default);
+    let [x, y] = ["/offset/0", "/offset/1"].map(|place| number(place, 0.0));
+    let [u, v] = ["/scale/0", "/scale/1"].map(|place| number(place, 1.0));
+    let (sine, cosine) = number("/rotation", 0.0).sin_cos();
     [[cosine * u, sine * v, x], [-sine * u, cosine * v, y]].map(|row| row.map(|number| number as f32))
 }

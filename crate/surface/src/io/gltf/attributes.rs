@@ -7,6 +7,7 @@ use gltf::json::Value;
 use gltf::json::deserialize::from_slice;
 
 use super::accessor::Accessors;
+use crate::error::Result;
 use crate::soup::Attribute;
 
 /// The accessors of such attributes, by mesh and primitive. The JSON types of the gltf crate leave them out.
@@ -18,9 +19,9 @@ impl Named {
         let has_any = json.windows(2).any(|pair| pair == b"\"_");
         let document: Value = if has_any { from_slice(json).unwrap_or_default() } else { Value::Null };
         let mut named = HashMap::new();
-        for (mesh, value) in list(&document["meshes"]).enumerate() {
-            for (primitive, value) in list(&value["primitives"]).enumerate() {
-                let attributes = value["attributes"].as_object().into_iter().flatten();
+        for (mesh, value) in list(&document, "meshes").enumerate() {
+            for (primitive, value) in list(value, "primitives").enumerate() {
+                let attributes = value.get("attributes").and_then(Value::as_object).into_iter().flatten();
                 let own = attributes
                     .filter(|(name, _)| name.starts_with('_'))
                     .filter_map(|(name, accessor)| Some((name.clone(), u32::try_from(accessor.as_u64()?).ok()?)));
@@ -34,13 +35,17 @@ impl Named {
     }
 
     /// Adds the values of these vertices. What is no list of numbers, one a vertex, is left out.
+    ///
+    /// # Errors
+    /// Where the budget has no room for them.
     pub fn add(
         &self,
         accessors: Accessors,
         (mesh, primitive): (usize, usize),
         vertices: &Range<usize>,
         attributes: &mut Vec<Attribute>,
-    ) {
+    ) -> Result<()> {
+        let budget = accessors.buffers.budget;
         for (name, accessor) in self.0.get(&(mesh, primitive)).into_iter().flatten() {
             let Ok(values) = accessors.numbers(*accessor) else { continue };
             if values.len() != vertices.len() {
@@ -50,12 +55,15 @@ impl Named {
                 attributes.push(Attribute { name: name.clone(), values: Vec::new() });
                 attributes.len() - 1
             });
-            attributes[index].values.resize(vertices.start, f64::NAN);
-            attributes[index].values.extend(values);
+            let all = &mut attributes[index].values;
+            budget.resize(all, vertices.start, f64::NAN)?;
+            budget.reserve(all, values.len())?;
+            all.extend(values);
         }
+        Ok(())
     }
 }
 
-fn list(value: &Value) -> impl Iterator<Item = &Value> {
-    value.as_array().into_iter().flatten()
+fn list<'a>(value: &'a Value, key: &str) -> impl Iterator<Item = &'a Value> {
+    value.get(key).and_then(Value::as_array).into_iter().flatten()
 }

@@ -6,10 +6,12 @@ use glam::DVec3;
 use gltf::json::Root;
 
 use super::scene::Scene;
+use crate::error::Result;
+use crate::io::budget::Budget;
 use crate::soup::{Camera, Projection};
 
 /// The cameras of the nodes that are shown, in their order.
-pub fn cameras(root: &Root, scene: &Scene) -> Vec<Camera> {
+pub fn cameras(budget: &Budget, root: &Root, scene: &Scene) -> Result<Vec<Camera>> {
     let camera = |&node: &usize| {
         let number = root.nodes[node].camera?.value();
         let given = root.cameras.get(number)?;
@@ -25,7 +27,9 @@ pub fn cameras(root: &Root, scene: &Scene) -> Vec<Camera> {
         let name = root.nodes[node].name.as_ref().or(given.name.as_ref()).filter(|name| !name.is_empty());
         let is_sound = position.is_finite() && forward != DVec3::ZERO && sees_something(projection);
         let name = name.cloned().unwrap_or_else(|| format!("camera {number}"));
-        is_sound.then_some(Camera { name, position, forward, projection })
+        // Nodes may share one camera and its name.
+        let taken = budget.take(size_of::<Camera>() as u64 + name.len() as u64);
+        is_sound.then(|| taken.map(|()| Camera { name, position, forward, projection }))
     };
     scene.nodes.iter().filter_map(camera).collect()
 }

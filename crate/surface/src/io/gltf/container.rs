@@ -2,11 +2,13 @@
 
 use std::cell::OnceCell;
 
+use draco_core::Mesh;
 use gltf::json::{Index, Root, buffer};
 
 use super::format::{GLB_MAGIC, GLTF, element};
 use super::meshopt::Compression;
 use crate::error::{Error, Result};
+use crate::io::budget::Budget;
 use crate::io::reader::Resources;
 
 const JSON_CHUNK: &[u8] = b"JSON";
@@ -57,6 +59,7 @@ fn word(bytes: &[u8], offset: usize) -> Option<u32> {
 /// The buffers, each resolved when something first reads it: a file may refer to textures that nobody needs, and name
 /// buffers without bytes for those who cannot read compressed ones.
 pub struct Buffers<'a> {
+    pub budget: &'a Budget,
     root: &'a Root,
     binary: Option<&'a [u8]>,
     resources: Resources<'a>,
@@ -64,13 +67,16 @@ pub struct Buffers<'a> {
     resolved: Vec<OnceCell<Vec<u8>>>,
     /// What compressed views hold.
     decoded: Vec<OnceCell<Vec<u8>>>,
+    /// What views compressed by Draco hold.
+    meshes: Vec<OnceCell<Mesh>>,
 }
 
 impl<'a> Buffers<'a> {
-    pub fn new(root: &'a Root, binary: Option<&'a [u8]>, resources: Resources<'a>) -> Self {
+    pub fn new(budget: &'a Budget, root: &'a Root, binary: Option<&'a [u8]>, resources: Resources<'a>) -> Self {
         let resolved = root.buffers.iter().map(|_| OnceCell::new()).collect();
         let decoded = root.buffer_views.iter().map(|_| OnceCell::new()).collect();
-        Self { root, binary, resources, resolved, decoded }
+        let meshes = root.buffer_views.iter().map(|_| OnceCell::new()).collect();
+        Self { budget, root, binary, resources, resolved, decoded, meshes }
     }
 
     /// The bytes of a view, with its stride.
@@ -82,11 +88,25 @@ impl<'a> Buffers<'a> {
         let slice = match Compression::of(view).map_err(damaged)? {
             None => self.slice(index, view)?,
             Some(compression) => get_or_try_init(&self.decoded[index.value()], || {
+                self.budget.take(compression.bytes())?;
                 compression.decode(self.slice(index, &compression.source)?).map_err(damaged)
             })?,
         };
         // A stride of 0 is what some exporters write for "tightly packed".
         Ok((slice, view.byte_stride.map(|stride| stride.0).filter(|&stride| stride > 0)))
+    }
+
+    /// The bytes of a view, to keep.
+    pub fn copy(&self, index: Index<buffer::View>) -> Result<Vec<u8>> {
+        let (bytes, _) = self.view(index)?;
+        self.budget.take(bytes.len() as u64)?;
+        Ok(bytes.to_vec())
+    }
+
+    /// The mesh that a view is compressed from, by what decodes its bytes.
+    pub fn mesh(&self, index: Index<buffer::View>, decode: impl FnOnce(&[u8]) -> Result<Mesh>) -> Result<&Mesh> {
+        let (bytes, _) = self.view(index)?;
+        get_or_try_init(&self.meshes[index.value()], || decode(bytes))
     }
 
     /// The bytes of a view, or of what it is decoded from.

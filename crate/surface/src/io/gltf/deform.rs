@@ -8,8 +8,8 @@ use gltf::json::validation::Checked;
 use gltf::json::{Node, Root};
 
 use super::accessor::{Accessors, number};
-use super::format::{GLTF, MAX_VERTICES, element};
-use crate::error::{Error, Result};
+use super::format::{GLTF, element};
+use crate::error::Result;
 use crate::motion::{Deformer, Influences, MorphTarget, Skin};
 
 /// Vertices of a primitive, as they are read.
@@ -52,9 +52,9 @@ impl Vertices<'_> {
             }
         };
         let targets = primitive.targets.as_deref().unwrap_or_default();
-        if targets.len().saturating_mul(count) > MAX_VERTICES {
-            return Err(Error::OutOfMemory { stage: "reading the morph targets" });
-        }
+        let budget = accessors.buffers.budget;
+        budget.take_items::<MorphTarget>(targets.len())?;
+        budget.take_items::<f64>(weights.len())?;
         let target = |(target, given): (usize, &Given)| {
             if !change && weights.get(target).is_none_or(|&weight| weight == 0.0) {
                 return Ok(MorphTarget::default());

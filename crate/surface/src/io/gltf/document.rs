@@ -44,15 +44,17 @@ fn without_padding(json: &[u8]) -> &[u8] {
 fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
     let mut document: Value = from_slice(json).map_err(|error| unreadable(&error))?;
     // glTF 1.0 has objects where later versions have arrays.
-    let version = &document["asset"]["version"];
-    check_version(version.as_str().unwrap_or(if document["meshes"].is_object() { "1.0" } else { "2.0" }))?;
+    let version = document.pointer("/asset/version").and_then(Value::as_str);
+    let has_objects = document.get("meshes").is_some_and(Value::is_object);
+    check_version(version.unwrap_or(if has_objects { "1.0" } else { "2.0" }))?;
     if !document.is_object() {
         return Err(GLTF.at("JSON", format!("{refused}; export it again")));
     }
     tidy(&mut document);
     pointer::resolve(&mut document);
     // A scene may be empty.
-    for scene in document["scenes"].as_array_mut().into_iter().flatten().filter_map(Value::as_object_mut) {
+    let scenes = document.get_mut("scenes").and_then(Value::as_array_mut).into_iter().flatten();
+    for scene in scenes.filter_map(Value::as_object_mut) {
         scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
     }
     let document = &document;
@@ -64,9 +66,9 @@ fn forgiving(json: &[u8], refused: &JsonError) -> Result<Root> {
         nodes: needed(document, "nodes", |text| from_slice(text))?,
         scenes: needed(document, "scenes", |text| from_slice(text))?,
         skins: needed(document, "skins", |text| from_slice(text))?,
-        scene: document["scene"].as_u64().and_then(|scene| u32::try_from(scene).ok()).map(Index::new),
+        scene: document.get("scene").and_then(|scene| u32::try_from(scene.as_u64()?).ok()).map(Index::new),
         animations: optional(document, "animations", |text| from_slice(text)),
-        extensions: serde_json::from_value(document["extensions"].clone()).ok().flatten(),
+        extensions: document.get("extensions").and_then(|all| serde_json::from_value(all.clone()).ok()),
         cameras: optional(document, "cameras", |text| from_slice(text)),
         images: optional(document, "images", |text| from_slice(text)),
         materials: optional(document, "materials", |text| from_slice(text)),
@@ -119,7 +121,7 @@ fn texts(document: &Value, key: &str) -> Vec<String> {
 }
 
 fn array<'a>(document: &'a Value, key: &str) -> impl Iterator<Item = &'a Value> {
-    document[key].as_array().into_iter().flatten()
+    document.get(key).and_then(Value::as_array).into_iter().flatten()
 }
 
 /// Removes names and extensions of the wrong type, and writes whole numbers without a fraction: 3.0 is an integer too.

@@ -9,18 +9,20 @@ use gltf::json::mesh::Primitive;
 use gltf::json::{Index, Value};
 
 use super::container::Buffers;
-use super::format::{GLTF, MAX_VERTICES};
-use crate::error::{Error, Result};
+use super::format::GLTF;
+use crate::error::Result;
+use crate::io::budget::Budget;
 
 /// The extension read here.
 pub const DRACO: &str = "KHR_draco_mesh_compression";
 
-/// Bytes of all decoded attributes together.
-const MAX_BYTES: u64 = 1 << 30;
+/// Bytes of a face, and of a point beside its attributes, while they are decoded: corners, what is opposite to them, where each vertex is.
+const BYTES_OF_FACE: u64 = 64;
+const BYTES_OF_POINT: u64 = 16;
 
 /// A primitive whose triangles and vertices are compressed.
-pub struct Compressed {
-    mesh: Mesh,
+pub struct Compressed<'a> {
+    mesh: &'a Mesh,
     /// Accessors, and the unique identifiers of the attributes that they stand for.
     attributes: Vec<(u32, u32)>,
     place: String,
@@ -43,27 +45,16 @@ fn extension(primitive: &Primitive) -> Option<&Value> {
     primitive.extensions.as_ref()?.others.get(DRACO)
 }
 
-impl Compressed {
+impl<'a> Compressed<'a> {
     /// Decodes a primitive, if it is compressed.
-    pub fn of(primitive: &Primitive, buffers: &Buffers) -> Result<Option<Self>> {
+    pub fn of(primitive: &Primitive, buffers: &'a Buffers) -> Result<Option<Self>> {
         if extension(primitive).is_none() {
             return Ok(None);
         }
         let view = view(primitive)
             .ok_or_else(|| GLTF.at("primitive", format!("its {DRACO} names no buffer view; export the file again")))?;
         let place = format!("buffer view {view}");
-        let (bytes, _) = buffers.view(Index::new(view))?;
-        let limits = DecodeLimits::default()
-            .with_max_points(MAX_VERTICES as u64)
-            .with_max_faces(MAX_VERTICES as u64)
-            .with_max_decoded_bytes(MAX_BYTES);
-        let mut mesh = Mesh::new();
-        MeshDecoder::new().decode(&mut DecoderBuffer::new(bytes).with_limits(limits), &mut mesh).map_err(|error| {
-            match error.kind() {
-                ErrorKind::LimitExceeded => Error::OutOfMemory { stage: "reading the glTF file" },
-                _ => GLTF.at(&place, "its Draco data is damaged or of an unknown version; export the file again"),
-            }
-        })?;
+        let mesh = buffers.mesh(Index::new(view), |bytes| decode(bytes, buffers.budget, &place))?;
         let ids = extension(primitive).and_then(|extension| extension.get("attributes"));
         let id = |semantic: &str| u32::try_from(ids?.get(semantic)?.as_u64()?).ok();
         let accessors = primitive.attributes.iter();
@@ -78,7 +69,7 @@ impl Compressed {
     }
 
     /// The triangles, which are a list whatever the mode of the primitive.
-    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> {
         self.mesh.faces().iter().map(|face| face.map(|corner| corner.0))
     }
 
@@ -110,6 +101,28 @@ impl Compressed {
             .ok_or_else(|| error(&format!("attribute {id} of its Draco data is damaged")))?;
         Ok(Some(Values { bytes, component, components }))
     }
+}
+
+fn decode(bytes: &[u8], budget: &Budget, place: &str) -> Result<Mesh> {
+    let left = budget.left();
+    let limits = DecodeLimits::default()
+        .with_max_points(left / BYTES_OF_POINT)
+        .with_max_faces(left / BYTES_OF_FACE)
+        .with_max_decoded_bytes(left);
+    let mut mesh = Mesh::new();
+    MeshDecoder::new().decode(&mut DecoderBuffer::new(bytes).with_limits(limits), &mut mesh).map_err(|error| {
+        match error.kind() {
+            // More than is left.
+            ErrorKind::LimitExceeded => budget.take(left + 1).err(),
+            _ => None,
+        }
+        .unwrap_or_else(|| GLTF.at(place, "its Draco data is damaged or of an unknown version; export the file again"))
+    })?;
+    let attributes = (0..mesh.num_attributes()).map(|id| mesh.attribute(id).buffer().data().len() as u64);
+    let points = BYTES_OF_POINT.saturating_mul(mesh.num_points() as u64);
+    let faces = (size_of::<[u32; 3]>() as u64).saturating_mul(mesh.num_faces() as u64);
+    budget.take(attributes.sum::<u64>().saturating_add(points).saturating_add(faces))?;
+    Ok(mesh)
 }
 
 /// The values of `count` vertices of `size` bytes each, which several vertices may share in the stream.

@@ -15,26 +15,26 @@ const LIGHTS: &str = "KHR_lights_punctual";
 pub fn lights(root: &Root, scene: &Scene) -> Vec<Light> {
     let Some(given) = root.extensions.as_ref().and_then(|all| all.others.get(LIGHTS)) else { return Vec::new() };
     let light = |&node: &usize| {
-        let number = root.nodes[node].extensions.as_ref()?.others.get(LIGHTS)?["light"].as_u64()?;
-        read(given["lights"].get(usize::try_from(number).ok()?)?, scene, node)
+        let number = root.nodes[node].extensions.as_ref()?.others.get(LIGHTS)?.get("light")?.as_u64()?;
+        read(given.get("lights")?.get(usize::try_from(number).ok()?)?, scene, node)
     };
     scene.nodes.iter().filter_map(light).collect()
 }
 
 fn read(given: &Value, scene: &Scene, node: usize) -> Option<Light> {
-    let number = |value: &Value, default: f64| value.as_f64().unwrap_or(default);
-    let color = [0, 1, 2].map(|channel| number(&given["color"][channel], 1.0) as f32);
-    let intensity = number(&given["intensity"], 1.0) as f32;
+    let number = |place: &str, default: f64| given.pointer(place).and_then(Value::as_f64).unwrap_or(default);
+    let color = ["/color/0", "/color/1", "/color/2"].map(|channel| number(channel, 1.0) as f32);
+    let intensity = number("/intensity", 1.0) as f32;
     let world_from_node = scene.world_from_node[node];
     let position = world_from_node.transform_point3(DVec3::ZERO);
     // A light shines along −z.
     let forward = world_from_node.transform_vector3(DVec3::NEG_Z).normalize_or_zero();
-    let kind = match given["type"].as_str()? {
+    let kind = match given.get("type")?.as_str()? {
         "directional" => LightKind::Directional,
         "point" => LightKind::Point,
         "spot" => {
-            let outer = number(&given["spot"]["outerConeAngle"], FRAC_PI_4).clamp(0.0, FRAC_PI_2);
-            let inner = number(&given["spot"]["innerConeAngle"], 0.0).clamp(0.0, outer);
+            let outer = number("/spot/outerConeAngle", FRAC_PI_4).clamp(0.0, FRAC_PI_2);
+            let inner = number("/spot/innerConeAngle", 0.0).clamp(0.0, outer);
             LightKind::Spot { inner, outer }
         }
         _ => return None,

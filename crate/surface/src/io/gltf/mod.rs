@@ -19,12 +19,15 @@ mod pointer;
 mod primitive;
 mod scene;
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
 use gltf::json::{Mesh, Node, Root};
 
+use super::budget::Budget;
 use super::reader::Resources;
+use crate::appearance::Run;
 use crate::error::{Error, Result};
 use crate::motion::{Clip, Deformer, Motion, Skin, Target};
 use crate::soup::Soup;
@@ -37,20 +40,22 @@ use container::Buffers;
 use deform::Vertices;
 use draco::Compressed;
 pub use format::GLB_MAGIC;
-use format::{MAX_VERTICES, element};
+use format::element;
 use scene::Scene;
 
-pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
+pub fn read(budget: &Budget, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let container = container::open(bytes)?;
     let root = document::parse(container.json)?;
-    let buffers = Buffers::new(&root, container.binary, resources);
+    let buffers = Buffers::new(budget, &root, container.binary, resources);
     let accessors = Accessors { root: &root, buffers: &buffers, compressed: None };
     let scene = Scene::new(&root)?;
     let skins = deform::skins(&root, accessors)?;
+    let clips = animation::clips(&root, accessors);
     let mut reading = Reading {
         root: &root,
         accessors,
-        clips: animation::clips(&root, accessors),
+        weighted_nodes: weighted(&clips),
+        clips,
         world_from_mesh: skins.iter().map(|skin| skin.world_from_mesh(&scene.world_from_node)).collect(),
         scene: &scene,
         named: Named::new(container.json),
@@ -71,6 +76,11 @@ pub fn read(bytes: &[u8], resources: Resources) -> Result<Soup> {
     reading.finish()
 }
 
+fn weighted(clips: &[Clip]) -> HashSet<usize> {
+    let channels = clips.iter().flat_map(|clip| &clip.channels);
+    channels.filter(|channel| matches!(channel.target, Target::Weights(_))).map(|channel| channel.node).collect()
+}
+
 /// What has been read of a file.
 struct Reading<'a> {
     root: &'a Root,
@@ -82,6 +92,8 @@ struct Reading<'a> {
     /// Of each joint, for each skin.
     world_from_mesh: Vec<Vec<DMat4>>,
     clips: Vec<Clip>,
+    /// Those whose weights of morph targets a clip changes.
+    weighted_nodes: HashSet<usize>,
     soup: Soup,
     /// Of each vertex, zero for none.
     normals: Vec<Vec3>,
@@ -91,7 +103,11 @@ struct Reading<'a> {
     warnings: Warnings,
 }
 
-impl Reading<'_> {
+impl<'a> Reading<'a> {
+    fn budget(&self) -> &'a Budget {
+        self.accessors.buffers.budget
+    }
+
     /// Adds the mesh of a node as a part.
     fn add_node(&mut self, index: usize) -> Result<()> {
         let root = self.root;
@@ -107,6 +123,7 @@ impl Reading<'_> {
             self.add_instance((index, node), mesh, node_from_mesh)?;
         }
         let name = node.name.as_ref().or(mesh.name.as_ref()).filter(|name| !name.is_empty());
+        self.budget().take_part(name.map_or("", String::as_str))?;
         self.soup.end_part(name.cloned().unwrap_or_else(|| format!("node {index}")));
         Ok(())
     }
@@ -114,14 +131,14 @@ impl Reading<'_> {
     /// Adds a mesh as it stands below its node.
     fn add_instance(&mut self, (index, node): (usize, &Node), mesh: &Mesh, node_from_mesh: DMat4) -> Result<()> {
         let weights = node.weights.as_deref().or(mesh.weights.as_deref()).unwrap_or_default();
-        let is_weighted = self
-            .clips
-            .iter()
-            .flat_map(|clip| &clip.channels)
-            .any(|channel| channel.node == index && matches!(channel.target, Target::Weights(_)));
+        let is_weighted = self.weighted_nodes.contains(&index);
+        let budget = self.budget();
         let start = self.soup.triangles.len();
-        let mut first_vertices = Vec::new();
+        let mut first_vertices = HashMap::new();
         for (number, primitive) in mesh.primitives.iter().enumerate() {
+            budget.take_items::<Run>(1)?;
+            // What moves keeps all that was read of it.
+            let _loan = self.clips.is_empty().then(|| budget.loan());
             let Some(position) = primitive::triangles_over(primitive)? else {
                 self.warnings.add(WarningCode::LinesLeftOut, || format!("primitive {number} of node {index}"));
                 continue;
@@ -130,32 +147,26 @@ impl Reading<'_> {
             let accessors = self.accessors.of(compressed.as_ref());
             // Primitives of one mesh often index one set of vertices; morph targets could make the same set differ.
             let attributes = (position, attributes_of(primitive), draco::view(primitive));
-            let shared = first_vertices.iter().find(|&&(known, _)| known == attributes && primitive.targets.is_none());
-            let (first, count) = if let Some(&(_, first)) = shared {
+            let shared = first_vertices.get(&attributes).filter(|_| primitive.targets.is_none());
+            let (first, count) = if let Some(&first) = shared {
                 (first, accessors.count(position)?)
             } else {
                 let first = self.soup.positions.len();
                 let positions = accessors.vectors(position)?;
                 let range = first..first + positions.len();
-                if range.end > MAX_VERTICES {
-                    return Err(Error::OutOfMemory { stage: "reading the glTF file" });
-                }
-                self.collector.add_vertices(accessors, primitive, &range);
+                self.collector.add_vertices(accessors, primitive, &range)?;
                 let place = (node.mesh.map_or(0, |mesh| mesh.value()), number);
-                self.named.add(accessors, place, &range, &mut self.soup.attributes);
+                self.named.add(accessors, place, &range, &mut self.soup.attributes)?;
                 let count = positions.len();
                 let vertices = Vertices { accessors, primitive, positions, range };
                 let deformer = vertices.deformer((index, node), &self.skins, weights, is_weighted)?;
-                self.place(deformer.below(node_from_mesh));
-                first_vertices.push((attributes, first));
+                self.place(deformer.below(node_from_mesh))?;
+                first_vertices.entry(attributes).or_insert(first);
                 (first, count)
             };
             let first_triangle = self.soup.triangles.len();
             primitive::append_triangles(accessors, primitive, first, count, &mut self.soup.triangles)?;
             self.collector.add_triangles(primitive, first_triangle..self.soup.triangles.len());
-        }
-        if self.soup.triangles.len() > MAX_VERTICES {
-            return Err(Error::OutOfMemory { stage: "reading the glTF file" });
         }
         // A mirroring transform turns every triangle inside out (glTF 2.0, 3.7.4). A skin places the vertices in the scene by
         // itself: the node's own transform is ignored (3.7.3.3).
@@ -167,24 +178,29 @@ impl Reading<'_> {
     }
 
     /// Places vertices as they stand in the file.
-    fn place(&mut self, deformer: Deformer) {
+    fn place(&mut self, deformer: Deformer) -> Result<()> {
+        let budget = self.budget();
         let Self { scene, world_from_mesh, soup, normals, .. } = self;
-        soup.positions.resize(deformer.vertices.end, DVec3::ZERO);
-        normals.resize(deformer.vertices.end, Vec3::ZERO);
+        budget.resize(&mut soup.positions, deformer.vertices.end, DVec3::ZERO)?;
+        budget.resize(normals, deformer.vertices.end, Vec3::ZERO)?;
         deformer.place(&scene.world_from_node, world_from_mesh, &deformer.weights, &mut soup.positions, normals);
         if !self.clips.is_empty() {
-            self.deformers.push(deformer);
+            budget.push(&mut self.deformers, deformer)?;
         }
+        Ok(())
     }
 
     fn finish(mut self) -> Result<Soup> {
         let Self { root, accessors, normals, collector, warnings, .. } = self;
         self.soup.warnings = warnings.into_vec();
-        let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals);
+        let budget = accessors.buffers.budget;
+        let appearance = collector.finish(root, accessors.buffers, self.soup.positions.len(), normals)?;
         let vertices = self.soup.positions.len();
-        self.soup.attributes.iter_mut().for_each(|attribute| attribute.values.resize(vertices, f64::NAN));
+        for attribute in &mut self.soup.attributes {
+            budget.resize(&mut attribute.values, vertices, f64::NAN)?;
+        }
         self.soup.appearance = Arc::new(appearance);
-        self.soup.cameras = camera::cameras(root, self.scene);
+        self.soup.cameras = camera::cameras(budget, root, self.scene)?;
         self.soup.lights = light::lights(root, self.scene);
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
         self.soup.motion = Arc::new(motion);

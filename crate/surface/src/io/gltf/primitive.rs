@@ -27,13 +27,21 @@ pub fn append_triangles(
     triangles: &mut Vec<[u32; 3]>,
 ) -> Result<()> {
     let start = triangles.len();
+    let budget = accessors.buffers.budget;
     match (accessors.compressed, primitive.indices) {
-        (Some(compressed), _) => triangles.extend(compressed.triangles()),
+        (Some(compressed), _) => {
+            budget.reserve(triangles, compressed.triangles().len())?;
+            triangles.extend(compressed.triangles());
+        }
         (None, Some(index)) => {
             let corners = accessors.indices(number(index))?;
+            budget.reserve(triangles, connected(primitive.mode, corners.len()))?;
             connect(primitive.mode, corners.len(), |corner| corners[corner], triangles);
         }
-        (None, None) => connect(primitive.mode, count, |corner| corner as u32, triangles),
+        (None, None) => {
+            budget.reserve(triangles, connected(primitive.mode, count))?;
+            connect(primitive.mode, count, |corner| corner as u32, triangles);
+        }
     }
     for (index, triangle) in triangles.iter_mut().enumerate().skip(start) {
         for corner in triangle {
@@ -44,6 +52,14 @@ pub fn append_triangles(
         }
     }
     Ok(())
+}
+
+/// How many triangles so many corners make.
+fn connected(mode: Checked<Mode>, corners: usize) -> usize {
+    match mode {
+        Checked::Valid(Mode::TriangleStrip | Mode::TriangleFan) => corners.saturating_sub(2),
+        _ => corners / 3,
+    }
 }
 
 fn connect(mode: Checked<Mode>, corners: usize, vertex: impl Fn(usize) -> u32, triangles: &mut Vec<[u32; 3]>) {

@@ -1,6 +1,7 @@
 //! Material libraries (`.mtl`) and which of their materials are used.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use super::material::Definition;
 use super::texture::{Images, find};
@@ -52,12 +53,13 @@ impl<'a> Library<'a> {
 
     fn add(&mut self, name: &str, bytes: &[u8]) {
         let folder = name.rfind(['/', '\\']).map_or(String::new(), |end| name[..=end].replace('\\', "/"));
+        let folder: Rc<str> = folder.into();
         let mut definition: Option<&mut Definition> = None;
         let text = String::from_utf8_lossy(bytes);
         for (_, line) in text::lines(text.strip_prefix('\u{feff}').unwrap_or(&text)) {
             let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
             if keyword.eq_ignore_ascii_case("newmtl") {
-                let started = Definition::new(folder.clone());
+                let started = Definition::new(Rc::clone(&folder));
                 let place = self.definitions.entry(arguments.trim().to_owned());
                 definition = Some(place.insert_entry(started).into_mut());
             } else if let Some(definition) = &mut definition {

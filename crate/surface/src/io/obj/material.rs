@@ -1,6 +1,8 @@
 //! Materials of the MTL format (Wavefront Technologies, Advanced Visualizer manual, chapter 5), with the statements for physically
 //! based rendering that Burley's model brought (`Pr`, `Pm`, `norm`), in the metallic-roughness model.
 
+use std::rc::Rc;
+
 use super::texture::{Images, Map};
 use crate::appearance::{Alpha, Channel, Material, Texels};
 use crate::io::color::light;
@@ -12,7 +14,7 @@ const CUTOFF: f32 = 0.5;
 /// What a library says of a material.
 pub struct Definition {
     /// Of the library, with its last slash.
-    folder: String,
+    folder: Rc<str>,
     diffuse: Option<[f32; 3]>,
     specular: Option<[f32; 3]>,
     emission: Option<[f32; 3]>,
@@ -34,7 +36,7 @@ pub struct Definition {
 
 impl Definition {
     /// Of a library in a folder.
-    pub fn new(folder: String) -> Self {
+    pub fn new(folder: Rc<str>) -> Self {
         Self {
             folder,
             diffuse: None,

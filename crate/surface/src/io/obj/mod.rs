@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
+use super::budget::Budget;
 use super::color::light;
 use super::reader::{Reporter, Resources, numbers};
 use super::seams::seams;
@@ -87,15 +88,15 @@ impl Groups {
 }
 
 /// What the file holds, polygons in its order.
-#[derive(Default)]
-struct File {
+struct File<'a> {
+    budget: &'a Budget,
     positions: Vec<DVec3>,
     /// Red, green and blue as displays take them; of as many vertices as there are up to the last that has one.
     colors: Vec<[f32; 3]>,
     /// u and v, (0, 0) at an image's upper left corner.
     texcoords: Vec<[f32; 2]>,
     normals: Vec<Vec3>,
-    polygons: Polygons,
+    polygons: Polygons<'a>,
     /// Of each corner of the polygons up to the last that has any, its texture coordinate and its normal.
     attributes: Vec<[u32; 2]>,
     part_of_polygon: Vec<usize>,
@@ -104,9 +105,9 @@ struct File {
     warnings: Warnings,
 }
 
-pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
+pub fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
-    let mut file = File::default();
+    let mut file = File::new(budget);
     let mut groups = Groups::new(name);
     let mut library = Library::new(resources);
     let mut material = None;
@@ -133,18 +134,20 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
             "v" => file.vertex(arguments, number)?,
             "vt" => {
                 let [u, v] = numbers(arguments);
-                file.texcoords.push([u, 1.0 - v]);
+                budget.push(&mut file.texcoords, [u, 1.0 - v])?;
             }
-            "vn" => file.normals.push(Vec3::from(numbers(arguments)).normalize_or_zero()),
+            "vn" => budget.push(&mut file.normals, Vec3::from(numbers(arguments)).normalize_or_zero())?,
             "f" => {
                 file.polygon(arguments, number)?;
-                file.part_of_polygon.push(groups.current);
-                file.material_of_polygon.push(material);
-                file.line_of_polygon.push(number as u32);
+                budget.push(&mut file.part_of_polygon, groups.current)?;
+                budget.push(&mut file.material_of_polygon, material)?;
+                budget.push(&mut file.line_of_polygon, number as u32)?;
             }
             "o" => groups.open(arguments.trim(), ""),
             "g" => {
                 let object = std::mem::take(&mut groups.object);
+                // Each group has the name of its object.
+                budget.take(object.len() as u64)?;
                 groups.open(&object, arguments.trim());
             }
             "mtllib" => library.open(arguments.trim()),
@@ -171,14 +174,30 @@ fn join<'a>(head: &str, lines: impl Iterator<Item = &'a str>, joined: &mut Strin
     }
 }
 
-impl File {
+impl<'a> File<'a> {
+    fn new(budget: &'a Budget) -> Self {
+        Self {
+            budget,
+            positions: Vec::new(),
+            colors: Vec::new(),
+            texcoords: Vec::new(),
+            normals: Vec::new(),
+            polygons: Polygons::new(budget),
+            attributes: Vec::new(),
+            part_of_polygon: Vec::new(),
+            material_of_polygon: Vec::new(),
+            line_of_polygon: Vec::new(),
+            warnings: Warnings::default(),
+        }
+    }
+
     fn vertex(&mut self, arguments: &str, line: usize) -> Result<()> {
         let mut rest = arguments;
-        self.positions.push(OBJ.position(|| text::word(&mut rest), line)?);
+        self.budget.push(&mut self.positions, OBJ.position(|| text::word(&mut rest), line)?)?;
         // A single number is the weight of a rational curve's control point.
         if rest.split_ascii_whitespace().nth(2).is_some() {
-            self.colors.resize(self.positions.len() - 1, [1.0; 3]);
-            self.colors.push(numbers(rest));
+            self.budget.resize(&mut self.colors, self.positions.len() - 1, [1.0; 3])?;
+            self.budget.push(&mut self.colors, numbers(rest))?;
         }
         Ok(())
     }
@@ -186,16 +205,15 @@ impl File {
     fn polygon(&mut self, arguments: &str, line: usize) -> Result<()> {
         for word in arguments.split_ascii_whitespace() {
             let mut indices = word.split('/');
-            self.polygons.corner(vertex(indices.next().unwrap_or_default(), line, self.positions.len())?);
+            self.polygons.corner(vertex(indices.next().unwrap_or_default(), line, self.positions.len())?)?;
             let texcoord = attribute(indices.next(), self.texcoords.len());
             let attributes = [texcoord, attribute(indices.next(), self.normals.len())];
             if attributes != [NONE; 2] {
-                self.attributes.resize(self.polygons.corner_count() - 1, [NONE; 2]);
-                self.attributes.push(attributes);
+                self.budget.resize(&mut self.attributes, self.polygons.corner_count() - 1, [NONE; 2])?;
+                self.budget.push(&mut self.attributes, attributes)?;
             }
         }
-        self.polygons.close();
-        Ok(())
+        self.polygons.close()
     }
 
     /// The triangles in the order of the file, and the parts that have some.
@@ -205,12 +223,12 @@ impl File {
         self.polygons
             .check(vertices)
             .map_err(|missing| OBJ.no_vertex(line(missing.polygon), missing.vertex.saturating_add(1), vertices, 1))?;
-        let mut corners = Vec::with_capacity(self.part_of_polygon.len());
+        let mut corners = self.budget.list(self.part_of_polygon.len())?;
         let mut runs: Vec<Run> = Vec::new();
         let mut parts: Vec<Part> = names.into_iter().map(Part::new).collect();
         for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
             let start = corners.len();
-            if !self.polygons.triangulate_corners(polygon, &self.positions, &mut corners) {
+            if !self.polygons.triangulate_corners(polygon, &self.positions, &mut corners)? {
                 self.warnings.add(WarningCode::CrossedPolygons, || line(polygon));
             }
             let own = start..corners.len();
@@ -226,7 +244,8 @@ impl File {
             }
         }
         parts.retain(|part| !part.is_empty());
-        let triangles: Vec<_> = corners.iter().map(|&places| self.polygons.vertices(places)).collect();
+        let mut triangles = self.budget.list(corners.len())?;
+        triangles.extend(corners.iter().map(|&places| self.polygons.vertices(places)));
         let mut appearance = library.finish(runs);
         self.add_attributes(&triangles, &corners, &mut appearance);
         Ok(Soup {

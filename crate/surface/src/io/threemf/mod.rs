@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
+use super::budget::Budget;
 use super::color::light;
 use super::seams::seams;
 use crate::appearance::Appearance;
@@ -19,22 +20,17 @@ use format::THREEMF;
 use model::{Model, Object, Reference, WHITE};
 use package::Package;
 
-/// The first bytes of an archive.
-pub const MAGIC: &[u8] = b"PK\x03\x04";
-
-/// Some kilobytes of XML can name one mesh thousands of times; beyond this many vertices (1.6 GB) we give up.
-const MOST_VERTICES: usize = 1 << 26;
 /// Components that are visited, with or without vertices.
 const MOST_REFERENCES: usize = 1 << 20;
 /// Components in components: more are a circle.
 const MOST_LEVELS: usize = 64;
 
-pub fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    let package = Package::open(bytes)?;
+pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+    let package = Package::open(budget, bytes)?;
     let root = package.root()?;
     let mut models = HashMap::new();
     load(&package, &root, &mut models)?;
-    let mut assembly = Assembly { file: name, models, soup: Soup::default(), colors: Vec::new(), visited: 0 };
+    let mut assembly = Assembly { budget, file: name, models, soup: Soup::default(), colors: Vec::new(), visited: 0 };
     assembly.soup.unit = assembly.models.get(&root).map(|model| model.unit);
     let has_mesh =
         assembly.models.values().flat_map(|model| model.objects.values()).any(|object| !object.triangles.is_empty());
@@ -55,7 +51,7 @@ fn load(package: &Package, root: &str, models: &mut HashMap<String, Model>) -> R
         if models.contains_key(&path) {
             continue;
         }
-        let model = Model::parse(&path, &package.text(&path)?)?;
+        let model = Model::parse(package.budget, &path, &package.text(&path)?)?;
         let components = model.objects.values().flat_map(|object| &object.components);
         wanted.extend(components.chain(&model.build).filter_map(|reference| reference.path.clone()));
         models.insert(path, model);
@@ -65,6 +61,7 @@ fn load(package: &Package, root: &str, models: &mut HashMap<String, Model>) -> R
 
 /// The soup as it grows.
 struct Assembly<'a> {
+    budget: &'a Budget,
     file: &'a str,
     models: HashMap<String, Model>,
     soup: Soup,
@@ -111,17 +108,19 @@ impl Assembly<'_> {
             self.add_mesh(object, name, world_from_object)?;
             let inside =
                 |reference| Step { path, reference, world_from_parent: world_from_object, name, level: level + 1 };
+            self.budget.take_items::<Step>(object.components.len())?;
             stack.extend(object.components.iter().rev().map(inside));
         }
         Ok(())
     }
 
     fn add_mesh(&mut self, object: &Object, name: &str, world_from_object: DMat4) -> Result<()> {
-        let (soup, count) = (&mut self.soup, object.positions.len());
-        let first = soup.positions.len();
-        if first + count > MOST_VERTICES || soup.triangles.len() + object.triangles.len() > 2 * MOST_VERTICES {
-            return Err(Error::OutOfMemory { stage: "reading the 3MF file" });
-        }
+        let Self { budget, file, soup, colors, .. } = self;
+        let name = if name.is_empty() { file } else { name };
+        let (first, count) = (soup.positions.len(), object.positions.len());
+        budget.take_part(name)?;
+        budget.reserve(&mut soup.positions, count)?;
+        budget.reserve(&mut soup.triangles, object.triangles.len())?;
         soup.positions.extend(object.positions.iter().map(|&position| world_from_object.transform_point3(position)));
         // A mirroring transform turns every triangle inside out.
         let is_mirrored = world_from_object.determinant() < 0.0;
@@ -132,8 +131,9 @@ impl Assembly<'_> {
             corners
         };
         if !object.colors.is_empty() {
-            self.colors.resize(soup.triangles.len(), [WHITE; 3]);
-            self.colors.extend(object.colors.iter().map(|&colors| turned(colors)));
+            budget.resize(colors, soup.triangles.len(), [WHITE; 3])?;
+            budget.reserve(colors, object.colors.len())?;
+            colors.extend(object.colors.iter().map(|&colors| turned(colors)));
         }
         for (triangle, &corners) in object.triangles.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= count) {
@@ -142,7 +142,7 @@ impl Assembly<'_> {
             }
             soup.triangles.push(turned(corners).map(|vertex| first as u32 + vertex));
         }
-        soup.end_part(if name.is_empty() { self.file } else { name });
+        soup.end_part(name);
         Ok(())
     }
 

@@ -7,6 +7,7 @@ use quick_xml::events::BytesStart;
 
 use super::format::THREEMF;
 use crate::error::Result;
+use crate::io::budget::Budget;
 use crate::io::text;
 use crate::io::xml::{Document, Node, attributes};
 use crate::unit::Unit;
@@ -53,7 +54,7 @@ struct Property {
 }
 
 impl Model {
-    pub fn parse(path: &str, text: &str) -> Result<Self> {
+    pub fn parse(budget: &Budget, path: &str, text: &str) -> Result<Self> {
         let mut model = Self::default();
         let mut document = Document::new(THREEMF, path, text);
         let mut object: Option<(u32, Object)> = None;
@@ -70,6 +71,7 @@ impl Model {
             match (element.local_name().as_ref(), &mut object) {
                 ("model", _) => model.unit = unit(&element),
                 ("object", _) => {
+                    budget.take_items::<(u32, Object)>(1)?;
                     let (id, started) = Object::of(&element);
                     match id {
                         Some(id) if is_empty => drop(model.objects.insert(id, started)),
@@ -79,22 +81,28 @@ impl Model {
                 }
                 ("vertex", Some((_, object))) => {
                     let position = position(&element);
-                    object.positions.push(
-                        position
-                            .map_err(|found| document.broken(&format!("a vertex needs three numbers, but {found}")))?,
-                    );
+                    let position = position
+                        .map_err(|found| document.broken(&format!("a vertex needs three numbers, but {found}")))?;
+                    budget.push(&mut object.positions, position)?;
                 }
                 ("triangle", Some((_, object))) => {
                     let triangle = Triangle::of(&element);
                     let [Some(a), Some(b), Some(c)] = triangle.corners else {
                         return Err(document.broken("a triangle needs three vertices"));
                     };
-                    object.triangles.push([a, b, c]);
-                    model.add_color(object, &triangle);
+                    budget.push(&mut object.triangles, [a, b, c])?;
+                    model.add_color(budget, object, &triangle)?;
                 }
-                ("component", Some((_, object))) => object.components.extend(Reference::of(&element)),
-                ("item", _) => model.build.extend(Reference::of(&element)),
+                ("component", Some((_, object))) => {
+                    budget.reserve(&mut object.components, 1)?;
+                    object.components.extend(Reference::of(&element));
+                }
+                ("item", _) => {
+                    budget.reserve(&mut model.build, 1)?;
+                    model.build.extend(Reference::of(&element));
+                }
                 ("colorgroup" | "basematerials", _) => {
+                    budget.take_items::<(u32, Vec<u32>)>(1)?;
                     group = attributes(&element).find(|(name, _)| *name == "id").and_then(|(_, id)| id.parse().ok());
                     model.groups.extend(group.map(|group| (group, Vec::new())));
                 }
@@ -102,7 +110,7 @@ impl Model {
                     let given = attributes(&element).find(|(name, _)| matches!(*name, "color" | "displaycolor"));
                     let color = given.and_then(|(_, color)| color_of(&color)).unwrap_or(WHITE);
                     if let Some(colors) = group.and_then(|group| model.groups.get_mut(&group)) {
-                        colors.push(color);
+                        budget.push(colors, color)?;
                     }
                 }
                 _ => {}
@@ -112,15 +120,20 @@ impl Model {
     }
 
     /// Adds the color of the last triangle of an object.
-    fn add_color(&self, object: &mut Object, &Triangle { group, indices, .. }: &Triangle) {
+    fn add_color(
+        &self,
+        budget: &Budget,
+        object: &mut Object,
+        &Triangle { group, indices, .. }: &Triangle,
+    ) -> Result<()> {
         let (group, first) = match indices[0] {
             Some(first) => (group.or(object.property.group), Some(first)),
             None => (object.property.group, object.property.index),
         };
-        let Some((colors, first)) = group.and_then(|group| self.groups.get(&group)).zip(first) else { return };
+        let Some((colors, first)) = group.and_then(|group| self.groups.get(&group)).zip(first) else { return Ok(()) };
         let color = |index: Option<u32>| colors.get(index.unwrap_or(first) as usize).copied().unwrap_or(WHITE);
-        object.colors.resize(object.triangles.len() - 1, [WHITE; 3]);
-        object.colors.push([Some(first), indices[1], indices[2]].map(color));
+        budget.resize(&mut object.colors, object.triangles.len() - 1, [WHITE; 3])?;
+        budget.push(&mut object.colors, [Some(first), indices[1], indices[2]].map(color))
     }
 }
 

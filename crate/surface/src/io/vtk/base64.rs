@@ -1,5 +1,7 @@
 //! Base64 (RFC 4648), one text after another: a header and what it is of may be encoded apart.
 
+use crate::io::budget::Budget;
+
 /// Text that is decoded as far as it is taken.
 pub struct Base64<'a> {
     text: &'a [u8],
@@ -12,11 +14,12 @@ impl<'a> Base64<'a> {
         Self { text, rest: Vec::new() }
     }
 
-    /// The next bytes; none where there are not so many.
-    pub fn take(&mut self, count: usize) -> Option<Vec<u8>> {
+    /// The next bytes, which are lent; none where there are not so many, or the budget has no room for them.
+    pub fn take(&mut self, budget: &Budget, count: usize) -> Option<Vec<u8>> {
         if count / 3 > self.text.len() / 4 + 1 {
             return None;
         }
+        budget.lend(count as u64).ok()?;
         let mut bytes = Vec::with_capacity(count + 3);
         bytes.append(&mut self.rest);
         while bytes.len() < count {

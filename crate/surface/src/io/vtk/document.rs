@@ -1,19 +1,20 @@
 //! XML files: pieces with arrays of numbers, in the document or appended to it.
 
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use std::iter;
+
+use miniz_oxide::inflate::decompress_slice_iter_to_slice;
 use quick_xml::events::BytesStart;
 
 use super::base64::Base64;
 use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
+use crate::io::budget::Budget;
 use crate::io::scalar::{Scalar, whole};
 use crate::io::text;
 use crate::io::xml::{Document, Node, attributes};
 
 /// Bytes in which the root element begins.
 const HEAD: usize = 1024;
-/// Bytes that an array may be inflated to.
-const MOST_BYTES: usize = 1 << 30;
 
 const ROOT: &[u8] = b"<VTKFile";
 const APPENDED: &[u8] = b"<AppendedData";
@@ -28,6 +29,7 @@ fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
 
 /// How arrays of a file are written.
 struct Encoding<'a> {
+    budget: &'a Budget,
     is_little: bool,
     /// Of lengths before data.
     header: Scalar,
@@ -45,11 +47,11 @@ struct Array {
     numbers: Vec<f64>,
 }
 
-pub fn read(bytes: &[u8]) -> Result<Vec<Piece>> {
+pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Vec<Piece<'a>>> {
     // What is appended raw is no XML.
     let end = find(bytes, APPENDED).unwrap_or(bytes.len());
     let text = String::from_utf8_lossy(&bytes[..end]);
-    let mut encoding = Encoding::appended(&bytes[end..]);
+    let mut encoding = Encoding::appended(budget, &bytes[end..]);
     let mut document = Document::new(VTK, "document", &text);
     let (mut pieces, mut arrays) = (Vec::new(), Vec::new());
     let mut section = String::new();
@@ -77,7 +79,9 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Piece>> {
                 _ => {}
             },
             Node::End(name) if name == "Piece" => {
-                pieces.push(Piece { thin, ..piece(&std::mem::take(&mut arrays))? });
+                let mut piece = piece(budget, &std::mem::take(&mut arrays))?;
+                piece.thin += thin;
+                pieces.push(piece);
             }
             Node::End(_) | Node::Text(_) => {}
         }
@@ -98,13 +102,13 @@ fn text_of(document: &mut Document) -> Result<String> {
     }
 }
 
-fn piece(arrays: &[Array]) -> Result<Piece> {
+fn piece<'a>(budget: &'a Budget, arrays: &[Array]) -> Result<Piece<'a>> {
     let array = |section: &str, name: &str| {
         let array = arrays.iter().find(|array| array.section == section && (name.is_empty() || array.name == name));
         array.map_or(&[][..], |array| &array.numbers)
     };
-    let mut piece = Piece::default();
-    piece.set_positions(array("Points", ""));
+    let mut piece = Piece::new(budget);
+    piece.set_positions(array("Points", ""))?;
     for (section, kind) in [("Polys", cell::POLYGON), ("Strips", cell::STRIP)] {
         piece.add_cells(array(section, "connectivity"), array(section, "offsets"), |_| Some(kind))?;
     }
@@ -116,12 +120,19 @@ fn piece(arrays: &[Array]) -> Result<Piece> {
 
 impl<'a> Encoding<'a> {
     /// With the element of what is appended, up to the end of the file.
-    fn appended(element: &'a [u8]) -> Self {
+    fn appended(budget: &'a Budget, element: &'a [u8]) -> Self {
         let start = find(element, b">").map_or(element.len(), |end| end + 1);
         let (tag, data) = element.split_at(start);
         let data = find(data, b"_").map_or(&[][..], |underscore| &data[underscore + 1..]);
         let is_raw = find(tag, b"\"raw\"").or(find(tag, b"'raw'")).is_some();
-        Self { is_little: true, header: Scalar::U32, is_compressed: false, appended: data, is_appended_raw: is_raw }
+        Self {
+            budget,
+            is_little: true,
+            header: Scalar::U32,
+            is_compressed: false,
+            appended: data,
+            is_appended_raw: is_raw,
+        }
     }
 
     fn read(&mut self, root: &BytesStart) -> Result<()> {
@@ -158,6 +169,7 @@ impl<'a> Encoding<'a> {
                 _ => {}
             }
         }
+        let _loan = self.budget.loan();
         let damaged = || format!("the array {name:?} is damaged or cut short; save the file again");
         let scalar = scalar.ok_or_else(|| format!("the array {name:?} has no type of numbers; save the file again"))?;
         let bytes = match format.as_str() {
@@ -170,37 +182,45 @@ impl<'a> Encoding<'a> {
             _ => {
                 let no_number =
                     |word| format!("in the array {name:?} a number should be, but {}", text::why_no_number(Some(word)));
-                let numbers =
-                    content.split_ascii_whitespace().map(|word| text::number(word).ok_or_else(|| no_number(word)));
-                let numbers = numbers.collect::<std::result::Result<_, _>>()?;
+                let mut numbers = Vec::new();
+                for word in content.split_ascii_whitespace() {
+                    let number = text::number(word).ok_or_else(|| no_number(word))?;
+                    self.budget.push(&mut numbers, number).map_err(|_| damaged())?;
+                }
                 return Ok(Array { section: section.to_owned(), name, numbers });
             }
         };
-        let numbers = scalar.numbers(&bytes.ok_or_else(damaged)?, self.is_little);
+        let bytes = bytes.ok_or_else(damaged)?;
+        let numbers = scalar.numbers(self.budget, &bytes, self.is_little).map_err(|_| damaged())?;
         Ok(Array { section: section.to_owned(), name, numbers })
     }
 
-    /// The bytes of an array, inflated; none where they are damaged.
+    /// The bytes of an array, inflated, which are lent; none where they are damaged, or the budget has no room for them.
     fn bytes(&self, mut source: Source) -> Option<Vec<u8>> {
         let mut lengths = |count: usize| {
-            let bytes = source.take(count.checked_mul(self.header.size())?)?;
-            let lengths = self.header.numbers(&bytes, self.is_little).into_iter();
+            let bytes = source.take(self.budget, count.checked_mul(self.header.size())?)?;
+            let lengths = self.header.numbers(self.budget, &bytes, self.is_little).ok()?.into_iter();
             lengths
                 .map(|length| whole(length).and_then(|length| usize::try_from(length).ok()))
                 .collect::<Option<Vec<_>>>()
         };
         if !self.is_compressed {
             let length = lengths(1)?[0];
-            return source.take(length);
+            return source.take(self.budget, length);
         }
         // The number of blocks, the length of a block and of the last one where that is shorter, then that of each packed block.
         let [blocks, length, last] = lengths(3)?[..] else { return None };
         let packed = lengths(blocks)?;
-        let mut bytes = Vec::new();
+        let length_of = |index: usize| if index + 1 == blocks && last > 0 { last } else { length };
+        let total = (0..blocks).try_fold(0_usize, |sum, index| sum.checked_add(length_of(index)))?;
+        self.budget.lend(total as u64).ok()?;
+        let mut bytes = Vec::with_capacity(total);
         for (index, &packed) in packed.iter().enumerate() {
-            let length = if index + 1 == blocks && last > 0 { last } else { length };
-            let most = length.min(MOST_BYTES.checked_sub(bytes.len())?);
-            bytes.extend(decompress_to_vec_zlib_with_limit(&source.take(packed)?, most).ok()?);
+            let packed = source.take(self.budget, packed)?;
+            let start = bytes.len();
+            bytes.resize(start + length_of(index), 0);
+            let inflated = decompress_slice_iter_to_slice(&mut bytes[start..], iter::once(&packed[..]), true, false);
+            bytes.truncate(start + inflated.ok()?);
         }
         Some(bytes)
     }
@@ -213,14 +233,16 @@ enum Source<'a> {
 }
 
 impl Source<'_> {
-    fn take(&mut self, count: usize) -> Option<Vec<u8>> {
+    /// The next bytes, which are lent; none where there are not so many, or the budget has no room for them.
+    fn take(&mut self, budget: &Budget, count: usize) -> Option<Vec<u8>> {
         match self {
             Self::Raw(bytes) => {
                 let (own, rest) = bytes.split_at_checked(count)?;
+                budget.lend(count as u64).ok()?;
                 *bytes = rest;
                 Some(own.to_vec())
             }
-            Self::Base64(text) => text.take(count),
+            Self::Base64(text) => text.take(budget, count),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::piece::{Piece, VTK, cell};
 use crate::error::{Error, Result};
+use crate::io::budget::Budget;
 use crate::io::scalar::{Scalar, whole};
 use crate::io::text;
 
@@ -13,13 +14,14 @@ pub fn has_header(bytes: &[u8]) -> bool {
 
 /// The rest of a file.
 struct Rest<'a> {
+    budget: &'a Budget,
     bytes: &'a [u8],
     length: usize,
     is_binary: bool,
 }
 
-pub fn read(bytes: &[u8]) -> Result<Piece> {
-    let mut rest = Rest { bytes, length: bytes.len(), is_binary: false };
+pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Piece<'a>> {
+    let mut rest = Rest { budget, bytes, length: bytes.len(), is_binary: false };
     rest.line();
     rest.line();
     let encoding = rest.line().unwrap_or_default();
@@ -28,7 +30,7 @@ pub fn read(bytes: &[u8]) -> Result<Piece> {
         "BINARY" => true,
         _ => return Err(VTK.line(3, "expected ASCII or BINARY; save the file again")),
     };
-    let mut piece = Piece::default();
+    let mut piece = Piece::new(budget);
     let mut cells: Option<Cells> = None;
     let mut types = Vec::new();
     while let Some(line) = rest.line() {
@@ -41,7 +43,7 @@ pub fn read(bytes: &[u8]) -> Result<Piece> {
             "POINTS" => {
                 let (count, scalar) = count(1).zip(scalar(words.get(2))).ok_or_else(broken)?;
                 let coordinates = rest.numbers(scalar, count.checked_mul(3).ok_or_else(broken)?)?;
-                piece.set_positions(&coordinates);
+                piece.set_positions(&coordinates)?;
             }
             "VERTICES" | "LINES" => {
                 piece.thin += rest.cells(count(1).zip(count(2)).ok_or_else(broken)?)?.ends.len();
@@ -113,13 +115,13 @@ impl Rest<'_> {
             let length = count.checked_mul(scalar.size()).filter(|&length| length <= self.bytes.len());
             let (own, rest) = self.bytes.split_at(length.ok_or_else(|| short(self))?);
             self.bytes = rest;
-            return Ok(scalar.numbers(own, false));
+            return scalar.numbers(self.budget, own, false);
         }
         // A number takes two bytes, so that a count beyond that must not be reserved.
         if count > self.bytes.len() {
             return Err(short(self));
         }
-        let mut numbers = Vec::with_capacity(count);
+        let mut numbers = self.budget.list(count)?;
         while numbers.len() < count {
             let start = self.bytes.trim_ascii_start();
             let end = start.iter().position(u8::is_ascii_whitespace).unwrap_or(start.len());
@@ -152,14 +154,14 @@ impl Rest<'_> {
         }
         self.bytes = before;
         let numbers = self.numbers(Scalar::I32, second)?;
-        let mut cells = Cells { points: Vec::with_capacity(numbers.len()), ends: Vec::new() };
+        let mut cells = Cells { points: self.budget.list(numbers.len())?, ends: Vec::new() };
         let mut rest = &numbers[..];
         while let Some((&count, points)) = rest.split_first() {
             let count = whole(count).and_then(|count| usize::try_from(count).ok());
             let own = count.and_then(|count| points.get(..count));
             let own = own.ok_or_else(|| self.broken(&format!("cell {} has too few points", cells.ends.len())))?;
             cells.points.extend(own);
-            cells.ends.push(cells.points.len() as f64);
+            self.budget.push(&mut cells.ends, cells.points.len() as f64)?;
             rest = &points[own.len()..];
         }
         Ok(cells)

@@ -12,6 +12,7 @@ use glam::DVec3;
 use self::piece::{Piece, VTK};
 use super::scalar::whole;
 use crate::error::Result;
+use crate::io::budget::Budget;
 use crate::soup::Soup;
 use crate::warning::{Warning, WarningCode, Warnings};
 
@@ -37,19 +38,30 @@ pub fn has_header(bytes: &[u8]) -> bool {
     legacy::has_header(bytes) || document::has_header(bytes)
 }
 
-fn pieces(bytes: &[u8]) -> Result<Vec<Piece>> {
-    Ok(if document::has_header(bytes) { document::read(bytes)? } else { vec![legacy::read(bytes)?] })
+fn pieces<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Vec<Piece<'a>>> {
+    Ok(if document::has_header(bytes) { document::read(budget, bytes)? } else { vec![legacy::read(budget, bytes)?] })
 }
 
 /// The cells of a file that fill space; none where there is none such.
 ///
 /// # Errors
-/// [`Malformed`](crate::Error::Malformed) and [`Unsupported`](crate::Error::Unsupported), as [`read`](super::read).
-pub fn volumes(bytes: &[u8]) -> Result<VolumeCells> {
+/// [`Malformed`](crate::Error::Malformed), [`Unsupported`](crate::Error::Unsupported) and
+/// [`OverBudget`](crate::Error::OverBudget), as [`read`](super::read).
+pub fn volumes(budget: &Budget, bytes: &[u8]) -> Result<VolumeCells> {
+    let volumes = volumes_of(budget, bytes);
+    budget.finish()?;
+    volumes
+}
+
+fn volumes_of(budget: &Budget, bytes: &[u8]) -> Result<VolumeCells> {
     let mut all = VolumeCells::default();
     let mut warnings = Warnings::default();
-    for piece in pieces(bytes)? {
+    for piece in pieces(budget, bytes)? {
         let (first, before, count) = (all.positions.len(), all.points.len(), piece.positions.len());
+        budget.reserve(&mut all.positions, count)?;
+        budget.reserve(&mut all.points, piece.volumes.points.len())?;
+        budget.reserve(&mut all.ends, piece.volumes.ends.len())?;
+        budget.reserve(&mut all.kinds, piece.volumes.kinds.len())?;
         for (place, &point) in piece.volumes.points.iter().enumerate() {
             let index = whole(point).and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count);
             let number = index.and_then(|index| u32::try_from(first + index).ok());
@@ -81,8 +93,8 @@ pub fn cell_name(kind: u64) -> String {
     }
 }
 
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    let pieces = pieces(bytes)?;
+pub(super) fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+    let pieces = pieces(budget, bytes)?;
     let mut soup = Soup::default();
     let mut warnings = Warnings::default();
     let count = pieces.len();
@@ -90,10 +102,13 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         let of_piece = if count == 1 { String::new() } else { format!("piece {index}, ") };
         let first = soup.positions.len() as u32;
         let place = |face: usize| format!("{of_piece}face {face}");
-        let triangles = piece
+        piece
             .faces
-            .triangulate_all(&piece.positions, &mut warnings, place)
+            .check(piece.positions.len())
             .map_err(|missing| VTK.no_vertex(place(missing.polygon), missing.vertex, piece.positions.len(), 0))?;
+        let triangles = piece.faces.triangulate_all(&piece.positions, &mut warnings, place)?;
+        budget.reserve(&mut soup.triangles, triangles.len())?;
+        budget.reserve(&mut soup.positions, piece.positions.len())?;
         soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|vertex| first + vertex)));
         soup.positions.extend(piece.positions);
         soup.end_part(if count == 1 { name.to_owned() } else { format!("{name} {index}") });

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::error::Result;
+use crate::io::budget::Budget;
 use crate::io::reader::Reporter;
 use crate::io::scalar::whole;
 use crate::io::triangulate::Polygons;
@@ -10,10 +11,10 @@ use crate::io::triangulate::Polygons;
 pub const VTK: Reporter = Reporter("VTK");
 
 /// Points and the faces among the cells over them.
-#[derive(Default)]
-pub struct Piece {
+pub struct Piece<'a> {
+    budget: &'a Budget,
     pub positions: Vec<DVec3>,
-    pub faces: Polygons,
+    pub faces: Polygons<'a>,
     /// How many points and lines were left out.
     pub thin: usize,
     /// Of how many faces the corners were taken, because they are curved.
@@ -69,10 +70,24 @@ pub mod cell {
     }
 }
 
-impl Piece {
+impl<'a> Piece<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self {
+            budget,
+            positions: Vec::new(),
+            faces: Polygons::new(budget),
+            thin: 0,
+            curved: 0,
+            volumes: Volumes::default(),
+        }
+    }
+
     /// The positions, three numbers each.
-    pub fn set_positions(&mut self, coordinates: &[f64]) {
-        self.positions = coordinates.as_chunks::<3>().0.iter().map(|&position| position.into()).collect();
+    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<()> {
+        let coordinates = coordinates.as_chunks::<3>().0;
+        self.positions = self.budget.list(coordinates.len())?;
+        self.positions.extend(coordinates.iter().copied().map(DVec3::from));
+        Ok(())
     }
 
     /// Adds a cell of a type over some points.
@@ -99,10 +114,11 @@ impl Piece {
                 Ok(())
             }
             cell::Corners::Volume => {
-                self.volumes.kinds.push(kind);
-                self.volumes.points.extend(points);
-                self.volumes.ends.push(self.volumes.points.len());
-                Ok(())
+                let Volumes { kinds, points: all, ends } = &mut self.volumes;
+                self.budget.push(kinds, kind)?;
+                self.budget.reserve(all, points.len())?;
+                all.extend(points);
+                self.budget.push(ends, all.len())
             }
         }
     }
@@ -115,10 +131,9 @@ impl Piece {
                     "a point index is negative or not whole; repair the file",
                 )
             })?;
-            self.faces.corner(vertex);
+            self.faces.corner(vertex)?;
         }
-        self.faces.close();
-        Ok(())
+        self.faces.close()
     }
 
     /// Adds cells, each of the points from the end of the one before it on.

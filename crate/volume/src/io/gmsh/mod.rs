@@ -6,6 +6,8 @@ mod format;
 mod nodes;
 mod section;
 
+use heatwalk::io::Budget;
+
 use self::format::{GMSH, Header, TEXT, unsupported_version};
 use self::nodes::Nodes;
 use self::section::Section;
@@ -22,10 +24,10 @@ pub fn has_header(bytes: &[u8]) -> bool {
     start.starts_with(HEADER) || start.starts_with(OLD_HEADER)
 }
 
-pub fn read(bytes: &[u8]) -> Result<NamedMesh> {
+pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<NamedMesh<'a>> {
     let mut input = Input::new(GMSH, bytes, TEXT);
     let mut header = None;
-    let (mut nodes, mut cells) = (Nodes::default(), NamedCells::default());
+    let (mut nodes, mut cells) = (Nodes::new(budget), NamedCells::new(budget));
     while let Some(word) = input.word() {
         let Some(name) = word.strip_prefix('$').filter(|name| !name.starts_with("End")) else { continue };
         match (name, &header) {

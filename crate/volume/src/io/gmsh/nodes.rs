@@ -3,21 +3,26 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
+use heatwalk::io::Budget;
 
 use super::format::GMSH;
 use crate::io::cells::Numbers;
 use crate::io::error::Result;
 
-#[derive(Default)]
-pub struct Nodes {
+pub struct Nodes<'a> {
+    pub budget: &'a Budget,
     positions: Vec<DVec3>,
     numbers: Vec<u64>,
 }
 
-impl Nodes {
-    pub fn add(&mut self, number: u64, position: [f64; 3]) {
-        self.numbers.push(number);
-        self.positions.push(position.into());
+impl<'a> Nodes<'a> {
+    pub fn new(budget: &'a Budget) -> Self {
+        Self { budget, positions: Vec::new(), numbers: Vec::new() }
+    }
+
+    pub fn add(&mut self, number: u64, position: [f64; 3]) -> Result<()> {
+        self.budget.push(&mut self.numbers, number)?;
+        Ok(self.budget.push(&mut self.positions, position.into())?)
     }
 
     /// Positions in file order, and how the file numbers them.
@@ -27,6 +32,8 @@ impl Nodes {
         if self.numbers.iter().zip(first..).all(|(&number, expected)| number == expected) {
             return Ok((self.positions, Numbers::From(first, count)));
         }
+        // Half as many places again, and a byte for each, as hash maps have.
+        self.budget.take_items::<(u64, u64)>(2 * self.numbers.len())?;
         let mut vertices = HashMap::with_capacity(self.numbers.len());
         for (&number, vertex) in self.numbers.iter().zip(0..) {
             if vertices.insert(number, vertex).is_some() {

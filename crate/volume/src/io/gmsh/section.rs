@@ -70,7 +70,7 @@ impl<'a, 'b> Section<'a, 'b> {
         if self.header.layout == Layout::Rows {
             for _ in 0..self.row_count("the number of nodes")? {
                 let number = self.node_number()?;
-                nodes.add(number, self.position()?);
+                nodes.add(number, self.position()?)?;
                 if is_parametric {
                     let dimension = self.input.int("the dimension of an entity")?;
                     self.input.int("an entity")?;
@@ -88,9 +88,10 @@ impl<'a, 'b> Section<'a, 'b> {
             let count = self.size("the number of nodes of a block")?;
             let mut numbers = Vec::new();
             if self.header.layout == Layout::Blocks {
-                numbers.reserve(self.input.plausible(count));
+                nodes.budget.reserve(&mut numbers, self.input.plausible(count))?;
                 for _ in 0..count {
-                    numbers.push(self.size("the number of a node")? as u64);
+                    let number = self.size("the number of a node")? as u64;
+                    nodes.budget.push(&mut numbers, number)?;
                 }
             }
             for row in 0..count {
@@ -98,7 +99,7 @@ impl<'a, 'b> Section<'a, 'b> {
                     Some(&number) => number,
                     None => self.node_number()?,
                 };
-                nodes.add(number, self.position()?);
+                nodes.add(number, self.position()?)?;
                 self.parameters(parameters)?;
             }
         }
@@ -176,10 +177,10 @@ impl<'a, 'b> Section<'a, 'b> {
             let what = "a node of an element";
             let number = if self.header.layout == Layout::Blocks { self.size(what)? } else { self.int_size(what)? };
             if node < corners {
-                cells.corner(element.kind, number as u64);
+                cells.corner(element.kind, number as u64)?;
             }
         }
-        cells.end(element.kind, element.nodes > corners);
+        cells.end(element.kind, element.nodes > corners)?;
         Ok(())
     }
 }

@@ -69,6 +69,15 @@ impl Compression {
         Ok(Self { count: count.ok_or("it does not say how many elements it has")?, source, stride, mode, filter })
     }
 
+    /// How many bytes are needed at once while the view is decoded.
+    pub fn bytes(&self) -> u64 {
+        let size = match self.mode {
+            Mode::Attributes => self.stride,
+            Mode::Triangles | Mode::Indices => self.stride + size_of::<u32>(),
+        };
+        (self.count as u64).saturating_mul(size as u64)
+    }
+
     /// The bytes of the view, `count × stride`.
     pub fn decode(&self, stream: &[u8]) -> Decoded<Vec<u8>> {
         let mut bytes = match self.mode {
