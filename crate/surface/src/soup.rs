@@ -23,8 +23,10 @@ pub struct Soup {
     /// `#F × 3`, indices into `positions`, in file order. The triangles of a polygon follow each other, in the order of its corners.
     #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
-    /// The parts in file order, no triangle in two. What is in none of them is no part of the surface.
+    /// The parts in file order, no triangle in two.
     pub parts: Vec<Part>,
+    /// Triangles that are no part of the surface, as ranges of `triangles`, ascending: those of parts that were not [chosen](Self::chosen).
+    pub inactive: Vec<Range<usize>>,
     /// Of the positions; None where the format does not say.
     pub unit: Option<Unit>,
     /// How the file wants it to look.
@@ -276,13 +278,9 @@ impl Soup {
         Ok(Self { positions, appearance, motion: Arc::default(), ..self.clone() })
     }
 
-    /// The triangles of all parts, as ranges of `triangles`, ascending.
+    /// The triangles of the surface, as ranges of `triangles`, ascending.
     pub fn ranges(&self) -> Vec<Range<usize>> {
-        let mut ranges: Vec<Range<usize>> = self.parts.iter().flat_map(|part| part.ranges.iter().cloned()).collect();
-        ranges.sort_unstable_by_key(|range| range.start);
-        let mut joined = Part::new("");
-        ranges.into_iter().for_each(|range| joined.add(range));
-        joined.ranges
+        complement(&self.inactive, self.triangles.len())
     }
 
     /// The chosen parts as the whole surface. All vertices and triangles stay, so that they count as in the file.
@@ -290,7 +288,9 @@ impl Soup {
     /// # Errors
     /// [`Error::NoSuchPart`].
     pub fn chosen(&self, parts: &[usize]) -> Result<Self> {
-        Ok(Self { parts: self.parts_of(parts)?, ..self.clone() })
+        let parts = self.parts_of(parts)?;
+        let inactive = complement(&joined(&parts), self.triangles.len());
+        Ok(Self { parts, inactive, ..self.clone() })
     }
 
     /// The chosen parts alone, in file order, with the vertices that they use, in file order. Choosing every part
@@ -307,15 +307,16 @@ impl Soup {
         for triangle in chosen.iter().flat_map(Part::triangles) {
             self.mark(triangle, self.triangles[triangle], &mut used)?;
         }
-        Ok(self.taking(chosen, &used))
+        let ranges = joined(&chosen);
+        Ok(self.taking(chosen, &ranges, &used))
     }
 
-    /// Without the triangles that are in no part; all vertices stay.
+    /// Without the triangles that are no part of the surface; all vertices stay.
     pub fn surface_alone(&self) -> Cow<'_, Self> {
-        if self.parts.iter().map(Part::len).sum::<usize>() == self.triangles.len() {
+        if self.inactive.is_empty() {
             return Cow::Borrowed(self);
         }
-        Cow::Owned(self.taking(self.parts.clone(), &vec![true; self.positions.len()]))
+        Cow::Owned(self.taking(self.parts.clone(), &self.ranges(), &vec![true; self.positions.len()]))
     }
 
     /// Some of its parts, in file order.
@@ -328,10 +329,9 @@ impl Soup {
         Ok(self.parts.iter().zip(is_chosen).filter(|&(_, is_chosen)| is_chosen).map(|(part, _)| part.clone()).collect())
     }
 
-    /// The triangles of some parts, and the vertices that are `used`, which are those of these triangles at least.
-    fn taking(&self, parts: Vec<Part>, used: &[bool]) -> Self {
+    /// Some ranges of triangles, all parts in them, and the vertices that are `used`, which are those of these triangles at least.
+    fn taking(&self, parts: Vec<Part>, ranges: &[Range<usize>], used: &[bool]) -> Self {
         let mut selection = Self { parts, ..self.bare() };
-        let ranges = selection.ranges();
         selection.triangles.extend(ranges.iter().flat_map(|range| &self.triangles[range.clone()]));
         let triangles = ranges.iter().cloned().flatten();
         if !self.appearance.is_empty() {
@@ -353,6 +353,22 @@ impl Soup {
         }
         self.place(selection, used)
     }
+}
+
+/// What of `0..count` is in none of some ranges, ascending.
+fn complement(ranges: &[Range<usize>], count: usize) -> Vec<Range<usize>> {
+    let starts = [0].into_iter().chain(ranges.iter().map(|range| range.end));
+    let ends = ranges.iter().map(|range| range.start).chain([count]);
+    starts.zip(ends).map(|(start, end)| start..end).filter(|range| !range.is_empty()).collect()
+}
+
+/// The triangles of some parts, as ranges, ascending.
+fn joined(parts: &[Part]) -> Vec<Range<usize>> {
+    let mut ranges: Vec<Range<usize>> = parts.iter().flat_map(|part| part.ranges.iter().cloned()).collect();
+    ranges.sort_unstable_by_key(|range| range.start);
+    let mut joined = Part::new("");
+    ranges.into_iter().for_each(|range| joined.add(range));
+    joined.ranges
 }
 
 #[cfg(test)]

@@ -140,7 +140,7 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
     })
 }
 
-/// The triangles of the parts of a soup.
+/// The triangles of a soup that are part of the surface.
 struct Chosen<'a> {
     triangles: Cow<'a, [[u32; 3]]>,
     /// Of each of them, which one of the input it is; empty where these are all.

@@ -71,7 +71,11 @@ fn where_distances_are_exact_places_are_as_far_apart_as_the_path_is_long() {
     for (from, to) in places.into_iter().chain([("3:0.2,0.3,0.5", "3:0.2,0.3,0.5")]) {
         let answer = json(&folder, &["path", "flat.ply", "--from", from, "--to", to]);
         let (distance, straight) = (number(&answer, "distance"), length(end(&answer, false), end(&answer, true)));
-        assert_eq!((distance, &answer["distance_interpolated"]), (number(&answer, "length"), &false.into()), "{answer}");
+        assert_eq!(
+            (distance, &answer["distance_interpolated"]),
+            (number(&answer, "length"), &false.into()),
+            "{answer}"
+        );
         assert!((distance - straight).abs() < 1e-12, "{from} {to}: {distance} {straight}");
     }
     let by_heat = ["path", "flat.ply", "--from", "3:0.2,0.4,0.4", "--to", "100", "--method", "heat"];

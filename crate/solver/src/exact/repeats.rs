@@ -14,6 +14,10 @@ use super::window::{Beam, MARGIN};
 /// Half-edges that are crossed more often remember. Ordinary ones are crossed a few times.
 const OFTEN: u8 = 16;
 
+/// At half-edges that are crossed more than 255 times windows have to be nearer by so many times as much as elsewhere: a hundred-millionth
+/// of the distance.
+const TIRED: f64 = 1e4;
+
 /// What has crossed half-edges.
 #[derive(Debug)]
 pub(super) struct Repeats {
@@ -40,7 +44,8 @@ impl Repeats {
     #[cold]
     pub fn leave_nearer(&mut self, halfedge: u32, windows: &mut Vec<Beam>, envelope: &mut Envelope, grain: f64) {
         let crossed = self.crossed.entry(halfedge).or_default();
-        let rounding = |window: &Beam| MARGIN * window.offset.abs() + grain;
+        let patience = if self.times[halfedge as usize] == u8::MAX { TIRED } else { 1.0 };
+        let rounding = |window: &Beam| patience * (MARGIN * window.nearest().abs() + grain);
         *windows = windows.iter().flat_map(|window| parts_before(window, crossed, rounding(window))).collect();
         envelope.join(crossed, windows);
     }

@@ -7,7 +7,6 @@ use super::budget::Budget;
 use crate::error::Result;
 use crate::warning::{WarningCode, Warnings};
 
-
 /// Bytes a corner that a polygon takes while it is cut: points, sorted and as they are, and the vertices, edges and faces of spade.
 const CUTTING_BYTES: u64 = 512;
 
