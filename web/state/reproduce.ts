@@ -67,8 +67,13 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
       throw new Error(
         t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
       );
-    return 'face' in source ? { ...source, face: triangleOfFile(opened, source.face) } : source;
+    return 'face' in source ? inFile(opened, source) : source;
   });
+}
+
+/** A source inside a triangle, which counts as in the file. */
+function inFile<S extends { face: number }>(opened: OpenedMesh, source: S): S {
+  return { ...source, face: triangleOfFile(opened, source.face) };
 }
 
 /** The same from Python, by the program, as an array of NumPy. */
