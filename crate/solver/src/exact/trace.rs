@@ -13,9 +13,11 @@ use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
 /// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.
 const SNAP: f64 = 1e-10;
 
-/// A source unfolded along the line to it comes to lie on itself within this share of the distances involved, far
-/// more than rounding, far less than any other vertex's distance from there that could be mistaken for it.
-const MEETS: f64 = 1e-6;
+/// A source unfolded along the line to it comes to lie on itself within this share of the line, far more than rounding.
+const MEETS: f64 = 1e-7;
+
+/// A source may come to lie behind an edge that the line to it crosses by this share of their lengths.
+const BEHIND: f64 = 1e-6;
 
 /// Where a line back to its source leaves a face: at `at` of a half-edge, seen from that face, to `(x, −depth)`.
 #[derive(Debug, Clone, Copy)]
@@ -89,7 +91,13 @@ impl Wavefront {
                             stop = self.at_vertex(vertex);
                             continue;
                         }
-                        None => (trace.take_edges(&stop, root), NONE),
+                        None => match trace.step_aside(&stop) {
+                            Some(vertex) => {
+                                stop = self.at_vertex(vertex);
+                                continue;
+                            }
+                            None => (trace.take_edges(&stop, root), NONE),
+                        },
                     }
                 }
             };
@@ -118,7 +126,7 @@ impl Wavefront {
 
     /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
     /// ray's half-edge's direction.
-    fn step(&self, ray: Ray, halfedge: u32, is_mirrored: bool, root: u32) -> Step {
+    fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (root, near): (u32, f64)) -> Step {
         let (frame, k) = self.geometry.frame_of(halfedge);
         let (l, r) = (before(k), after(k));
         let across = frame[k].length;
@@ -126,7 +134,6 @@ impl Wavefront {
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
-        let near = MEETS * (frame[0].length + frame[1].length + frame[2].length);
         if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
             if length(root_x - x, root_y - y) <= near {
@@ -146,7 +153,7 @@ impl Wavefront {
         let closing = cos * up + sin * towards;
         let meets = if closing > 0.0 { (from_end * up / closing).min(out_length) } else { out_length };
         let (along, depth) = (aside * cos + y * sin, y * cos - aside * sin);
-        if depth.is_nan() || depth < -MEETS * (out_length + y) {
+        if depth.is_nan() || depth < -BEHIND * (out_length + y) {
             return Step::Lost;
         }
         let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
@@ -198,6 +205,7 @@ impl Trace<'_> {
         let mut open: Vec<(Ray, u32, bool, usize)> = Vec::new();
         let mut ray = first;
         let begin = self.points.len();
+        let near = MEETS * length(first.x - first.at, first.depth) + front.geometry.grain;
         loop {
             let inside = ray.halfedge / 3;
             if let Some(vertex) = self.passes(start, &ray) {
@@ -218,7 +226,7 @@ impl Trace<'_> {
                 };
                 steps_left -= 1;
                 self.points.truncate(length);
-                match front.step(from, halfedge, is_mirrored, root) {
+                match front.step(from, (halfedge, is_mirrored), (root, near)) {
                     Step::Arrived => return Some(End::Root(halfedge / 3)),
                     Step::Leaves(next) => {
                         ray = next;
@@ -235,13 +243,33 @@ impl Trace<'_> {
         let front = self.front;
         let (frame, k) = front.geometry.frame_of(ray.halfedge);
         let left = length(ray.x - ray.at, ray.depth);
-        let near = SNAP * (left + frame[k].length);
+        let near = SNAP * left + front.geometry.grain;
         let ends = [(frame[k].vertex, ray.at), (frame[after(k)].vertex, frame[k].length - ray.at)];
         let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
         let value = front.values[VertexId(vertex)];
         let Origin::Window { root, .. } = start.origin else { return None };
         let offset = front.value_of_root(root);
         (value < start.value && value <= offset + left + 2.0 * near).then_some(vertex)
+    }
+
+    /// Goes straight to the corner of a face here by which the source is nearest instead, if that is nearer than here: where rounding
+    /// lost the line, it passes that corner by about as little. Returns the corner.
+    fn step_aside(&mut self, start: &Stop) -> Option<u32> {
+        let front = self.front;
+        let corners =
+            front.geometry.faces_at(&front.surface, start.location).into_iter().flat_map(|(face, weights)| {
+                let frame = front.geometry.frame(face);
+                let [x, y] = frame.place(0, weights);
+                [0, 1, 2].map(|k| {
+                    let [along, up] = frame.place(0, std::array::from_fn(|corner| f64::from(u8::from(corner == k))));
+                    (face, frame[k].vertex, length(along - x, up - y))
+                })
+            });
+        let nearer = corners.filter(|&(_, corner, _)| front.values[VertexId(corner)] < start.value);
+        let by = |(_, corner, length): (u32, u32, f64)| front.values[VertexId(corner)] + length;
+        let (face, corner, _) = nearer.min_by(|&a, &b| by(a).total_cmp(&by(b)))?;
+        self.go(Place::Vertex(VertexId(corner)), face);
+        Some(corner)
     }
 
     /// Goes along edges to a root's nearest corner instead: where rounding lost the line. Returns the root.
