@@ -267,13 +267,13 @@ fn a_robot_is_made_of_closed_parts_in_materials() {
         let shape = (welded.boundary_edges(), welded.components(), welded.euler_characteristic());
         assert_eq!(shape, (0, 1, 2), "{}", part.name);
         // Outward: about its own middle, not that of the robot.
-        let vertices = part.triangles().clone().flat_map(|triangle| corners(&robot, triangle));
-        let middle = vertices.sum::<DVec3>() / (3 * part.triangles().len()) as f64;
+        let vertices = part.triangles().flat_map(|triangle| corners(&robot, triangle));
+        let middle = vertices.sum::<DVec3>() / (3 * part.len()) as f64;
         let signed = |triangle: usize| {
             let [a, b, c] = corners(&robot, triangle).map(|corner| corner - middle);
             a.dot(b.cross(c))
         };
-        assert!(part.triangles().clone().map(signed).sum::<f64>() > 0.0, "{}", part.name);
+        assert!(part.triangles().map(signed).sum::<f64>() > 0.0, "{}", part.name);
     }
     let appearance = &robot.appearance;
     assert_eq!((appearance.runs.len(), appearance.images.len()), (33, 4));
