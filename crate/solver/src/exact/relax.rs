@@ -81,6 +81,10 @@ impl Wavefront {
         if value < radius && known > value + SLACK * length {
             let is_lost = known > value + (MARGIN * value.abs() + self.geometry.grain);
             self.offer(to.0, value, Origin::Straight { face: face.0, root: from.0 });
+            let geometry = Arc::clone(&self.geometry);
+            let frame = geometry.frame(face.0);
+            let weights = frame.vertices().map(|corner| f64::from(u8::from(corner == from.0)));
+            self.see_straight(frame, face.0, weights, (self.values[from], from.0));
             self.is_refused |= !room::push(&mut nearer.open, to);
             self.is_refused |= is_lost && !room::push(&mut nearer.lost, to);
         }

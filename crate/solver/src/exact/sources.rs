@@ -93,7 +93,7 @@ impl Wavefront {
     }
 
     /// Offers the targets and the ends of portals in a face straight lines from a root there.
-    fn see_straight(&mut self, frame: &Frame, face: u32, weights: [f64; 3], root: (f64, u32)) {
+    pub(super) fn see_straight(&mut self, frame: &Frame, face: u32, weights: [f64; 3], root: (f64, u32)) {
         self.targets.see_straight(frame, (face, weights), root, |_, _| ());
         let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
         self.ends.see_straight(frame, (face, weights), root, |end, value| queue.push(first + end, value));

@@ -16,6 +16,9 @@ const SNAP: f64 = 1e-10;
 /// A source unfolded along the line to it comes to lie on itself within this share of the line, far more than rounding.
 const MEETS: f64 = 1e-7;
 
+/// A line back is longer than the distance says by no more than this share of it.
+const STRAIGHT: f64 = 1e-9;
+
 /// A source may come to lie behind an edge that the line to it crosses by this share of their lengths.
 const BEHIND: f64 = 1e-6;
 
@@ -62,8 +65,14 @@ impl Wavefront {
     /// [`Error::Unreachable`] where the value is infinite.
     pub fn path_from_target(&self, index: usize) -> Result<Path> {
         let targets = &self.targets;
-        let (value, origin) = (targets.values[index], targets.origins[index]);
-        self.path_from(Stop { location: targets.locations[index], value, origin })
+        let (location, value) = (targets.locations[index], targets.values[index]);
+        let stop = Stop { location, value, origin: targets.origins[index] };
+        // Rounding may have found the vertex itself sooner.
+        let vertex = match location {
+            Place::Vertex(vertex) => Some(self.at_vertex(vertex.0)),
+            _ => None,
+        };
+        self.path_from(vertex.filter(|vertex| vertex.value < value).unwrap_or(stop))
     }
 
     fn at_vertex(&self, vertex: u32) -> Stop {
@@ -84,7 +93,7 @@ impl Wavefront {
                 Origin::Straight { face, root } => (root, face),
                 Origin::Window { halfedge, root, at, x, depth } => {
                     let ray = Ray { halfedge, at, x, depth };
-                    match trace.follow(&stop, root, ray) {
+                    match trace.follow_straight(&stop, root, ray) {
                         Some(End::Root(face)) => (root, face),
                         Some(End::Vertex(vertex, face)) => {
                             trace.go(Place::Vertex(VertexId(vertex)), face);
@@ -192,6 +201,26 @@ impl Trace<'_> {
     fn hop(&mut self, location: Place, face: u32) {
         let position = location.position(&self.front.surface);
         self.points.push(PathPoint { position, location, face: FaceId(face) });
+    }
+
+    /// [Follows](Self::follow) a straight line back, if that is as long as the distance says: where triangles are flat, rounding may
+    /// lead the line to and fro along their edges.
+    fn follow_straight(&mut self, start: &Stop, root: u32, first: Ray) -> Option<End> {
+        let (front, begin) = (self.front, self.points.len());
+        let end = self.follow(start, root, first)?;
+        let (last, value, face) = match end {
+            End::Root(face) => (front.place_of_root(root), front.value_of_root(root), face),
+            End::Vertex(vertex, face) => (Place::Vertex(VertexId(vertex)), front.values[VertexId(vertex)], face),
+        };
+        let places = self.points[begin - 1..].iter().map(|point| point.position).chain([last.position(&front.surface)]);
+        let length: f64 = places.clone().zip(places.skip(1)).map(|(a, b)| a.distance(b)).sum();
+        let [a, b, _] = front.surface.corners(FaceId(face));
+        let cost = front.geometry.frame(face)[0].length / a.distance(b);
+        let is_straight = cost * length <= (start.value - value) * (1.0 + STRAIGHT) + front.geometry.grain;
+        if !is_straight {
+            self.points.truncate(begin);
+        }
+        is_straight.then_some(end)
     }
 
     /// Follows the straight line from a place back to a root, or to a vertex on it; `None` where it is lost.
