@@ -204,7 +204,9 @@ impl<'a> Mesh<'a> {
             warnings.add(WarningCode::Trailing, || format!("line {line}"));
         }
         let place = |face: usize| format!("line {}", lines[face]);
-        polygons.check(positions.len()).map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
+        polygons
+            .check(positions.len())
+            .map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
         let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
         Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
     }
