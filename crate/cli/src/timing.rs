@@ -52,7 +52,9 @@ pub fn join(surface: &Surface, bridging: &Bridging, threads: NonZeroUsize) -> Jo
 /// What may be otherwise than the surface is meant.
 fn warnings(bridges: &Bridges) -> Vec<String> {
     let (places, gap) = (bridges.across_cracks().count(), bridges.crack_width());
-    let across = format!("paths cross gaps between boundaries, up to {gap} wide, at {places} places; --bridge off keeps both sides apart");
+    let across = format!(
+        "paths cross gaps between boundaries, up to {gap} wide, at {places} places; --bridge off keeps both sides apart"
+    );
     let some = "parts meet in more places than are looked at; those that meet elsewhere alone are of different groups";
     let told = [(places > 0).then_some(across), (!bridges.is_complete()).then(|| some.to_owned())];
     told.into_iter().flatten().collect()

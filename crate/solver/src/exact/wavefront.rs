@@ -425,13 +425,7 @@ impl Wavefront {
 
     /// Lets a window cross a face: a value for the opposite corner, and what leaves by the edges at the half-edge's begin and end.
     #[inline(always)]
-    pub(super) fn pass(
-        &mut self,
-        halfedge: u32,
-        sides: [&Side; 3],
-        window: &Beam,
-        grain: f64,
-    ) -> [Option<Beam>; 2] {
+    pub(super) fn pass(&mut self, halfedge: u32, sides: [&Side; 3], window: &Beam, grain: f64) -> [Option<Beam>; 2] {
         let [base, _, left] = sides;
         let opposite = [left.length * base.cos, left.length * base.sin];
         let crossing = Crossing::new(*window, opposite);

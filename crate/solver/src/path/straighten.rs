@@ -338,8 +338,8 @@ mod tests {
 
     /// Triangles around a vertex, and a path along a third of their rim.
     fn hub(count: u32) -> Case {
-        let rim = (0..count)
-            .map(|index| DVec3::from((DVec2::from_angle(TAU * f64::from(index) / f64::from(count)), 0.0)));
+        let rim =
+            (0..count).map(|index| DVec3::from((DVec2::from_angle(TAU * f64::from(index) / f64::from(count)), 0.0)));
         let triangles = (0..count).map(|index| [0, 1 + index, 1 + (index + 1) % count]);
         let positions = [DVec3::ZERO].into_iter().chain(rim).collect();
         (Soup::single("hub", positions, triangles.collect()), (1..count / 3 + 2).collect(), 3_f64.sqrt())
