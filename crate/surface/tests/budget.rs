@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::iter;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use heatwalk_surface::io::{self, Budget};
 use heatwalk_surface::{Error, Result, Soup};
@@ -17,7 +17,10 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 static ALLOCATOR: PeakAlloc = PeakAlloc;
 
 /// Tests that run at once would count each other's memory.
-static ALONE: Mutex<()> = Mutex::new(());
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// A list that grows is in memory twice while it is copied, once half as long.
 const GROWING: f64 = 1.5;
@@ -34,7 +37,6 @@ fn measured(name: &str, bytes: &[u8]) -> (Result<Soup>, usize) {
 
 /// Refuses the file for what it takes, within that.
 fn assert_refused(name: &str, bytes: &[u8]) {
-    let _alone = ALONE.lock().expect("no test has failed");
     let (read, peak) = measured(name, bytes);
     let budget = Budget::of_file(bytes.len()).left();
     assert_eq!(read.err(), Some(Error::OverBudget { size: bytes.len() as u64, budget }), "{name}");
@@ -44,7 +46,6 @@ fn assert_refused(name: &str, bytes: &[u8]) {
 
 /// A file that ends before what it claims.
 fn assert_small(name: &str, bytes: &[u8]) {
-    let _alone = ALONE.lock().expect("no test has failed");
     let (read, peak) = measured(name, bytes);
     let error = read.map(|soup| soup.triangles.len()).expect_err(name);
     assert!(!matches!(error, Error::OverBudget { .. }), "{name}: {error}");
@@ -53,8 +54,8 @@ fn assert_small(name: &str, bytes: &[u8]) {
 
 #[test]
 fn what_cutting_a_polygon_takes_is_counted() {
+    let _alone = alone();
     const TEETH: usize = 50_000;
-    let _alone = ALONE.lock().expect("no test has failed");
     let mut comb = format!("OFF\n{} 1 0\n", 2 * TEETH);
     // Teeth upward from left to right; the polygon comes back along their feet.
     (0..TEETH).for_each(|tooth| writeln!(comb, "{tooth} {} 0", 2 + tooth % 2).expect("text grows"));
@@ -66,7 +67,6 @@ fn what_cutting_a_polygon_takes_is_counted() {
     let few = Budget::limited(comb.len(), (peak as f64 / GROWING) as u64);
     let refused = io::read_within(&few, "comb.off", comb.as_bytes(), &|_| None);
     assert!(matches!(refused, Err(Error::OverBudget { .. })), "{peak} bytes");
-    eprintln!("PEAK {peak} {}", peak / (2 * TEETH));
 }
 
 /// Polygonal data whose arrays are as given, compressed or not, appended raw.
@@ -89,6 +89,7 @@ fn words(numbers: impl IntoIterator<Item = u64>) -> Vec<u8> {
 
 #[test]
 fn blocks_of_zeros_are_not_inflated_beyond_the_budget() {
+    let _alone = alone();
     const BLOCK: usize = 1 << 20;
     let packed = compress_to_vec_zlib(&vec![0; BLOCK], 6);
     for blocks in [40_usize, 100] {
@@ -101,6 +102,7 @@ fn blocks_of_zeros_are_not_inflated_beyond_the_budget() {
 
 #[test]
 fn arrays_and_pieces_that_share_their_bytes_count_each() {
+    let _alone = alone();
     let bytes = vec![0; 100_000];
     let appended = [words([bytes.len() as u64]), bytes].concat();
     let arrays: String = (0..4000).map(|name| array("UInt8", name)).collect();
@@ -131,6 +133,7 @@ fn nodes(mesh: &str, count: usize) -> String {
 
 #[test]
 fn what_shares_an_accessor_counts_each() {
+    let _alone = alone();
     let plain = "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}";
     assert_refused("nodes.gltf", gltf(9999, &nodes(plain, 2000)).as_bytes());
     let apart = |number: usize| format!("{{\"attributes\": {{\"POSITION\": 0, \"TEXCOORD_0\": {number}}}}}");
@@ -149,6 +152,7 @@ fn what_shares_an_accessor_counts_each() {
 
 #[test]
 fn names_and_images_that_are_shared_count_each() {
+    let _alone = alone();
     let name = "x".repeat(100_000);
     let mesh = format!("{{\"name\": \"{name}\", \"primitives\": [{{\"attributes\": {{\"POSITION\": 0}}}}]}}");
     assert_refused("names.gltf", gltf(3, &nodes(&mesh, 10_000)).as_bytes());
@@ -169,6 +173,7 @@ fn names_and_images_that_are_shared_count_each() {
 
 #[test]
 fn views_that_share_compressed_bytes_count_each() {
+    let _alone = alone();
     // A stream of 4,096 elements of 256 bytes, all of them zeros.
     let (count, stride, block) = (4096, 256, 32);
     let stream = [&[0xA0][..], &vec![0; count / block * stride + stride]].concat();
@@ -218,6 +223,7 @@ fn threemf(resources: &str, build: &str) -> Vec<u8> {
 
 #[test]
 fn objects_that_are_built_many_times_count_each() {
+    let _alone = alone();
     let vertices = "<vertex x=\"0\" y=\"0\" z=\"0\"/>".repeat(3000);
     let triangles = "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>".repeat(3000);
     let mesh = format!("<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>");
@@ -235,6 +241,7 @@ fn objects_that_are_built_many_times_count_each() {
 
 #[test]
 fn groups_that_repeat_the_name_of_an_object_count_each() {
+    let _alone = alone();
     let mut text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\no {}\n", "x".repeat(100_000));
     (0..20_000).for_each(|group| writeln!(text, "g {group}\nf 1 2 3").unwrap());
     assert_refused("a.obj", text.as_bytes());
@@ -242,7 +249,7 @@ fn groups_that_repeat_the_name_of_an_object_count_each() {
 
 #[test]
 fn a_library_that_is_named_in_many_ways_counts_each_time() {
-    let _alone = ALONE.lock().expect("no test has failed");
+    let _alone = alone();
     let image = vec![0; 1 << 20];
     let resources = |uri: &str| match uri {
         "a.mtl" => {
@@ -264,6 +271,7 @@ fn a_library_that_is_named_in_many_ways_counts_each_time() {
 
 #[test]
 fn counts_without_anything_behind_them_take_nothing() {
+    let _alone = alone();
     let huge = 1_u64 << 62;
     let ply = |format: &str, vertices: u64| {
         format!(
@@ -300,6 +308,7 @@ fn counts_without_anything_behind_them_take_nothing() {
 
 #[test]
 fn scenes_that_show_a_mesh_many_times_are_read() {
+    let _alone = alone();
     let mesh = "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}";
     let soup = io::read("a.gltf", gltf(999, &nodes(mesh, 1000)).as_bytes(), &|_| None).unwrap();
     assert_eq!((soup.positions.len(), soup.triangles.len()), (999_000, 333_000));

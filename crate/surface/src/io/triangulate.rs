@@ -7,8 +7,9 @@ use super::budget::Budget;
 use crate::error::Result;
 use crate::warning::{WarningCode, Warnings};
 
-/// Bytes a corner that a polygon takes while it is cut: points, sorted and as they are, and the vertices, edges and faces of spade.
-const CUTTING_BYTES: u64 = 512;
+/// Bytes a corner that a polygon takes while it is cut: its points, as they are and sorted, and vertices, edges and faces of spade.
+/// A comb of 100,000 corners takes 340.
+const CUTTING_BYTES: u64 = 384;
 
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
 #[derive(Debug)]
