@@ -83,27 +83,23 @@ impl Frame {
         let corners = surface.corners(face);
         let edges: [_; 3] = std::array::from_fn(|k| corners[after(k)] - corners[k]);
         let length = edges.map(triangle::length);
-        let [cos, sin]: [[f64; 3]; 2] = if length.iter().all(|length| PLAIN_LENGTHS.contains(length)) {
-            // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.
-            let longest =
-                if length[0] >= length[1].max(length[2]) { 0 } else { 1 + usize::from(length[2] > length[1]) };
-            let area = larger(
-                edges[after(longest)].cross(edges[before(longest)]).length(),
-                FLAT * length[longest] * length[longest],
-            );
-            let inverse = length.map(f64::recip);
-            let inverses: [f64; 3] = std::array::from_fn(|k| inverse[k] * inverse[before(k)]);
-            [
-                std::array::from_fn(|k| -edges[k].dot(edges[before(k)]) * inverses[k]),
-                inverses.map(|inverse| area * inverse),
-            ]
+        let (edges, lengths) = if length.iter().all(|length| PLAIN_LENGTHS.contains(length)) {
+            (edges, length)
         } else {
-            let units = edges.map(triangle::unit);
-            [
-                std::array::from_fn(|k| -units[k].dot(units[before(k)])),
-                std::array::from_fn(|k| triangle::length(units[k].cross(units[before(k)]))),
-            ]
+            let scale = length.into_iter().fold(0.0, larger).recip();
+            (edges.map(|edge| edge * scale), length.map(|length| length * scale))
         };
+        // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.
+        let longest =
+            if lengths[0] >= lengths[1].max(lengths[2]) { 0 } else { 1 + usize::from(lengths[2] > lengths[1]) };
+        let area = larger(
+            edges[after(longest)].cross(edges[before(longest)]).length(),
+            FLAT * lengths[longest] * lengths[longest],
+        );
+        let inverse = lengths.map(f64::recip);
+        let inverses: [f64; 3] = std::array::from_fn(|k| inverse[k] * inverse[before(k)]);
+        let cos: [f64; 3] = std::array::from_fn(|k| -edges[k].dot(edges[before(k)]) * inverses[k]);
+        let sin = inverses.map(|inverse| area * inverse);
         let vertices = surface.faces()[face].map(|vertex| vertex.0);
         let next_on_edge = |k| {
             let halfedge = face.halfedge(k);

@@ -149,11 +149,10 @@ impl Wavefront {
                 return Step::Arrived;
             }
         }
-        if length(x - at, y) <= near {
-            return Step::Lost;
-        }
         let [forward, up] = [x - at, y];
-        let is_left = (opposite[0] - at) * up - opposite[1] * forward >= 0.0;
+        // A source on this edge that is none of the face's corners lies beyond it, where the face is flat.
+        let is_here = length(forward, up) <= near;
+        let is_left = if is_here { x <= opposite[0] } else { (opposite[0] - at) * up - opposite[1] * forward >= 0.0 };
         let (out, from_end, cos, sin) =
             if is_left { (l, at, frame[k].cos, frame[k].sin) } else { (r, across - at, frame[r].cos, frame[r].sin) };
         let out_length = frame[out].length;
@@ -162,10 +161,11 @@ impl Wavefront {
         let closing = cos * up + sin * towards;
         let meets = if closing > 0.0 { (from_end * up / closing).min(out_length) } else { out_length };
         let (along, depth) = (aside * cos + y * sin, y * cos - aside * sin);
-        if depth.is_nan() || depth < -BEHIND * (out_length + y) {
+        if depth.is_nan() || depth < -BEHIND * (out_length + y) || (is_here && depth > near) {
             return Step::Lost;
         }
         let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
+        let at = if is_here { x.clamp(0.0, out_length) } else { at };
         Step::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
     }
 }
