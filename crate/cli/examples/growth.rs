@@ -90,8 +90,11 @@ fn print(name: &str, figures: &[Figures]) {
     );
 }
 
+/// A form by its name, of about so many triangles.
+type Family = (&'static str, fn(usize) -> Soup);
+
 /// Soups of about so many triangles.
-const FAMILIES: [(&str, fn(usize) -> Soup); 8] = [
+const FAMILIES: [Family; 8] = [
     ("terrain", |count| shapes::terrain((count as f64 / 2.0).sqrt() as u32)),
     ("ladder", ladder),
     ("hub", |count| fan(count, 0.0, 0.0)),

@@ -123,7 +123,9 @@ pub fn strip(width: f64, length: f64, across: u32) -> Soup {
 }
 
 fn one_part(name: &str, nx: u32, nz: u32) -> Vec<Part> {
-    vec![Part { name: name.to_owned(), ranges: vec![0..2 * nx as usize * nz as usize] }]
+    let mut part = Part::new(name);
+    part.add(0..2 * nx as usize * nz as usize);
+    vec![part]
 }
 
 /// A rectangle in the plane y = 0 from the origin along +x and −z, facing up; without a part.

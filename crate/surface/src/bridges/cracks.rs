@@ -105,9 +105,12 @@ impl Rim {
     }
 }
 
-/// The portals across the cracks within each component that has some; and whether these are all, or there is too much to look at.
+/// Portals within each component that has some.
+type Across = Vec<([u32; 2], Vec<Portal>)>;
+
+/// The portals across the cracks within components; and whether these are all, or there is too much to look at.
 /// `most`: how wide cracks may be, as a share of the diagonal of the scene.
-pub fn across_cracks(scene: &Scene, most: f64) -> (Vec<([u32; 2], Vec<Portal>)>, bool) {
+pub fn across_cracks(scene: &Scene, most: f64) -> (Across, bool) {
     let surface = scene.surface;
     let halfedges = (0..3 * surface.face_count() as u32).map(HalfedgeId);
     let boundary = halfedges.filter(|&halfedge| surface.edges().is_single(halfedge));

@@ -107,7 +107,7 @@ trait File<'a> {
 
 impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
     fn index(&mut self, what: &str) -> Result<u64> {
-        let word = self.next().ok_or_else(|| ends(&format!("{what} is missing")))?;
+        let word = self.take().ok_or_else(|| ends(&format!("{what} is missing")))?;
         let expected = || format!("{what} is expected, but {word:?} is found; correct the line");
         word.parse().map_err(|_| OFF.line(self.line(), expected()))
     }
@@ -116,12 +116,12 @@ impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
         let is_on_line = !self.rest().is_empty();
         self.turn();
         if is_on_line || self.rest().split_ascii_whitespace().take(coordinates).count() == 1 {
-            self.next();
+            self.take();
         }
     }
 
     fn coordinate(&mut self, vertex: usize, header: Header, by_lines: bool) -> Result<f64> {
-        let word = if by_lines && self.rest().is_empty() { None } else { self.next() };
+        let word = if by_lines && self.rest().is_empty() { None } else { self.take() };
         word.and_then(text::number).ok_or_else(|| {
             let Header { coordinates, .. } = header;
             let found = text::why_no_number(word);
@@ -168,7 +168,7 @@ impl<'a> Mesh<'a> {
                 words.skip_to("");
             } else {
                 for _ in 0..header.further {
-                    words.next();
+                    words.take();
                 }
             }
             let [x, y, z, w] = coordinates;

@@ -76,7 +76,7 @@ fn read_ascii(budget: &Budget, file: &str, bytes: &[u8]) -> Result<Soup> {
     let mut name = file;
     let mut words = Words::new(text::lines(&text));
     // Words of no meaning are passed over, normals among them: nobody needs these.
-    while let Some(word) = words.next() {
+    while let Some(word) = words.take() {
         let line = words.line();
         match word.to_ascii_lowercase().as_str() {
             "solid" => {
@@ -99,7 +99,7 @@ fn read_ascii(budget: &Budget, file: &str, bytes: &[u8]) -> Result<Soup> {
             }
             "vertex" => {
                 solids.begun.get_or_insert(line);
-                budget.push(&mut solids.corners, STL.position(|| words.next(), line)?)?;
+                budget.push(&mut solids.corners, STL.position(|| words.take(), line)?)?;
             }
             "endfacet" => solids.add_facet(line)?,
             _ => {}

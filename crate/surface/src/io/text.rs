@@ -84,7 +84,7 @@ impl<'a, I: Iterator<Item = (usize, &'a str)>> Words<'a, I> {
     }
 
     /// Takes the next word.
-    pub fn next(&mut self) -> Option<&'a str> {
+    pub fn take(&mut self) -> Option<&'a str> {
         self.turn();
         let word = word(&mut self.rest);
         self.rest = self.rest.trim_ascii_start();

@@ -115,10 +115,10 @@ fn with_each_value_replaced(document: &Value, mut read: impl FnMut(&Value)) {
         all.push(place.to_owned());
         match value {
             Value::Object(object) => {
-                object.iter().for_each(|(key, value)| places(value, &format!("{place}/{key}"), all))
+                object.iter().for_each(|(key, value)| places(value, &format!("{place}/{key}"), all));
             }
             Value::Array(list) => {
-                list.iter().enumerate().for_each(|(at, value)| places(value, &format!("{place}/{at}"), all))
+                list.iter().enumerate().for_each(|(at, value)| places(value, &format!("{place}/{at}"), all));
             }
             _ => {}
         }
