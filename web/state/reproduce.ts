@@ -72,7 +72,7 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
 }
 
 /** A source inside a triangle, which counts as in the file. */
-function inFile<S extends { face: number }>(opened: OpenedMesh, source: S): S {
+function inFile<S extends { face: number }>(opened: Measured['opened'], source: S): S {
   return { ...source, face: triangleOfFile(opened, source.face) };
 }
 
