@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::warning::{WarningCode, Warnings};
 
 /// Bytes a corner that a polygon takes while it is cut: its points, as they are and sorted, and vertices, edges and faces of spade.
-/// A comb of 100,000 corners takes 340.
+/// All of reading a comb of 100,000 corners takes 366.
 const CUTTING_BYTES: u64 = 384;
 
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
