@@ -133,14 +133,15 @@ test('what is placed on parts that stay active stays where it is, whatever becom
   await expect.poll(async () => (await heatwalk.mesh()).active).toEqual([1]);
   await heatwalk.settled();
   const now = await heatwalk.scene();
-  expect(now).toMatchObject({ sources: [at(12, 12)], walker: at(20, 20), tapes: [{ points: [at(3, 3), at(3, 6)] }] });
+  const on = (i: number, j: number) => ({ vertex: there(i, j) });
+  expect(now).toMatchObject({ sources: [on(12, 12)], walker: on(20, 20), tapes: [{ points: [on(3, 3), on(3, 6)] }] });
   expect(now.sets).toMatchObject([
-    { shape: { kind: 'line', corners: [at(6, 6).vertex, at(12, 6).vertex] }, points: { length: 7 }, offset: 0.5 },
+    { shape: { kind: 'line', corners: [there(6, 6), there(12, 6)] }, points: { length: 7 }, offset: 0.5 },
     { shape: { kind: 'boundary' }, points: { length: 4 * N }, offset: 0.25 },
     { shape: { kind: 'part', part: 1 }, points: { length: before }, offset: 0.75 },
   ]);
-  expect(await heatwalk.distanceAt(at(12, 12))).toBe(0);
-  expect(await heatwalk.distanceAt(at(0, 12))).toBeCloseTo(0.25, 6);
+  expect(await heatwalk.distanceAt(on(12, 12))).toBe(0);
+  expect(await heatwalk.distanceAt(on(0, 12))).toBeCloseTo(0.25, 6);
 });
 
 test('a stroke is drawn by hand and closed where it began; a part by a click; a vertex by its number', async ({
