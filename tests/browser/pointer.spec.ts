@@ -172,6 +172,22 @@ test('undo and redo restore sources', async ({ heatwalk, page }) => {
   expect((await heatwalk.scene()).sources).toEqual(first);
 });
 
+test('an undo that comes before the answer shows the field of the sources that are back', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const { sources: first } = await heatwalk.scene();
+  const solves = await heatwalk.solves();
+  await page.evaluate(() => {
+    const press = (key: string, ctrlKey = false) =>
+      document.querySelector('.stage')?.dispatchEvent(new KeyboardEvent('keydown', { key, ctrlKey, bubbles: true }));
+    press('Enter');
+    press('z', true);
+  });
+  expect((await heatwalk.scene()).sources).toEqual(first);
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves + 1);
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(first[0])).toBe(0);
+});
+
 test('a double click focuses and does not move the source', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const { sources } = await heatwalk.scene();

@@ -72,6 +72,8 @@ export class Session {
   #lost: WorkerLost | null = null;
   /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
   #factoring: { meanwhile: Method } | null = null;
+  /** What was asked last, while it is under way. */
+  #asked: Question | null = null;
   /** What the mesh on screen is being turned for. */
   #turning: SceneState | null = null;
   /** What was asked when a worker was lost last, as text. */
@@ -307,6 +309,7 @@ export class Session {
 
   #use(engine: Engine): void {
     this.#engine = engine;
+    this.#asked = null;
     this.#lost = null;
     // It shows the mesh as its file has it.
     this.pose.value = null;
@@ -412,8 +415,10 @@ export class Session {
     const question = this.#question;
     const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
     this.refiner.interrupt();
+    this.#asked = question;
     try {
       const answer = await engine.ask({ ...question, from: wait ? null : question.from });
+      if (this.#asked === question) this.#asked = null;
       if (!answer || engine !== this.#engine) return false;
       const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
@@ -423,6 +428,7 @@ export class Session {
       if (!this.#dragging) this.#rest();
       return true;
     } catch (error) {
+      if (this.#asked === question) this.#asked = null;
       if (error instanceof Cancelled || error instanceof WorkerLost) return false;
       this.refiner.giveUp();
       this.fail(error);
@@ -457,10 +463,11 @@ export class Session {
     return this.scene.state.animation.live && this.animator.plays && !this.paused.value;
   }
 
-  /** Whether an answer is to what the scene asks. */
+  /** Whether an answer is to what the scene asks, and no other is on its way: undo may come back to it before that. */
   #isAnswered({ question }: Answer): boolean {
     const asked = this.#question;
     return (
+      this.#asked === null &&
       isSameField(question, asked) &&
       question.method === asked.method &&
       question.from === asked.from &&
