@@ -26,6 +26,9 @@ const NAMED: usize = 12;
 /// How long a mesh may take. None takes a second that ends.
 const PATIENCE: Duration = Duration::from_secs(10);
 
+/// What is said of one that takes longer.
+const ENDLESS: &str = "does not end";
+
 /// How often it is looked whether a mesh is done.
 const PAUSE: Duration = Duration::from_millis(1);
 
@@ -47,9 +50,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// One line of JSON for each method, as soon as it is done; none where nothing is left of the mesh.
+/// One line of JSON when brute force is done, and one for each method, as soon as it is; none where nothing is left of the mesh.
 fn answer(case: &Case, seed: u64, methods: &[String]) -> Result<(), Box<dyn Error>> {
     let Some(mut examined) = Examined::new(case, seed)? else { return Ok(()) };
+    println!("{}", json!({ "kind": case.kind }));
     for method in methods {
         let Findings { answers, wrong, lost, asymmetric, steep, worst } = examined.findings(method.parse()?)?;
         let counts = [answers, wrong, lost, asymmetric, steep];
@@ -92,14 +96,20 @@ fn examine(family: &str, seed: u64, tally: &Mutex<Tally>) -> Result<(), Box<dyn 
                 Some(_) => break Some("fails"),
                 None if start.elapsed() > PATIENCE => {
                     child.kill()?;
-                    break Some("does not end");
+                    break Some(ENDLESS);
                 }
                 None => thread::sleep(PAUSE),
             }
         };
         let output = child.wait_with_output()?;
         let mut tally = tally.lock().expect("no thread panics");
-        for line in String::from_utf8(output.stdout)?.lines() {
+        let told = String::from_utf8(output.stdout)?;
+        let mut lines = told.lines();
+        if lines.next().is_none() && fault == Some(ENDLESS) {
+            tally.unknown.push(seed);
+            return Ok(());
+        }
+        for line in lines {
             tally.add(seed, methods[0], &serde_json::from_str(line)?);
             methods = &methods[1..];
         }
@@ -121,6 +131,8 @@ struct Tally {
     meshes: BTreeMap<(String, String), (usize, Findings)>,
     faults: BTreeMap<String, Vec<Fault>>,
     failures: Vec<String>,
+    /// Meshes that brute force does not end on.
+    unknown: Vec<u64>,
 }
 
 /// A mesh with wrong answers.
@@ -159,6 +171,7 @@ impl Tally {
                 println!("| {seed} | {kind} {}", row(found));
             }
         }
+        println!("\nBrute force does not end on {} meshes: {:?}", self.unknown.len(), self.unknown);
         println!("\n{} failures", self.failures.len());
         self.failures.iter().for_each(|failure| println!("- {failure}"));
         if self.faults.is_empty() && self.failures.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }

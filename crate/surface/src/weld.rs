@@ -2,7 +2,6 @@
 //! useless triangles go.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -91,7 +90,8 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         };
         return Err(Error::Empty { reason });
     }
-    let idle = idle_faces(&flat, &edges);
+    let is_merged = positions.len() < is_used.iter().filter(|&&is_used| is_used).count();
+    let idle = idle_faces(&flat, &faces, &edges, &corners, !is_merged);
     if !idle.is_empty() {
         remove(&idle, &mut faces);
         remove(&idle, &mut triangle_of_face);
@@ -109,7 +109,6 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         duplicate_faces += more;
     }
     // Surfaces part at whole edges, so that half-edges of an edge stay together; only vertices get other numbers.
-    let is_merged = positions.len() < is_used.iter().filter(|&&is_used| is_used).count();
     let mut is_renumbered = is_merged && {
         let input = |corner: HalfedgeId| {
             let triangle = triangle_of_face[corner.triangle().index()];
@@ -202,20 +201,42 @@ fn faces_where(
     parallel::map(parallel::ranges(faces.len(), threads), found).concat()
 }
 
-/// Those of some faces without area that sew nothing, ascending: they are alone, or one of several, on two of their edges. The
-/// others close T-junctions, between a long edge and the shorter ones along it, and the surface would be slit without them.
-fn idle_faces(flat: &[FaceId], edges: &Edges) -> Vec<FaceId> {
-    let mut idle: BTreeSet<FaceId> = BTreeSet::new();
+/// Those of some faces without area that sew nothing, ascending: all that they have in common with other faces is an edge or a
+/// vertex. The others close T-junctions, between a long edge and the shorter ones along it, and the surface would be slit without
+/// them. `touch`: whether faces also meet at vertices alone.
+fn idle_faces(flat: &[FaceId], faces: &[[VertexId; 3]], edges: &Edges, corners: &Corners, touch: bool) -> Vec<FaceId> {
+    if flat.is_empty() {
+        return Vec::new();
+    }
+    let mut is_idle = vec![false; faces.len()];
+    let mut at_vertex: Vec<usize> = corners.rows().map(|(_, corners)| corners.len()).collect();
+    let (mut edge_of, mut on_edge) = (vec![0; 3 * faces.len()], Vec::new());
+    for halfedge in edges.representatives() {
+        let count = edges.around(halfedge).inspect(|side| edge_of[side.index()] = on_edge.len()).count();
+        on_edge.push(count);
+    }
     let mut left = flat.to_vec();
     while let Some(face) = left.pop() {
-        let mates = [0, 1, 2].map(|k| edges.mate(face.halfedge(k)).map(|mate| mate.triangle()));
-        let sewn: Vec<FaceId> = mates.into_iter().flatten().filter(|mate| !idle.contains(mate)).collect();
-        if sewn.len() < 2 && idle.insert(face) {
-            // What it is sewn to may do nothing without it.
-            left.extend(sewn.into_iter().filter(|mate| flat.binary_search(mate).is_ok()));
+        let vertices = faces[face.index()].map(VertexId::index);
+        let sides = [0, 1, 2].map(|k| edge_of[face.halfedge(k).index()]);
+        let sewn = sides.map(|edge| on_edge[edge] > 1);
+        let is_met = |&k: &usize| touch && at_vertex[vertices[k]] > 1 && !sewn[k] && !sewn[(k + 2) % 3];
+        let contacts = sewn.iter().filter(|&&sewn| sewn).count() + (0..3).filter(is_met).count();
+        if contacts > 1 || std::mem::replace(&mut is_idle[face.index()], true) {
+            continue;
+        }
+        // What has this face alone beside it may do nothing without it.
+        for k in 0..3 {
+            (at_vertex[vertices[k]], on_edge[sides[k]]) = (at_vertex[vertices[k]] - 1, on_edge[sides[k]] - 1);
+            let stays = |side: &HalfedgeId| !is_idle[side.triangle().index()];
+            let on_side = (on_edge[sides[k]] == 1).then(|| edges.around(face.halfedge(k)).find(stays)).flatten();
+            let around = || corners.row(faces[face.index()][k]).iter().copied().find(stays);
+            let at_corner = (at_vertex[vertices[k]] == 1).then(around).flatten();
+            let next = [on_side, at_corner].into_iter().flatten().map(HalfedgeId::triangle);
+            left.extend(next.filter(|next| flat.binary_search(next).is_ok()));
         }
     }
-    idle.into_iter().collect()
+    flat.iter().copied().filter(|face| is_idle[face.index()]).collect()
 }
 
 /// Removes the values of some faces, ascending.

@@ -60,7 +60,7 @@ impl<'a> Overlap<'a> {
         let (first, second) = (self.first, self.second);
         let (across, apart) = (first.x * second.depth - second.x * first.depth, second.depth - first.depth);
         let [from_begin, from_end] = [self.begin.0, self.end.0].map(|place| across - place * apart);
-        if from_begin * from_end >= 0.0 {
+        if (from_begin < 0.0) == (from_end < 0.0) {
             return None;
         }
         let in_line = across / apart;

@@ -14,6 +14,9 @@ use heatwalk_surface::VertexId;
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
 
+/// And at least by the angle under which so many grains are seen from where the path to the vertex bent last.
+const SHADOW_GRAINS: f64 = 100.0;
+
 /// A corner that is no farther than so many times what rounding does from the opposite edge lights all of it: there, places on
 /// the edge do not tell directions.
 const NARROW: f64 = 1e5;
@@ -33,12 +36,13 @@ fn reflected(side: &Side, [x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 impl ExactGeometry {
-    /// Walks around a vertex to half a turn from a direction in the first face, seen from the edge that is met first there.
-    fn half_turn(&self, start: Turn, [x, y]: [f64; 2]) -> Option<Border> {
+    /// Walks around a vertex to half a turn, less a margin in radians, from a direction in the first face, seen from the edge that is
+    /// met first there.
+    fn half_turn(&self, start: Turn, [x, y]: [f64; 2], margin: f64) -> Option<Border> {
         let side_of = |turn: Turn| &self.frames[turn.face as usize][turn.corner];
         let (mut turn, mut side) = (start, side_of(start));
         // Less than half a turn from the edge met first, and a face's angle is less, so that one sign tells.
-        let mut direction = [-x - SHADOW_MARGIN * y, SHADOW_MARGIN * x - y];
+        let mut direction = [-x - margin * y, margin * x - y];
         loop {
             let [x, y] = direction;
             // Past a corner of nearly half a turn the border may come to lie before the next face by its margin.
@@ -140,12 +144,14 @@ impl Wavefront {
         let geometry = Arc::clone(&self.geometry);
         let borders = |wavefront: &Self| {
             let (start, towards) = wavefront.arrival(vertex)?;
+            let margin = larger(SHADOW_MARGIN, SHADOW_GRAINS * geometry.grain / wavefront.last_leg(vertex));
             let back = Turn { is_reversed: true, ..start };
             let side = &geometry.frames[start.face as usize][start.corner];
-            Some([geometry.half_turn(start, towards), geometry.half_turn(back, reflected(side, towards))])
+            Some([geometry.half_turn(start, towards, margin), geometry.half_turn(back, reflected(side, towards), margin)])
         };
         match geometry.bends[vertex as usize] {
             Bend::Never => {}
+            _ if self.comes_from_nowhere(vertex) => self.light_all_around(vertex),
             Bend::Saddle => {
                 if let Some([Some(begin), Some(end)]) = borders(self) {
                     self.light(&geometry, begin, Some(end));
@@ -156,6 +162,30 @@ impl Wavefront {
                 borders.for_each(|border| self.light(&geometry, border, None));
             }
             Bend::Anywhere => self.light_all_around(vertex),
+        }
+    }
+
+    /// Whether rounding leaves nothing of the direction that the shortest path to a vertex comes from: it is too short from where it
+    /// bent last, or goes through the opposite edge of a face that is too narrow.
+    fn comes_from_nowhere(&self, vertex: u32) -> bool {
+        let narrow = NARROW * self.geometry.grain;
+        let is_through_narrow_face = || match self.origins[vertex as usize] {
+            Origin::Window { halfedge, .. } => {
+                let (frame, k) = self.geometry.frame_of(halfedge);
+                frame.opposite(k)[1] <= narrow
+            }
+            _ => false,
+        };
+        self.last_leg(vertex) <= narrow || is_through_narrow_face()
+    }
+
+    /// How far a vertex is from where the shortest path to it bent last.
+    fn last_leg(&self, vertex: u32) -> f64 {
+        match self.origins[vertex as usize] {
+            Origin::Straight { root, .. } | Origin::Window { root, .. } => {
+                self.values[VertexId(vertex)] - self.value_of_root(root)
+            }
+            Origin::None | Origin::Portal => f64::INFINITY,
         }
     }
 
@@ -237,7 +267,7 @@ impl Wavefront {
         let along = frame[out].length;
         // By the law of sines, measured from the edge's end, as the half-edge across runs.
         let meets =
-            |[cos, sin]: [f64; 2]| along - frame[k].length * sin / (frame[out].cos * sin + frame[out].sin * cos);
+            |[cos, sin]: [f64; 2]| along - frame[k].length * (sin / (frame[out].cos * sin + frame[out].sin * cos));
         let (x, depth) = (frame[last].length * frame[last].cos, frame[k].length * frame[out].sin);
         let has_borders = depth > NARROW * geometry.grain;
         let begin = to.filter(|_| has_borders).map_or(0.0, |to| larger(meets(to), 0.0));

@@ -407,6 +407,13 @@ impl Wavefront {
         }
         let grain = geometry.grain;
         for window in &windows {
+            let wider;
+            let window = if window.depth > grain {
+                window
+            } else {
+                wider = window.wider(grain, sides[0].length);
+                &wider
+            };
             let [left, right] = self.pass(halfedge, sides, window, grain);
             if let Some(beam) = left {
                 to_left.push(beam);

@@ -67,6 +67,13 @@ impl Beam {
         Self { begin, end, ..*self }
     }
 
+    /// The same window for so much more of a half-edge of this length: from a source on the half-edge itself, rays in all directions
+    /// pass one place, where rounding may have cut it.
+    #[cold]
+    pub fn wider(&self, by: f64, length: f64) -> Self {
+        self.part(larger(self.begin - by, 0.0), smaller(self.end + by, length))
+    }
+
     /// Whether the root has the distance that the window starts from, or one that is less by rounding: the window may have won a
     /// tie against the next one of the same root, which is lost then.
     #[inline(always)]

@@ -115,10 +115,19 @@ impl Starts {
     }
 
     /// The distance of the nearest one in a straight line, or some distance that is at most `enough` where there is any.
+    #[inline]
     fn straight(&self, from: DVec3, enough: f64) -> f64 {
-        let mut nearest = f64::INFINITY;
-        self.search(&self.starts, (from, 0.0), enough, &mut nearest);
+        // Where there is one source, or others are far, that at the root tells enough.
+        let mut nearest = self.starts.get(self.starts.len() / 2).map_or(f64::INFINITY, |root| self.to(root, from));
+        if nearest > enough {
+            self.search(&self.starts, (from, 0.0), enough, &mut nearest);
+        }
         nearest
+    }
+
+    #[inline]
+    fn to(&self, start: &Start, from: DVec3) -> f64 {
+        start.initial + self.least_cost * from.distance(start.place)
     }
 
     /// Of a part of the tree that is at least this far away.
@@ -128,7 +137,7 @@ impl Starts {
         if *nearest <= enough || start.least + self.least_cost * away >= *nearest {
             return;
         }
-        *nearest = smaller(start.initial + self.least_cost * from.distance(start.place), *nearest);
+        *nearest = smaller(self.to(start, from), *nearest);
         let ahead = from[start.axis] - start.place[start.axis];
         let (below, above) = (&part[..middle], &part[middle + 1..]);
         let (near, far) = if ahead < 0.0 { (below, above) } else { (above, below) };

@@ -42,6 +42,8 @@ pub(super) struct Logarithm {
     upwind: Upwind,
     /// `#F`, the sides opposite each corner.
     sides: Vec<[Side; 3]>,
+    /// `#E`, the lengths of the edges, in the unit of lengths.
+    lengths: Vec<f32>,
     /// The unit of lengths.
     unit: f64,
     /// Length of the field.
@@ -69,6 +71,7 @@ impl Logarithm {
         Self {
             upwind: Upwind::new(laplacian, unit),
             sides: sides(elements, laplacian),
+            lengths: lengths(elements, laplacian, unit),
             unit,
             length: 1.0 - LOSS * bumpiness * bumpiness,
             mass: operators.circumcentric_mass().into(),
@@ -102,10 +105,11 @@ impl Logarithm {
         for (low, &own) in logarithms.iter().enumerate() {
             let (first, entries) = laplacian.edges_of_column(low);
             let weights = &laplacian.stiffness.values()[entries.clone()];
-            let edges = laplacian.rows()[entries].iter().zip(weights).zip(&rates[first..]);
-            let field = edges.map(|((&high, weight), rate)| {
+            let rates = rates[first..].iter().zip(&self.lengths[first..]);
+            let edges = laplacian.rows()[entries].iter().zip(weights).zip(rates);
+            let field = edges.map(|((&high, weight), (rate, &length))| {
                 let fall = own - logarithms[high as usize];
-                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate })
+                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate, length })
             });
             inflows.add(low as u32, field);
         }
@@ -170,4 +174,17 @@ fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
         side.share /= shares[side.edge as usize];
     }
     sides
+}
+
+/// `#E`, the lengths of the edges, in this unit.
+fn lengths(elements: &Elements, laplacian: &Laplacian, unit: f64) -> Vec<f32> {
+    let mut lengths = vec![f32::INFINITY; edge_count(laplacian)];
+    for (&[a, b, c], shape) in elements.faces.iter().zip(&elements.shapes) {
+        for (ends, length) in [[a, b], [b, c], [c, a]].into_iter().zip(shape.sides()) {
+            if let Some(edge) = laplacian.edge(ends) {
+                lengths[edge] = lengths[edge].min((length / unit * (1.0 - 4.0 * f64::from(f32::EPSILON))) as f32);
+            }
+        }
+    }
+    lengths
 }

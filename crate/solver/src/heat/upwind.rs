@@ -38,13 +38,17 @@ pub(super) struct Inflows {
 }
 
 /// What comes to a vertex along an edge.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Inflow {
     /// The warmer end.
     from: u32,
     flow: f32,
     rise: f32,
+    length: f32,
 }
+
+/// Where nothing comes from.
+const NO_INFLOW: Inflow = Inflow { from: 0, flow: 0.0, rise: 0.0, length: f32::INFINITY };
 
 /// What goes on along an edge, from its lower vertex to its higher one.
 #[derive(Debug, Clone, Copy, Default)]
@@ -53,6 +57,8 @@ pub(super) struct EdgeField {
     pub(super) flow: f32,
     /// What distance grows by, in the unit of lengths.
     pub(super) rise: f32,
+    /// What distance grows by at most: the edge's length, in the unit of lengths.
+    pub(super) length: f32,
 }
 
 impl Inflows {
@@ -60,12 +66,12 @@ impl Inflows {
     #[inline]
     pub(super) fn add(&mut self, low: u32, edges: impl Iterator<Item = (u32, EdgeField)>) {
         let mut own = self.ends[low as usize];
-        for (high, EdgeField { flow, rise }) in edges {
+        for (high, EdgeField { flow, rise, length }) in edges {
             let end = &mut self.ends[high as usize];
             // Which end is warmer is as good as random, and a wrong guess of the processor would cost more than to write to both. What
             // does not count is overwritten by the next, or has no flow.
-            self.inflows[own as usize] = Inflow { from: high, flow: (-flow).max(0.0), rise: -rise };
-            self.inflows[*end as usize] = Inflow { from: low, flow: flow.max(0.0), rise };
+            self.inflows[own as usize] = Inflow { from: high, flow: (-flow).max(0.0), rise: -rise, length };
+            self.inflows[*end as usize] = Inflow { from: low, flow: flow.max(0.0), rise, length };
             own += u32::from(flow < 0.0);
             *end += u32::from(flow > 0.0);
         }
@@ -96,7 +102,7 @@ impl Upwind {
     /// Without any yet.
     pub(super) fn inflows(&self) -> Inflows {
         let (vertices, count) = (self.start.len() - 1, self.start[self.start.len() - 1] as usize);
-        Inflows { ends: self.start[..vertices].to_vec(), inflows: vec![Inflow::default(); count] }
+        Inflows { ends: self.start[..vertices].to_vec(), inflows: vec![NO_INFLOW; count] }
     }
 
     /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where heat tells
@@ -110,12 +116,12 @@ impl Upwind {
         order.sort_unstable();
         for vertex in order.into_iter().map(|key| key as u32) {
             let own = inflows.of(vertex, self.edges_of(vertex));
-            let [mut flow, mut sum] = total(own, &distances, |_| true);
+            let [mut flow, mut sum, nearest] = total(own, &distances, |_| true);
             if sum > LEAST_UNKNOWN_SUM {
-                [flow, sum] = total(own, &distances, |distance| distance < UNKNOWN);
+                [flow, sum, _] = total(own, &distances, |distance| distance < UNKNOWN);
             }
             if flow > 0.0 {
-                distances[vertex as usize] = smaller(sum / flow, UNKNOWN);
+                distances[vertex as usize] = smaller(sum / flow, nearest);
             }
         }
         distances
@@ -132,11 +138,12 @@ impl Upwind {
 
 /// The sum of flows from vertices whose distances count, and that of what distance is by each of them, times its flow.
 #[inline]
-fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 2] {
-    let counted = inflows.iter().map(|&Inflow { from, flow, rise }| (distances[from as usize], flow, rise));
-    counted.filter(|&(distance, ..)| counts(distance)).fold([0.0; 2], |[whole, sum], (distance, flow, rise)| {
-        let flow = f64::from(flow);
-        [whole + flow, sum + flow * (distance + f64::from(rise))]
+fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 3] {
+    let counted = inflows.iter().map(|inflow| (distances[inflow.from as usize], inflow));
+    let none = [0.0, 0.0, UNKNOWN];
+    counted.filter(|&(distance, _)| counts(distance)).fold(none, |[whole, sum, nearest], (distance, inflow)| {
+        let [flow, rise, length] = [inflow.flow, inflow.rise, inflow.length].map(f64::from);
+        [whole + flow, sum + flow * (distance + rise), smaller(distance + length, nearest)]
     })
 }
 
