@@ -52,7 +52,8 @@ impl<'a> Overlap<'a> {
         self.first.at(place) - self.second.at(place)
     }
 
-    /// Where one leads where the other does at begin and end, and the lead there.
+    /// Where one leads where the other does at begin and end, or may do so, since they are equal there but for rounding; and the
+    /// lead there.
     ///
     /// The difference of two distances along a line has one extremum at most, in line with both sources, so that
     /// the lead changes twice at most.
@@ -65,7 +66,13 @@ impl<'a> Overlap<'a> {
         }
         let in_line = across / apart;
         let lead = self.lead(in_line);
-        ((lead < 0.0) != (self.begin.1 < 0.0)).then_some((in_line, lead))
+        let is_tie = smaller(self.begin.1.abs(), self.end.1.abs()) <= self.rounding();
+        (is_tie || (lead < 0.0) != (self.begin.1 < 0.0)).then_some((in_line, lead))
+    }
+
+    /// What rounding makes of a lead.
+    fn rounding(&self) -> f64 {
+        4.0 * f64::EPSILON * self.farther
     }
 
     /// Who keeps what.
@@ -78,18 +85,12 @@ impl<'a> Overlap<'a> {
             shares.push(false, second.begin, begin.0);
         }
         let mut from = begin;
-        if (begin.1 < 0.0) == (end.1 < 0.0) {
-            if let Some(turn) = self.turn() {
-                let change = self.zero(begin, turn);
-                shares.push(begin.1 < 0.0, begin.0, change);
-                from = (self.zero(turn, end), end.1);
-                shares.push(turn.1 < 0.0, change, from.0);
-            }
-        } else {
-            from = (self.change(), end.1);
-            shares.push(begin.1 < 0.0, begin.0, from.0);
+        for to in self.turn().into_iter().chain([end]) {
+            let change = if (from.1 < 0.0) == (to.1 < 0.0) { to.0 } else { self.zero(from, to) };
+            shares.push(from.1 < 0.0, from.0, change);
+            shares.push(to.1 < 0.0, change, to.0);
+            from = to;
         }
-        shares.push(from.1 < 0.0, from.0, end.0);
         if first.end > end.0 {
             shares.push(true, end.0, first.end);
         } else if second.end > end.0 {
@@ -110,7 +111,7 @@ impl<'a> Overlap<'a> {
         let (first, second) = (self.first, self.second);
         // Rounding of a lead, and a share of the leads around that moves the zero by as much of the overlap: a
         // sliver in which the slower ray is kept meets the faster one within as little.
-        let enough = larger(4.0 * f64::EPSILON * self.farther, 1e-11 * (high.1 - low.1).abs());
+        let enough = larger(self.rounding(), 1e-11 * (high.1 - low.1).abs());
         // The zeros r₁ = r₂ + δ lie on a conic: (p x + q)² = 4 δ² r₂², with x from `low`; with p x + q of δ's sign.
         let (a, b) = (first.x - low.0, second.x - low.0);
         let delta = second.offset - first.offset;

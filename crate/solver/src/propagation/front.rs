@@ -182,6 +182,16 @@ impl<C: Count, M: Medium> Front<C, M> {
         std::array::from_fn(|k| is_open[k] & are_sooner[k])
     }
 
+    /// Whether a neighbor of a vertex is farther than by the edge between: windows may have lost it, and nobody else tells it.
+    fn shortens(&self, geometry: &ExactGeometry, surface: &Surface, vertex: VertexId) -> bool {
+        let value = self.values[vertex];
+        surface.corners_of_vertex(vertex).any(|(face, k)| {
+            let [from, out, last] = geometry.frame(face.0).seen_from(k);
+            let [at_out, at_last] = [out.vertex, last.vertex].map(|other| self.values[VertexId(other)]);
+            value + from.length < at_out || value + last.length < at_last
+        })
+    }
+
     /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
     ///
     /// Every vertex does, whether paths can bend there or not: where a window is missing, because a half-edge keeps but a
@@ -369,11 +379,13 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
             let value = exact.values()[vertex];
             self.values[vertex] = value;
             self.nearest[vertex] = exact.source_of(vertex.0);
-            if value >= exact.radius() {
+        }
+        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
+        for &vertex in exact.reached() {
+            if self.values[vertex] >= exact.radius() || self.shortens(&geometry, &surface, vertex) {
                 self.send_from(vertex.0);
             }
         }
-        let geometry = Arc::clone(&self.geometry);
         exact.for_each_waiting(&mut |halfedge, beam| {
             let (frame, k) = geometry.frame_of(halfedge);
             let corners = [k, after(k)].map(|corner| frame[corner].vertex);
