@@ -147,7 +147,10 @@ impl Wavefront {
             let margin = larger(SHADOW_MARGIN, SHADOW_GRAINS * geometry.grain / wavefront.last_leg(vertex));
             let back = Turn { is_reversed: true, ..start };
             let side = &geometry.frames[start.face as usize][start.corner];
-            Some([geometry.half_turn(start, towards, margin), geometry.half_turn(back, reflected(side, towards), margin)])
+            Some([
+                geometry.half_turn(start, towards, margin),
+                geometry.half_turn(back, reflected(side, towards), margin),
+            ])
         };
         match geometry.bends[vertex as usize] {
             Bend::Never => {}

@@ -7,7 +7,10 @@
 
 use std::ops::Range;
 
-use crate::extremum::smaller;
+use bytemuck::Zeroable;
+use bytemuck::allocation::zeroed_vec;
+
+use crate::extremum::{either, smaller};
 use crate::operator::Laplacian;
 
 /// How many edges of a mesh end at each vertex.
@@ -38,7 +41,7 @@ pub(super) struct Inflows {
 }
 
 /// What comes to a vertex along an edge.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Zeroable)]
 struct Inflow {
     /// The warmer end.
     from: u32,
@@ -46,9 +49,6 @@ struct Inflow {
     rise: f32,
     length: f32,
 }
-
-/// Where nothing comes from.
-const NO_INFLOW: Inflow = Inflow { from: 0, flow: 0.0, rise: 0.0, length: f32::INFINITY };
 
 /// What goes on along an edge, from its lower vertex to its higher one.
 #[derive(Debug, Clone, Copy, Default)]
@@ -102,7 +102,7 @@ impl Upwind {
     /// Without any yet.
     pub(super) fn inflows(&self) -> Inflows {
         let (vertices, count) = (self.start.len() - 1, self.start[self.start.len() - 1] as usize);
-        Inflows { ends: self.start[..vertices].to_vec(), inflows: vec![NO_INFLOW; count] }
+        Inflows { ends: self.start[..vertices].to_vec(), inflows: zeroed_vec(count) }
     }
 
     /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where heat tells
@@ -143,7 +143,8 @@ fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) ->
     let none = [0.0, 0.0, UNKNOWN];
     counted.filter(|&(distance, _)| counts(distance)).fold(none, |[whole, sum, nearest], (distance, inflow)| {
         let [flow, rise, length] = [inflow.flow, inflow.rise, inflow.length].map(f64::from);
-        [whole + flow, sum + flow * (distance + rise), smaller(distance + length, nearest)]
+        let by_edge = either(flow > 0.0, distance + length, UNKNOWN);
+        [whole + flow, sum + flow * (distance + rise), smaller(by_edge, nearest)]
     })
 }
 
@@ -180,16 +181,28 @@ mod tests {
 
     #[test]
     fn distance_grows_from_the_warmest_to_the_coolest() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        let field = [EdgeField { flow: 1.0, rise: 1.0, length: 1.0 }; 3];
         assert_eq!(distances(field, [3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
+    }
+
+    #[test]
+    fn no_distance_grows_by_more_than_an_edge_from_any_warmer_neighbor() {
+        let field = [
+            EdgeField { flow: 1.0, rise: 3.0, length: 2.0 },
+            EdgeField { flow: 3.0, rise: 4.0, length: 9.0 },
+            EdgeField { flow: -1.0, rise: -9.0, length: 4.0 },
+        ];
+        let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
+        // 2 along the first edge, not 3. Then (3 · (2 + 4) + 1 · 9) / 4 = 6.75, but the last edge has a length of 4.
+        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
     }
 
     #[test]
     fn the_coolest_has_the_mean_of_both_sides_by_flow() {
         let field = [
-            EdgeField { flow: 1.0, rise: 2.0 },
-            EdgeField { flow: 3.0, rise: 2.0 },
-            EdgeField { flow: -1.0, rise: -4.0 },
+            EdgeField { flow: 1.0, rise: 2.0, length: 4.0 },
+            EdgeField { flow: 3.0, rise: 2.0, length: 4.0 },
+            EdgeField { flow: -1.0, rise: -4.0, length: 4.0 },
         ];
         let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
         // 1 along the first edge, then (3 · 2 + 1 · 2) / 4.
@@ -204,7 +217,7 @@ mod tests {
 
     #[test]
     fn what_no_known_vertex_reaches_is_infinite() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        let field = [EdgeField { flow: 1.0, rise: 1.0, length: 1.0 }; 3];
         let distances = distances(field, [3.0, 2.0, 1.0, 0.0], known(f64::INFINITY));
         assert!(distances.iter().all(|distance| *distance == f64::INFINITY), "{distances:?}");
     }
