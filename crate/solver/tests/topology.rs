@@ -170,6 +170,22 @@ fn triangles_without_area_that_close_t_junctions_stay() {
 }
 
 #[test]
+fn triangles_without_area_that_join_others_at_a_vertex_or_a_junction_stay() {
+    let distance = |real: &[[u32; 3]], flat_ones: &[[u32; 3]], to: u32| {
+        let places = [(0.0, 0.0), (3.0, 0.0), (1.0, 2.0), (1.0, 0.0), (1.0, -2.0), (2.0, -2.0), (1.0, -4.0)];
+        let (_, distance) = distance_from(&soup(flat(&places), [real, flat_ones].concat()), 2);
+        distance.values[VertexId(to)]
+    };
+    // Below the x axis another triangle, with a corner on the long edge of the one above.
+    let at_vertex = [[0, 1, 2], [3, 4, 5]];
+    assert_eq!(distance(&at_vertex, &[], 4), f64::INFINITY);
+    assert_eq!(distance(&at_vertex, &[[0, 3, 1]], 4), 4.0);
+    // Two triangles have one of the short edges in common, and the one above has the long one alone.
+    let at_junction = [[0, 1, 2], [0, 3, 4], [3, 0, 6]];
+    assert_eq!(distance(&at_junction, &[[1, 0, 3]], 4), 4.0);
+}
+
+#[test]
 fn flipped_faces_are_turned() {
     let mut flipped = shapes::icosphere(2);
     for triangle in [3, 50, 51, 200] {

@@ -202,8 +202,8 @@ fn faces_where(
 }
 
 /// Those of some faces without area that sew nothing, ascending: all that they have in common with other faces is an edge or a
-/// vertex. The others close T-junctions, between a long edge and the shorter ones along it, and the surface would be slit without
-/// them. `touch`: whether faces also meet at vertices alone.
+/// vertex, or edges that two others share. The others close T-junctions, between a long edge and the shorter ones along it, and the
+/// surface would be slit without them. `touch`: whether faces also meet at vertices alone.
 fn idle_faces(flat: &[FaceId], faces: &[[VertexId; 3]], edges: &Edges, corners: &Corners, touch: bool) -> Vec<FaceId> {
     if flat.is_empty() {
         return Vec::new();
@@ -217,14 +217,20 @@ fn idle_faces(flat: &[FaceId], faces: &[[VertexId; 3]], edges: &Edges, corners: 
     }
     let mut left = flat.to_vec();
     while let Some(face) = left.pop() {
-        let vertices = faces[face.index()].map(VertexId::index);
-        let sides = [0, 1, 2].map(|k| edge_of[face.halfedge(k).index()]);
-        let sewn = sides.map(|edge| on_edge[edge] > 1);
-        let is_met = |&k: &usize| touch && at_vertex[vertices[k]] > 1 && !sewn[k] && !sewn[(k + 2) % 3];
-        let contacts = sewn.iter().filter(|&&sewn| sewn).count() + (0..3).filter(is_met).count();
-        if contacts > 1 || std::mem::replace(&mut is_idle[face.index()], true) {
+        if is_idle[face.index()] {
             continue;
         }
+        let vertices = faces[face.index()].map(VertexId::index);
+        let sides = [0, 1, 2].map(|k| edge_of[face.halfedge(k).index()]);
+        let others = sides.map(|edge| on_edge[edge] - 1);
+        let is_met = |&k: &usize| touch && at_vertex[vertices[k]] > 1 && others[k] == 0 && others[(k + 2) % 3] == 0;
+        let (met, sewn) = ((0..3).filter(is_met).count(), others.iter().filter(|&&others| others > 0).count());
+        // Edges that two others share are sewn without it.
+        let needs_it = met > 0 || others.contains(&1);
+        if needs_it && met + sewn > 1 {
+            continue;
+        }
+        is_idle[face.index()] = true;
         // What has this face alone beside it may do nothing without it.
         for k in 0..3 {
             (at_vertex[vertices[k]], on_edge[sides[k]]) = (at_vertex[vertices[k]] - 1, on_edge[sides[k]] - 1);
