@@ -1,12 +1,11 @@
 //! What goes on from an exact search.
 
-use std::collections::HashMap;
 use std::fmt;
 
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::smaller;
-use heatwalk_surface::{Element, FaceId, Place, Source, Surface, VertexData, VertexId};
+use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Number of the source of a vertex that has not been reached.
 pub(super) const NOWHERE: u32 = u32::MAX;
@@ -64,42 +63,15 @@ pub(super) fn nearest_start(sources: &[Source]) -> f64 {
 }
 
 /// The places in faces that sources light, by barycentric weights, each with its initial distance and the number of its source.
-/// Of sources at one place that is in many faces, the first that starts nearest lights these alone.
 pub(super) fn lights(
     geometry: &ExactGeometry,
     surface: &Surface,
     sources: &[Source],
 ) -> impl Iterator<Item = ((u32, [f64; 3]), f64, u32)> {
-    let mut first_at: HashMap<Spot, usize> = HashMap::new();
-    for (number, source) in sources.iter().enumerate() {
-        let Some(spot) = spot(surface, source.place()) else { continue };
-        let first = first_at.entry(spot).or_insert(number);
-        if source.initial_distance() < sources[*first].initial_distance() {
-            *first = number;
-        }
-    }
-    let is_first = move |number: usize, place: Place| spot(surface, place).is_none_or(|spot| first_at[&spot] == number);
-    let lighting = sources.iter().enumerate().filter(move |&(number, source)| is_first(number, source.place()));
-    lighting.flat_map(|(number, source)| {
+    (0..).zip(sources).flat_map(|(number, source)| {
         let places = geometry.faces_at(surface, source.place());
-        places.into_iter().map(move |at| (at, source.initial_distance(), number as u32))
+        places.into_iter().map(move |at| (at, source.initial_distance(), number))
     })
-}
-
-/// Two vertices, the lower number first, and the bits of the share of the way between them.
-type Spot = ([VertexId; 2], u64);
-
-/// What tells a place in many faces from others: at a vertex, or on an edge of three faces or more.
-fn spot(surface: &Surface, place: Place) -> Option<Spot> {
-    match place.reduced(surface) {
-        Place::Vertex(vertex) => Some(([vertex; 2], 0)),
-        Place::Edge { halfedge, fraction } if halfedge.index() < 3 * surface.face_count() => {
-            let [a, b] = surface.ends(halfedge);
-            let spot = if a < b { ([a, b], fraction.to_bits()) } else { ([b, a], (1.0 - fraction).to_bits()) };
-            surface.edges().is_branching(halfedge).then_some(spot)
-        }
-        _ => None,
-    }
 }
 
 /// Reads what the faces around some vertices have, so that the processor waits for all of it at once instead of for one
