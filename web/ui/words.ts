@@ -164,7 +164,7 @@ function warningWords({ code, count: number }: OpenedMesh['warnings'][number]): 
     case 'unknown-statements':
       return t`${counted(number, 'unknown statement')} left out`;
     case 'unjoined-lines':
-      return t('a backslash ends a name or a comment; the next line was not joined to it');
+      return t('a backslash ends a line; the next one begins a statement of its own and was not joined to it');
     case 'unended-facets':
       return counted(number, 'facet without endfacet', 'facets without endfacet');
     case 'no-end':

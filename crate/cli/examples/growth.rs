@@ -1,4 +1,5 @@
-//! How time and memory grow with a surface of hostile form: on vertices of n triangles, edges of n triangles, slivers.
+//! How time and memory grow with a surface of hostile form: on vertices of n triangles, edges of n triangles,
+//! slivers, parts and boundaries that touch.
 //!
 //! `cargo run --release -p heatwalk-cli --example growth [-- N] [WORD ...]`
 //!
@@ -17,8 +18,8 @@ use anyhow::{Context, Result};
 use glam::DVec3;
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
-    Distance, DistanceOptions, DistanceSolver, Element, FaceId, Method, Path, Place, Soup, Surface, VertexId, Walls,
-    WeldRule, descend, edge_polyline, straighten, straightest,
+    BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, FaceId, Method, Path, Place, Soup,
+    Surface, VertexId, Walls, WeldRule, descend, edge_polyline, straighten, straightest,
 };
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
@@ -94,7 +95,7 @@ fn print(name: &str, figures: &[Figures]) {
 type Family = (&'static str, fn(usize) -> Soup);
 
 /// Soups of about so many triangles.
-const FAMILIES: [Family; 8] = [
+const FAMILIES: [Family; 10] = [
     ("terrain", |count| shapes::terrain((count as f64 / 2.0).sqrt() as u32)),
     ("ladder", ladder),
     ("hub", |count| fan(count, 0.0, 0.0)),
@@ -103,6 +104,8 @@ const FAMILIES: [Family; 8] = [
     ("two hubs", two_hubs),
     ("needles", needles),
     ("book", book),
+    ("chain", chain),
+    ("crack", crack),
 ];
 
 /// A square cut across into slivers.
@@ -165,16 +168,56 @@ fn book(count: usize) -> Soup {
     Soup::single("book", positions, (0..count as u32).map(|index| [0, 1, index + 2]).collect())
 }
 
+/// Triangles of which each pierces the next.
+fn chain(count: usize) -> Soup {
+    let corners = |index: usize| {
+        let (at, angle) = (index as f64 / 2.0, index as f64);
+        [DVec3::new(at, 0.0, 0.0), DVec3::new(at + 1.0, 0.0, 0.0), DVec3::new(at + 0.5, angle.cos(), angle.sin())]
+    };
+    let triangles = (0..count as u32).map(|index| [0, 1, 2].map(|k| 3 * index + k));
+    Soup::single("chain", (0..count).flat_map(corners).collect(), triangles.collect())
+}
+
+/// Two strips of a square's width side by side, one twice as fine, whose vertices miss each other by little.
+fn crack(count: usize) -> Soup {
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    for (columns, from) in [(count as u32 / 6, 0.0), (count as u32 / 3, 1.0 + 1e-7)] {
+        let first = positions.len() as u32;
+        let width = f64::from(columns).recip();
+        for column in 0..=columns {
+            positions.extend([from, from + 1.0].map(|y| DVec3::new(f64::from(column) * width, y, 0.0)));
+        }
+        triangles.extend((0..columns).flat_map(|column| {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| first + 2 * column + k);
+            [[a, c, b], [b, c, d]]
+        }));
+    }
+    Soup::single("crack", positions, triangles)
+}
+
 /// What is measured.
 type Operation = Box<dyn FnOnce() -> Result<()>>;
 
 /// Makes what an operation works on.
 type Prepare = fn(&Soup) -> Result<Operation>;
 
-const OPERATIONS: [(&str, Prepare); 15] = [
+const OPERATIONS: [(&str, Prepare); 18] = [
     ("build", |soup| {
         let soup = soup.clone();
         does(move || Surface::build_by(&soup, WeldRule::Exact, ONE))
+    }),
+    ("contacts", |soup| {
+        let surface = surface(soup)?;
+        does(move || anyhow::Ok(Bridges::find(&surface, BridgeRule::Automatic)))
+    }),
+    ("links", |soup| {
+        let surface = surface(soup)?;
+        does(move || anyhow::Ok(Bridges::find(&surface, BridgeRule::Off).links(&surface)))
+    }),
+    ("heat", |soup| {
+        let mut solver = DistanceSolver::new(surface(soup)?);
+        let source = Place::Vertex(VertexId(1));
+        does(move || solver.distance(&[source], &DistanceOptions::by(Method::Heat), &mut |_| ControlFlow::Continue(())))
     }),
     ("walls of triangles", |soup| {
         let surface = surface(soup)?;

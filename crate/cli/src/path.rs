@@ -100,8 +100,12 @@ fn by_descent(
             None => straighten(surface, &path)?,
         };
     }
-    let is_interpolated = !matches!(from.place(), Place::Vertex(_));
-    let distance = distance.at(surface, from)?;
+    let length = solver.costs().map_or_else(|| path.length(), |costs| costs.of_path(surface, &path));
+    let interpolated = distance.at(surface, from)?;
+    // In the face of the source, and near it, values of corners tell nothing of what is between; the path does.
+    let is_at_vertex = matches!(from.place(), Place::Vertex(_));
+    let distance = if is_at_vertex { interpolated } else { interpolated.min(length) };
+    let is_interpolated = !is_at_vertex && distance < length;
     Ok(Found { path, distance, is_interpolated, method, solve_ms, path_ms: milliseconds(start) })
 }
 

@@ -168,3 +168,22 @@ fn memory_size(bytes: u64) -> String {
     let mebibytes = bytes as f64 / f64::from(1 << 20);
     if mebibytes < 1000.0 { format!("{mebibytes:.1} MiB") } else { format!("{:.2} GiB", mebibytes / 1024.0) }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use super::*;
+
+    #[test]
+    fn failures_of_conjugate_gradients_are_told_as_such_and_not_as_cancelled() {
+        let told = |error: heatwalk_sparse::Error| {
+            let error = Error::from(error);
+            (error.code(), error.to_string().contains("after 7 steps"), error.to_string().contains("in 7 steps"))
+        };
+        assert_eq!(told(heatwalk_sparse::Error::Breakdown { iterations: 7 }), ("breakdown", true, false));
+        assert_eq!(told(heatwalk_sparse::Error::NotConverged { iterations: 7 }), ("not-converged", false, true));
+        assert_eq!(told(heatwalk_sparse::Error::Cancelled).0, "cancelled");
+    }
+}

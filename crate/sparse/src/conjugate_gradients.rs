@@ -89,3 +89,24 @@ impl ConjugateGradients {
         Err(Error::NotConverged { iterations: most })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use super::*;
+
+    #[test]
+    fn a_matrix_without_a_finite_step_is_a_breakdown_and_not_a_solution() {
+        let solve = |diagonal: f64, right: f64| {
+            let matrix = SymmetricMatrix::from_entries(&[diagonal; 2], &[0; 3], &mut []);
+            ConjugateGradients::new(matrix).solve(&[1.0, right])
+        };
+        assert!(solve(2.0, 1.0).is_ok());
+        for (diagonal, right) in [(0.0, 1.0), (f64::NAN, 1.0), (2.0, f64::NAN)] {
+            let told = solve(diagonal, right);
+            assert!(matches!(told, Err(Error::Breakdown { iterations: 0 })), "{diagonal}, {right}: {told:?}");
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! Curves on the surface.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use crate::element::{Element, FaceId, HalfedgeId, VertexId};
@@ -49,7 +51,10 @@ impl Path {
         }
         // Adding 0 makes −0 to 0.
         points.iter_mut().for_each(|point| point.position += DVec3::ZERO);
-        let normals = points.iter().map(|point| normal(surface, point)).collect();
+        // A path may pass a vertex of many faces as often as it has points.
+        let mut of_vertices: HashMap<VertexId, DVec3> = HashMap::new();
+        let mut at_vertex = |vertex| *of_vertices.entry(vertex).or_insert_with(|| surface.vertex_normal(vertex));
+        let normals = points.iter().map(|point| normal(surface, point, &mut at_vertex)).collect();
         Self { surface: surface.id(), points, normals }
     }
 
@@ -112,9 +117,9 @@ impl Path {
     }
 }
 
-fn normal(surface: &Surface, point: &PathPoint) -> DVec3 {
+fn normal(surface: &Surface, point: &PathPoint, at_vertex: impl FnOnce(VertexId) -> DVec3) -> DVec3 {
     let normal = match point.location {
-        Place::Vertex(vertex) => surface.vertex_normal(vertex),
+        Place::Vertex(vertex) => at_vertex(vertex),
         Place::Edge { .. } | Place::Face { .. } => {
             let faces = point.location.faces(surface);
             triangle::unit(faces.into_iter().map(|face| surface.face_normal(face)).sum())

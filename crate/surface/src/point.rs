@@ -147,7 +147,9 @@ impl Place {
         self.support(surface).all(|(vertex, weight)| (weight - weight_of(vertex)).abs() <= SAME)
     }
 
-    fn snapped_within(self, surface: &Surface, share: f64) -> Self {
+    /// The same point as a vertex or on an edge where it is no farther from one than this share of the edges.
+    #[must_use]
+    pub fn snapped_within(self, surface: &Surface, share: f64) -> Self {
         match self {
             Self::Vertex(_) => self,
             Self::Edge { halfedge, fraction } => {

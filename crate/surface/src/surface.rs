@@ -384,8 +384,13 @@ impl Surface {
     /// The faces that have an edge, over all copies, ascending: one on a boundary, more than two where not manifold.
     #[inline]
     pub fn faces_of_edge(&self, halfedge: HalfedgeId) -> impl Iterator<Item = FaceId> + '_ {
-        let inner = if halfedge.index() < 3 * self.face_count() { halfedge } else { self.mesh.twin(halfedge) };
-        self.edges.around(self.edges.first(inner)).map(HalfedgeId::triangle)
+        self.edges.around(self.edges.first(self.in_triangle(halfedge))).map(HalfedgeId::triangle)
+    }
+
+    /// A half-edge itself, or the one of a triangle that it runs along where it is one of the boundary.
+    #[inline]
+    pub(crate) fn in_triangle(&self, halfedge: HalfedgeId) -> HalfedgeId {
+        if halfedge.index() < 3 * self.face_count() { halfedge } else { self.mesh.twin(halfedge) }
     }
 
     /// Greatest distance of a vertex from the centre of the box around all of them, in the file's unit.

@@ -27,7 +27,7 @@ pub enum WarningCode {
     VolumesLeftOut,
     /// Statements that the format does not have were left out.
     UnknownStatements,
-    /// A backslash at the end of a name or a comment does not join the next line to it.
+    /// A backslash at the end of a line does not join the next one to it, which begins a statement of its own.
     UnjoinedLines,
     /// Facets end without being ended.
     UnendedFacets,
@@ -82,8 +82,8 @@ impl Warning {
                 counted("statement is not known and was left out", "statements are not known and were left out")
             }
             WarningCode::UnjoinedLines => counted(
-                "backslash ends a name or a comment; the next line was not joined to it",
-                "backslashes end a name or a comment; the next line was not joined to it",
+                "backslash ends a line; the next one begins a statement of its own and was not joined to it",
+                "backslashes end lines; the next one begins a statement of its own and was not joined to it",
             ),
             WarningCode::UnendedFacets => counted("facet has no endfacet", "facets have no endfacet"),
             WarningCode::NoEnd => "the end of the file is missing; it may be cut short".to_owned(),

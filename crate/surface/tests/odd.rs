@@ -145,10 +145,18 @@ fn off_has_its_letters_in_any_order_and_its_numbers_on_any_lines() {
 #[test]
 fn stl_is_read_in_any_form() {
     let long = STL.replace("square", &"long name ".repeat(300));
-    let facets = STL.replace("solid square\nfacet", "solid the facet of a square\nfacet");
-    for variant in
-        [STL.replace('\n', " "), STL.replace('\n', "\r"), STL.replace(' ', "\n"), STL.to_uppercase(), long, facets]
-    {
+    let named = |name: &str| STL.replacen("square", name, 1);
+    let variants = [
+        STL.replace('\n', " "),
+        STL.replace('\n', "\r"),
+        STL.replace(' ', "\n"),
+        STL.replace("normal 0 0 1", "").replace('\n', " "),
+        STL.to_uppercase(),
+        long,
+        named("the facet of a square"),
+        named("my facet normal part"),
+    ];
+    for variant in variants {
         assert_square(&read("a.stl", &variant).unwrap_or_else(|error| panic!("{error}: {variant}")), &variant);
     }
     let one_line = format!("{STL} {}", STL.replace("square", "other")).replace('\n', " ");
@@ -212,20 +220,31 @@ fn ply_has_indices_of_eight_bytes_and_one_list_of_vertices() {
 }
 
 #[test]
-fn a_backslash_joins_lines_of_numbers_and_no_others() {
+fn a_backslash_joins_lines_but_none_that_begins_a_statement() {
     let joined = OBJ.replace("f 1 2 3", "f 1 \\\n2 \\\n3").replace("1 1 0", "1 \\\r\n1 0");
     assert_square(&read("a.obj", joined).unwrap(), "joined");
-    for (line, place) in [("g left\\", 5), ("# C:\\models\\", 5), ("usemtl a\\", 5), ("o b\\", 5), ("mtllib c\\d\\", 5)]
-    {
+    let names = [
+        "g left\\",
+        "# C:\\models\\",
+        "usemtl a\\",
+        "o b\\",
+        "mtllib c\\d\\",
+        "usemtl\\",
+        "g\\",
+        "s \\",
+        "vt 0 0 \\",
+        "vn 0 0 1\\",
+        "#\\",
+    ];
+    for line in names {
         let soup = read("a.obj", OBJ.replace("f 1 2 3", &format!("{line}\nf 1 2 3"))).unwrap();
         assert_halves(&soup, line);
         let warning = &soup.warnings[0];
-        assert_eq!(
-            (warning.code, warning.place.clone()),
-            (WarningCode::UnjoinedLines, format!("line {place}")),
-            "{line}"
-        );
+        assert_eq!((warning.code, warning.place.clone()), (WarningCode::UnjoinedLines, "line 5".to_owned()), "{line}");
     }
+    let kept = read("a.obj", OBJ.replace("f 1 2 3", "f 1 2\\\n3\\")).unwrap();
+    assert_halves(&kept, "a statement behind a backslash");
+    assert_eq!(kept.warnings[0].code, WarningCode::UnjoinedLines);
     // A megabyte of joined lines: each letter was copied with each of them once.
     let long = format!("{}f 1 2 3 {}4\n", &OBJ[..OBJ.find('f').unwrap()], "\\\n".repeat(500_000));
     assert_eq!(read("a.obj", long).unwrap().triangles.len(), 2);

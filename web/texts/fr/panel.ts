@@ -81,7 +81,7 @@ export const PANEL: Texts = {
   'cells that fill space': 'cellules volumiques',
   'unknown statement': 'instruction inconnue',
   'unknown statements': 'instructions inconnues',
-  'a backslash ends a name or a comment; the next line was not joined to it':
+  'a backslash ends a line; the next one begins a statement of its own and was not joined to it':
     'une barre oblique inverse termine un nom ou un commentaire ; la ligne suivante n’y a pas été jointe',
   'facet without endfacet': 'facette sans endfacet',
   'facets without endfacet': 'facettes sans endfacet',

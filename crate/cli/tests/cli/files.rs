@@ -40,7 +40,7 @@ fn what_was_read_otherwise_than_it_is_written_is_told() {
         assert_eq!(
             told,
             "heatwalk: warning: a.obj, line 4: 2 points or lines were left out\n\
-             heatwalk: warning: a.obj, line 5: 1 backslash ends a name or a comment; the next line was not joined to it\n"
+             heatwalk: warning: a.obj, line 5: 1 backslash ends a line; the next one begins a statement of its own and was not joined to it\n"
         );
         let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         let lines = serde_json::json!({ "code": "lines-left-out", "what": "2 points or lines were left out", "where": "line 4" });

@@ -80,6 +80,9 @@ fn where_distances_are_exact_places_are_as_far_apart_as_the_path_is_long() {
     }
     let by_heat = ["path", "flat.ply", "--from", "3:0.2,0.4,0.4", "--to", "80", "--method", "heat"];
     assert_eq!(json(&folder, &by_heat)["distance_interpolated"], true);
+    let near_by_heat = ["path", "flat.ply", "--from", "3:0.2,0.4,0.4", "--to", "3:0.21,0.4,0.39", "--method", "heat"];
+    let answer = json(&folder, &near_by_heat);
+    assert_eq!((&answer["distance"], &answer["distance_interpolated"]), (&answer["length"], &false.into()), "{answer}");
 }
 
 #[test]

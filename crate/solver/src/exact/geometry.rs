@@ -392,18 +392,8 @@ impl ExactGeometry {
 
     /// The faces that a surface point lies on, with its weights in each.
     pub(crate) fn faces_at(&self, surface: &Surface, location: Place) -> Vec<(u32, [f64; 3])> {
-        let support: Vec<(VertexId, f64)> = location.support(surface).filter(|&(_, weight)| weight > ON_EDGE).collect();
-        let &[(first, _), ref rest @ ..] = support.as_slice() else { return Vec::new() };
-        surface
-            .corners_of_vertex(first)
-            .map(|(face, _)| face.0)
-            .filter(|&face| rest.iter().all(|(vertex, _)| self.frames[face as usize].vertices().contains(&vertex.0)))
-            .filter(|&face| support.len() < 3 || !matches!(location, Place::Face { face: own, .. } if own.0 != face))
-            .map(|face| {
-                let weight = |corner: u32| support.iter().find(|(vertex, _)| vertex.0 == corner).map_or(0.0, |s| s.1);
-                (face, self.frames[face as usize].vertices().map(weight))
-            })
-            .collect()
+        let place = location.snapped_within(surface, ON_EDGE);
+        place.faces(surface).into_iter().map(|face| (face.0, place.weights_in(surface, face))).collect()
     }
 }
 

@@ -320,8 +320,8 @@ impl Trace<'_> {
     }
 
     fn shared_face(&self, a: Place, b: Place) -> u32 {
-        let [a, b] = [a, b].map(|location| self.front.geometry.faces_at(&self.front.surface, location));
-        let shared = a.iter().find(|(face, _)| b.iter().any(|(other, _)| other == face));
+        let surface = &self.front.surface;
+        let shared = a.faces(surface).into_iter().find(|&face| b.lies_on(surface, face));
         shared.expect("neighbours along an edge, and a location and its nearest corner, share a face").0
     }
 }

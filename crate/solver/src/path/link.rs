@@ -4,13 +4,13 @@
 //! A path through a vertex is locally shortest exactly where its two directions are at least π apart in the link.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
 
 use super::funnel::Heading;
 use super::strip::Step;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, VertexId};
+use heatwalk_surface::{FaceId, HalfedgeId, VertexId};
 
 /// A way around a vertex from one direction to another.
 #[derive(Debug, Clone)]
@@ -24,13 +24,14 @@ pub(super) struct Turn {
 }
 
 /// The shortest way around `vertex` between two directions, by these `sides` of them where any are given, if it is shorter than
-/// `limit`.
+/// `limit`. Looks at no more faces than are within that angle, and adds their number to `work`.
 pub(super) fn shortest_turn(
     surface: &Surface,
     vertex: VertexId,
     [from, to]: [&Heading; 2],
     sides: [Option<usize>; 2],
     limit: f64,
+    work: &mut usize,
 ) -> Option<Turn> {
     let is_open = |end: usize, side: usize| sides[end].is_none_or(|only| only == side);
     let mut best = Turn { angle: limit, steps: Vec::new(), sides: [0; 2] };
@@ -48,35 +49,25 @@ pub(super) fn shortest_turn(
         }
     }
 
-    // Each arc from both of its ends, in order of these; a node is the first place of its vertex.
-    let mut arcs: Vec<(VertexId, Arc)> = Vec::new();
-    for (face, k) in surface.corners_of_vertex(vertex) {
-        let corners = surface.faces()[face];
-        let [p, q] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
-        arcs.extend([(p, Arc { face, to: q }), (q, Arc { face, to: p })]);
-    }
-    arcs.sort_unstable_by_key(|arc| arc.0);
-    let node_of = |other: VertexId| arcs.partition_point(|arc| arc.0 < other);
-
-    // Dijkstra (1959) from both sides of the first direction.
-    let mut nearest: Vec<(f64, Option<(usize, FaceId)>)> = vec![(f64::INFINITY, None); arcs.len()];
+    // Dijkstra (1959) from both sides of the first direction. A node has the number of the vertex at its edge's other end.
+    let mut nearest: HashMap<VertexId, Node> = HashMap::new();
     let mut queue = BinaryHeap::new();
     for (_, (other, angle)) in from.sides.into_iter().enumerate().filter(|&(side, _)| is_open(0, side)) {
-        nearest[node_of(other)].0 = angle;
-        queue.push(Reverse((angle.to_bits(), node_of(other))));
+        nearest.insert(other, Node { angle, before: None });
+        queue.push(Reverse((angle.to_bits(), halfedge_in(surface, from.face, [vertex, other]))));
     }
     let position = surface.position(vertex);
     let mut end = None;
-    while let Some(Reverse((bits, here))) = queue.pop() {
+    while let Some(Reverse((bits, halfedge))) = queue.pop() {
         let angle = f64::from_bits(bits);
         if angle >= best.angle {
             break;
         }
-        if angle > nearest[here].0 {
+        let here = far_end(surface, halfedge, vertex);
+        if nearest.get(&here).is_some_and(|node| node.angle < angle) {
             continue;
         }
-        let other = arcs[here].0;
-        if let Some(side) = to.sides.iter().position(|side| side.0 == other)
+        if let Some(side) = to.sides.iter().position(|side| side.0 == here)
             && is_open(1, side)
             && angle + to.sides[side].1 < best.angle
         {
@@ -84,16 +75,20 @@ pub(super) fn shortest_turn(
             best.sides[1] = side;
             end = Some(here);
         }
-        for (_, arc) in arcs[here..].iter().take_while(|arc| arc.0 == other) {
-            let there = node_of(arc.to);
+        for arc in surface.edges().around(halfedge) {
+            *work += 1;
+            let leaves = surface.ends(arc)[0] == vertex;
+            let next = if leaves { arc.previous_in_triangle() } else { arc.next_in_triangle() };
+            let there = far_end(surface, next, vertex);
+            let known = nearest.get(&there).map_or(f64::INFINITY, |node| node.angle);
             // Not back.
-            if nearest[there].0 <= angle {
+            if known <= angle {
                 continue;
             }
-            let further = angle + triangle::angle([position, surface.position(other), surface.position(arc.to)]);
-            if further < nearest[there].0 {
-                nearest[there] = (further, Some((here, arc.face)));
-                queue.push(Reverse((further.to_bits(), there)));
+            let further = angle + triangle::angle([position, surface.position(here), surface.position(there)]);
+            if further < known {
+                nearest.insert(there, Node { angle: further, before: Some((here, arc.triangle())) });
+                queue.push(Reverse((further.to_bits(), next)));
             }
         }
     }
@@ -101,19 +96,31 @@ pub(super) fn shortest_turn(
     let Some(end) = end else { return is_found.then_some(best) };
     let (mut here, mut face) = (end, to.face);
     loop {
-        best.steps.push(Step::new(vertex, arcs[here].0, face));
-        let (_, Some((before, between))) = nearest[here] else { break };
+        best.steps.push(Step::new(vertex, here, face));
+        let Some((before, between)) = nearest[&here].before else { break };
         (here, face) = (before, between);
     }
-    best.sides[0] = usize::from(from.sides[0].0 != arcs[here].0);
+    best.sides[0] = usize::from(from.sides[0].0 != here);
     best.steps.reverse();
     Some(best)
 }
 
-/// A face at a vertex, from one of its edges there.
-#[derive(Debug, Clone, Copy)]
-struct Arc {
-    face: FaceId,
-    /// The vertex at the other edge's end.
-    to: VertexId,
+/// An edge of a vertex, as far as its link was walked.
+struct Node {
+    angle: f64,
+    /// The edge before and the face between; `None` beside the first direction.
+    before: Option<(VertexId, FaceId)>,
+}
+
+/// The end of an edge of a vertex that is another one.
+fn far_end(surface: &Surface, halfedge: HalfedgeId, vertex: VertexId) -> VertexId {
+    let [start, end] = surface.ends(halfedge);
+    if start == vertex { end } else { start }
+}
+
+/// The half-edge of a face between two of its corners, in either direction.
+fn halfedge_in(surface: &Surface, face: FaceId, corners: [VertexId; 2]) -> HalfedgeId {
+    let mut halfedges = [0, 1, 2].map(|k| face.halfedge(k)).into_iter();
+    let is_between = |&halfedge: &HalfedgeId| surface.ends(halfedge).iter().all(|end| corners.contains(end));
+    halfedges.find(is_between).expect("two corners of a face have an edge")
 }

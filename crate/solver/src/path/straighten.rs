@@ -74,8 +74,10 @@ struct Node {
 struct Chain<'a> {
     surface: &'a Surface,
     nodes: Vec<Node>,
-    /// For the next round: bits of the angle, node, version. Bits of non-negative floats order as the floats do.
+    /// Of this round: bits of the angle, node, version. Bits of non-negative floats order as the floats do.
     queue: BinaryHeap<Reverse<(u64, u32, u32)>>,
+    /// For the next round: nodes to look around, with their versions.
+    changed: Vec<(u32, u32)>,
     /// Faces unfolded so far.
     work: usize,
     last_face: FaceId,
@@ -85,7 +87,14 @@ impl<'a> Chain<'a> {
     /// The shortest path in the faces of `path` between each vertex on it and the next; `None` without points.
     fn new(surface: &'a Surface, path: &Path) -> Option<Self> {
         let (first, rest) = path.points.split_first()?;
-        let mut chain = Self { surface, nodes: Vec::new(), queue: BinaryHeap::new(), work: 0, last_face: first.face };
+        let mut chain = Self {
+            surface,
+            nodes: Vec::new(),
+            queue: BinaryHeap::new(),
+            changed: Vec::new(),
+            work: 0,
+            last_face: first.face,
+        };
         let mut last = chain.add(first.location.reduced(surface), NONE);
         let mut strip = Strip::new(first.face);
         for (k, point) in rest.iter().enumerate() {
@@ -107,7 +116,7 @@ impl<'a> Chain<'a> {
         }
         let mut node = chain.nodes[0].after;
         while node != NONE {
-            chain.look_around(node);
+            chain.mark(node);
             node = chain.nodes[node as usize].after;
         }
         Some(chain)
@@ -131,15 +140,24 @@ impl<'a> Chain<'a> {
         self.nodes[next as usize].before = node;
     }
 
-    /// Queues a node where there is a way around that turns by less than π.
-    fn look_around(&mut self, index: u32) {
-        let turn = self.turn_at(index, [None; 2], PI - STRAIGHT);
+    /// Lets a node whose segments changed wait for the next round: a vertex of many faces may change with every other one.
+    fn mark(&mut self, index: u32) {
         let node = &mut self.nodes[index as usize];
         node.version += 1;
-        if let Some(turn) = &turn {
-            self.queue.push(Reverse((turn.angle.to_bits(), index, node.version)));
+        node.turn = None;
+        self.changed.push((index, node.version));
+    }
+
+    /// Begins a round: queues the nodes that changed where there is a way around that turns by less than π.
+    fn look_around(&mut self) {
+        for (index, version) in std::mem::take(&mut self.changed) {
+            if self.nodes[index as usize].version != version {
+                continue;
+            }
+            let turn = self.turn_at(index, [None; 2], PI - STRAIGHT);
+            self.queue.extend(turn.iter().map(|turn| Reverse((turn.angle.to_bits(), index, version))));
+            self.nodes[index as usize].turn = turn;
         }
-        node.turn = turn;
     }
 
     /// The shortest way around a node by these sides of the segments there, if it turns by less than `limit`.
@@ -147,8 +165,9 @@ impl<'a> Chain<'a> {
         let Node { location: Place::Vertex(vertex), ref segment, .. } = self.nodes[index as usize] else { return None };
         let headings = [self.segment_before(index)?.arriving.as_ref(), segment.as_ref()?.leaving.as_ref()];
         let headings = headings.map(|heading| heading.expect("a segment has headings at its vertices"));
-        let turn = shortest_turn(self.surface, vertex, headings, sides, limit);
-        self.work += self.surface.corners_of_vertex(vertex).count();
+        let mut work = 0;
+        let turn = shortest_turn(self.surface, vertex, headings, sides, limit, &mut work);
+        self.work += work;
         turn
     }
 
@@ -159,17 +178,14 @@ impl<'a> Chain<'a> {
     /// Leads the path around vertices until none is left or about `most` faces were unfolded, the sharpest turn of each round
     /// first. What changes in a round waits for the next one.
     fn shorten(&mut self, most: usize) {
-        let mut round = BinaryHeap::new();
         while self.work < most {
-            let Some(Reverse((_, index, version))) = round.pop() else {
-                if self.queue.is_empty() {
-                    break;
+            match self.queue.pop() {
+                Some(Reverse((_, index, version))) if self.nodes[index as usize].version == version => {
+                    self.lead_around(index);
                 }
-                std::mem::swap(&mut round, &mut self.queue);
-                continue;
-            };
-            if self.nodes[index as usize].version == version {
-                self.lead_around(index);
+                Some(_) => {}
+                None if self.changed.is_empty() => break,
+                None => self.look_around(),
             }
         }
     }
@@ -243,11 +259,11 @@ impl<'a> Chain<'a> {
         }
         self.join(node, last, after);
         while node != before {
-            self.look_around(node);
+            self.mark(node);
             node = self.nodes[node as usize].before;
         }
-        self.look_around(before);
-        self.look_around(after);
+        self.mark(before);
+        self.mark(after);
     }
 
     /// Makes two neighbours at one place into one node, keeping an end of the path if either is.
@@ -268,7 +284,7 @@ impl<'a> Chain<'a> {
             self.nodes[before as usize].segment = None;
             return;
         }
-        self.look_around(kept);
+        self.mark(kept);
     }
 
     /// The points of the path, with all crossings of edges.
@@ -327,6 +343,13 @@ mod tests {
         (Soup::single("needles", positions, triangles.collect()), (0..count + 2).collect(), 2_f64.sqrt())
     }
 
+    /// The same triangle, and a path from the end of each needle to the next by way of their common corner.
+    fn spokes(count: u32) -> Case {
+        let (soup, ..) = needles(count);
+        let path = (1..count + 2).flat_map(|index| [index, 0]).take(2 * count as usize + 1);
+        (soup, path.collect(), 1.0)
+    }
+
     /// The same with needles of the other kind beyond their side, so that paths may go on either side of it.
     fn kite(count: u32) -> Case {
         let (mut soup, path, length) = needles(count);
@@ -347,7 +370,7 @@ mod tests {
 
     #[test]
     fn on_slivers_the_faces_unfolded_grow_hardly_faster_than_their_number() {
-        for make in [ladder, needles, kite, hub] {
+        for make in [ladder, needles, spokes, kite, hub] {
             let work = [300, 1200, 4800].map(|count| {
                 let (soup, through, length) = make(count);
                 let name = soup.parts[0].name.clone();

@@ -424,10 +424,13 @@ pub fn spread(
         if of == 0 {
             let cuts = (longest_side(triangle) / (INNER_SPACING * spacing)).ceil().min(MOST_INNER_CUTS) as u32;
             for i in 0..cuts {
+                let row = cuts - i;
+                let at = |j: u32| [i, j, row - j].map(|part| f64::from(part) / f64::from(cuts));
+                let Some([enters, leaves]) = near.clip([0, row].map(|j| point(triangle, at(j)))) else { continue };
                 // The corners are taken already.
-                for j in u32::from(i == 0)..(cuts - i + u32::from(i > 0)).min(cuts) {
-                    take_own([i, j, cuts - i - j].map(|part| f64::from(part) / f64::from(cuts)));
-                }
+                let first = ((enters * f64::from(row)).floor() as u32).max(u32::from(i == 0));
+                let last = ((leaves * f64::from(row)).ceil() as u32).min(row - u32::from(i == 0));
+                (first..=last).for_each(|j| take_own(at(j)));
             }
         }
     }

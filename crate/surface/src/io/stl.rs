@@ -161,19 +161,21 @@ impl<'a> Solids<'a> {
     }
 }
 
-/// Whether a facet begins with this word and the next; names may have the first.
-fn is_facet(word: &str, next: Option<&str>) -> bool {
-    word.eq_ignore_ascii_case("facet") && next.is_some_and(|next| next.eq_ignore_ascii_case("normal"))
-        || word.eq_ignore_ascii_case("endsolid")
+/// Whether a facet or the end of a solid begins with this word, by what is behind it: names may have the same words.
+fn is_facet(word: &str, mut rest: &str) -> bool {
+    let is = |word: &str, known| word.eq_ignore_ascii_case(known);
+    let next = text::word(&mut rest).unwrap_or_default();
+    let is_normal = is(next, "normal") && text::word(&mut rest).is_some_and(|word| text::number(word).is_some());
+    is(word, "endsolid") || is(word, "facet") && (is(next, "outer") || is_normal)
 }
 
-/// The part of a line before the first word that `ends` it, given the word behind that, and what is left from there on.
-fn name_before(line: &str, ends: impl Fn(&str, Option<&str>) -> bool) -> (&str, &str) {
+/// The part of a line before the first word that `ends` it, given what is behind that, and what is left from there on.
+fn name_before(line: &str, ends: impl Fn(&str, &str) -> bool) -> (&str, &str) {
     let mut rest = line;
     loop {
         let before = rest;
         let Some(word) = text::word(&mut rest) else { return (line.trim(), "") };
-        if ends(word, text::word(&mut { rest })) {
+        if ends(word, rest) {
             return (line[..line.len() - before.len()].trim(), before);
         }
     }

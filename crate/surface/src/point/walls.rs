@@ -7,8 +7,13 @@ use crate::surface::Surface;
 impl Surface {
     /// Whether a place touches walls alone, so that no path leads there.
     pub fn is_in_wall(&self, place: Place) -> bool {
-        let faces = place.faces(self);
-        !faces.is_empty() && faces.into_iter().all(|face| self.is_wall(face))
+        // Walls share no vertex and no edge with what is open, so that any face tells.
+        let face = match place {
+            Place::Vertex(vertex) => self.corners_of_vertex(vertex).next().map(|(face, _)| face),
+            Place::Edge { halfedge, .. } => Some(self.in_triangle(halfedge).triangle()),
+            Place::Face { face, .. } => Some(face),
+        };
+        face.is_some_and(|face| self.is_wall(face))
     }
 
     /// A place of the surface before it was [parted](Self::walled), on this one: on an edge of walls, on the side of the

@@ -60,7 +60,9 @@ impl<'a> Library<'a> {
             let (keyword, arguments) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
             if keyword.eq_ignore_ascii_case("newmtl") {
                 let started = Definition::new(Rc::clone(&folder));
-                let place = self.definitions.entry(arguments.trim().to_owned());
+                // As statements lose the backslash at their end, which would join lines.
+                let name = arguments.trim().trim_end_matches('\\').trim_end();
+                let place = self.definitions.entry(name.to_owned());
                 definition = Some(place.insert_entry(started).into_mut());
             } else if let Some(definition) = &mut definition {
                 definition.add(&keyword.to_ascii_lowercase(), arguments);

@@ -7,6 +7,7 @@ mod material;
 mod texture;
 
 use std::collections::HashMap;
+use std::iter::Peekable;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
@@ -111,24 +112,17 @@ pub fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> 
     let mut groups = Groups::new(name);
     let mut library = Library::new(resources);
     let mut material = None;
-    let mut lines = text::lines(&text);
+    let mut lines = text::lines(&text).peekable();
     let mut joined = String::new();
     while let Some((number, line)) = lines.next() {
-        let mut statement = text::statement(line);
-        let mut arguments = statement;
-        let mut keyword = text::word(&mut arguments).unwrap_or_default();
+        let mut arguments = text::statement(line);
         if let Some(head) = line.strip_suffix('\\') {
-            // A backslash joins lines. Names and comments that end in one are paths of folders: what is on the next line is no part
-            // of these.
-            if statement.len() < line.trim().len() || matches!(keyword, "g" | "o" | "usemtl" | "mtllib") {
+            if !join(head, &mut lines, &mut joined) {
                 file.warnings.add(WarningCode::UnjoinedLines, || format!("line {number}"));
-            } else {
-                join(head, lines.by_ref().map(|(_, next)| next), &mut joined);
-                statement = text::statement(&joined);
-                arguments = statement;
-                keyword = text::word(&mut arguments).unwrap_or_default();
             }
+            arguments = text::statement(&joined);
         }
+        let keyword = text::word(&mut arguments).unwrap_or_default();
         let place = || format!("line {number}");
         match keyword {
             "v" => file.vertex(arguments, number)?,
@@ -161,17 +155,28 @@ pub fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> 
     file.assemble(groups.names, library)
 }
 
-/// Joins a line, of which `head` is without its backslash, with the next ones up to the first without.
-fn join<'a>(head: &str, lines: impl Iterator<Item = &'a str>, joined: &mut String) {
+/// Joins a line, of which `head` is without its backslash, with the next ones up to the first without; `false` where one of these
+/// begins a statement of its own: names and comments may end in a backslash as paths of folders do.
+fn join<'a>(head: &str, lines: &mut Peekable<impl Iterator<Item = (usize, &'a str)>>, joined: &mut String) -> bool {
     joined.clear();
     joined.push_str(head);
-    for line in lines {
+    while let Some((_, line)) = lines.next_if(|&(_, line)| !begins_statement(line)) {
         joined.push(' ');
         match line.strip_suffix('\\') {
             Some(head) => joined.push_str(head),
-            None => return joined.push_str(line),
+            None => {
+                joined.push_str(line);
+                return true;
+            }
         }
     }
+    lines.peek().is_none()
+}
+
+/// Whether a line begins with a word: lists go on with numbers.
+fn begins_statement(mut line: &str) -> bool {
+    text::word(&mut line)
+        .is_some_and(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()) && text::number(word).is_none())
 }
 
 impl<'a> File<'a> {
