@@ -145,7 +145,7 @@ fn heat_is_between_the_straight_line_and_the_way_along_edges() {
 #[test]
 fn propagation_is_near_on_thin_triangles_and_nearer_with_more_windows() {
     let mut seed = 3;
-    let mut means = [0.0; 3];
+    let mut means = [0.0; 2];
     for sheet in sheets() {
         let surface = Arc::new(surface(&sheet.soup));
         let from = VertexId(random(&mut seed, surface.vertex_count()) as u32);
@@ -153,7 +153,7 @@ fn propagation_is_near_on_thin_triangles_and_nearer_with_more_windows() {
         let place = |vertex: VertexId| sheet.plane[surface.inputs_of_vertex(vertex)[0].0 as usize];
         let exact: Vec<f64> = surface.vertices().map(|vertex| place(vertex).distance(place(from))).collect();
         let extent = exact.iter().copied().fold(0.0, f64::max);
-        for ((windows, most), mean) in [(1, 0.03), (2, 0.02), (8, 0.003)].into_iter().zip(&mut means) {
+        for ((windows, most), mean) in [(2, 0.02), (8, 0.003)].into_iter().zip(&mut means) {
             let values = propagated(&surface, from, windows);
             let errors: Vec<f64> = values.iter().zip(&exact).map(|(value, exact)| (value - exact) / extent).collect();
             let is_bad = |error: &&f64| !(-ROUNDING..most).contains(*error);

@@ -6,7 +6,11 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod common;
 
 use common::{band, book, distance_from, flat, random, soup, square, surface};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
 use glam::DVec3;
+use heatwalk::exact::exact_distance;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
@@ -173,8 +177,9 @@ fn triangles_without_area_that_close_t_junctions_stay() {
 fn triangles_without_area_that_join_others_at_a_vertex_or_a_junction_stay() {
     let distance = |real: &[[u32; 3]], flat_ones: &[[u32; 3]], to: u32| {
         let places = [(0.0, 0.0), (3.0, 0.0), (1.0, 2.0), (1.0, 0.0), (1.0, -2.0), (2.0, -2.0), (1.0, -4.0)];
-        let (_, distance) = distance_from(&soup(flat(&places), [real, flat_ones].concat()), 2);
-        distance.values[VertexId(to)]
+        let surface = Arc::new(checked(&soup(flat(&places), [real, flat_ones].concat())));
+        let going_on = &mut |_| ControlFlow::Continue(());
+        exact_distance(&surface, &[VertexId(2)], going_on).expect("a valid source")[VertexId(to)]
     };
     // Below the x axis another triangle, with a corner on the long edge of the one above.
     let at_vertex = [[0, 1, 2], [3, 4, 5]];

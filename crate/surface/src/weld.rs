@@ -20,6 +20,7 @@ use crate::order::{gather, sort_faces};
 use crate::parallel;
 use crate::soup::Soup;
 use crate::touching::Fans;
+use crate::union_find::UnionFind;
 
 /// Coordinates are at most this, up or down: squares of lengths and areas are numbers then, with room for sums of them.
 pub const MOST_COORDINATE: f64 = 1e150;
@@ -240,6 +241,23 @@ fn idle_faces(flat: &[FaceId], faces: &[[VertexId; 3]], edges: &Edges, corners: 
             let at_corner = (at_vertex[vertices[k]] == 1).then(around).flatten();
             let next = [on_side, at_corner].into_iter().flatten().map(HalfedgeId::triangle);
             left.extend(next.filter(|next| flat.binary_search(next).is_ok()));
+        }
+    }
+    // Of those left out, what joins edges that no other one joins stays.
+    let edges_of = |face: FaceId| [0, 1, 2].map(|k| edge_of[face.halfedge(k).index()]);
+    let joined = UnionFind::new(on_edge.len());
+    let join = |edges: &[usize]| {
+        let apart = edges.windows(2).map(|pair| [pair[0] as u32, pair[1] as u32]);
+        let apart = apart.filter(|&[a, b]| joined.least(a) != joined.least(b));
+        apart.map(|[a, b]| joined.join(a, b)).count() > 0
+    };
+    for &face in flat.iter().filter(|face| !is_idle[face.index()]) {
+        join(&edges_of(face));
+    }
+    for &face in flat {
+        if is_idle[face.index()] {
+            let sewn: Vec<usize> = edges_of(face).into_iter().filter(|&edge| on_edge[edge] > 0).collect();
+            is_idle[face.index()] = !join(&sewn);
         }
     }
     flat.iter().copied().filter(|face| is_idle[face.index()]).collect()

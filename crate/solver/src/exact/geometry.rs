@@ -185,6 +185,10 @@ impl AngleSum {
 /// of its longest edge, however near the source is. As a share of that, after some dozens of faces.
 const GRAIN: f64 = 1e-14;
 
+/// A triangle with an angle whose sine is less is thin, and so is a surface on which as large a share of them is.
+const THIN_SINE: f64 = 0.1;
+const THIN_SHARE: f64 = 0.1;
+
 /// Radians of an angle defect beyond which it makes no difference how sharp a vertex is: shortest paths pass it by.
 const SHARPEST: f64 = 0.5;
 
@@ -203,6 +207,8 @@ pub struct ExactGeometry {
     mean_edge: f64,
     /// What rounding may do to a place that is unfolded along the longest edge.
     pub(super) grain: f64,
+    /// Whether many triangles are thin.
+    is_thin: bool,
     /// Where they are not the same everywhere.
     costs: Option<Costs>,
 }
@@ -226,11 +232,13 @@ impl ExactGeometry {
         for copy in mesh.vertices().skip(surface.vertex_count()) {
             is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
+        let thin = frames.iter().filter(|frame| frame.0.iter().any(|side| side.sin < THIN_SINE)).count();
         let mut geometry = Self {
             mean_edge: surface.mean_edge(),
             surface: Arc::clone(&surface),
             threads,
             grain: GRAIN * frames.iter().flat_map(|frame| frame.0.iter()).map(|side| side.length).fold(0.0, larger),
+            is_thin: thin as f64 > THIN_SHARE * frames.len() as f64,
             frames,
             bends: Vec::new(),
             portals: Portals::default(),
@@ -277,6 +285,11 @@ impl ExactGeometry {
     /// Mean length of the edges, times the mean cost.
     pub(crate) fn mean_edge(&self) -> f64 {
         self.mean_edge
+    }
+
+    /// Whether a tenth of the triangles is thin, as on fillets of CAD models: one window of a half-edge tells little of its ends there.
+    pub(crate) fn is_thin(&self) -> bool {
+        self.is_thin
     }
 
     /// What a unit of length costs, where that is not the same everywhere.

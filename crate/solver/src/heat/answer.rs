@@ -15,7 +15,7 @@ use crate::heat::source_heat::SourceHeat;
 use crate::options::MultiSource;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED};
 use crate::refinement;
-use heatwalk_surface::{Source, ToSource, VertexData};
+use heatwalk_surface::{Source, ToSource, VertexData, VertexId};
 
 /// A query with all that does not change while its exact region grows.
 #[derive(Debug)]
@@ -115,7 +115,9 @@ impl Factorization {
             match logarithm {
                 Some(logarithm) => {
                     let known = region.known(surface, self.exact_geometry().costs(), &active);
-                    logarithm.distances(self.operators(), heat, self.time(), known)
+                    let starts = logarithm.bounds().starts(surface, sources);
+                    let floor = |vertex, enough| starts.straight(surface.position(VertexId(vertex)), enough);
+                    logarithm.distances(self.operators(), (heat, self.time()), &known, floor)
                 }
                 None => {
                     let (divergence, touched) = divergence(&self.operators().elements, heat, region);
@@ -134,7 +136,7 @@ impl Factorization {
             *value = region.value(vertex).unwrap_or(beyond);
         }
         if let Some(logarithm) = logarithm.filter(|_| !is_exact_everywhere) {
-            logarithm.bounds().keep(self.exact_geometry(), sources, &mut values);
+            logarithm.bounds().keep(self.exact_geometry(), &mut values);
             // These keep them but for rounding.
             for (vertex, exact) in region.values() {
                 values[vertex as usize] = exact;

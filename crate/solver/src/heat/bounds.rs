@@ -14,14 +14,14 @@ use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface, VertexId};
 /// What the bounds of distances on a surface take.
 #[derive(Debug)]
 pub(super) struct Bounds {
-    /// `#E`, its ends and its length in mean edges, no more than that: which edges keep the bounds is seen at a glance at little memory.
-    edges: Vec<([u32; 2], f32)>,
+    /// `#E`, its ends and its length: which edges keep the bounds is seen at a glance.
+    edges: Vec<([u32; 2], f64)>,
     /// What a unit of length costs at least.
     least_cost: f64,
 }
 
-/// What single precision may make of a length above it, as a share of it.
-const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
+/// What rounding makes of a sum of lengths, as a share of one.
+const ROUNDING: f64 = 1e-13;
 
 impl Bounds {
     /// On a surface whose faces have costs, or not.
@@ -30,8 +30,7 @@ impl Bounds {
             let (frame, k) = geometry.frame_of(halfedge.0);
             let faces = geometry.across(halfedge.0).map(|(other, _)| other / 3);
             let cost = faces.map(|face| cost(geometry, face)).fold(cost(geometry, halfedge.0 / 3), smaller);
-            let length = cost * frame[k].length / geometry.mean_edge();
-            ([frame[k].vertex, frame[after(k)].vertex], (length * (1.0 - ROUNDING)) as f32)
+            ([frame[k].vertex, frame[after(k)].vertex], cost * frame[k].length)
         };
         Self {
             edges: geometry.surface().edges().representatives().map(edge).collect(),
@@ -39,20 +38,24 @@ impl Bounds {
         }
     }
 
-    /// Makes distances (`#V`) from some sources keep the bounds. What is infinite comes to be as far as along edges.
+    /// `#E`, ends and length of each edge.
+    pub(super) fn edges(&self) -> &[([u32; 2], f64)] {
+        &self.edges
+    }
+
+    /// Straight lines from these sources.
+    pub(super) fn starts(&self, surface: &Surface, sources: &[Source]) -> Starts {
+        Starts::new(surface, sources, self.least_cost)
+    }
+
+    /// Makes distances (`#V`) that are below no straight line keep to the way along edges. What is infinite comes to be as far.
     ///
-    /// Those that were raised to a straight line stay above it when edges lower others after them, since no edge is shorter.
-    pub(super) fn keep(&self, geometry: &ExactGeometry, sources: &[Source], values: &mut [f64]) {
-        let surface = geometry.surface();
-        let starts = Starts::new(surface, sources, self.least_cost);
-        for (value, &position) in values.iter_mut().zip(surface.positions()) {
-            *value = larger(starts.straight(position, *value), *value);
-        }
-        let per_edge = 1.0 / geometry.mean_edge();
+    /// They stay above straight lines, since no edge is shorter.
+    pub(super) fn keep(&self, geometry: &ExactGeometry, values: &mut [f64]) {
         let mut low = Vec::new();
         for &(ends, length) in &self.edges {
             let [a, b] = ends.map(|end| values[end as usize]);
-            if (a - b).abs() * per_edge > f64::from(length) {
+            if (a - b).abs() > length * (1.0 + ROUNDING) {
                 low.push(if a < b { ends[0] } else { ends[1] });
             }
         }
@@ -90,7 +93,7 @@ fn relax(geometry: &ExactGeometry, from: Vec<u32>, values: &mut [f64]) {
 }
 
 /// The sources as a tree: each parts those after it from those before it along an axis.
-struct Starts {
+pub(super) struct Starts {
     least_cost: f64,
     starts: Vec<Start>,
 }
@@ -116,7 +119,7 @@ impl Starts {
 
     /// The distance of the nearest one in a straight line, or some distance that is at most `enough` where there is any.
     #[inline]
-    fn straight(&self, from: DVec3, enough: f64) -> f64 {
+    pub(super) fn straight(&self, from: DVec3, enough: f64) -> f64 {
         // Where there is one source, or others are far, that at the root tells enough.
         let mut nearest = self.starts.get(self.starts.len() / 2).map_or(f64::INFINITY, |root| self.to(root, from));
         if nearest > enough {

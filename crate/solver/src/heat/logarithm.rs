@@ -42,8 +42,8 @@ pub(super) struct Logarithm {
     upwind: Upwind,
     /// `#F`, the sides opposite each corner.
     sides: Vec<[Side; 3]>,
-    /// `#E`, the lengths of the edges, in the unit of lengths.
-    lengths: Vec<f32>,
+    /// `#E`, the lengths of those edges that the surface has, in the unit of lengths; infinite for others.
+    lengths: Vec<f64>,
     /// The unit of lengths.
     unit: f64,
     /// Length of the field.
@@ -71,7 +71,7 @@ impl Logarithm {
         Self {
             upwind: Upwind::new(laplacian, unit),
             sides: sides(elements, laplacian),
-            lengths: lengths(elements, laplacian, unit),
+            lengths: lengths(&bounds, laplacian, unit),
             unit,
             length: 1.0 - LOSS * bumpiness * bumpiness,
             mass: operators.circumcentric_mass().into(),
@@ -95,9 +95,16 @@ impl Logarithm {
         &self.bounds
     }
 
-    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
-    /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
-    pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
+    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared, none below
+    /// `floor`, which is told the vertex and its distance else. Those below infinity in `known` (`#V`) stay; infinite where no edges lead
+    /// to one of them.
+    pub(super) fn distances(
+        &self,
+        operators: &Operators,
+        (heat, time): (&[f64], f64),
+        known: &[f64],
+        floor: impl Fn(u32, f64) -> f64,
+    ) -> Vec<f64> {
         let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
         let rates = self.rates(operators, &logarithms, MOST_RATE * time.sqrt() / self.unit);
         let laplacian = operators.laplacian();
@@ -113,7 +120,7 @@ impl Logarithm {
             });
             inflows.add(low as u32, field);
         }
-        self.upwind.distances(&inflows, &logarithms, known)
+        self.upwind.distances(&inflows, &logarithms, known, floor)
     }
 
     /// `#E`, what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length of
@@ -176,14 +183,12 @@ fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
     sides
 }
 
-/// `#E`, the lengths of the edges, in this unit.
-fn lengths(elements: &Elements, laplacian: &Laplacian, unit: f64) -> Vec<f32> {
-    let mut lengths = vec![f32::INFINITY; edge_count(laplacian)];
-    for (&[a, b, c], shape) in elements.faces.iter().zip(&elements.shapes) {
-        for (ends, length) in [[a, b], [b, c], [c, a]].into_iter().zip(shape.sides()) {
-            if let Some(edge) = laplacian.edge(ends) {
-                lengths[edge] = lengths[edge].min((length / unit * (1.0 - 4.0 * f64::from(f32::EPSILON))) as f32);
-            }
+/// `#E`, the lengths of those edges that the surface has, in this unit; infinite for others.
+fn lengths(bounds: &Bounds, laplacian: &Laplacian, unit: f64) -> Vec<f64> {
+    let mut lengths = vec![f64::INFINITY; edge_count(laplacian)];
+    for &(ends, length) in bounds.edges() {
+        if let Some(edge) = laplacian.edge(ends) {
+            lengths[edge] = smaller(length / unit, lengths[edge]);
         }
     }
     lengths

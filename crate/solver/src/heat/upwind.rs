@@ -10,7 +10,7 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 use bytemuck::allocation::zeroed_vec;
 
-use crate::extremum::{either, smaller};
+use crate::extremum::{either, larger, smaller};
 use crate::operator::Laplacian;
 
 /// How many edges of a mesh end at each vertex.
@@ -47,7 +47,7 @@ struct Inflow {
     from: u32,
     flow: f32,
     rise: f32,
-    length: f32,
+    length: f64,
 }
 
 /// What goes on along an edge, from its lower vertex to its higher one.
@@ -58,7 +58,7 @@ pub(super) struct EdgeField {
     /// What distance grows by, in the unit of lengths.
     pub(super) rise: f32,
     /// What distance grows by at most: the edge's length, in the unit of lengths.
-    pub(super) length: f32,
+    pub(super) length: f64,
 }
 
 impl Inflows {
@@ -105,12 +105,22 @@ impl Upwind {
         Inflows { ends: self.start[..vertices].to_vec(), inflows: zeroed_vec(count) }
     }
 
-    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where heat tells
-    /// nothing.
-    pub(super) fn distances(&self, inflows: &Inflows, heat: &[f64], known: Vec<f64>) -> Vec<f64> {
-        let (mut distances, inverse) = (known, 1.0 / self.unit);
-        distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
-        let unknown = (0..).zip(&distances).filter(|&(_, &distance)| distance == UNKNOWN);
+    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm), none of them above a warmer neighbor's and the edge between, nor
+    /// below `floor`, which is told the vertex and its distance else. Those below infinity in `known` (`#V`) stay; infinite where heat
+    /// tells nothing.
+    ///
+    /// Means are of what is not bounded so: else they would change with the order of vertices as warm as each other.
+    pub(super) fn distances(
+        &self,
+        inflows: &Inflows,
+        heat: &[f64],
+        known: &[f64],
+        floor: impl Fn(u32, f64) -> f64,
+    ) -> Vec<f64> {
+        let inverse = 1.0 / self.unit;
+        let mut distances: Vec<Pair> =
+            known.iter().map(|&distance| [smaller(inverse * distance, UNKNOWN); 2]).collect();
+        let unknown = (0..).zip(&distances).filter(|&(_, &[distance, _])| distance == UNKNOWN);
         let mut order: Vec<u64> = Vec::with_capacity(distances.len());
         order.extend(unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)));
         order.sort_unstable();
@@ -121,13 +131,13 @@ impl Upwind {
                 [flow, sum, _] = total(own, &distances, |distance| distance < UNKNOWN);
             }
             if flow > 0.0 {
-                distances[vertex as usize] = smaller(sum / flow, nearest);
+                let mean = smaller(sum / flow, UNKNOWN);
+                let least = smaller(mean, nearest);
+                distances[vertex as usize] = [mean, larger(inverse * floor(vertex, self.unit * least), least)];
             }
         }
-        distances
-            .iter_mut()
-            .for_each(|distance| *distance *= if *distance < UNKNOWN { self.unit } else { f64::INFINITY });
-        distances
+        let in_file = |[_, distance]: Pair| distance * if distance < UNKNOWN { self.unit } else { f64::INFINITY };
+        distances.into_iter().map(in_file).collect()
     }
 
     /// The places of a vertex's edges.
@@ -136,15 +146,19 @@ impl Upwind {
     }
 }
 
-/// The sum of flows from vertices whose distances count, and that of what distance is by each of them, times its flow.
+/// The distance of a vertex by the mean of its inflows, and the same by no more than edges.
+type Pair = [f64; 2];
+
+/// The sum of flows from vertices whose distances count, that of what distance is by each of them, times its flow, and the least
+/// that it is by an edge.
 #[inline]
-fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 3] {
+fn total(inflows: &[Inflow], distances: &[Pair], counts: impl Fn(f64) -> bool) -> [f64; 3] {
     let counted = inflows.iter().map(|inflow| (distances[inflow.from as usize], inflow));
     let none = [0.0, 0.0, UNKNOWN];
-    counted.filter(|&(distance, _)| counts(distance)).fold(none, |[whole, sum, nearest], (distance, inflow)| {
-        let [flow, rise, length] = [inflow.flow, inflow.rise, inflow.length].map(f64::from);
-        let by_edge = either(flow > 0.0, distance + length, UNKNOWN);
-        [whole + flow, sum + flow * (distance + rise), smaller(by_edge, nearest)]
+    counted.filter(|&([distance, _], _)| counts(distance)).fold(none, |[whole, sum, nearest], (pair, inflow)| {
+        let [flow, rise] = [inflow.flow, inflow.rise].map(f64::from);
+        let by_edge = either(flow > 0.0, pair[1] + inflow.length, UNKNOWN);
+        [whole + flow, sum + flow * (pair[0] + rise), smaller(by_edge, nearest)]
     })
 }
 
@@ -172,7 +186,7 @@ mod tests {
     fn distances(field: [EdgeField; 3], heat: [f64; 4], known: Vec<f64>) -> Vec<f64> {
         let (path, mut inflows) = (path(), path().inflows());
         (0..).zip(field).for_each(|(low, field)| inflows.add(low, [(low + 1, field)].into_iter()));
-        path.distances(&inflows, &heat, known)
+        path.distances(&inflows, &heat, &known, |_, _| 0.0)
     }
 
     fn known(first: f64) -> Vec<f64> {

@@ -41,6 +41,9 @@ use medium::Uniform;
 const EXACT_WINDOWS: usize = 5_000;
 const FACES_PER_EXACT_WINDOW: usize = 8;
 
+/// Windows of each half-edge, at least, where many triangles are thin: errors are a tenth of those of one, or less.
+const LEAST_WHERE_THIN: usize = 2;
+
 /// Distances that grow outward from their sources; stopped and continued at will, with the same result.
 #[derive(Debug)]
 pub struct Propagation {
@@ -72,7 +75,10 @@ impl Propagation {
         let front = match options.windows {
             Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
             Windows::All => None,
-            Windows::AtMost(count) => Some(front(Arc::clone(&geometry), options.carriers, usize::from(count.get()))?),
+            Windows::AtMost(count) => {
+                let least = if geometry.is_thin() { LEAST_WHERE_THIN } else { 1 };
+                Some(front(Arc::clone(&geometry), options.carriers, usize::from(count.get()).max(least))?)
+            }
         };
         let exact_windows = match (options.exact, options.carriers) {
             (ExactSearch::Automatic, Carriers::Windows) => EXACT_WINDOWS + faces / FACES_PER_EXACT_WINDOW,

@@ -12,7 +12,7 @@ pub const ALL: &str = "all";
 /// Windows that propagation keeps of each half-edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Windows {
-    /// So many.
+    /// So many; two at least where a tenth of the triangles has an angle of less than six degrees.
     AtMost(NonZeroU16),
     /// As many as there are, which makes it exact.
     All,
