@@ -172,15 +172,17 @@ test('undo and redo restore sources', async ({ heatwalk, page }) => {
   expect((await heatwalk.scene()).sources).toEqual(first);
 });
 
-test('an undo that comes before the answer shows the field of the sources that are back', async ({ heatwalk, page }) => {
+test('an undo that comes before the answer shows the field of the sources that are back', async ({
+  heatwalk,
+  page,
+}) => {
   await heatwalk.open();
   const { sources: first } = await heatwalk.scene();
   const solves = await heatwalk.solves();
   await page.evaluate(() => {
-    const press = (key: string, ctrlKey = false) =>
-      document.querySelector('.stage')?.dispatchEvent(new KeyboardEvent('keydown', { key, ctrlKey, bubbles: true }));
-    press('Enter');
-    press('z', true);
+    for (const keys of [{ key: 'Enter' }, { key: 'z', ctrlKey: true }]) {
+      document.querySelector('.stage')?.dispatchEvent(new KeyboardEvent('keydown', { ...keys, bubbles: true }));
+    }
   });
   expect((await heatwalk.scene()).sources).toEqual(first);
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves + 1);
