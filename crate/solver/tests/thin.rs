@@ -160,6 +160,11 @@ fn propagation_is_near_on_thin_triangles_and_nearer_with_more_windows() {
             assert_eq!(errors.iter().find(is_bad), None, "with {windows} windows");
             *mean += errors.iter().sum::<f64>() / errors.len() as f64;
         }
+        assert_eq!(
+            propagated(&surface, from, 1),
+            propagated(&surface, from, 2),
+            "two windows at least where triangles are thin"
+        );
     }
     assert!(means.windows(2).all(|pair| pair[1] < 0.5 * pair[0]), "{means:?}");
 }
