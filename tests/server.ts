@@ -25,6 +25,8 @@ export const ISOLATED = {
 export class Host {
   /** Paths that were asked for since this was emptied. */
   asked: string[] = [];
+  /** A path of which the next answer breaks off. */
+  breaksOff: string | null = null;
   readonly #server: Server;
 
   private constructor(server: Server) {
@@ -43,7 +45,12 @@ export class Host {
       const page = pages[pathname];
       const inside = pathname.startsWith(FOLDER) ? normalize(pathname.slice(FOLDER.length) || 'index.html') : '..';
       const file = join('dist', inside);
-      if (page !== undefined) response.setHeader('Content-Type', 'text/html').end(page);
+      if (pathname === host.breaksOff) {
+        host.breaksOff = null;
+        response
+          .writeHead(200, { 'Content-Type': TYPES[extname(file)], 'Content-Length': 1000 })
+          .write('broken', () => response.destroy());
+      } else if (page !== undefined) response.setHeader('Content-Type', 'text/html').end(page);
       else if (inside.startsWith('..') || !existsSync(file)) response.writeHead(404).end();
       else
         createReadStream(file).pipe(

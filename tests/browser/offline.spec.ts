@@ -19,12 +19,15 @@ test('the page can be installed, and after one visit every preset opens without 
   await expectInstallable(page);
   // Until the page has been quiet for a while, or is not looked at any more, nothing more is fetched.
   expect(host.asked.some((path) => path.endsWith('/offline.js'))).toBe(false);
+  // A connection that breaks does not lose what is kept.
+  host.breaksOff = new URL('docs/gallery.html', address).pathname;
   await page.evaluate(() => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
     return navigator.serviceWorker.ready;
   });
   await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state)).toBe('activated');
+  expect(host.breaksOff).toBeNull();
   await host.stop();
   await context.setOffline(true);
 

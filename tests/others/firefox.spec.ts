@@ -98,7 +98,7 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
-  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  await expect.poll(() => page.evaluate(keptBy), { timeout: 60_000 }).toBe('a worker in control');
   await host.stop();
   await page.reload();
   await page.evaluate(() => window.heatwalk.settled());
@@ -112,6 +112,15 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
 async function pictureOf(): Promise<string> {
   const bytes = new Uint8Array(await (await window.heatwalk.picture()).arrayBuffer());
   return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}
+
+/** Runs in the page: how far its service worker is. It takes control once it has kept everything. */
+async function keptBy(): Promise<string> {
+  if (navigator.serviceWorker.controller) return 'a worker in control';
+  const registration = await navigator.serviceWorker.getRegistration();
+  if (!registration) return 'no worker';
+  const { installing, waiting, active } = registration;
+  return `installing: ${installing?.state}, waiting: ${waiting?.state}, active: ${active?.state}`;
 }
 
 /** Share of the pixels that differ. */

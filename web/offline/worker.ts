@@ -44,15 +44,21 @@ self.addEventListener('fetch', (event) => {
 /** Keeps every file, or fails: the next visit tries again. */
 async function keepAll(): Promise<void> {
   const store = await caches.open(STORE);
-  await keepPage(store);
+  await twice(() => keepPage(store));
   // The last ones first: the documents can wait.
   const waiting = [...documentAddresses, ...addresses];
   const keepEach = async () => {
     for (let address = waiting.pop(); address !== undefined; address = waiting.pop()) {
-      await (documentAddresses.has(address) ? keepDocument(store, address) : keep(store, address));
+      const file = address;
+      await twice(() => (documentAddresses.has(file) ? keepDocument(store, file) : keep(store, file)));
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, keepEach));
+}
+
+/** Again where it fails, as where a connection breaks: one file of a hundred would lose all the others. */
+function twice(task: () => Promise<void>): Promise<void> {
+  return task().catch(task);
 }
 
 /** What an older build has under the same name is the same. */
