@@ -15,7 +15,7 @@ use crate::heat::source_heat::SourceHeat;
 use crate::options::MultiSource;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED};
 use crate::refinement;
-use heatwalk_surface::{Source, ToSource, VertexData, VertexId};
+use heatwalk_surface::{Source, ToSource, VertexData};
 
 /// A query with all that does not change while its exact region grows.
 #[derive(Debug)]
@@ -115,9 +115,7 @@ impl Factorization {
             match logarithm {
                 Some(logarithm) => {
                     let known = region.known(surface, self.exact_geometry().costs(), &active);
-                    let starts = logarithm.bounds().starts(surface, sources);
-                    let floor = |vertex, enough| starts.straight(surface.position(VertexId(vertex)), enough);
-                    logarithm.distances(self.operators(), (heat, self.time()), &known, floor)
+                    logarithm.distances(self.operators(), heat, self.time(), known)
                 }
                 None => {
                     let (divergence, touched) = divergence(&self.operators().elements, heat, region);
@@ -131,16 +129,14 @@ impl Factorization {
                 }
             }
         };
-        for ((value, &component), vertex) in values.iter_mut().zip(surface.components()).zip(0..) {
-            let beyond = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
-            *value = region.value(vertex).unwrap_or(beyond);
+        for (value, &component) in values.iter_mut().zip(surface.components()) {
+            *value = if has_source[component as usize] { larger(*value, region.radius) } else { f64::INFINITY };
         }
+        region.write(&mut values);
         if let Some(logarithm) = logarithm.filter(|_| !is_exact_everywhere) {
-            logarithm.bounds().keep(self.exact_geometry(), &mut values);
+            logarithm.bounds().keep(surface, sources, &mut values);
             // These keep them but for rounding.
-            for (vertex, exact) in region.values() {
-                values[vertex as usize] = exact;
-            }
+            region.write(&mut values);
         }
         let mut values = VertexData::from(values);
         if *multi_source == MultiSource::Exact {

@@ -9,86 +9,128 @@ use glam::DVec3;
 use crate::cost::Costs;
 use crate::exact::{ExactGeometry, after};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface, VertexId};
+use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface};
 
 /// What the bounds of distances on a surface take.
 #[derive(Debug)]
 pub(super) struct Bounds {
-    /// `#E`, its ends and its length: which edges keep the bounds is seen at a glance.
-    edges: Vec<([u32; 2], f64)>,
+    edges: Vec<Edge>,
+    /// `#V + 1`, where the edges of each vertex begin in `spokes`.
+    start: Vec<u32>,
+    /// Every edge, as a vertex at either of its ends has it.
+    spokes: Vec<u32>,
     /// What a unit of length costs at least.
     least_cost: f64,
 }
 
-/// What rounding makes of a sum of lengths, as a share of one.
-const ROUNDING: f64 = 1e-13;
+#[derive(Debug)]
+struct Edge {
+    ends: [u32; 2],
+    /// What it is long, times what a unit of length costs there.
+    length: f64,
+}
+
+/// All edges are looked at to and fro so often at most. It takes a hundredth of what the search takes for as many, and leaves few to it
+/// where few edges in a row are to lower what is along them.
+const MOST_SWEEPS: usize = 4;
+
+/// Fewer than a vertex in so many are quicker searched from.
+const FEW: usize = 32;
 
 impl Bounds {
     /// On a surface whose faces have costs, or not.
     pub(super) fn new(geometry: &ExactGeometry, costs: Option<&Costs>) -> Self {
+        let surface = geometry.surface();
+        let cost = |face: u32| costs.map_or(1.0, |costs| costs.of(FaceId(face)));
         let edge = |halfedge: HalfedgeId| {
             let (frame, k) = geometry.frame_of(halfedge.0);
             let faces = geometry.across(halfedge.0).map(|(other, _)| other / 3);
-            let cost = faces.map(|face| cost(geometry, face)).fold(cost(geometry, halfedge.0 / 3), smaller);
-            ([frame[k].vertex, frame[after(k)].vertex], cost * frame[k].length)
+            let cost = faces.map(cost).fold(cost(halfedge.0 / 3), smaller);
+            Edge { ends: [frame[k].vertex, frame[after(k)].vertex], length: cost * frame[k].length }
         };
-        Self {
-            edges: geometry.surface().edges().representatives().map(edge).collect(),
-            least_cost: costs.map_or(1.0, |costs| costs.of_faces().iter().copied().fold(f64::INFINITY, smaller)),
+        let edges: Vec<Edge> = surface.edges().representatives().map(edge).collect();
+        let mut start = vec![0; surface.vertex_count() + 1];
+        edges.iter().flat_map(|edge| edge.ends).for_each(|end| start[end as usize + 1] += 1);
+        for vertex in 1..start.len() {
+            start[vertex] += start[vertex - 1];
         }
-    }
-
-    /// `#E`, ends and length of each edge.
-    pub(super) fn edges(&self) -> &[([u32; 2], f64)] {
-        &self.edges
-    }
-
-    /// Straight lines from these sources.
-    pub(super) fn starts(&self, surface: &Surface, sources: &[Source]) -> Starts {
-        Starts::new(surface, sources, self.least_cost)
-    }
-
-    /// Makes distances (`#V`) that are below no straight line keep to the way along edges. What is infinite comes to be as far.
-    ///
-    /// They stay above straight lines, since no edge is shorter.
-    pub(super) fn keep(&self, geometry: &ExactGeometry, values: &mut [f64]) {
-        let mut low = Vec::new();
-        for &(ends, length) in &self.edges {
-            let [a, b] = ends.map(|end| values[end as usize]);
-            if (a - b).abs() > length * (1.0 + ROUNDING) {
-                low.push(if a < b { ends[0] } else { ends[1] });
+        let mut next = start.clone();
+        let mut spokes = vec![0; 2 * edges.len()];
+        for (index, edge) in (0..).zip(&edges) {
+            for end in edge.ends {
+                let place = &mut next[end as usize];
+                spokes[*place as usize] = index;
+                *place += 1;
             }
         }
-        relax(geometry, low, values);
+        let least_cost = costs.map_or(1.0, |costs| costs.of_faces().iter().copied().fold(f64::INFINITY, smaller));
+        Self { edges, start, spokes, least_cost }
     }
-}
 
-/// What a unit of length costs in a face.
-fn cost(geometry: &ExactGeometry, face: u32) -> f64 {
-    geometry.costs().map_or(1.0, |costs| costs.of(FaceId(face)))
-}
-
-/// Lowers distances to those of neighbors and the edges between, as in the search of Dijkstra (1959), from some vertices on.
-fn relax(geometry: &ExactGeometry, from: Vec<u32>, values: &mut [f64]) {
-    // Bits of numbers that are not negative order as the numbers do.
-    let waiting = from.into_iter().map(|vertex| Reverse((values[vertex as usize].to_bits(), vertex)));
-    let mut queue: BinaryHeap<Reverse<(u64, u32)>> = waiting.collect();
-    while let Some(Reverse((bits, vertex))) = queue.pop() {
-        let value = f64::from_bits(bits);
-        if value > values[vertex as usize] {
-            continue;
+    /// Makes distances (`#V`) from some sources keep to straight lines and to the way along edges. What is infinite comes to be as far.
+    ///
+    /// No edge is shorter than the straight line between its ends, so that what edges lower stays above straight lines. The result does
+    /// not depend on the order of vertices.
+    pub(super) fn keep(&self, surface: &Surface, sources: &[Source], values: &mut [f64]) {
+        let starts = Starts::new(surface, sources, self.least_cost);
+        for (value, &position) in values.iter_mut().zip(surface.positions()) {
+            *value = larger(*value, starts.straight(position, *value));
         }
-        for (face, k) in geometry.surface().corners_of_vertex(VertexId(vertex)) {
-            let [from, out, last] = geometry.frame(face.0).seen_from(k);
-            for (other, length) in [(out.vertex, from.length), (last.vertex, last.length)] {
-                let through = value + cost(geometry, face.0) * length;
-                let known = &mut values[other as usize];
+        let mut lowered = Vec::new();
+        for sweep in 0..MOST_SWEEPS {
+            lowered.clear();
+            let lower = |edge| lower(edge, values, &mut lowered);
+            let edges = self.edges.iter();
+            if sweep % 2 == 0 {
+                edges.for_each(lower);
+            } else {
+                edges.rev().for_each(lower);
+            }
+            if FEW * lowered.len() < values.len() {
+                break;
+            }
+        }
+        // An edge keeps the bound if neither of its ends was lowered in the last sweep.
+        self.search(lowered, values);
+    }
+
+    /// Lowers distances to those of neighbors and the edges between, as in the search of Dijkstra (1959), from some vertices on.
+    fn search(&self, from: Vec<u32>, values: &mut [f64]) {
+        // Bits of numbers that are not negative order as the numbers do.
+        let waiting = from.into_iter().map(|vertex| Reverse((values[vertex as usize].to_bits(), vertex)));
+        let mut queue: BinaryHeap<Reverse<(u64, u32)>> = waiting.collect();
+        while let Some(Reverse((bits, vertex))) = queue.pop() {
+            let value = f64::from_bits(bits);
+            if value > values[vertex as usize] {
+                continue;
+            }
+            for &Edge { ends: [a, b], length } in self.edges_of(vertex) {
+                let (end, through) = (a ^ b ^ vertex, value + length);
+                let known = &mut values[end as usize];
                 if through < *known {
                     *known = through;
-                    queue.push(Reverse((through.to_bits(), other)));
+                    queue.push(Reverse((through.to_bits(), end)));
                 }
             }
         }
+    }
+
+    fn edges_of(&self, vertex: u32) -> impl Iterator<Item = &Edge> {
+        let range = self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize;
+        self.spokes[range].iter().map(|&edge| &self.edges[edge as usize])
+    }
+}
+
+/// Lowers the distance of the farther end of an edge to that of the nearer one and the length.
+#[inline]
+fn lower(&Edge { ends: [a, b], length }: &Edge, values: &mut [f64], lowered: &mut Vec<u32>) {
+    let [at_a, at_b] = [a, b].map(|end| values[end as usize]);
+    if at_b + length < at_a {
+        values[a as usize] = at_b + length;
+        lowered.push(a);
+    } else if at_a + length < at_b {
+        values[b as usize] = at_a + length;
+        lowered.push(b);
     }
 }
 

@@ -155,12 +155,17 @@ impl<'a> ExactRegion<'a> {
         self.reached.iter().filter_map(|&vertex| Some((vertex.0, self.value(vertex.0)?)))
     }
 
+    /// Sets the region's distances among those of all vertices (`#V`).
+    pub(super) fn write(&self, distances: &mut [f64]) {
+        for (vertex, distance) in self.values() {
+            distances[vertex as usize] = distance;
+        }
+    }
+
     /// Distances (`#V`) in the region and at sources that it does not contain, infinite elsewhere.
     pub(super) fn known(&self, surface: &Surface, costs: Option<&Costs>, sources: &[Source]) -> Vec<f64> {
         let mut known = vec![f64::INFINITY; surface.vertex_count()];
-        for (vertex, distance) in self.values() {
-            known[vertex as usize] = distance;
-        }
+        self.write(&mut known);
         for source in sources {
             let place = source.place();
             let position = place.position(surface);

@@ -42,8 +42,6 @@ pub(super) struct Logarithm {
     upwind: Upwind,
     /// `#F`, the sides opposite each corner.
     sides: Vec<[Side; 3]>,
-    /// `#E`, the lengths of those edges that the surface has, in the unit of lengths; infinite for others.
-    lengths: Vec<f64>,
     /// The unit of lengths.
     unit: f64,
     /// Length of the field.
@@ -71,7 +69,6 @@ impl Logarithm {
         Self {
             upwind: Upwind::new(laplacian, unit),
             sides: sides(elements, laplacian),
-            lengths: lengths(&bounds, laplacian, unit),
             unit,
             length: 1.0 - LOSS * bumpiness * bumpiness,
             mass: operators.circumcentric_mass().into(),
@@ -95,16 +92,9 @@ impl Logarithm {
         &self.bounds
     }
 
-    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared, none below
-    /// `floor`, which is told the vertex and its distance else. Those below infinity in `known` (`#V`) stay; infinite where no edges lead
-    /// to one of them.
-    pub(super) fn distances(
-        &self,
-        operators: &Operators,
-        (heat, time): (&[f64], f64),
-        known: &[f64],
-        floor: impl Fn(u32, f64) -> f64,
-    ) -> Vec<f64> {
+    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
+    /// infinity in `known` (`#V`) stay; infinite where heat tells nothing.
+    pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
         let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
         let rates = self.rates(operators, &logarithms, MOST_RATE * time.sqrt() / self.unit);
         let laplacian = operators.laplacian();
@@ -112,15 +102,14 @@ impl Logarithm {
         for (low, &own) in logarithms.iter().enumerate() {
             let (first, entries) = laplacian.edges_of_column(low);
             let weights = &laplacian.stiffness.values()[entries.clone()];
-            let rates = rates[first..].iter().zip(&self.lengths[first..]);
-            let edges = laplacian.rows()[entries].iter().zip(weights).zip(rates);
-            let field = edges.map(|((&high, weight), (rate, &length))| {
+            let edges = laplacian.rows()[entries].iter().zip(weights).zip(&rates[first..]);
+            let field = edges.map(|((&high, weight), rate)| {
                 let fall = own - logarithms[high as usize];
-                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate, length })
+                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate })
             });
             inflows.add(low as u32, field);
         }
-        self.upwind.distances(&inflows, &logarithms, known, floor)
+        self.upwind.distances(&inflows, &logarithms, known)
     }
 
     /// `#E`, what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length of
@@ -181,15 +170,4 @@ fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
         side.share /= shares[side.edge as usize];
     }
     sides
-}
-
-/// `#E`, the lengths of those edges that the surface has, in this unit; infinite for others.
-fn lengths(bounds: &Bounds, laplacian: &Laplacian, unit: f64) -> Vec<f64> {
-    let mut lengths = vec![f64::INFINITY; edge_count(laplacian)];
-    for &(ends, length) in bounds.edges() {
-        if let Some(edge) = laplacian.edge(ends) {
-            lengths[edge] = smaller(length / unit, lengths[edge]);
-        }
-    }
-    lengths
 }

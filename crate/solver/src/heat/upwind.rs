@@ -5,12 +5,13 @@
 //! differences", 1952). So warmest first, each vertex follows from others, and nothing is solved. Least squares, `L φ = div X`, would
 //! spread what the field errs by somewhere over all of the mesh.
 
+use std::hint::select_unpredictable;
 use std::ops::Range;
 
 use bytemuck::Zeroable;
 use bytemuck::allocation::zeroed_vec;
 
-use crate::extremum::{either, larger, smaller};
+use crate::extremum::smaller;
 use crate::operator::Laplacian;
 
 /// How many edges of a mesh end at each vertex.
@@ -47,7 +48,6 @@ struct Inflow {
     from: u32,
     flow: f32,
     rise: f32,
-    length: f64,
 }
 
 /// What goes on along an edge, from its lower vertex to its higher one.
@@ -57,25 +57,23 @@ pub(super) struct EdgeField {
     pub(super) flow: f32,
     /// What distance grows by, in the unit of lengths.
     pub(super) rise: f32,
-    /// What distance grows by at most: the edge's length, in the unit of lengths.
-    pub(super) length: f64,
 }
 
 impl Inflows {
     /// Adds the field of the edges from a vertex to higher ones, which are given with it.
     #[inline]
     pub(super) fn add(&mut self, low: u32, edges: impl Iterator<Item = (u32, EdgeField)>) {
-        let mut own = self.ends[low as usize];
-        for (high, EdgeField { flow, rise, length }) in edges {
-            let end = &mut self.ends[high as usize];
-            // Which end is warmer is as good as random, and a wrong guess of the processor would cost more than to write to both. What
-            // does not count is overwritten by the next, or has no flow.
-            self.inflows[own as usize] = Inflow { from: high, flow: (-flow).max(0.0), rise: -rise, length };
-            self.inflows[*end as usize] = Inflow { from: low, flow: flow.max(0.0), rise, length };
-            own += u32::from(flow < 0.0);
-            *end += u32::from(flow > 0.0);
+        for (high, EdgeField { flow, rise }) in edges {
+            // Which end is warmer is as good as random, so that nothing branches on it: a wrong guess of the processor would cost more.
+            let is_low_cooler = flow < 0.0;
+            let cooler = select_unpredictable(is_low_cooler, low, high);
+            let end = &mut self.ends[cooler as usize];
+            let turned = f32::from_bits(rise.to_bits() ^ u32::from(is_low_cooler) << 31);
+            let inflow = Inflow { from: low ^ high ^ cooler, flow: flow.abs(), rise: turned };
+            // What has no flow is overwritten by the next.
+            self.inflows[*end as usize] = inflow;
+            *end += u32::from(flow != 0.0);
         }
-        self.ends[low as usize] = own;
     }
 
     /// Those of a vertex that has these edges, and perhaps some without flow.
@@ -105,39 +103,29 @@ impl Upwind {
         Inflows { ends: self.start[..vertices].to_vec(), inflows: zeroed_vec(count) }
     }
 
-    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm), none of them above a warmer neighbor's and the edge between, nor
-    /// below `floor`, which is told the vertex and its distance else. Those below infinity in `known` (`#V`) stay; infinite where heat
-    /// tells nothing.
-    ///
-    /// Means are of what is not bounded so: else they would change with the order of vertices as warm as each other.
-    pub(super) fn distances(
-        &self,
-        inflows: &Inflows,
-        heat: &[f64],
-        known: &[f64],
-        floor: impl Fn(u32, f64) -> f64,
-    ) -> Vec<f64> {
-        let inverse = 1.0 / self.unit;
-        let mut distances: Vec<Pair> =
-            known.iter().map(|&distance| [smaller(inverse * distance, UNKNOWN); 2]).collect();
-        let unknown = (0..).zip(&distances).filter(|&(_, &[distance, _])| distance == UNKNOWN);
+    /// Distances (`#V`) by falling `heat` (`#V`, or its logarithm). Those below infinity in `known` (`#V`) stay; infinite where heat tells
+    /// nothing.
+    pub(super) fn distances(&self, inflows: &Inflows, heat: &[f64], known: Vec<f64>) -> Vec<f64> {
+        let (mut distances, inverse) = (known, 1.0 / self.unit);
+        distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
+        let unknown = (0..).zip(&distances).filter(|&(_, &distance)| distance == UNKNOWN);
         let mut order: Vec<u64> = Vec::with_capacity(distances.len());
         order.extend(unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)));
-        order.sort_unstable();
+        sort_by_upper_half(&mut order);
         for vertex in order.into_iter().map(|key| key as u32) {
             let own = inflows.of(vertex, self.edges_of(vertex));
-            let [mut flow, mut sum, nearest] = total(own, &distances, |_| true);
+            let [mut flow, mut sum] = total(own, &distances, |_| true);
             if sum > LEAST_UNKNOWN_SUM {
-                [flow, sum, _] = total(own, &distances, |distance| distance < UNKNOWN);
+                [flow, sum] = total(own, &distances, |distance| distance < UNKNOWN);
             }
             if flow > 0.0 {
-                let mean = smaller(sum / flow, UNKNOWN);
-                let least = smaller(mean, nearest);
-                distances[vertex as usize] = [mean, larger(inverse * floor(vertex, self.unit * least), least)];
+                distances[vertex as usize] = smaller(sum / flow, UNKNOWN);
             }
         }
-        let in_file = |[_, distance]: Pair| distance * if distance < UNKNOWN { self.unit } else { f64::INFINITY };
-        distances.into_iter().map(in_file).collect()
+        distances
+            .iter_mut()
+            .for_each(|distance| *distance *= if *distance < UNKNOWN { self.unit } else { f64::INFINITY });
+        distances
     }
 
     /// The places of a vertex's edges.
@@ -146,20 +134,36 @@ impl Upwind {
     }
 }
 
-/// The distance of a vertex by the mean of its inflows, and the same by no more than edges.
-type Pair = [f64; 2];
-
-/// The sum of flows from vertices whose distances count, that of what distance is by each of them, times its flow, and the least
-/// that it is by an edge.
+/// The sum of flows from vertices whose distances count, and that of what distance is by each of them, times its flow.
 #[inline]
-fn total(inflows: &[Inflow], distances: &[Pair], counts: impl Fn(f64) -> bool) -> [f64; 3] {
-    let counted = inflows.iter().map(|inflow| (distances[inflow.from as usize], inflow));
-    let none = [0.0, 0.0, UNKNOWN];
-    counted.filter(|&([distance, _], _)| counts(distance)).fold(none, |[whole, sum, nearest], (pair, inflow)| {
-        let [flow, rise] = [inflow.flow, inflow.rise].map(f64::from);
-        let by_edge = either(flow > 0.0, pair[1] + inflow.length, UNKNOWN);
-        [whole + flow, sum + flow * (pair[0] + rise), smaller(by_edge, nearest)]
+fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 2] {
+    let counted = inflows.iter().map(|&Inflow { from, flow, rise }| (distances[from as usize], flow, rise));
+    counted.filter(|&(distance, ..)| counts(distance)).fold([0.0; 2], |[whole, sum], (distance, flow, rise)| {
+        let flow = f64::from(flow);
+        [whole + flow, sum + flow * (distance + f64::from(rise))]
     })
+}
+
+const DIGIT_BITS: usize = 11;
+
+/// Sorts by the upper half alone, least digits first, so that what is equal there stays as it was.
+fn sort_by_upper_half(keys: &mut Vec<u64>) {
+    let mut sorted = vec![0; keys.len()];
+    for shift in (u32::BITS..u64::BITS).step_by(DIGIT_BITS) {
+        let digit = |key: u64| (key >> shift) as usize & ((1 << DIGIT_BITS) - 1);
+        let mut places = [0_u32; 1 << DIGIT_BITS];
+        keys.iter().for_each(|&key| places[digit(key)] += 1);
+        let mut before = 0;
+        for place in &mut places {
+            before += std::mem::replace(place, before);
+        }
+        for &key in &*keys {
+            let place = &mut places[digit(key)];
+            sorted[*place as usize] = key;
+            *place += 1;
+        }
+        std::mem::swap(keys, &mut sorted);
+    }
 }
 
 /// Orders vertices by falling heat, to 24 bits, and in its lower half is the vertex.
@@ -183,10 +187,10 @@ mod tests {
         Upwind::new(&Laplacian { stiffness, mass: vec![1.0; 4] }, 0.5)
     }
 
-    fn distances(field: [EdgeField; 3], heat: [f64; 4], known: &[f64]) -> Vec<f64> {
+    fn distances(field: [EdgeField; 3], heat: [f64; 4], known: Vec<f64>) -> Vec<f64> {
         let (path, mut inflows) = (path(), path().inflows());
         (0..).zip(field).for_each(|(low, field)| inflows.add(low, [(low + 1, field)].into_iter()));
-        path.distances(&inflows, &heat, known, |_, _| 0.0)
+        path.distances(&inflows, &heat, known)
     }
 
     fn known(first: f64) -> Vec<f64> {
@@ -195,44 +199,42 @@ mod tests {
 
     #[test]
     fn distance_grows_from_the_warmest_to_the_coolest() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0, length: 1.0 }; 3];
-        assert_eq!(distances(field, [3.0, 2.0, 1.0, 0.0], &known(5.0)), [5.0, 5.5, 6.0, 6.5]);
-    }
-
-    #[test]
-    fn no_distance_grows_by_more_than_an_edge_from_any_warmer_neighbor() {
-        let field = [
-            EdgeField { flow: 1.0, rise: 3.0, length: 2.0 },
-            EdgeField { flow: 3.0, rise: 4.0, length: 9.0 },
-            EdgeField { flow: -1.0, rise: -9.0, length: 4.0 },
-        ];
-        let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
-        // 2 along the first edge, not 3. Then (3 · (2 + 4) + 1 · 9) / 4 = 6.75, but the last edge has a length of 4.
-        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], &known), [0.0, 1.0, 2.0, 0.0]);
+        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        assert_eq!(distances(field, [3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
     }
 
     #[test]
     fn the_coolest_has_the_mean_of_both_sides_by_flow() {
         let field = [
-            EdgeField { flow: 1.0, rise: 2.0, length: 4.0 },
-            EdgeField { flow: 3.0, rise: 2.0, length: 4.0 },
-            EdgeField { flow: -1.0, rise: -4.0, length: 4.0 },
+            EdgeField { flow: 1.0, rise: 2.0 },
+            EdgeField { flow: 3.0, rise: 2.0 },
+            EdgeField { flow: -1.0, rise: -4.0 },
         ];
         let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
         // 1 along the first edge, then (3 · 2 + 1 · 2) / 4.
-        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], &known), [0.0, 1.0, 2.0, 0.0]);
+        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    fn keys_are_sorted_by_their_upper_half_and_keep_their_order_where_it_is_equal() {
+        let scattered = |index: u64| index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mut keys: Vec<u64> = (0..1000).map(|index| scattered(index % 700) >> 32 << 32 | (1000 - index)).collect();
+        let mut expected = keys.clone();
+        expected.sort_by_key(|key| key >> 32);
+        sort_by_upper_half(&mut keys);
+        assert_eq!(keys, expected);
     }
 
     #[test]
     fn what_heat_does_not_tell_is_infinite() {
         let none = [EdgeField::default(); 3];
-        assert_eq!(distances(none, [0.0; 4], &known(0.0)), known(0.0));
+        assert_eq!(distances(none, [0.0; 4], known(0.0)), known(0.0));
     }
 
     #[test]
     fn what_no_known_vertex_reaches_is_infinite() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0, length: 1.0 }; 3];
-        let distances = distances(field, [3.0, 2.0, 1.0, 0.0], &known(f64::INFINITY));
+        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        let distances = distances(field, [3.0, 2.0, 1.0, 0.0], known(f64::INFINITY));
         assert!(distances.iter().all(|distance| *distance == f64::INFINITY), "{distances:?}");
     }
 }
