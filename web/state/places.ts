@@ -109,6 +109,11 @@ export class Places {
     return interpolated(values, corners, weights);
   }
 
+  /** Whether `valueAt` is between those of corners. */
+  isBetween(point: MeshPoint): boolean {
+    return !('vertex' in point) && !point.weights.includes(1);
+  }
+
   /** The least value of the corners at a vertex, which walls part. */
   #leastAt(vertex: number, values: Float32Array): number {
     const { surface, inputVertices } = this.#mesh;

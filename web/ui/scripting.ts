@@ -56,7 +56,7 @@ export interface Heatwalk {
   readonly walker: { arc: number; length: number; cost: number; arrived: boolean; kind: PathKind } | null;
   /** What tapes measure, in the unit of the file; lengths and areas that are not known, or are none, are null. */
   readonly tapes: readonly ToldTape[];
-  /** Distance at a place of the shown field; Infinity where no source reaches; NaN where the mesh has no such place. */
+  /** Distance at a place of the shown field, linear between those of vertices; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: MeshPoint): number;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
   gradients(kind: FaceField): Promise<Float32Array>;

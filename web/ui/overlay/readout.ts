@@ -5,7 +5,7 @@ import { h } from '../dom';
 import { measure, percent } from '../words';
 import { t } from '../../texts';
 
-/** Distance and nearest input vertex under the pointer or the reticle. */
+/** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices. */
 export class Readout {
   readonly element = h('output', { class: 'readout', hidden: true });
   readonly #session: Session;
@@ -42,5 +42,6 @@ function readoutText({ scene, shown }: Session, point: MeshPoint): string | null
   if (!answer.field) return vertex;
   const distance = places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
-  return t`${measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  const about = places.isBetween(point) ? '≈ ' : '';
+  return t`${about + measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }
