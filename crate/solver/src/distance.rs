@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::cost::Costs;
 use crate::error::{Error, Result};
+use heatwalk_surface::edges::EdgeNames;
 use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
 
 /// Distance from a set of sources.
@@ -57,11 +58,20 @@ pub(crate) fn key(place: Place) -> PlaceKey {
 }
 
 /// Sources of which each place has one, from its least initial distance, in the order in which places come first.
-pub(crate) fn one_a_place(sources: impl IntoIterator<Item = Source>) -> Vec<Source> {
+pub(crate) fn one_a_place(surface: &Surface, sources: impl IntoIterator<Item = Source>) -> Vec<Source> {
+    let mut names = EdgeNames::default();
+    let mut on_first = |place: Place| match place {
+        Place::Edge { halfedge, fraction } => {
+            let first = names.first(surface.edges(), halfedge);
+            let is_against = surface.ends(first) != surface.ends(halfedge);
+            Place::Edge { halfedge: first, fraction: if is_against { 1.0 - fraction } else { fraction } }
+        }
+        _ => place,
+    };
     let mut number: HashMap<PlaceKey, usize> = HashMap::new();
     let mut kept: Vec<Source> = Vec::new();
     for source in sources {
-        let own = *number.entry(key(source.place())).or_insert(kept.len());
+        let own = *number.entry(key(on_first(source.place()))).or_insert(kept.len());
         match kept.get_mut(own) {
             Some(other) => *other = other.from_at_most(source.initial_distance()),
             None => kept.push(source),

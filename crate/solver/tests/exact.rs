@@ -359,3 +359,38 @@ mod large_meshes {
         }
     }
 }
+
+#[test]
+fn distances_on_a_book_of_many_pages_are_those_of_two_of_them_laid_flat() {
+    let (pages, n) = (60, 3);
+    let surface = Arc::new(surface(&book(pages, n)));
+    // From the spine, along it, and by page.
+    let place = |vertex: VertexId| {
+        let position = surface.position(vertex);
+        (position.truncate().length(), position.z, position.y.atan2(position.x))
+    };
+    let between = |a: VertexId, b: VertexId| {
+        let [(from, low, page), (to, high, other)] = [a, b].map(place);
+        let is_same = (page - other).abs() < 1e-6;
+        if is_same { (from - to).hypot(low - high) } else { (from + to).hypot(low - high) }
+    };
+    let mut seed = 29;
+    let outer: Vec<VertexId> = surface.vertices().filter(|&vertex| place(vertex).0 > 0.3).collect();
+    for nearer_by in [0.0, 1e-3, -1e-3, 0.02] {
+        // From the first page to the last, each source is nearer to the spine by as much.
+        let mut started: Vec<(VertexId, f64)> =
+            (0..2 * pages as usize).map(|_| (outer[random(&mut seed, outer.len())], 0.0)).collect();
+        started.sort_by(|a, b| place(a.0).2.total_cmp(&place(b.0).2));
+        for (number, (_, start)) in started.iter_mut().enumerate() {
+            *start = 5.0 - nearer_by * number as f64;
+        }
+        let sources: Vec<_> = started.iter().map(|&(vertex, start)| (Place::Vertex(vertex), start)).collect();
+        let wavefront = finished(&surface, &sources, &[]);
+        for vertex in surface.vertices() {
+            let ways = started.iter().map(|&(source, start)| start + between(source, vertex));
+            let expected = ways.fold(f64::INFINITY, f64::min);
+            let value = wavefront.values()[vertex];
+            assert!((value - expected).abs() <= EXACT * expected, "{vertex}: {value}, not {expected}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Which half-edges of a triangle list lie on the same edge, and which triangles to flip so that neighbours agree.
 
+use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,6 +18,24 @@ pub struct Edges {
     /// `3 #F`, the next half-edge of the same edge, of either direction. Those of an edge form a cycle, ascending up to
     /// the step from the last to the first.
     next: Vec<HalfedgeId>,
+}
+
+/// Which edges half-edges lie on, each of which is walked around once, however many of its half-edges are asked for.
+#[derive(Debug, Default)]
+pub struct EdgeNames {
+    first: BTreeMap<HalfedgeId, HalfedgeId>,
+}
+
+impl EdgeNames {
+    /// The first half-edge of the same edge.
+    pub fn first(&mut self, edges: &Edges, halfedge: HalfedgeId) -> HalfedgeId {
+        if let Some(&first) = self.first.get(&halfedge) {
+            return first;
+        }
+        let first = edges.first(halfedge);
+        self.first.extend(edges.around(first).map(|halfedge| (halfedge, first)));
+        first
+    }
 }
 
 impl Edges {

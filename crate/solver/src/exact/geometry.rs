@@ -408,6 +408,12 @@ impl ExactGeometry {
         let place = location.snapped_within(surface, ON_EDGE);
         place.faces(surface).into_iter().map(|face| (face.0, place.weights_in(surface, face))).collect()
     }
+
+    /// The weights of a surface point in one of the faces that it lies on.
+    pub(super) fn weights_at(&self, surface: &Surface, location: Place, face: u32) -> Option<[f64; 3]> {
+        let place = location.snapped_within(surface, ON_EDGE);
+        place.lies_on(surface, FaceId(face)).then(|| place.weights_in(surface, FaceId(face)))
+    }
 }
 
 /// A surface point whose barycentric weight is at most this lies on the edge, or at the corner, opposite: it moves by

@@ -16,6 +16,7 @@ mod bundle;
 mod bundles;
 mod crossing;
 mod envelope;
+mod fans;
 mod geometry;
 mod list;
 mod lists;

@@ -116,6 +116,11 @@ impl Ring {
         self.current = self.current.min(number.max(self.current - self.current % RING));
     }
 
+    /// Whether none waits in the current bucket.
+    fn is_between_buckets(&self) -> bool {
+        self.ring[(self.current % RING) as usize].is_empty()
+    }
+
     /// Takes an item out of the first bucket that has any, unless that begins at `limit` or beyond.
     fn pop(&mut self, limit: f64) -> Option<u32> {
         while self.waiting > 0 && self.first() < limit {
@@ -216,6 +221,11 @@ impl Buckets {
         self.waiting += usize::from(*bucket == 0);
         *bucket = number + 1;
         self.ring.place(number, item);
+    }
+
+    /// Whether none waits in the current bucket.
+    pub fn is_between_buckets(&self) -> bool {
+        self.ring.is_between_buckets()
     }
 
     /// Lets items wait at `distance` again, as far as the ring goes back: what waits nearer than that waits there.

@@ -78,6 +78,7 @@ impl Wavefront {
                 self.light_from_inside(face, weights, value, root);
             }
         }
+        self.deliver_gathered(&geometry);
     }
 
     /// Sends windows from a point of a face by all edges that it does not lie on, and straight lines to the corners.
@@ -234,8 +235,7 @@ impl Wavefront {
 
     /// Barycentric weights in a face of a vertex or source that windows start from.
     pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
-        let faces = self.geometry.faces_at(&self.surface, self.place_of_root(root));
-        faces.into_iter().find(|&(found, _)| found == face).map(|(_, weights)| weights)
+        self.geometry.weights_at(&self.surface, self.place_of_root(root), face)
     }
 
     /// Lights the faces around a vertex from one border of its shadow to the other, or to the boundary.

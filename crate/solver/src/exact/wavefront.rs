@@ -4,6 +4,7 @@ use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
 use super::crossing::Crossing;
+use super::fans::{Fans, Leaving};
 use super::geometry::{ExactGeometry, Frame, Side, after, before};
 use super::list::List;
 use super::lists::{HAS_BUNDLES, Lists};
@@ -17,7 +18,7 @@ use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
 use crate::room;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Element, Place, Source, ToPoint, ToSource, VertexData, VertexId, memory};
+use heatwalk_surface::{Element, HalfedgeId, Place, Source, ToPoint, ToSource, VertexData, VertexId, memory};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 0.7;
@@ -45,6 +46,7 @@ pub struct Wavefront {
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
     repeats: Repeats,
+    fans: Fans,
     pub(super) propagated: usize,
     /// Whether there was no memory for something, which is lost.
     pub(super) is_refused: bool,
@@ -106,6 +108,7 @@ impl Wavefront {
             waiting: Lists::new(halfedges),
             queue: Buckets::new(items, base, BUCKET * geometry.mean_edge()),
             repeats: Repeats::new(halfedges),
+            fans: Fans::default(),
             propagated: 0,
             is_refused: false,
             batch: Vec::new(),
@@ -150,6 +153,7 @@ impl Wavefront {
             }
         });
         self.repeats.clear();
+        self.fans.clear();
         self.propagated = 0;
         self.sources = sources;
         self.start();
@@ -167,6 +171,9 @@ impl Wavefront {
         let geometry = Arc::clone(&self.geometry);
         let mut batch = std::mem::take(&mut self.batch);
         while self.propagated < enough && !self.is_refused() {
+            if self.queue.is_between_buckets() {
+                self.deliver_gathered(&geometry);
+            }
             self.queue.pop_some(radius, BATCH, &mut batch);
             if batch.is_empty() {
                 if self.relax(radius) {
@@ -185,6 +192,7 @@ impl Wavefront {
                 }
             }
         }
+        self.deliver_gathered(&geometry);
         self.batch = batch;
         if self.is_refused() { Err(room::REFUSED) } else { Ok(self.radius() >= radius) }
     }
@@ -485,9 +493,33 @@ impl Wavefront {
         windows.clear();
     }
 
-    /// The same for an edge that is not between two faces of one orientation.
+    /// The same for an edge that is not between two faces of one orientation. Windows may be gathered.
     #[cold]
-    fn deliver_to_fan(&mut self, geometry: &ExactGeometry, halfedge: u32, windows: &[Beam], nearest: f64) {
+    fn deliver_to_fan(&mut self, geometry: &ExactGeometry, halfedge: u32, windows: &mut Vec<Beam>, nearest: f64) {
+        let edges = self.surface.edges();
+        if edges.is_branching(HalfedgeId(halfedge)) && self.fans.gathers(edges, halfedge) {
+            self.is_refused |= !self.fans.gather(nearest, halfedge, windows);
+        } else {
+            self.deliver_to_all(geometry, halfedge, windows, nearest);
+        }
+    }
+
+    /// Delivers what has been gathered at edges of many faces.
+    pub(super) fn deliver_gathered(&mut self, geometry: &ExactGeometry) {
+        if !self.fans.are_gathered() {
+            return;
+        }
+        for mut leaving in self.fans.take() {
+            self.fans.leave_nearer(geometry, &mut leaving, self.waiting.envelope());
+            let Leaving { halfedge, windows, .. } = leaving;
+            if let Some(nearest) = window::nearest(&windows) {
+                self.deliver_to_all(geometry, halfedge, &windows, nearest);
+            }
+        }
+    }
+
+    /// Brings windows to each of the half-edges on the other faces of an edge.
+    fn deliver_to_all(&mut self, geometry: &ExactGeometry, halfedge: u32, windows: &[Beam], nearest: f64) {
         let (frame, k) = geometry.frame_of(halfedge);
         for (target, is_mirrored) in geometry.across(halfedge) {
             let mut copy = Vec::new();

@@ -37,6 +37,6 @@ impl Query {
             return Err(Error::NoSource);
         }
         let checked: Result<Vec<Source>> = self.sources.iter().map(|source| Ok(source.to_source(surface)?)).collect();
-        Ok(one_a_place(checked?))
+        Ok(one_a_place(surface, checked?))
     }
 }

@@ -19,6 +19,9 @@ use heatwalk_surface::{Source, Surface, VertexData, VertexId};
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;
 
+/// So many faces in a row have to refuse a window that leaves by an edge of more.
+const REFUSALS: usize = 16;
+
 /// What windows carry.
 pub(super) struct Front<C, M> {
     surface: Arc<Surface>,
@@ -315,40 +318,48 @@ impl<C: Count, M: Medium> Front<C, M> {
     }
 
     /// The same for an edge that is not between two faces of one orientation.
+    ///
+    /// What comes to an edge is kept behind it on all faces but its own, so that they know of much the same. Where costs are one, and so
+    /// many faces have not kept a window, the others are not asked.
     #[cold]
     fn leave_fan(&mut self, geometry: &ExactGeometry, halfedge: u32, beam: &Beam, bar: &Bar) {
+        let mut refusals = 0;
         for (target, is_mirrored) in geometry.across(halfedge) {
-            if is_mirrored {
+            let is_kept = if is_mirrored {
                 let [begin, end] = bar.ends;
                 let bar = Bar { ends: [end, begin], ..*bar };
-                self.keep_behind((halfedge, target), &beam.mirrored(bar.length), &bar);
+                self.keep_behind((halfedge, target), &beam.mirrored(bar.length), &bar)
             } else {
-                self.keep_behind((halfedge, target), beam, bar);
+                self.keep_behind((halfedge, target), beam, bar)
+            };
+            refusals = if is_kept { 0 } else { refusals + 1 };
+            if M::IS_UNIFORM && refusals == REFUSALS {
+                return;
             }
         }
     }
 
     /// Keeps a window that leaves a face by its half-edge `from`, seen in units of that face's cost, at the half-edge `to` of
-    /// the face behind.
+    /// the face behind. Returns whether it is kept.
     #[inline(always)]
-    fn keep_behind(&mut self, (from, to): (u32, u32), beam: &Beam, bar: &Bar) {
+    fn keep_behind(&mut self, (from, to): (u32, u32), beam: &Beam, bar: &Bar) -> bool {
         let [before, behind] = [from, to].map(|halfedge| self.medium.cost(halfedge / 3));
         if before == behind {
-            self.keep(to, beam, bar);
+            self.keep(to, beam, bar)
         } else {
             let ratio = before / behind;
             let bar = Bar { ends: bar.ends.map(|value| value * ratio), ..*bar };
-            if let Some(beam) = refracted(beam, ratio) {
-                self.keep(to, &beam, &bar);
-            }
+            refracted(beam, ratio).is_some_and(|beam| self.keep(to, &beam, &bar))
         }
     }
 
     #[inline(always)]
-    fn keep(&mut self, halfedge: u32, beam: &Beam, bar: &Bar) {
-        if let Some(nearest) = self.labels.offer(halfedge, beam, bar) {
+    fn keep(&mut self, halfedge: u32, beam: &Beam, bar: &Bar) -> bool {
+        let kept = self.labels.offer(halfedge, beam, bar);
+        if let Some(nearest) = kept {
             self.crossing.push(halfedge, nearest * self.medium.cost(halfedge / 3));
         }
+        kept.is_some()
     }
 
     /// Forgets all that was found from earlier sources, to begin from so many at the least distance.

@@ -127,7 +127,7 @@ impl DistanceSolver {
             let carried = self.carried(&sources)?;
             return Ok(by_heat(self.factored(options.heat, progress)?, &carried)?.times(cost));
         };
-        let (geometry, sources) = (Arc::clone(self.exact_geometry()), one_a_place(sources));
+        let (geometry, sources) = (Arc::clone(self.exact_geometry()), one_a_place(&self.surface, sources));
         let options = options.per(cost);
         Ok(self.searches(1)[0].answer(&geometry, &sources, (&options, propagation), progress)?.times(cost))
     }
