@@ -3,10 +3,14 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
+use glam::DVec3;
+
+use super::nodes::Nodes;
 use crate::error::{Error, Result};
 use crate::lists::Lists;
+use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::quality::dihedral_angles;
-use crate::mesh::{EDGES, FACES, NONE, Sight, TetId, TetMesh};
+use crate::mesh::{EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
 
 /// Costs of tetrahedra that are not walls.
 pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
@@ -14,6 +18,17 @@ pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
 /// Waves bend around edges whose angle inside the mesh is above π by this, in radians: more than rounding, and less than what takes
 /// a line through the edge's ends out of sight.
 const CONCAVE: f64 = 1e-10;
+
+/// Edges whose angle inside the mesh is above π by this, in radians, are sharp: less is between the faces of a round obstacle, whose edges
+/// waves bend around one after another.
+const SHARP: f64 = 0.5;
+
+/// In a riddled mesh more than this share of the edges is sharp: 0.3 and more where a tenth of the tetrahedra between points at
+/// random is taken out, while on solids only edges of the boundary are, and few of these.
+const RIDDLED: f64 = 0.2;
+
+/// Where there are so few vertices, one sharp edge is enough: all lines of sight are found in a moment.
+const FEW: usize = 200;
 
 /// The tetrahedra of a mesh with what it costs to go through them.
 #[derive(Debug)]
@@ -26,6 +41,8 @@ pub(crate) struct Medium {
     cost: f64,
     /// Of each vertex, the other ends of the boundary's concave edges.
     concave: Lists,
+    /// Where the mesh is riddled.
+    nodes: Option<Nodes>,
 }
 
 impl Medium {
@@ -34,11 +51,15 @@ impl Medium {
     /// # Errors
     /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
     pub(crate) fn new(mesh: &TetMesh, costs: Option<&[f64]>) -> Result<Self> {
-        let mut medium = Self { neighbors: None, costs: None, cost: 1.0, concave: Lists::default() };
+        let mut medium = Self { neighbors: None, costs: None, cost: 1.0, concave: Lists::default(), nodes: None };
         if let Some(costs) = costs {
             medium.set_costs(mesh, costs)?;
         }
-        medium.concave = medium.concave_edges(mesh);
+        let (concave, sharp) = medium.concave_edges(mesh);
+        medium.concave = concave;
+        if medium.is_uniform() && is_riddled(mesh, sharp.len()) {
+            medium.nodes = Some(Nodes::new(mesh, &sharp));
+        }
         Ok(medium)
     }
 
@@ -80,6 +101,11 @@ impl Medium {
         self.costs.is_none().then_some(self.cost)
     }
 
+    /// The least of those that are no walls.
+    pub(crate) fn least_cost(&self) -> f64 {
+        self.costs.as_ref().map_or(self.cost, |costs| costs.iter().copied().fold(f64::INFINITY, f64::min))
+    }
+
     /// Whether some are walls.
     pub(crate) fn has_walls(&self) -> bool {
         self.neighbors.is_some()
@@ -90,12 +116,37 @@ impl Medium {
         self.concave.row(vertex)
     }
 
+    /// Where paths may bend in a riddled mesh; none in others.
+    pub(super) fn nodes(&self) -> Option<&Nodes> {
+        self.nodes.as_ref()
+    }
+
+    /// The tetrahedra that are no walls and that a place touches.
+    pub(crate) fn touching(&self, mesh: &TetMesh, start: Start, place: DVec3) -> Vec<u32> {
+        let is_open = |tetrahedron: &u32| self.cost(*tetrahedron).is_finite();
+        match start {
+            Start::Vertex(vertex) => mesh.around().row(vertex).iter().copied().filter(is_open).collect(),
+            Start::Edge([a, b]) => {
+                let has_edge = |tetrahedron: &u32| mesh.tetrahedra()[*tetrahedron as usize].contains(&b);
+                mesh.around().row(a).iter().copied().filter(|other| has_edge(other) && is_open(other)).collect()
+            }
+            Start::Inside(tetrahedron) => {
+                let weights = weights(mesh.corners(TetId(tetrahedron)), place);
+                let beyond = self.sight(mesh).neighbors[tetrahedron as usize];
+                let touched =
+                    beyond.into_iter().zip(weights).filter(|&(other, weight)| other != NONE && weight <= GRAZING);
+                touched.map(|(other, _)| other).chain([tetrahedron]).collect()
+            }
+        }
+    }
+
     /// Lines through the tetrahedra that are no walls.
     pub(crate) fn sight<'a>(&'a self, mesh: &'a TetMesh) -> Sight<'a> {
         Sight { mesh, neighbors: self.neighbors.as_deref().unwrap_or(mesh.neighbors()) }
     }
 
-    fn concave_edges(&self, mesh: &TetMesh) -> Lists {
+    /// The concave edges of the boundary of what is no wall, as lists for each vertex, and the sharp ones, ascending.
+    fn concave_edges(&self, mesh: &TetMesh) -> (Lists, Vec<[u32; 2]>) {
         let neighbors = self.sight(mesh).neighbors;
         let mut edges: Vec<[u32; 2]> = Vec::new();
         for (tetrahedron, (corners, neighbors)) in mesh.tetrahedra().iter().zip(neighbors).enumerate() {
@@ -110,15 +161,19 @@ impl Medium {
             }
         }
         edges.sort_unstable();
-        let mut concave = Vec::new();
+        let (mut concave, mut sharp) = (Vec::new(), Vec::new());
         for sides in edges.chunk_by(|a, b| a == b) {
             let [a, b] = sides[0];
             // Where parts meet in an edge only, lines cannot tell whether they may pass.
-            if sides.len() > 2 || self.angle_at_edge(mesh, [a, b]) > PI + CONCAVE {
+            let angle = if sides.len() > 2 { f64::INFINITY } else { self.angle_at_edge(mesh, [a, b]) };
+            if angle > PI + CONCAVE {
                 concave.extend([(a, b), (b, a)]);
             }
+            if angle > PI + SHARP {
+                sharp.push([a, b]);
+            }
         }
-        Lists::group(mesh.vertex_count(), || concave.iter().copied())
+        (Lists::group(mesh.vertex_count(), || concave.iter().copied()), sharp)
     }
 
     /// The angle of the tetrahedra around an edge, in radians.
@@ -136,4 +191,10 @@ impl Medium {
         }
         sum
     }
+}
+
+/// Whether lines of sight are short, and waves that go from vertex to vertex would miss many.
+fn is_riddled(mesh: &TetMesh, sharp: usize) -> bool {
+    let ends: usize = (0..mesh.vertex_count() as u32).map(|vertex| mesh.adjacent().row(vertex).len()).sum();
+    sharp as f64 > RIDDLED * (ends / 2) as f64 || (sharp > 0 && mesh.vertex_count() <= FEW)
 }

@@ -31,9 +31,11 @@ const OFFERED: usize = 1;
 type Offer = Reverse<(u64, u32, u32)>;
 
 /// A march in work.
-pub(super) struct Search<'a> {
+pub(crate) struct Search<'a> {
     mesh: &'a TetMesh,
     medium: &'a Medium,
+    /// To which some wave was offered that does not come straight there.
+    is_shadowed: Vec<bool>,
     pub(super) waves: Vec<Wave>,
     pub(super) distances: Vec<f64>,
     /// The wave that each vertex has its distance from; [`NONE`] where it is refracted, or there is none.
@@ -51,6 +53,7 @@ impl<'a> Search<'a> {
         Self {
             mesh,
             medium,
+            is_shadowed: vec![false; vertices],
             waves: Vec::new(),
             distances: vec![f64::INFINITY; vertices],
             wave_of: vec![NONE; vertices],
@@ -105,9 +108,14 @@ impl<'a> Search<'a> {
                     return distance.min(radius);
                 }
                 self.offers.pop();
-                if distance < self.distances[vertex as usize] * (1.0 - GAIN) && self.is_seen(wave, vertex) {
+                if distance >= self.distances[vertex as usize] * (1.0 - GAIN) {
+                    continue;
+                }
+                if self.is_seen(wave, vertex) {
                     let (distance, wave) = self.straightened(vertex, distance, wave);
                     self.settle(vertex, distance, wave);
+                } else if !std::mem::replace(&mut self.is_shadowed[vertex as usize], true) {
+                    self.relax(vertex);
                 }
             }
             let reached = self.distances.iter().filter(|distance| distance.is_finite()).count();
@@ -115,6 +123,25 @@ impl<'a> Search<'a> {
                 return f64::INFINITY;
             }
             reached_before = reached;
+        }
+    }
+
+    /// Offers a vertex that is in the shadow of some wave the ways along its edges: the waves of its neighbors may be in it, too.
+    fn relax(&mut self, vertex: u32) {
+        let mesh = self.mesh;
+        for &other in mesh.adjacent().row(vertex) {
+            self.offer_along(other, vertex);
+        }
+    }
+
+    /// Offers the way along an edge.
+    fn offer_along(&mut self, from: u32, vertex: u32) {
+        let [start, end] = [from, vertex].map(|end| self.mesh.positions()[end as usize]);
+        let cost = self.least_cost_at([from, vertex]);
+        let (distance, parents) = (self.distances[from as usize], [self.wave_of[from as usize], NONE]);
+        if distance + cost * start.distance(end) < self.distances[vertex as usize] * (1.0 - GAIN) {
+            let wave = self.add(Wave::from_place(start, distance, cost, Some(from)).after(parents));
+            self.offer(wave, vertex);
         }
     }
 
@@ -143,7 +170,7 @@ impl<'a> Search<'a> {
         let Wave { cost, .. } = self.waves[wave as usize];
         let place = self.mesh.positions()[vertex as usize];
         let from = self.waves[wave as usize].ray(place).from;
-        if from == place {
+        if from == place || self.comes_along(wave, vertex) {
             return true;
         }
         let (wave_of, medium) = (&self.wave_of, self.medium);
@@ -170,6 +197,15 @@ impl<'a> Search<'a> {
         sight.walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
     }
 
+    /// Whether a wave comes from the other end of an edge, along which nothing is in between.
+    fn comes_along(&self, wave: u32, vertex: u32) -> bool {
+        let Wave { cost, ends, .. } = self.waves[wave as usize];
+        let Some([from, other]) = ends else { return false };
+        from == other
+            && self.mesh.adjacent().row(vertex).binary_search(&from).is_ok()
+            && self.least_cost_at([from, vertex]) <= cost
+    }
+
     /// Gives a vertex its distance and sends waves on.
     fn settle(&mut self, vertex: u32, distance: f64, wave: u32) {
         self.work += SETTLED;
@@ -179,6 +215,11 @@ impl<'a> Search<'a> {
         if wave != NONE {
             for &other in mesh.adjacent().row(vertex) {
                 self.offer(wave, other);
+            }
+        }
+        for &other in mesh.adjacent().row(vertex) {
+            if self.is_shadowed[other as usize] {
+                self.offer_along(vertex, other);
             }
         }
         let concave = self.medium.concave(vertex);

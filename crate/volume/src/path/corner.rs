@@ -6,10 +6,10 @@ use crate::mesh::Start;
 
 /// A corner of a path.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Corner {
-    pub(super) place: DVec3,
+pub(crate) struct Corner {
+    pub(crate) place: DVec3,
     /// Where that is in the mesh.
-    pub(super) start: Start,
+    pub(crate) start: Start,
     /// Cost of what follows.
-    pub(super) cost: f64,
+    pub(crate) cost: f64,
 }

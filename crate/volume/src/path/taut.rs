@@ -17,7 +17,7 @@ const GAIN: f64 = 1e-7;
 const HALVINGS: u32 = 8;
 
 /// Shortens a path while its ends stay where they are.
-pub(super) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
+pub(crate) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
     skip(mesh, medium, corners);
     shorten(mesh, medium, corners, |mesh, medium, corners| slide(mesh, medium, corners));
     shorten(mesh, medium, corners, cut);
@@ -40,7 +40,8 @@ fn shorten(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>, step: fn(
     }
 }
 
-fn length_of(corners: &[Corner]) -> f64 {
+/// The length of a path.
+pub(crate) fn length_of(corners: &[Corner]) -> f64 {
     corners.windows(2).map(|ends| ends[0].place.distance(ends[1].place)).sum()
 }
 
