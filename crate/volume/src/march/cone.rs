@@ -24,14 +24,15 @@ impl Cone {
     }
 
     fn through(apex: DVec3, corners: &[DVec3]) -> Option<Self> {
+        // As directions, whose products do not underflow whatever the size of the mesh.
+        let corners: Vec<DVec3> = corners.iter().map(|corner| corner.normalize_or_zero()).collect();
         let inside: DVec3 = corners.iter().sum();
         let next = corners.iter().cycle().skip(1);
         let mut sides = Vec::with_capacity(corners.len());
         for (corner, next) in corners.iter().zip(next) {
             let normal = corner.cross(*next);
-            let sine = normal.length() / (corner.length() * next.length());
-            // Where two corners are one but for rounding, there is no side between them. Not a number where one is at the apex.
-            if sine.is_nan() || sine <= THIN {
+            // Where two corners are one but for rounding, there is no side between them.
+            if normal.length() <= THIN {
                 continue;
             }
             let normal = normal.normalize();

@@ -84,7 +84,7 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
             }
         }
     }
-    taut::pull(mesh, medium, &mut corners);
+    pull(mesh, medium, &mut corners);
     Ok(VolumePath::along(mesh, &corners))
 }
 
