@@ -17,12 +17,8 @@ const GROUPS: usize = 32;
 pub(super) fn cap(mesh: &TetMesh, medium: &Medium, sources: &[TetSource], values: &mut [f64]) {
     for source in sources {
         let place = source.point.position(mesh);
-        let start = source.point.start(mesh);
-        let cost = medium
-            .touching(mesh, start, place)
-            .into_iter()
-            .map(|other| medium.cost(other))
-            .fold(f64::INFINITY, f64::min);
+        let touched = medium.touching(mesh, source.point.corner(mesh)).into_iter();
+        let cost = touched.map(|tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
         for (vertex, _) in source.point.support(mesh) {
             let straight = source.initial_distance + cost * place.distance(mesh.position(vertex));
             values[vertex.0 as usize] = values[vertex.0 as usize].min(straight);

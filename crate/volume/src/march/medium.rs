@@ -3,14 +3,13 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use glam::DVec3;
-
-use super::nodes::Nodes;
+use super::sights::Nodes;
 use crate::error::{Error, Result};
 use crate::lists::Lists;
 use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::quality::dihedral_angles;
-use crate::mesh::{EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
+use crate::mesh::{Crossing, EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
+use crate::path::Corner;
 
 /// Costs of tetrahedra that are not walls.
 pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
@@ -23,12 +22,9 @@ const CONCAVE: f64 = 1e-10;
 /// waves bend around one after another.
 const SHARP: f64 = 0.5;
 
-/// In a riddled mesh more than this share of the edges is sharp: 0.3 and more where a tenth of the tetrahedra between points at
-/// random is taken out, while on solids only edges of the boundary are, and few of these.
-const RIDDLED: f64 = 0.2;
-
-/// Where there are so few vertices, one sharp edge is enough: all lines of sight are found in a moment.
-const FEW: usize = 200;
+/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: their lines of sight take some tenths of a second and 8 MB. Where
+/// only a share of the edges is, so many are that share: fewer waves meet something before they come to a vertex, and take less.
+const NODES: usize = 4000;
 
 /// The tetrahedra of a mesh with what it costs to go through them.
 #[derive(Debug)]
@@ -45,6 +41,16 @@ pub(crate) struct Medium {
     nodes: Option<Nodes>,
 }
 
+/// The concave edges of a boundary.
+struct ConcaveEdges {
+    /// Of each vertex, their other ends.
+    concave: Lists,
+    /// The ends of the sharp ones.
+    sharp: Vec<[u32; 2]>,
+    /// How many edges the boundary has.
+    edges: usize,
+}
+
 impl Medium {
     /// All of a mesh at cost 1, or at `costs` (`#T`; infinite for walls).
     ///
@@ -55,9 +61,10 @@ impl Medium {
         if let Some(costs) = costs {
             medium.set_costs(mesh, costs)?;
         }
-        let (concave, sharp) = medium.concave_edges(mesh);
+        let ConcaveEdges { concave, sharp, edges } = medium.concave_edges(mesh);
         medium.concave = concave;
-        if medium.is_uniform() && is_riddled(mesh, sharp.len()) {
+        let nodes = mesh.vertex_count() + sharp.len();
+        if medium.is_uniform() && nodes * edges <= NODES * sharp.len() {
             medium.nodes = Some(Nodes::new(mesh, &sharp));
         }
         Ok(medium)
@@ -122,7 +129,7 @@ impl Medium {
     }
 
     /// The tetrahedra that are no walls and that a place touches.
-    pub(crate) fn touching(&self, mesh: &TetMesh, start: Start, place: DVec3) -> Vec<u32> {
+    pub(crate) fn touching(&self, mesh: &TetMesh, Corner { start, place, .. }: Corner) -> Vec<u32> {
         let is_open = |tetrahedron: &u32| self.cost(*tetrahedron).is_finite();
         match start {
             Start::Vertex(vertex) => mesh.around().row(vertex).iter().copied().filter(is_open).collect(),
@@ -140,13 +147,26 @@ impl Medium {
         }
     }
 
+    /// Whether the straight line between two places stays in tetrahedra of the cost at the first. That is asked from both of its ends, since
+    /// vertices of equal position may be on both sides of a crack.
+    pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
+        let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
+        if a.place == b.place {
+            let of_b = self.touching(mesh, b);
+            return self.touching(mesh, a).into_iter().any(|tetrahedron| of_b.contains(&tetrahedron));
+        }
+        [[a, b], [b, a]].into_iter().all(|[from, to]| {
+            self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On).is_some()
+        })
+    }
+
     /// Lines through the tetrahedra that are no walls.
     pub(crate) fn sight<'a>(&'a self, mesh: &'a TetMesh) -> Sight<'a> {
         Sight { mesh, neighbors: self.neighbors.as_deref().unwrap_or(mesh.neighbors()) }
     }
 
-    /// The concave edges of the boundary of what is no wall, as lists for each vertex, and the sharp ones, ascending.
-    fn concave_edges(&self, mesh: &TetMesh) -> (Lists, Vec<[u32; 2]>) {
+    /// The concave edges of the boundary of what is no wall.
+    fn concave_edges(&self, mesh: &TetMesh) -> ConcaveEdges {
         let neighbors = self.sight(mesh).neighbors;
         let mut edges: Vec<[u32; 2]> = Vec::new();
         for (tetrahedron, (corners, neighbors)) in mesh.tetrahedra().iter().zip(neighbors).enumerate() {
@@ -161,8 +181,9 @@ impl Medium {
             }
         }
         edges.sort_unstable();
-        let (mut concave, mut sharp) = (Vec::new(), Vec::new());
+        let (mut concave, mut sharp, mut count) = (Vec::new(), Vec::new(), 0);
         for sides in edges.chunk_by(|a, b| a == b) {
+            count += 1;
             let [a, b] = sides[0];
             // Where parts meet in an edge only, lines cannot tell whether they may pass.
             let angle = if sides.len() > 2 { f64::INFINITY } else { self.angle_at_edge(mesh, [a, b]) };
@@ -173,7 +194,7 @@ impl Medium {
                 sharp.push([a, b]);
             }
         }
-        (Lists::group(mesh.vertex_count(), || concave.iter().copied()), sharp)
+        ConcaveEdges { concave: Lists::group(mesh.vertex_count(), || concave.iter().copied()), sharp, edges: count }
     }
 
     /// The angle of the tetrahedra around an edge, in radians.
@@ -191,10 +212,4 @@ impl Medium {
         }
         sum
     }
-}
-
-/// Whether lines of sight are short, and waves that go from vertex to vertex would miss many.
-fn is_riddled(mesh: &TetMesh, sharp: usize) -> bool {
-    let ends: usize = (0..mesh.vertex_count() as u32).map(|vertex| mesh.adjacent().row(vertex).len()).sum();
-    sharp as f64 > RIDDLED * (ends / 2) as f64 || (sharp > 0 && mesh.vertex_count() <= FEW)
 }

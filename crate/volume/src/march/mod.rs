@@ -8,9 +8,7 @@
 //! Virtual sources are those of fast marching on triangles (Kimmel and Sethian 1998) and of windows (Mitchell, Mount, Papadimitriou
 //! 1987); how distance goes on behind an edge is Keller's (1962) law of diffraction.
 
-mod cone;
 mod medium;
-mod nodes;
 mod refraction;
 mod search;
 mod sights;
@@ -108,7 +106,7 @@ impl Origins {
     pub(crate) fn path(&self, mesh: &TetMesh, medium: &Medium, from: TetPoint) -> Option<Vec<Corner>> {
         match (self, medium.nodes()) {
             (Self::Sights(tree), Some(nodes)) => {
-                tree.path(mesh, medium, nodes, from.position(mesh), from.start(mesh)).map(|(_, path)| path)
+                tree.path(mesh, medium, nodes, from.corner(mesh)).map(|(_, path)| path)
             }
             _ => None,
         }

@@ -7,17 +7,64 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-use glam::DVec3;
+use std::sync::atomic::{AtomicU8, Ordering};
 
 use super::medium::Medium;
-use super::nodes::Nodes;
-use crate::mesh::{Crossing, NONE, Start, TetMesh};
+use crate::mesh::{NONE, Start, TetMesh};
 use crate::path::{Corner, length_of, pull};
-use crate::point::TetSource;
+use crate::point::{TetPoint, TetSource};
 
 /// A distance replaces another if it is below it by this share: what is less is rounding, which depends on the order of sums.
 const GAIN: f64 = 1e-12;
+
+/// Places that paths may bend at, and which of them see each other.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// The vertices, and after them a place on each sharp edge. More of these would make better first guesses; where on an edge a path
+    /// bends, [pulling](pull) finds by itself.
+    corners: Vec<Corner>,
+    /// Of each pair, once it was asked: [`CLEAR`] or [`BLOCKED`].
+    lines: Vec<AtomicU8>,
+}
+
+/// Places on edges are about in the middle, within this share of the edge: lines between the very middles of the edges around a
+/// quadrilateral have equal lengths, and of two ways that are equally long one would be taken there and the other one back.
+const SPREAD: f64 = 0.1;
+
+/// Its multiples, less their whole parts, are spread evenly, and no two are one.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+const UNKNOWN: u8 = 0;
+const CLEAR: u8 = 1;
+const BLOCKED: u8 = 2;
+
+impl Nodes {
+    /// With places on these edges.
+    pub(super) fn new(mesh: &TetMesh, edges: &[[u32; 2]]) -> Self {
+        let vertices = (0..).zip(mesh.positions()).map(|(vertex, &place)| Corner::at(place, Start::Vertex(vertex)));
+        let on_edge = |(number, &ends): (usize, &[u32; 2])| {
+            let [a, b] = ends.map(|end| mesh.positions()[end as usize]);
+            let share = 0.5 + SPREAD * ((number as f64 * GOLDEN).fract() - 0.5);
+            Corner::at(a.lerp(b, share), Start::Edge(ends))
+        };
+        let corners: Vec<Corner> = vertices.chain(edges.iter().enumerate().map(on_edge)).collect();
+        let pairs = corners.len() * (corners.len() - 1) / 2;
+        Self { lines: (0..pairs).map(|_| AtomicU8::new(UNKNOWN)).collect(), corners }
+    }
+
+    fn see(&self, mesh: &TetMesh, medium: &Medium, a: u32, b: u32) -> bool {
+        let [low, high] = [a.min(b), a.max(b)].map(|node| node as usize);
+        if low == high {
+            return true;
+        }
+        let line = &self.lines[high * (high - 1) / 2 + low];
+        if line.load(Ordering::Relaxed) == UNKNOWN {
+            let is_clear = medium.sees(mesh, [self.corners[low], self.corners[high]]);
+            line.store(if is_clear { CLEAR } else { BLOCKED }, Ordering::Relaxed);
+        }
+        line.load(Ordering::Relaxed) == CLEAR
+    }
+}
 
 /// A search in work.
 pub(crate) struct Sights<'a> {
@@ -26,8 +73,9 @@ pub(crate) struct Sights<'a> {
     nodes: &'a Nodes,
     tree: Tree,
     offers: BinaryHeap<Reverse<(u64, u32)>>,
-    /// Those that have their distance.
-    is_settled: Vec<bool>,
+    /// Those without a final distance.
+    open: Vec<u32>,
+    /// Lines that were followed.
     work: usize,
 }
 
@@ -41,21 +89,16 @@ pub(crate) struct Tree {
 
 impl<'a> Sights<'a> {
     pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium, nodes: &'a Nodes, sources: &[TetSource]) -> Self {
-        let count = nodes.positions.len();
-        let tree = Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); count] };
-        let (offers, is_settled) = (BinaryHeap::new(), vec![false; count]);
-        let mut search = Self { mesh, medium, nodes, tree, offers, is_settled, work: 0 };
-        for (by, source) in (count as u32..).zip(sources) {
-            let (place, start) = (source.point.position(mesh), source.point.start(mesh));
-            if let Start::Vertex(vertex) = start {
-                search.offer(vertex, source.initial_distance, by);
-                if nodes.sees_all() {
-                    continue;
-                }
-            }
-            for node in nodes.seen_from(mesh, medium, place, start, f64::INFINITY) {
-                search.offer(node, source.initial_distance + place.distance(nodes.positions[node as usize]), by);
-            }
+        let count = nodes.corners.len() as u32;
+        let tree = Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); nodes.corners.len()] };
+        let (offers, open) = (BinaryHeap::new(), (0..count).collect());
+        let mut search = Self { mesh, medium, nodes, tree, offers, open, work: 0 };
+        for (by, source) in (count..).zip(sources) {
+            let node = match source.point {
+                TetPoint::Vertex(vertex) => Some(vertex.0),
+                TetPoint::Inside { .. } => None,
+            };
+            search.spread(source.point.corner(mesh), node, source.initial_distance, by);
         }
         search
     }
@@ -68,46 +111,43 @@ impl<'a> Sights<'a> {
                 return distance.min(radius);
             }
             self.offers.pop();
-            if self.is_settled[node as usize] || distance > self.tree.steps[node as usize].0 {
-                continue;
-            }
-            self.is_settled[node as usize] = true;
-            let seen = self.nodes.seen(self.mesh, self.medium, node);
-            self.work += seen.len();
-            for &other in seen {
-                let place = self.nodes.positions[node as usize];
-                self.offer(other, distance + place.distance(self.nodes.positions[other as usize]), node);
+            if let Ok(index) = self.open.binary_search(&node) {
+                self.open.remove(index);
+                self.spread(self.nodes.corners[node as usize], Some(node), distance, node);
             }
         }
         f64::INFINITY
     }
 
-    fn offer(&mut self, node: u32, distance: f64, by: u32) {
-        let (least, _) = self.tree.steps[node as usize];
-        // What is seen from one end only is on the verge of being hidden.
-        let is_mutual = || {
-            by as usize >= self.nodes.positions.len()
-                || self.nodes.seen(self.mesh, self.medium, node).binary_search(&by).is_ok()
-        };
-        if distance < least * (1.0 - GAIN) && is_mutual() {
-            self.tree.steps[node as usize] = (distance, by);
-            self.offers.push(Reverse((distance.to_bits(), node)));
+    /// Offers a distance to all that see a place, which may be a node.
+    fn spread(&mut self, from: Corner, number: Option<u32>, distance: f64, by: u32) {
+        let Self { mesh, medium, nodes, .. } = *self;
+        for &node in &self.open {
+            let there = nodes.corners[node as usize];
+            let through = distance + from.place.distance(there.place);
+            let (least, _) = self.tree.steps[node as usize];
+            if through < least * (1.0 - GAIN) {
+                self.work += 1;
+                let is_seen = match number {
+                    Some(number) => nodes.see(mesh, medium, number, node),
+                    None => medium.sees(mesh, [from, there]),
+                };
+                if is_seen {
+                    self.tree.steps[node as usize] = (through, by);
+                    self.offers.push(Reverse((through.to_bits(), node)));
+                }
+            }
         }
     }
 
     /// The distances of vertices (`#V`), and the paths.
     pub(super) fn finish(self) -> (Vec<f64>, Tree) {
-        let Self { mesh, medium, nodes, mut tree, is_settled, .. } = self;
-        for (step, is_settled) in tree.steps.iter_mut().zip(is_settled) {
-            if !is_settled {
-                *step = (f64::INFINITY, NONE);
-            }
+        let Self { mesh, medium, nodes, mut tree, open, .. } = self;
+        for node in open {
+            tree.steps[node as usize] = (f64::INFINITY, NONE);
         }
-        let distance = |vertex: u32| {
-            let start = Start::Vertex(vertex);
-            tree.path(mesh, medium, nodes, nodes.positions[vertex as usize], start).map_or(f64::INFINITY, |path| path.0)
-        };
-        ((0..mesh.vertex_count() as u32).map(distance).collect(), tree)
+        let distance = |&from: &Corner| tree.path(mesh, medium, nodes, from).map_or(f64::INFINITY, |path| path.0);
+        (nodes.corners[..mesh.vertex_count()].iter().map(distance).collect(), tree)
     }
 }
 
@@ -124,39 +164,28 @@ impl Tree {
         mesh: &TetMesh,
         medium: &Medium,
         nodes: &Nodes,
-        place: DVec3,
-        start: Start,
+        from: Corner,
     ) -> Option<(f64, Vec<Corner>)> {
-        let mut path = vec![Corner { place, start, cost: 1.0 }];
-        let mut next = match start {
+        let mut path = vec![from];
+        let mut next = match from.start {
             Start::Vertex(vertex) => self.steps[vertex as usize].1,
-            _ => self.nearest(mesh, medium, nodes, place, start)?,
+            _ => self.nearest(mesh, medium, nodes, from)?,
         };
-        let source = loop {
-            if next == NONE {
-                return None;
-            }
-            match (next as usize).checked_sub(nodes.positions.len()) {
-                Some(source) => break self.sources[source],
-                None => {
-                    let place = nodes.positions[next as usize];
-                    path.push(Corner { place, start: nodes.start(next), cost: 1.0 });
-                    next = self.steps[next as usize].1;
-                }
-            }
-        };
-        let there = source.point.position(mesh);
-        if path[path.len() - 1].place != there {
-            path.push(Corner { place: there, start: source.point.start(mesh), cost: 1.0 });
+        while (next as usize) < nodes.corners.len() {
+            path.push(nodes.corners[next as usize]);
+            next = self.steps[next as usize].1;
+        }
+        let source = self.sources.get(next as usize - nodes.corners.len())?;
+        let there = source.point.corner(mesh);
+        if path[path.len() - 1].place != there.place {
+            path.push(there);
         }
         // Pulled from the same end whichever is the source.
-        let is_turned = place.to_array() > there.to_array();
+        let is_turned = from.place.to_array() > there.place.to_array();
         if is_turned {
             path.reverse();
         }
-        if path.len() > 2 {
-            pull(mesh, medium, &mut path);
-        }
+        pull(mesh, medium, &mut path);
         let length = length_of(&path);
         if is_turned {
             path.reverse();
@@ -165,20 +194,13 @@ impl Tree {
     }
 
     /// The node or source that a place has its distance by.
-    fn nearest(&self, mesh: &TetMesh, medium: &Medium, nodes: &Nodes, place: DVec3, start: Start) -> Option<u32> {
-        let through = |node: u32| self.steps[node as usize].0 + place.distance(nodes.positions[node as usize]);
-        let seen = nodes.seen_from(mesh, medium, place, start, f64::INFINITY).into_iter();
-        let mut best = seen.map(|node| (through(node), node)).min_by(|a, b| a.0.total_cmp(&b.0));
-        let may_enter = |tetrahedron: u32| medium.cost(tetrahedron).is_finite();
-        for (number, source) in (nodes.positions.len() as u32..).zip(&self.sources) {
-            let there = source.point.position(mesh);
-            let straight = source.initial_distance + place.distance(there);
-            if best.is_none_or(|(least, _)| straight < least)
-                && medium.sight(mesh).walk(start, [place, there], may_enter, |_| Crossing::On).is_some()
-            {
-                best = Some((straight, number));
-            }
-        }
-        best.filter(|(distance, _)| distance.is_finite()).map(|(_, by)| by)
+    fn nearest(&self, mesh: &TetMesh, medium: &Medium, nodes: &Nodes, from: Corner) -> Option<u32> {
+        let steps = nodes.corners.iter().zip(&self.steps).map(|(&node, &(distance, _))| (distance, node));
+        let sources = self.sources.iter().map(|source| (source.initial_distance, source.point.corner(mesh)));
+        let through = |(initial, there): (f64, Corner)| (initial + from.place.distance(there.place), there);
+        let mut ways: Vec<(u32, (f64, Corner))> = (0..).zip(steps.chain(sources).map(through)).collect();
+        ways.retain(|(_, (distance, _))| distance.is_finite());
+        ways.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0));
+        ways.into_iter().find(|&(_, (_, there))| medium.sees(mesh, [from, there])).map(|(by, _)| by)
     }
 }

@@ -13,3 +13,10 @@ pub(crate) struct Corner {
     /// Cost of what follows.
     pub(crate) cost: f64,
 }
+
+impl Corner {
+    /// Where a unit of length costs 1.
+    pub(crate) fn at(place: DVec3, start: Start) -> Self {
+        Self { place, start, cost: 1.0 }
+    }
+}

@@ -62,7 +62,7 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
     if let Some(corners) = distance.origins.as_ref().and_then(|origins| origins.path(mesh, medium, from)) {
         return Ok(VolumePath::along(mesh, &corners));
     }
-    let mut corners = vec![Corner { place: from.position(mesh), start: from.start(mesh), cost: 1.0 }];
+    let mut corners = vec![from.corner(mesh)];
     // Where distance is refracted there is no wave to go back along, but there is one again in the medium of the source.
     let waves = distance.origins.as_ref().and_then(Origins::waves);
     while !waves.is_some_and(|waves| go_back(mesh, medium, waves, &mut corners)) {
