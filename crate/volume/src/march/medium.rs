@@ -22,9 +22,10 @@ const CONCAVE: f64 = 1e-10;
 /// waves bend around one after another.
 const SHARP: f64 = 0.5;
 
-/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: their lines of sight take some tenths of a second and 8 MB. Where
-/// only a share of the edges is, so many are that share: fewer waves meet something before they come to a vertex, and take less.
-const NODES: usize = 4000;
+/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: their lines of sight take some tenths of a second and 12 MB.
+/// Where a share of the edges is, that times its square: 0.5 to 1 where tetrahedra between points at random are taken out, 0.1 to 0.3 on
+/// coarse solids, where waves come as far and take less.
+const NODES: f64 = 5000.0;
 
 /// The tetrahedra of a mesh with what it costs to go through them.
 #[derive(Debug)]
@@ -64,7 +65,8 @@ impl Medium {
         let ConcaveEdges { concave, sharp, edges } = medium.concave_edges(mesh);
         medium.concave = concave;
         let nodes = mesh.vertex_count() + sharp.len();
-        if medium.is_uniform() && nodes * edges <= NODES * sharp.len() {
+        let share = sharp.len() as f64 / edges as f64;
+        if medium.is_uniform() && nodes as f64 <= NODES * share * share {
             medium.nodes = Some(Nodes::new(mesh, &sharp));
         }
         Ok(medium)
@@ -147,17 +149,24 @@ impl Medium {
         }
     }
 
-    /// Whether the straight line between two places stays in tetrahedra of the cost at the first. That is asked from both of its ends, since
-    /// vertices of equal position may be on both sides of a crack.
+    /// Whether some tetrahedron touches two places of equal position: they are not on both sides of a crack.
+    pub(crate) fn touch(&self, mesh: &TetMesh, places: [Corner; 2]) -> bool {
+        let [of_a, of_b] = places.map(|place| self.touching(mesh, place));
+        of_a.iter().any(|tetrahedron| of_b.contains(tetrahedron))
+    }
+
+    /// Whether the straight line between two places stays in tetrahedra of the cost at the first, and ends on the second one's side of a crack,
+    /// where that has vertices of equal position on both sides.
     pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
-        let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
         if a.place == b.place {
-            let of_b = self.touching(mesh, b);
-            return self.touching(mesh, a).into_iter().any(|tetrahedron| of_b.contains(&tetrahedron));
+            return self.touch(mesh, [a, b]);
         }
-        [[a, b], [b, a]].into_iter().all(|[from, to]| {
-            self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On).is_some()
-        })
+        let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
+        let walk = |from: Corner, to: Corner| {
+            self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On)
+        };
+        // By rounding it may end beside those that the place touches.
+        walk(a, b).is_some_and(|end| self.touching(mesh, b).contains(&end) || walk(b, a).is_some())
     }
 
     /// Lines through the tetrahedra that are no walls.

@@ -135,7 +135,7 @@ impl Waves {
     /// Whether the wave of a vertex comes from a source, straight and through one cost.
     pub(crate) fn is_straight(&self, vertex: VertexId) -> bool {
         let wave = self.of_vertex[vertex.0 as usize];
-        wave != NONE && self.waves[wave as usize].is_first()
+        wave != NONE && self.waves[wave as usize].is_source()
     }
 
     /// The straight part of the shortest path from a place among `vertices`, whose waves it may come by. None where none comes there
@@ -158,12 +158,17 @@ impl Waves {
             waves.into_iter().map(|wave| (wave, self.waves[wave as usize].ray(place))).collect();
         rays.sort_by(|a, b| a.1.distance.total_cmp(&b.1.distance));
         rays.into_iter().find_map(|(wave, ray)| {
-            let Wave { cost, ends, .. } = self.waves[wave as usize];
+            let wave = &self.waves[wave as usize];
+            let cost = wave.cost;
             let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
-            let sight = medium.sight(mesh);
-            let is_clear =
-                ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
-            is_clear.then_some(Leg { to: ray.from, cost, ends })
+            let is_clear = match wave.start_at(ray.from) {
+                // On the same side of a crack.
+                Some(there) if ray.from == place => {
+                    medium.touch(mesh, [start, there].map(|start| Corner { place, start, cost }))
+                }
+                _ => medium.sight(mesh).walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some(),
+            };
+            is_clear.then_some(Leg { to: ray.from, cost, ends: wave.ends.filter(|_| !wave.is_source()) })
         })
     }
 }
