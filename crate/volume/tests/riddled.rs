@@ -12,7 +12,7 @@ use std::sync::Arc;
 use common::Random;
 use glam::DVec3;
 use heatwalk::VertexId;
-use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver};
 use riddled::{along_edges, riddled};
 
 /// Rounding of sums of lengths.
@@ -117,7 +117,7 @@ fn answers_do_not_depend_on_the_size_of_the_mesh_or_it_is_refused() {
         TetMesh::build(&TetSoup { positions, tetrahedra: soup.tetrahedra.clone() })
     };
     let expected = distances(&mut VolumeSolver::new(scaled(1.0).unwrap()), VolumeMethod::March);
-    for size in [1e-90, 1e-30, 1e30, 1e90] {
+    for size in [-99, -50, 50, 99].map(|power| 2.0_f64.powi(power)) {
         let values = distances(&mut VolumeSolver::new(scaled(size).unwrap()), VolumeMethod::March);
         for (value, expected) in values.iter().flatten().zip(expected.iter().flatten()) {
             assert!(
@@ -126,44 +126,7 @@ fn answers_do_not_depend_on_the_size_of_the_mesh_or_it_is_refused() {
             );
         }
     }
-    for size in [1e-120, 1e120, 1e150, 1e200] {
+    for size in [1e-40, 1e40, 1e150, 1e200] {
         assert_eq!(scaled(size).unwrap_err().code(), "bad-size", "{size:e}");
-    }
-}
-
-#[test]
-fn vertices_of_one_position_on_both_sides_of_a_crack_are_apart_around_it() {
-    for cells in [4, 12] {
-        let TetSoup { mut positions, mut tetrahedra } = shapes::cube(cells, 0.0);
-        // Slit in the middle from above halfway down.
-        let [mut left, mut right] = [None; 2];
-        for vertex in 0..positions.len() {
-            let place = positions[vertex];
-            if place.x.abs() > 1e-9 || place.y < 1e-9 {
-                continue;
-            }
-            let copy = positions.len() as u32;
-            positions.push(place);
-            if place.distance(DVec3::Y) < 1e-9 {
-                [left, right] = [Some(copy as usize), Some(vertex)];
-            }
-            for corners in &mut tetrahedra {
-                let middle = corners.iter().map(|&corner| positions[corner as usize].x).sum::<f64>();
-                corners
-                    .iter_mut()
-                    .filter(|corner| middle < 0.0 && **corner == vertex as u32)
-                    .for_each(|corner| *corner = copy);
-            }
-        }
-        let mesh = TetMesh::build(&TetSoup { positions, tetrahedra }).unwrap();
-        let [left, right] = [left, right].map(|input| mesh.vertex_of_input(input.unwrap()).unwrap());
-        let mut solver = VolumeSolver::new(mesh);
-        for [from, to] in [[left, right], [right, left]] {
-            let distance = solver.distance(&[from], &VolumeOptions::default()).unwrap();
-            let told = distance.values[to.0 as usize];
-            let path = solver.path(&distance, TetPoint::Vertex(to)).unwrap();
-            assert!((told - 2.0).abs() < 1e-9, "{cells}: {told}");
-            assert!((path.length - 2.0).abs() < 1e-9, "{cells}: {}", path.length);
-        }
     }
 }

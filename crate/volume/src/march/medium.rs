@@ -149,17 +149,12 @@ impl Medium {
         }
     }
 
-    /// Whether some tetrahedron touches two places of equal position: they are not on both sides of a crack.
-    pub(crate) fn touch(&self, mesh: &TetMesh, places: [Corner; 2]) -> bool {
-        let [of_a, of_b] = places.map(|place| self.touching(mesh, place));
-        of_a.iter().any(|tetrahedron| of_b.contains(tetrahedron))
-    }
-
     /// Whether the straight line between two places stays in tetrahedra of the cost at the first, and ends on the second one's side of a crack,
     /// where that has vertices of equal position on both sides.
     pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
         if a.place == b.place {
-            return self.touch(mesh, [a, b]);
+            let of_b = self.touching(mesh, b);
+            return self.touching(mesh, a).iter().any(|tetrahedron| of_b.contains(tetrahedron));
         }
         let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
         let walk = |from: Corner, to: Corner| {

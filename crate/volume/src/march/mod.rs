@@ -127,15 +127,15 @@ pub(crate) struct Leg {
     pub(crate) to: DVec3,
     /// What each unit of its length costs.
     pub(crate) cost: f64,
-    /// The edge, or twice the vertex, that it ends at; none at a source.
-    pub(crate) ends: Option<[u32; 2]>,
+    /// Where in the mesh that is; none at a source.
+    pub(crate) start: Option<Start>,
 }
 
 impl Waves {
     /// Whether the wave of a vertex comes from a source, straight and through one cost.
     pub(crate) fn is_straight(&self, vertex: VertexId) -> bool {
         let wave = self.of_vertex[vertex.0 as usize];
-        wave != NONE && self.waves[wave as usize].is_source()
+        wave != NONE && self.waves[wave as usize].is_first()
     }
 
     /// The straight part of the shortest path from a place among `vertices`, whose waves it may come by. None where none comes there
@@ -159,16 +159,11 @@ impl Waves {
         rays.sort_by(|a, b| a.1.distance.total_cmp(&b.1.distance));
         rays.into_iter().find_map(|(wave, ray)| {
             let wave = &self.waves[wave as usize];
-            let cost = wave.cost;
-            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
-            let is_clear = match wave.start_at(ray.from) {
-                // On the same side of a crack.
-                Some(there) if ray.from == place => {
-                    medium.touch(mesh, [start, there].map(|start| Corner { place, start, cost }))
-                }
-                _ => medium.sight(mesh).walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some(),
-            };
-            is_clear.then_some(Leg { to: ray.from, cost, ends: wave.ends.filter(|_| !wave.is_source()) })
+            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == wave.cost;
+            let sight = medium.sight(mesh);
+            let is_clear =
+                ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
+            is_clear.then_some(Leg { to: ray.from, cost: wave.cost, start: wave.start_at(ray.from) })
         })
     }
 }

@@ -71,7 +71,7 @@ impl<'a> Search<'a> {
             TetPoint::Vertex(vertex) => self.start_at(vertex.0, initial),
             TetPoint::Inside { tetrahedron, .. } => {
                 let cost = self.medium.cost(tetrahedron.0);
-                let wave = self.add(Wave::from_source(place, initial, cost, None));
+                let wave = self.add(Wave::from_place(place, initial, cost, None));
                 for vertex in self.mesh.tetrahedra()[tetrahedron.index()] {
                     self.offer(wave, vertex);
                 }
@@ -88,7 +88,7 @@ impl<'a> Search<'a> {
         costs.dedup();
         for cost in costs {
             let place = self.mesh.positions()[vertex as usize];
-            let wave = self.add(Wave::from_source(place, initial, cost, Some(vertex)));
+            let wave = self.add(Wave::from_place(place, initial, cost, None));
             self.offer(wave, vertex);
         }
     }
@@ -167,14 +167,10 @@ impl<'a> Search<'a> {
         if wave == NONE {
             return true;
         }
-        let Wave { cost, ends, .. } = self.waves[wave as usize];
+        let Wave { cost, .. } = self.waves[wave as usize];
         let place = self.mesh.positions()[vertex as usize];
         let from = self.waves[wave as usize].ray(place).from;
-        if from == place {
-            // Another vertex there is beyond a crack.
-            return ends.is_some_and(|ends| ends.contains(&vertex));
-        }
-        if self.comes_along(wave, vertex) {
+        if from == place || self.comes_along(wave, vertex) {
             return true;
         }
         let (wave_of, medium) = (&self.wave_of, self.medium);

@@ -26,9 +26,8 @@ pub(super) struct Wave {
     initial: f64,
     /// Cost of each unit of length.
     pub(super) cost: f64,
-    /// The ends of the edge, or twice the vertex that it is; none for places inside of tetrahedra.
+    /// The ends of the edge; none for sources.
     pub(super) ends: Option<[u32; 2]>,
-    is_source: bool,
     /// The waves that it goes on from, at the ends of the edge; [`NONE`] for none.
     pub(super) parents: [u32; 2],
 }
@@ -53,14 +52,8 @@ impl Wave {
             initial,
             cost,
             ends: vertex.map(|vertex| [vertex; 2]),
-            is_source: false,
             parents: [NONE; 2],
         }
-    }
-
-    /// From a source.
-    pub(super) fn from_source(place: DVec3, initial: f64, cost: f64, vertex: Option<u32>) -> Self {
-        Self { is_source: true, ..Self::from_place(place, initial, cost, vertex) }
     }
 
     /// From an edge, whose ends have these distances of waves that started with `initial` where they last began at a place. None
@@ -84,18 +77,7 @@ impl Wave {
         // Below 0 by rounding where the wave runs along the edge.
         let apart = (near * near - along * along).max(0.0).sqrt();
         let direction = edge / length;
-        Some(Self {
-            base,
-            direction,
-            length,
-            along,
-            apart,
-            initial,
-            cost,
-            ends: Some(ends),
-            is_source: false,
-            parents: [NONE; 2],
-        })
+        Some(Self { base, direction, length, along, apart, initial, cost, ends: Some(ends), parents: [NONE; 2] })
     }
 
     /// The same as the continuation of other waves.
@@ -134,11 +116,11 @@ impl Wave {
     }
 
     /// Whether it comes from a source.
-    pub(super) fn is_source(&self) -> bool {
-        self.is_source
+    pub(super) fn is_first(&self) -> bool {
+        self.ends.is_none()
     }
 
-    /// Where in the mesh a line that comes from a place on the edge begins; none for places inside of tetrahedra.
+    /// Where in the mesh a line that comes from a place on the edge begins; none for sources.
     pub(super) fn start_at(&self, place: DVec3) -> Option<Start> {
         let [first, second] = self.ends?;
         let along = (place - self.base).dot(self.direction);

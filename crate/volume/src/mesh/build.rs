@@ -13,8 +13,9 @@ use crate::mesh::report::MeshReport;
 use crate::mesh::{EDGES, MeshId, NONE, TetMesh, faces, six_volumes};
 use crate::soup::TetSoup;
 
-/// Sizes of meshes, in their unit: the sixth of a volume is then a normal number, and so is its inverse.
-const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
+/// Sizes of meshes, in their unit: eighth powers of edges, which angles are found by, are then normal numbers, also those of edges of a
+/// millionth.
+const SIZES: RangeInclusive<f64> = 1e-30..=1e30;
 
 /// A tetrahedron is flat where its volume is below this share of the cube of its longest edge, over 6: what rounding of its
 /// corners to 53 bits makes of four points in a plane that is a few thousand edges from the origin.

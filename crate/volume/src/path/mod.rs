@@ -84,6 +84,12 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
             }
         }
     }
+    // Waves know of a source where it is, not what it is in.
+    if let Some(last) = corners.last_mut()
+        && let Some(source) = distance.sources.iter().find(|source| source.position(mesh) == last.place)
+    {
+        last.start = source.corner(mesh).start;
+    }
     pull(mesh, medium, &mut corners);
     Ok(VolumePath::along(mesh, &corners))
 }
@@ -99,18 +105,14 @@ fn go_back(mesh: &TetMesh, medium: &Medium, waves: &Waves, corners: &mut Vec<Cor
         };
         let Some(leg) = waves.leg(mesh, medium, place, start, near.into_iter()) else { return false };
         corners.last_mut().expect("there is a last").cost = leg.cost;
-        let start = match leg.ends {
-            Some([a, b]) if a == b => Start::Vertex(a),
-            Some(ends) => Start::Edge(ends),
-            // The path ends there.
-            None => start,
-        };
+        // The path ends where there is none.
+        let start = leg.start.unwrap_or(start);
         if leg.to != place {
             corners.push(Corner { place: leg.to, start, cost: leg.cost });
         } else if let Some(last) = corners.last_mut() {
             last.start = start;
         }
-        if leg.ends.is_none() {
+        if leg.start.is_none() {
             return true;
         }
     }

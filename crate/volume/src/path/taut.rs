@@ -134,7 +134,9 @@ fn cut(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         let across = (1..=HALVINGS).find_map(|halving| {
             let share = 0.5_f64.powi(halving as i32);
             let (near, far) = (at(&before, share)?, at(&after, share)?);
-            medium.sees(mesh, [near, far]).then_some([near, far])
+            // A line along a crack may have been followed on the other side of it.
+            let is_clear = [[near, far], [before, near], [far, after]].into_iter().all(|ends| medium.sees(mesh, ends));
+            is_clear.then_some([near, far])
         });
         match across {
             Some(two) => pulled.extend(two),
