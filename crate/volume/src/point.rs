@@ -6,7 +6,8 @@ use heatwalk::VertexId;
 use crate::boxes::{Bounds, Boxes};
 use crate::error::{Error, Result};
 use crate::mesh::locate::{GRAZING, weights};
-use crate::mesh::{TetId, TetMesh};
+use crate::mesh::{Start, TetId, TetMesh};
+use crate::path::Corner;
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
 /// less than anything seen.
@@ -71,6 +72,17 @@ impl TetPoint {
             Self::Inside { tetrahedron, weights } => (mesh.tetrahedra()[tetrahedron.index()], weights),
         };
         vertices.map(VertexId).into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
+    }
+
+    /// A path's end there.
+    pub(crate) fn corner(self, mesh: &TetMesh) -> Corner {
+        let mut support = self.support(mesh).map(|(vertex, _)| vertex.0);
+        let start = match (self, [support.next(), support.next(), support.next()]) {
+            (Self::Inside { .. }, [Some(a), Some(b), None]) => Start::Edge([a, b]),
+            (Self::Inside { tetrahedron, .. }, _) => Start::Inside(tetrahedron.0),
+            (Self::Vertex(vertex), _) => Start::Vertex(vertex.0),
+        };
+        Corner::at(self.position(mesh), start)
     }
 
     /// Where it is, in the file's unit.

@@ -128,14 +128,16 @@ impl VolumeSolver {
         let sources = sources.collect::<Result<Vec<TetSource>>>()?;
         let mesh = &self.mesh;
         let points = sources.iter().map(|source| source.point).collect();
+        let initial_distances = sources.iter().map(|source| source.initial_distance).collect();
         let mut distance = VolumeDistance {
             mesh: mesh.id(),
             values: Vec::new(),
             method: options.method,
             sources: points,
+            initial_distances,
             exact_below: f64::INFINITY,
             heat: None,
-            waves: None,
+            origins: None,
         };
         match (options.method, &self.heat) {
             (VolumeMethod::Heat, Some(heat)) => {
@@ -148,9 +150,9 @@ impl VolumeSolver {
                 let mut march = March::new(mesh, &self.medium, &sources);
                 // A value of just the maximum distance is final, too.
                 march.advance((options.max_distance / self.cost).next_up(), usize::MAX);
-                let (values, waves) = march.finish();
+                let (values, origins) = march.finish();
                 distance.values = values;
-                distance.waves = Some(waves);
+                distance.origins = Some(origins);
             }
         }
         Ok(distance.times(self.cost))
@@ -170,6 +172,40 @@ impl VolumeSolver {
         path.cost *= self.cost;
         path.costs.iter_mut().for_each(|cost| *cost *= self.cost);
         Ok(path)
+    }
+
+    /// The distance at a place. By the march it is that of the vertex, or else that of the path from there, exact where straight lines lead to
+    /// the source; infinity where there is none. By heat it is interpolated in the tetrahedron, and straight to a source in the same one.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`] for a distance of another mesh; as [`TetPoint::checked`].
+    pub fn at(&self, distance: &VolumeDistance, point: TetPoint) -> Result<f64> {
+        let interpolated = distance.at(&self.mesh, point)?;
+        let TetPoint::Inside { tetrahedron, .. } = point.checked(&self.mesh)? else { return Ok(interpolated) };
+        let place = point.position(&self.mesh);
+        if distance.method == VolumeMethod::Heat {
+            let corners = self.mesh.tetrahedra()[tetrahedron.index()];
+            let is_beside = |source: &TetPoint| match source {
+                TetPoint::Vertex(vertex) => corners.contains(&vertex.0),
+                TetPoint::Inside { tetrahedron: own, .. } => *own == tetrahedron,
+            };
+            let cost = self.cost * self.medium.cost(tetrahedron.0);
+            let sources = distance.sources.iter().zip(&distance.initial_distances);
+            let straight = sources.filter(|(source, _)| is_beside(source));
+            let straight =
+                straight.map(|(source, initial)| initial + cost * source.position(&self.mesh).distance(place));
+            return Ok(straight.fold(interpolated, f64::min));
+        }
+        match self.path(distance, point) {
+            Ok(path) => {
+                let end = path.points[path.points.len() - 1];
+                let sources = distance.sources.iter().zip(&distance.initial_distances);
+                let there = sources.filter(|(source, _)| source.position(&self.mesh) == end);
+                Ok(path.cost + there.map(|(_, &initial)| initial).reduce(f64::min).unwrap_or(0.0))
+            }
+            Err(Error::Unreachable) => Ok(f64::INFINITY),
+            Err(error) => Err(error),
+        }
     }
 
     /// What paths are found in.

@@ -1,6 +1,7 @@
 //! From a soup to a mesh.
 
 use std::collections::HashSet;
+use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use glam::DVec3;
@@ -11,6 +12,10 @@ use crate::lists::Lists;
 use crate::mesh::report::MeshReport;
 use crate::mesh::{EDGES, MeshId, NONE, TetMesh, faces, six_volumes};
 use crate::soup::TetSoup;
+
+/// Sizes of meshes, in their unit: eighth powers of edges, which angles are found by, are then normal numbers, also those of edges of a
+/// millionth.
+const SIZES: RangeInclusive<f64> = 1e-30..=1e30;
 
 /// A tetrahedron is flat where its volume is below this share of the cube of its longest edge, over 6: what rounding of its
 /// corners to 53 bits makes of four points in a plane that is a few thousand edges from the origin.
@@ -33,7 +38,7 @@ impl TetMesh {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoTetrahedra`]; [`Error::IndexOutOfRange`]; [`Error::NotFinite`]; [`Error::AllFlat`];
+    /// [`Error::NoTetrahedra`]; [`Error::IndexOutOfRange`]; [`Error::NotFinite`]; [`Error::BadSize`]; [`Error::AllFlat`];
     /// [`Error::NonManifoldFace`]; [`Error::TooMany`].
     pub fn build(soup: &TetSoup) -> Result<Self> {
         let TetSoup { positions, tetrahedra } = soup;
@@ -109,6 +114,13 @@ fn check(TetSoup { positions, tetrahedra }: &TetSoup) -> Result<()> {
                 return Err(Error::NotFinite { vertex, position: position.to_array() });
             }
         }
+    }
+    let used = || tetrahedra.iter().flatten().map(|&vertex| positions[vertex as usize]);
+    let farthest = used().map(|position| position.abs().max_element()).fold(0.0, f64::max);
+    // Where all are one point, all tetrahedra are flat.
+    let size = if farthest > 0.0 { farthest } else { 1.0 };
+    if !SIZES.contains(&size) {
+        return Err(Error::BadSize { size, least: *SIZES.start(), most: *SIZES.end() });
     }
     Ok(())
 }

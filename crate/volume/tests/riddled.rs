@@ -1,0 +1,132 @@
+//! What holds of distances in meshes full of holes, whatever they look like.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod common;
+#[path = "common/riddled.rs"]
+mod riddled;
+
+use std::sync::Arc;
+
+use common::Random;
+use glam::DVec3;
+use heatwalk::VertexId;
+use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver};
+use riddled::{along_edges, riddled};
+
+/// Rounding of sums of lengths.
+const ROUNDING: f64 = 1e-12;
+
+/// Some of each kind: of few and of many points, little and half of it taken out.
+fn solvers() -> impl Iterator<Item = VolumeSolver> {
+    let mut random = Random::new(5);
+    let kinds = [(8, 0.1), (10, 0.3), (15, 0.5), (20, 0.2), (30, 0.4), (40, 0.1), (50, 0.5), (60, 0.3)];
+    kinds
+        .into_iter()
+        .map(move |(points, share)| VolumeSolver::new(TetMesh::build(&riddled(points, share, &mut random)).unwrap()))
+}
+
+/// `#V × #V`, from each vertex to each.
+fn distances(solver: &mut VolumeSolver, method: VolumeMethod) -> Vec<Vec<f64>> {
+    let count = solver.mesh().vertex_count() as u32;
+    let from = |source| solver.distance(&[VertexId(source)], &VolumeOptions::by(method)).unwrap().values;
+    (0..count).map(from).collect()
+}
+
+#[test]
+fn no_distance_is_above_the_way_along_edges_or_below_the_straight_line() {
+    for method in [VolumeMethod::March, VolumeMethod::Heat] {
+        for mut solver in solvers() {
+            let values = distances(&mut solver, method);
+            let mesh = solver.mesh();
+            for (from, (values, edges)) in values.iter().zip(along_edges(mesh)).enumerate() {
+                for (to, (&value, along)) in values.iter().zip(edges).enumerate() {
+                    let straight = mesh.positions()[from].distance(mesh.positions()[to]);
+                    let what = format!("{method}, {from} to {to}: {value}, straight {straight}, along edges {along}");
+                    assert!(value >= straight * (1.0 - ROUNDING), "{what}");
+                    assert!(value == along || value <= along * (1.0 + ROUNDING), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn marched_distances_there_and_back_differ_by_a_hundredth_at_most() {
+    for mut solver in solvers() {
+        let values = distances(&mut solver, VolumeMethod::March);
+        for (from, to) in (0..values.len()).flat_map(|from| (0..from).map(move |to| (from, to))) {
+            let [there, back] = [values[from][to], values[to][from]];
+            assert!(there == back || (there - back).abs() <= 0.01 * there.max(back), "{from} to {to}: {there} {back}");
+        }
+    }
+}
+
+#[test]
+fn marched_paths_are_as_long_as_the_distance_also_from_inside() {
+    let mut random = Random::new(11);
+    for mut solver in solvers() {
+        let mesh = Arc::clone(solver.mesh());
+        let place = |random: &mut Random| {
+            let shares = [0; 4].map(|_| random.share());
+            let sum: f64 = shares.iter().sum();
+            let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
+            TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) }
+        };
+        let vertex = |random: &mut Random| TetPoint::Vertex(VertexId(random.below(mesh.vertex_count()) as u32));
+        for to in [place(&mut random), vertex(&mut random)] {
+            let distance = solver.distance(&[to], &VolumeOptions::default()).unwrap();
+            assert_eq!(solver.at(&distance, to).unwrap(), 0.0);
+            for from in [place(&mut random), place(&mut random), vertex(&mut random)] {
+                let told = solver.at(&distance, from).unwrap();
+                match solver.path(&distance, from) {
+                    Ok(path) => {
+                        assert!((path.length - told).abs() <= 1e-9 * told, "{from:?} {to:?}: {} {told}", path.length);
+                        let straight = from.position(&mesh).distance(to.position(&mesh));
+                        assert!(told >= straight * (1.0 - ROUNDING), "{from:?} {to:?}: {told} {straight}");
+                    }
+                    Err(error) => assert_eq!((error, told), (Error::Unreachable, f64::INFINITY)),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn two_places_in_one_tetrahedron_are_as_far_apart_as_the_straight_line() {
+    for method in [VolumeMethod::March, VolumeMethod::Heat] {
+        for mut solver in solvers() {
+            let mesh = Arc::clone(solver.mesh());
+            let at = |weights| TetPoint::Inside { tetrahedron: TetId(0), weights };
+            let [one, other] = [at([0.1, 0.2, 0.3, 0.4]), at([0.4, 0.1, 0.3, 0.2])];
+            let distance = solver.distance(&[one], &VolumeOptions::by(method)).unwrap();
+            let straight = one.position(&mesh).distance(other.position(&mesh));
+            let told = solver.at(&distance, other).unwrap();
+            assert!((told - straight).abs() <= ROUNDING, "{method}: {told} {straight}");
+            assert_eq!(solver.at(&distance, one).unwrap(), 0.0, "{method}");
+        }
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_size_of_the_mesh_or_it_is_refused() {
+    let soup = riddled(20, 0.3, &mut Random::new(3));
+    let scaled = |size: f64| {
+        let positions: Vec<DVec3> = soup.positions.iter().map(|&place| size * place).collect();
+        TetMesh::build(&TetSoup { positions, tetrahedra: soup.tetrahedra.clone() })
+    };
+    let expected = distances(&mut VolumeSolver::new(scaled(1.0).unwrap()), VolumeMethod::March);
+    for size in [-99, -50, 50, 99].map(|power| 2.0_f64.powi(power)) {
+        let values = distances(&mut VolumeSolver::new(scaled(size).unwrap()), VolumeMethod::March);
+        for (value, expected) in values.iter().flatten().zip(expected.iter().flatten()) {
+            assert!(
+                value / size == *expected || (value / size - expected).abs() < 1e-6,
+                "{size:e}: {value} {expected}"
+            );
+        }
+    }
+    for size in [1e-40, 1e40, 1e150, 1e200] {
+        assert_eq!(scaled(size).unwrap_err().code(), "bad-size", "{size:e}");
+    }
+}
