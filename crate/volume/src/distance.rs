@@ -103,7 +103,7 @@ impl VolumeDistance {
         self.require(mesh)?;
         let heat = self.heat.as_deref().ok_or(heatwalk::Error::NoHeat)?;
         let direction = |(tetrahedron, corners): (u32, &[u32; 4])| {
-            gradient_in(mesh.corners(TetId(tetrahedron)), corners.map(|corner| heat[corner as usize]))
+            gradient_in(mesh.scaled_corners(TetId(tetrahedron)), corners.map(|corner| heat[corner as usize]))
                 .normalize_or_zero()
         };
         Ok((0..).zip(mesh.tetrahedra()).map(direction).collect())
@@ -130,7 +130,10 @@ impl VolumeDistance {
     pub(crate) fn gradient_in(&self, mesh: &TetMesh, tetrahedron: u32) -> DVec3 {
         let values = mesh.tetrahedra()[tetrahedron as usize].map(|vertex| self.values[vertex as usize]);
         let is_finite = values.iter().all(|value| value.is_finite());
-        if is_finite { gradient_in(mesh.corners(TetId(tetrahedron)), values) } else { DVec3::ZERO }
+        if !is_finite {
+            return DVec3::ZERO;
+        }
+        mesh.scaled(gradient_in(mesh.scaled_corners(TetId(tetrahedron)), values))
     }
 
     /// The same where all lengths are so many times as large. Waves stay as they are.

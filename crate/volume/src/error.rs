@@ -30,10 +30,8 @@ pub enum Error {
         /// Where it is.
         position: [f64; 3],
     },
-    /// So large or so small that volumes are no numbers.
-    #[error(
-        "coordinates go up to {size:e}; inside of tetrahedra they can go up to {least:e} to {most:e}: scale the mesh"
-    )]
+    /// So large or so small that squares of lengths are no numbers.
+    #[error("the largest coordinate is {size:e}, where it can be {least:e} to {most:e}; scale the mesh")]
     BadSize {
         /// The largest coordinate by size.
         size: f64,

@@ -138,7 +138,7 @@ impl TetMesh {
         boxes.near(place, |tetrahedron| {
             let is_first = first.is_none_or(|(other, _)| tetrahedron < other);
             if is_first && bounds(tetrahedron as usize).contains(place) {
-                let weights = weights(self.corners(TetId(tetrahedron)), place);
+                let weights = weights(self.scaled_corners(TetId(tetrahedron)), self.scaled(place));
                 if weights.iter().all(|&weight| weight >= -GRAZING) {
                     first = Some((tetrahedron, weights));
                 }

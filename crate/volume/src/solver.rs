@@ -1,5 +1,6 @@
 //! One object that answers by any method.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use heatwalk::{Parameters, Progress};
@@ -7,9 +8,10 @@ use heatwalk::{Parameters, Progress};
 use crate::distance::{VolumeDistance, VolumeMethod};
 use crate::error::{Error, Result};
 use crate::heat::{VolumeHeat, go_on};
-use crate::march::{March, Medium};
+use crate::march::March;
+use crate::measured::Measured;
 use crate::mesh::TetMesh;
-use crate::path::{self, VolumePath};
+use crate::path::VolumePath;
 use crate::point::{TetPoint, TetSource};
 
 /// How distances are found.
@@ -55,9 +57,7 @@ impl VolumeOptions {
 #[derive(Debug)]
 pub struct VolumeSolver {
     mesh: Arc<TetMesh>,
-    medium: Arc<Medium>,
-    /// That of all that are no walls, where they have one. All is computed as if it were 1, and then multiplied.
-    cost: f64,
+    measured: Measured,
     heat: Option<VolumeHeat>,
 }
 
@@ -65,8 +65,8 @@ impl VolumeSolver {
     /// Of a mesh where all costs are 1.
     pub fn new(mesh: impl Into<Arc<TetMesh>>) -> Self {
         let mesh = mesh.into();
-        let medium = Medium::new(&mesh, None).expect("without costs there is nothing to refuse");
-        Self { mesh, medium: medium.into(), cost: 1.0, heat: None }
+        let measured = Measured::new(&mesh, None).expect("without costs there is nothing to refuse");
+        Self { mesh, measured, heat: None }
     }
 
     /// Of a mesh where each unit of length costs `costs` (`#T`), 10⁻³ to 10³, or infinity for walls, which nothing enters.
@@ -75,14 +75,8 @@ impl VolumeSolver {
     /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
     pub fn with_costs(mesh: impl Into<Arc<TetMesh>>, costs: &[f64]) -> Result<Self> {
         let mesh = mesh.into();
-        let medium = Medium::new(&mesh, Some(costs))?;
-        if !medium.is_uniform() {
-            return Ok(Self { mesh, medium: medium.into(), cost: 1.0, heat: None });
-        }
-        let cost = costs.iter().copied().fold(f64::INFINITY, f64::min);
-        let of_one: Vec<f64> = costs.iter().map(|&own| if own.is_finite() { 1.0 } else { own }).collect();
-        let medium = Medium::new(&mesh, Some(&of_one))?;
-        Ok(Self { mesh, medium: medium.into(), cost, heat: None })
+        let measured = Measured::new(&mesh, Some(costs))?;
+        Ok(Self { mesh, measured, heat: None })
     }
 
     /// The mesh.
@@ -101,10 +95,11 @@ impl VolumeSolver {
             return Ok(());
         }
         let factored = options.heat.factor_options();
+        let Measured { mesh, medium, .. } = &self.measured;
         match &mut self.heat {
-            Some(heat) => heat.set_options(&self.mesh, &self.medium, factored, progress),
+            Some(heat) => heat.set_options(mesh, medium, factored, progress),
             None => {
-                self.heat = Some(VolumeHeat::new(&self.mesh, &self.medium, factored, progress)?);
+                self.heat = Some(VolumeHeat::new(mesh, medium, factored, progress)?);
                 Ok(())
             }
         }
@@ -126,7 +121,7 @@ impl VolumeSolver {
         }
         let sources = sources.iter().enumerate().map(|(number, &source)| self.checked(number, source.into()));
         let sources = sources.collect::<Result<Vec<TetSource>>>()?;
-        let mesh = &self.mesh;
+        let Measured { mesh, medium, .. } = &self.measured;
         let points = sources.iter().map(|source| source.point).collect();
         let initial_distances = sources.iter().map(|source| source.initial_distance).collect();
         let mut distance = VolumeDistance {
@@ -141,21 +136,21 @@ impl VolumeSolver {
         };
         match (options.method, &self.heat) {
             (VolumeMethod::Heat, Some(heat)) => {
-                let found = heat.distance(mesh, &self.medium, &sources, &options.heat)?;
+                let found = heat.distance(mesh, medium, &sources, &options.heat)?;
                 distance.values = found.values;
                 distance.heat = Some(found.heat);
                 distance.exact_below = found.exact_below;
             }
             _ => {
-                let mut march = March::new(mesh, &self.medium, &sources);
+                let mut march = March::new(mesh, medium, &sources);
                 // A value of just the maximum distance is final, too.
-                march.advance((options.max_distance / self.cost).next_up(), usize::MAX);
+                march.advance(self.measured.scaled(options.max_distance).next_up(), usize::MAX);
                 let (values, origins) = march.finish();
                 distance.values = values;
                 distance.origins = Some(origins);
             }
         }
-        Ok(distance.times(self.cost))
+        Ok(self.measured.outside(distance))
     }
 
     /// A shortest path from a place to the nearest source. Where costs differ, it descends the distance and refracts as that does.
@@ -165,13 +160,7 @@ impl VolumeSolver {
     pub fn path(&self, distance: &VolumeDistance, from: TetPoint) -> Result<VolumePath> {
         distance.require(&self.mesh)?;
         let from = from.checked(&self.mesh)?;
-        if self.cost == 1.0 {
-            return path::find(&self.mesh, &self.medium, distance, from);
-        }
-        let mut path = path::find(&self.mesh, &self.medium, &distance.clone().times(self.cost.recip()), from)?;
-        path.cost *= self.cost;
-        path.costs.iter_mut().for_each(|cost| *cost *= self.cost);
-        Ok(path)
+        self.measured.path(&self.measured.inside(Cow::Borrowed(distance)), from)
     }
 
     /// The distance at a place. By the march it is that of the vertex, or else that of the path from there, exact where straight lines lead to
@@ -189,7 +178,7 @@ impl VolumeSolver {
                 TetPoint::Vertex(vertex) => corners.contains(&vertex.0),
                 TetPoint::Inside { tetrahedron: own, .. } => *own == tetrahedron,
             };
-            let cost = self.cost * self.medium.cost(tetrahedron.0);
+            let cost = self.measured.cost(tetrahedron);
             let sources = distance.sources.iter().zip(&distance.initial_distances);
             let straight = sources.filter(|(source, _)| is_beside(source));
             let straight =
@@ -208,14 +197,9 @@ impl VolumeSolver {
         }
     }
 
-    /// What paths are found in.
-    pub(crate) fn medium(&self) -> &Arc<Medium> {
-        &self.medium
-    }
-
-    /// What lengths in that are to be multiplied by.
-    pub(crate) fn unit_cost(&self) -> f64 {
-        self.cost
+    /// What all is computed in.
+    pub(crate) fn measured(&self) -> &Measured {
+        &self.measured
     }
 
     /// Stored entries of all factors; 0 where nothing is factored.
@@ -230,7 +214,7 @@ impl VolumeSolver {
 
     fn checked(&self, number: usize, source: TetSource) -> Result<TetSource> {
         let source = source.checked(&self.mesh)?;
-        let is_open = |tetrahedron: u32| self.medium.cost(tetrahedron).is_finite();
+        let is_open = |tetrahedron: u32| self.measured.medium.cost(tetrahedron).is_finite();
         let is_reached = match source.point {
             TetPoint::Vertex(vertex) => {
                 self.mesh.around().row(vertex.0).iter().any(|&tetrahedron| is_open(tetrahedron))
@@ -240,6 +224,6 @@ impl VolumeSolver {
         if !is_reached {
             return Err(Error::SourceInWall { source_number: number });
         }
-        Ok(TetSource { initial_distance: source.initial_distance / self.cost, ..source })
+        Ok(self.measured.source(source))
     }
 }
