@@ -1,7 +1,8 @@
-//! What holds of distances in meshes full of holes: `cargo run --release -p heatwalk-volume --example riddled [PAIRS]`. Meshes are the
-//! Delaunay tetrahedra of 10 to 120 points at random in a cube, of which 10 to 50 % are taken out at random. For each method it prints of
-//! how many pairs of vertices, 100,000 unless told otherwise, the distance is above the shortest way along edges or below the straight
-//! line, and by how much the distances from one to the other and back differ, relative to the larger one.
+//! What holds of distances in meshes full of holes: `cargo run --release -p heatwalk-volume --example riddled [PAIRS [POINTS [SHARE]]]`.
+//! Meshes are the Delaunay tetrahedra of points at random in a cube, of which a share is taken out at random: 10 to 120 and 10 to 50 %
+//! unless told otherwise. For each method it prints of how many pairs of vertices, 100,000 unless told otherwise, the distance is above
+//! the shortest way along edges or below the straight line, and by how much the distances from one to the other and back differ,
+//! relative to the larger one.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -24,34 +25,41 @@ const POINTS: [usize; 5] = [10, 20, 40, 80, 120];
 /// What is taken out of each, in turn.
 const SHARES: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
 
+/// Vertices of each mesh that pairs are made of, at most.
+const SOURCES: usize = 120;
+
 /// Rounding of sums of lengths.
 const ROUNDING: f64 = 1e-12;
 
 fn main() {
-    let pairs = env::args().nth(1).map_or(PAIRS, |count| count.parse().expect("a number of pairs"));
+    let argument = |number| env::args().nth(number).map(|text| text.parse::<f64>().expect("a number"));
+    let pairs = argument(1).map_or(PAIRS, |count| count as usize);
+    let points = argument(2).map_or(POINTS.to_vec(), |points| vec![points as usize]);
+    let shares = argument(3).map_or(SHARES.to_vec(), |share| vec![share]);
     println!(
         "| method | meshes | pairs | above edges | below straight | asymmetry mean / max (%) | above 1 % | ms a source |"
     );
     println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     for method in [VolumeMethod::March, VolumeMethod::Heat] {
-        measure(method, pairs);
+        measure(method, pairs, &points, &shares);
     }
 }
 
-fn measure(method: VolumeMethod, most: usize) {
+fn measure(method: VolumeMethod, most: usize, points: &[usize], shares: &[f64]) {
     let mut random = Random::new(37);
     let (mut pairs, mut above, mut below, mut wide) = (0, 0, 0, 0);
     let (mut sum, mut largest, mut ms, mut sources) = (0.0, 0.0_f64, 0.0, 0);
     let mut meshes = 0;
     while pairs < most {
-        let (points, share) = (POINTS[meshes % POINTS.len()], SHARES[(meshes + meshes / POINTS.len()) % SHARES.len()]);
+        let points_of = points[meshes % points.len()];
+        let share = shares[(meshes + meshes / points.len()) % shares.len()];
         meshes += 1;
-        let mesh = TetMesh::build(&riddled(points, share, &mut random)).expect("a mesh of points at random");
+        let mesh = TetMesh::build(&riddled(points_of, share, &mut random)).expect("a mesh of points at random");
         let edges = along_edges(&mesh);
         let mut solver = VolumeSolver::new(mesh);
         let mesh = solver.mesh().clone();
         let start = Instant::now();
-        let count = mesh.vertex_count();
+        let count = mesh.vertex_count().min(SOURCES);
         let values: Vec<Vec<f64>> = (0..count)
             .map(|source| {
                 solver.distance(&[VertexId(source as u32)], &VolumeOptions::by(method)).expect("a vertex").values

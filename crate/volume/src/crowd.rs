@@ -127,7 +127,8 @@ impl VolumeCrowd {
         }
         distance.require(&self.mesh)?;
         let measured = solver.measured().clone();
-        self.goal = Some(Goal { distance: measured.inside(Cow::Owned(distance)).into_owned(), measured, volumes: None });
+        self.goal =
+            Some(Goal { distance: measured.inside(Cow::Owned(distance)).into_owned(), measured, volumes: None });
         self.walkers.iter_mut().for_each(|walker| walker.path = None);
         Ok(())
     }

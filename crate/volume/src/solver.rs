@@ -142,10 +142,8 @@ impl VolumeSolver {
                 distance.exact_below = found.exact_below;
             }
             _ => {
-                let mut march = March::new(mesh, medium, &sources);
-                // A value of just the maximum distance is final, too.
-                march.advance(self.measured.scaled(options.max_distance).next_up(), usize::MAX);
-                let (values, origins) = march.finish();
+                let march = March::new(mesh, medium, &sources);
+                let (values, origins) = march.within(self.measured.scaled(options.max_distance));
                 distance.values = values;
                 distance.origins = Some(origins);
             }

@@ -66,21 +66,119 @@ fn marched_distances_there_and_back_differ_by_a_hundredth_at_most() {
 }
 
 #[test]
+fn in_larger_meshes_distances_there_and_back_differ_by_a_hundredth_at_most() {
+    let mut random = Random::new(9);
+    for (points, share) in [(300, 0.05), (400, 0.3), (500, 0.5)] {
+        let mut solver = VolumeSolver::new(TetMesh::build(&riddled(points, share, &mut random)).unwrap());
+        let count = solver.mesh().vertex_count() as u32;
+        let mut from = |source| solver.distance(&[VertexId(source)], &VolumeOptions::default()).unwrap().values;
+        let vertices: Vec<u32> = (0..count).step_by(count as usize / 20).collect();
+        let values: Vec<Vec<f64>> = vertices.iter().map(|&source| from(source)).collect();
+        for (from, to) in (0..vertices.len()).flat_map(|from| (0..from).map(move |to| (from, to))) {
+            let [there, back] = [values[from][vertices[to] as usize], values[to][vertices[from] as usize]];
+            assert!(there == back || (there - back).abs() <= 0.01 * there.max(back), "{from} to {to}: {there} {back}");
+        }
+    }
+}
+
+#[test]
+fn a_largest_distance_leaves_out_what_is_farther_and_changes_nothing_else() {
+    for mut solver in solvers() {
+        let full = solver.distance(&[VertexId(0)], &VolumeOptions::default()).unwrap();
+        for max_distance in [0.3, 0.6].map(|share| share * full.max()) {
+            let options = VolumeOptions { max_distance, ..VolumeOptions::default() };
+            let values = solver.distance(&[VertexId(0)], &options).unwrap().values;
+            let kept = |&value: &f64| if value <= max_distance { value } else { f64::INFINITY };
+            assert_eq!(values, full.values.iter().map(kept).collect::<Vec<f64>>());
+        }
+    }
+}
+
+/// Without what joins both sides of the plane x = 1/2 below y = 1/2, and one side this far away there.
+fn with_crack(TetSoup { mut positions, mut tetrahedra }: TetSoup, width: f64) -> TetSoup {
+    let mut twins = vec![None; positions.len()];
+    for corners in &mut tetrahedra {
+        if corners.map(|corner| positions[corner as usize].x).iter().sum::<f64>() > 2.0 {
+            *corners = corners.map(|corner| {
+                let place = positions[corner as usize];
+                if place.y > 0.5 {
+                    return corner;
+                }
+                *twins[corner as usize].get_or_insert_with(|| {
+                    positions.push(place + width * DVec3::X);
+                    positions.len() as u32 - 1
+                })
+            });
+        }
+    }
+    TetSoup { positions, tetrahedra }
+}
+
+#[test]
+fn nothing_is_seen_through_cracks_of_no_width() {
+    let mut random = Random::new(21);
+    for (points, share) in [(40, 0.0), (60, 0.1), (200, 0.0), (200, 0.1)] {
+        let soup = riddled(points, share, &mut random);
+        // A hair is wide enough for two sides not to be at one place, and changes lengths by no more than that where paths bend.
+        const HAIR: f64 = 1e-7;
+        let [closed, open] = [0.0, HAIR].map(|width| TetMesh::build(&with_crack(soup.clone(), width)).unwrap());
+        let whole = TetMesh::build(&soup).unwrap();
+        let count = closed.vertex_count() as u32;
+        assert!(count as usize > whole.vertex_count());
+        let mut solvers = [closed, open].map(VolumeSolver::new);
+        let mut is_longer = false;
+        for source in (0..count).step_by(7) {
+            let source = VertexId(source);
+            let [closed, open] = solvers.each_mut().map(|solver| solver.distance(&[source], &VolumeOptions::default()));
+            let [closed, open] = [closed.unwrap(), open.unwrap()];
+            for (vertex, (&one, &other)) in closed.values.iter().zip(&open.values).enumerate() {
+                let what = format!("{points} {share}, {} to {vertex}: {one} {other}", source.0);
+                assert!(one == other || (one - other).abs() <= 100.0 * HAIR, "{what}");
+                let straight = solvers[0].mesh().positions()[vertex].distance(solvers[0].mesh().position(source));
+                is_longer |= one.is_finite() && one > 1.1 * straight;
+            }
+        }
+        assert!(is_longer, "{points} {share}: some paths go around the crack");
+    }
+}
+
+#[test]
+fn the_distance_at_a_place_is_that_from_there() {
+    let mut random = Random::new(17);
+    for mut solver in solvers() {
+        let mesh = Arc::clone(solver.mesh());
+        for _ in 0..10 {
+            let [one, other] = [0; 2].map(|_| inside(&mesh, &mut random));
+            let [there, back] = [[one, other], [other, one]].map(|[from, to]| {
+                let distance = solver.distance(&[to], &VolumeOptions::default()).unwrap();
+                solver.at(&distance, from).unwrap()
+            });
+            assert!(
+                there == back || (there - back).abs() <= 0.01 * there.max(back),
+                "{one:?} {other:?}: {there} {back}"
+            );
+        }
+    }
+}
+
+/// A place at random.
+fn inside(mesh: &TetMesh, random: &mut Random) -> TetPoint {
+    let shares = [0; 4].map(|_| random.share());
+    let sum: f64 = shares.iter().sum();
+    let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
+    TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) }
+}
+
+#[test]
 fn marched_paths_are_as_long_as_the_distance_also_from_inside() {
     let mut random = Random::new(11);
     for mut solver in solvers() {
         let mesh = Arc::clone(solver.mesh());
-        let place = |random: &mut Random| {
-            let shares = [0; 4].map(|_| random.share());
-            let sum: f64 = shares.iter().sum();
-            let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
-            TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) }
-        };
         let vertex = |random: &mut Random| TetPoint::Vertex(VertexId(random.below(mesh.vertex_count()) as u32));
-        for to in [place(&mut random), vertex(&mut random)] {
+        for to in [inside(&mesh, &mut random), vertex(&mut random)] {
             let distance = solver.distance(&[to], &VolumeOptions::default()).unwrap();
             assert_eq!(solver.at(&distance, to).unwrap(), 0.0);
-            for from in [place(&mut random), place(&mut random), vertex(&mut random)] {
+            for from in [inside(&mesh, &mut random), inside(&mesh, &mut random), vertex(&mut random)] {
                 let told = solver.at(&distance, from).unwrap();
                 match solver.path(&distance, from) {
                     Ok(path) => {

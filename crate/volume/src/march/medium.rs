@@ -22,10 +22,10 @@ const CONCAVE: f64 = 1e-10;
 /// waves bend around one after another.
 const SHARP: f64 = 0.5;
 
-/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: their lines of sight take some tenths of a second and 12 MB.
-/// Where a share of the edges is, that times its square: 0.5 to 1 where tetrahedra between points at random are taken out, 0.1 to 0.3 on
-/// coarse solids, where waves come as far and take less.
-const NODES: f64 = 5000.0;
+/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: to see which of them see each other takes some seconds then, and
+/// 100 MB. Where a share of the edges is, that times its square: 0.4 to 1 where tetrahedra between points at random are taken out, 0 on
+/// round solids, where waves come as far and take less.
+const NODES: f64 = 70_000.0;
 
 /// The tetrahedra of a mesh with what it costs to go through them.
 #[derive(Debug)]

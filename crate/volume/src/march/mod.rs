@@ -57,6 +57,16 @@ impl<'a> March<'a> {
         }
     }
 
+    /// The distances (`#V`) that are at most `most`, infinite elsewhere, and what they come from.
+    pub(crate) fn within(mut self, most: f64) -> (Vec<f64>, Origins) {
+        // Paths over nodes are longer than what they are pulled to, by how much is not known.
+        let radius = if matches!(self, Self::Waves(_)) { most.next_up() } else { f64::INFINITY };
+        self.advance(radius, usize::MAX);
+        let (mut distances, origins) = self.finish();
+        distances.iter_mut().filter(|distance| **distance > most).for_each(|distance| *distance = f64::INFINITY);
+        (distances, origins)
+    }
+
     /// The distances (`#V`).
     pub(crate) fn into_distances(self) -> Vec<f64> {
         self.finish().0

@@ -7,9 +7,10 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::OnceLock;
 
 use super::medium::Medium;
+use crate::lists::Lists;
 use crate::mesh::{NONE, Start, TetMesh};
 use crate::path::{Corner, length_of, pull};
 use crate::point::{TetPoint, TetSource};
@@ -17,15 +18,9 @@ use crate::point::{TetPoint, TetSource};
 /// A distance replaces another if it is below it by this share: what is less is rounding, which depends on the order of sums.
 const GAIN: f64 = 1e-12;
 
-/// Places that paths may bend at, and which of them see each other.
-#[derive(Debug)]
-pub(super) struct Nodes {
-    /// The vertices, and after them a place on each sharp edge. More of these would make better first guesses; where on an edge a path
-    /// bends, [pulling](pull) finds by itself.
-    corners: Vec<Corner>,
-    /// Of each pair, once it was asked: [`CLEAR`] or [`BLOCKED`].
-    lines: Vec<AtomicU8>,
-}
+/// Nodes that each is tried to see, at most, in the order of steps along edges to them. What is farther away than so many is seen over
+/// others in between, and [pulling](pull) leaves those out. Where there are fewer nodes, all are tried.
+const TRIED: usize = 200;
 
 /// Places on edges are about in the middle, within this share of the edge: lines between the very middles of the edges around a
 /// quadrilateral have equal lengths, and of two ways that are equally long one would be taken there and the other one back.
@@ -34,9 +29,17 @@ const SPREAD: f64 = 0.1;
 /// Its multiples, less their whole parts, are spread evenly, and no two are one.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-const UNKNOWN: u8 = 0;
-const CLEAR: u8 = 1;
-const BLOCKED: u8 = 2;
+/// Places that paths may bend at, and which of them see each other.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// The vertices, and after them a place on each sharp edge. More of these would make better first guesses; where on an edge a path
+    /// bends, [pulling](pull) finds by itself.
+    corners: Vec<Corner>,
+    /// Of each vertex, itself and the places on the edges that it is the first end of.
+    of_vertex: Lists,
+    /// Of each node, those that it sees among those tried; made by the first search.
+    seen: OnceLock<Lists>,
+}
 
 impl Nodes {
     /// With places on these edges.
@@ -48,21 +51,51 @@ impl Nodes {
             Corner::at(a.lerp(b, share), Start::Edge(ends))
         };
         let corners: Vec<Corner> = vertices.chain(edges.iter().enumerate().map(on_edge)).collect();
-        let pairs = corners.len() * (corners.len() - 1) / 2;
-        Self { lines: (0..pairs).map(|_| AtomicU8::new(UNKNOWN)).collect(), corners }
+        let count = mesh.vertex_count() as u32;
+        let places = || (count..).zip(edges).map(|(node, &[first, _])| (first, node));
+        let of_vertex = Lists::group(mesh.vertex_count(), || (0..count).map(|vertex| (vertex, vertex)).chain(places()));
+        Self { corners, of_vertex, seen: OnceLock::new() }
     }
 
-    fn see(&self, mesh: &TetMesh, medium: &Medium, a: u32, b: u32) -> bool {
-        let [low, high] = [a.min(b), a.max(b)].map(|node| node as usize);
-        if low == high {
-            return true;
+    /// Of each node, those that it sees.
+    fn seen(&self, mesh: &TetMesh, medium: &Medium) -> &Lists {
+        self.seen.get_or_init(|| {
+            let mut pairs: Vec<[u32; 2]> = Vec::new();
+            let mut last = vec![NONE; mesh.vertex_count()];
+            for node in 0..self.corners.len() as u32 {
+                let near = self.near(mesh, node, &mut last);
+                pairs.extend(near.into_iter().map(|other| [node.min(other), node.max(other)]));
+            }
+            pairs.sort_unstable();
+            pairs.dedup();
+            // From the same end whichever asks.
+            pairs.retain(|&[a, b]| a != b && medium.sees(mesh, [a, b].map(|node| self.corners[node as usize])));
+            Lists::group(self.corners.len(), || pairs.iter().flat_map(|&[a, b]| [(a, b), (b, a)]))
+        })
+    }
+
+    /// The nodes that one is tried to see. `last` keeps for which node each vertex was last come to.
+    fn near(&self, mesh: &TetMesh, node: u32, last: &mut [u32]) -> Vec<u32> {
+        let mut vertices = match self.corners[node as usize].start {
+            Start::Edge(ends) => ends.to_vec(),
+            _ => vec![node],
+        };
+        vertices.iter().for_each(|&vertex| last[vertex as usize] = node);
+        let mut near = Vec::with_capacity(TRIED);
+        let (mut next, neighbors) = (0, vertices.iter().map(|&vertex| 1 + mesh.adjacent().row(vertex).len()).sum());
+        // All neighbors along edges, so that no distance is above the way along those.
+        while next < vertices.len() && (next < neighbors || near.len() < TRIED) {
+            let vertex = vertices[next];
+            next += 1;
+            near.extend(self.of_vertex.row(vertex));
+            for &other in mesh.adjacent().row(vertex) {
+                if last[other as usize] != node {
+                    last[other as usize] = node;
+                    vertices.push(other);
+                }
+            }
         }
-        let line = &self.lines[high * (high - 1) / 2 + low];
-        if line.load(Ordering::Relaxed) == UNKNOWN {
-            let is_clear = medium.sees(mesh, [self.corners[low], self.corners[high]]);
-            line.store(if is_clear { CLEAR } else { BLOCKED }, Ordering::Relaxed);
-        }
-        line.load(Ordering::Relaxed) == CLEAR
+        near
     }
 }
 
@@ -72,10 +105,11 @@ pub(crate) struct Sights<'a> {
     medium: &'a Medium,
     nodes: &'a Nodes,
     tree: Tree,
+    seen: &'a Lists,
     offers: BinaryHeap<Reverse<(u64, u32)>>,
-    /// Those without a final distance.
-    open: Vec<u32>,
-    /// Lines that were followed.
+    /// Of each node, whether its distance is final.
+    is_final: Vec<bool>,
+    /// Offers that were taken.
     work: usize,
 }
 
@@ -85,22 +119,36 @@ pub(crate) struct Tree {
     sources: Vec<TetSource>,
     /// Of each node its distance, and the node before; the number of a source comes after those of nodes. None where infinite.
     steps: Vec<(f64, u32)>,
+    /// Of each vertex, whether it sees its source; none before the search has ended.
+    is_straight: Vec<bool>,
 }
 
 impl<'a> Sights<'a> {
     pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium, nodes: &'a Nodes, sources: &[TetSource]) -> Self {
-        let count = nodes.corners.len() as u32;
-        let tree = Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); nodes.corners.len()] };
-        let (offers, open) = (BinaryHeap::new(), (0..count).collect());
-        let mut search = Self { mesh, medium, nodes, tree, offers, open, work: 0 };
-        for (by, source) in (count..).zip(sources) {
-            let node = match source.point {
-                TetPoint::Vertex(vertex) => Some(vertex.0),
-                TetPoint::Inside { .. } => None,
-            };
-            search.spread(source.point.corner(mesh), node, source.initial_distance, by);
+        let count = nodes.corners.len();
+        let tree =
+            Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); count], is_straight: Vec::new() };
+        let (offers, is_final) = (BinaryHeap::new(), vec![false; count]);
+        let seen = nodes.seen(mesh, medium);
+        let mut search = Self { mesh, medium, nodes, tree, seen, offers, is_final, work: 0 };
+        for (by, source) in (count as u32..).zip(sources) {
+            search.start(source, by);
         }
         search
+    }
+
+    /// Offers the distance of a source that is a node, or of all nodes that see another one.
+    fn start(&mut self, source: &TetSource, by: u32) {
+        let from = source.point.corner(self.mesh);
+        let nodes = match source.point {
+            TetPoint::Vertex(vertex) => vertex.0..vertex.0 + 1,
+            TetPoint::Inside { .. } => 0..self.nodes.corners.len() as u32,
+        };
+        for node in nodes {
+            if self.medium.sees(self.mesh, [from, self.nodes.corners[node as usize]]) {
+                self.offer(source.initial_distance, from, node, by);
+            }
+        }
     }
 
     /// As [`super::March::advance`].
@@ -111,51 +159,47 @@ impl<'a> Sights<'a> {
                 return distance.min(radius);
             }
             self.offers.pop();
-            if let Ok(index) = self.open.binary_search(&node) {
-                self.open.remove(index);
-                self.spread(self.nodes.corners[node as usize], Some(node), distance, node);
+            if !std::mem::replace(&mut self.is_final[node as usize], true) {
+                let from = self.nodes.corners[node as usize];
+                for &other in self.seen.row(node) {
+                    self.offer(distance, from, other, node);
+                }
             }
         }
         f64::INFINITY
     }
 
-    /// Offers a distance to all that see a place, which may be a node.
-    fn spread(&mut self, from: Corner, number: Option<u32>, distance: f64, by: u32) {
-        let Self { mesh, medium, nodes, .. } = *self;
-        for &node in &self.open {
-            let there = nodes.corners[node as usize];
-            let through = distance + from.place.distance(there.place);
-            let (least, _) = self.tree.steps[node as usize];
-            if through < least * (1.0 - GAIN) {
-                self.work += 1;
-                let is_seen = match number {
-                    Some(number) => nodes.see(mesh, medium, number, node),
-                    None => medium.sees(mesh, [from, there]),
-                };
-                if is_seen {
-                    self.tree.steps[node as usize] = (through, by);
-                    self.offers.push(Reverse((through.to_bits(), node)));
-                }
-            }
+    /// Offers a node its distance over a place at this distance that it sees.
+    fn offer(&mut self, distance: f64, from: Corner, node: u32, by: u32) {
+        let through = distance + from.place.distance(self.nodes.corners[node as usize].place);
+        let step = &mut self.tree.steps[node as usize];
+        if through < step.0 * (1.0 - GAIN) {
+            *step = (through, by);
+            self.offers.push(Reverse((through.to_bits(), node)));
+            self.work += 1;
         }
     }
 
     /// The distances of vertices (`#V`), and the paths.
     pub(super) fn finish(self) -> (Vec<f64>, Tree) {
-        let Self { mesh, medium, nodes, mut tree, open, .. } = self;
-        for node in open {
-            tree.steps[node as usize] = (f64::INFINITY, NONE);
+        let Self { mesh, medium, nodes, mut tree, is_final, .. } = self;
+        for (step, _) in tree.steps.iter_mut().zip(is_final).filter(|&(_, is_final)| !is_final) {
+            *step = (f64::INFINITY, NONE);
         }
-        let distance = |&from: &Corner| tree.path(mesh, medium, nodes, from).map_or(f64::INFINITY, |path| path.0);
-        (nodes.corners[..mesh.vertex_count()].iter().map(distance).collect(), tree)
+        let found = |(&from, &(distance, _)): (&Corner, &(f64, u32))| {
+            let path = distance.is_finite().then(|| tree.path(mesh, medium, nodes, from)).flatten();
+            path.map_or((f64::INFINITY, false), |(distance, path)| (distance, path.len() <= 2))
+        };
+        let (distances, is_straight) = nodes.corners[..mesh.vertex_count()].iter().zip(&tree.steps).map(found).unzip();
+        tree.is_straight = is_straight;
+        (distances, tree)
     }
 }
 
 impl Tree {
     /// Whether a vertex has its distance straight from a source.
     pub(super) fn is_straight(&self, vertex: u32) -> bool {
-        let (_, by) = self.steps[vertex as usize];
-        by != NONE && by as usize >= self.steps.len()
+        self.is_straight[vertex as usize]
     }
 
     /// The distance of a place and the path from there to its source; none where there is none.
@@ -167,15 +211,12 @@ impl Tree {
         from: Corner,
     ) -> Option<(f64, Vec<Corner>)> {
         let mut path = vec![from];
-        let mut next = match from.start {
-            Start::Vertex(vertex) => self.steps[vertex as usize].1,
-            _ => self.nearest(mesh, medium, nodes, from)?,
-        };
+        let mut next = self.first_step(mesh, medium, nodes, from)?;
         while (next as usize) < nodes.corners.len() {
             path.push(nodes.corners[next as usize]);
             next = self.steps[next as usize].1;
         }
-        let source = self.sources.get(next as usize - nodes.corners.len())?;
+        let source = self.sources[next as usize - nodes.corners.len()];
         let there = source.point.corner(mesh);
         if path[path.len() - 1].place != there.place {
             path.push(there);
@@ -193,14 +234,30 @@ impl Tree {
         Some((source.initial_distance + length, path))
     }
 
-    /// The node or source that a place has its distance by.
-    fn nearest(&self, mesh: &TetMesh, medium: &Medium, nodes: &Nodes, from: Corner) -> Option<u32> {
-        let steps = nodes.corners.iter().zip(&self.steps).map(|(&node, &(distance, _))| (distance, node));
-        let sources = self.sources.iter().map(|source| (source.initial_distance, source.point.corner(mesh)));
-        let through = |(initial, there): (f64, Corner)| (initial + from.place.distance(there.place), there);
-        let mut ways: Vec<(u32, (f64, Corner))> = (0..).zip(steps.chain(sources).map(through)).collect();
-        ways.retain(|(_, (distance, _))| distance.is_finite());
-        ways.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0));
-        ways.into_iter().find(|&(_, (_, there))| medium.sees(mesh, [from, there])).map(|(by, _)| by)
+    /// The node or source that a place has its distance by: a source that it sees, or else, of a vertex, the one found by the search, and
+    /// of other places the nearest over what they see.
+    fn first_step(&self, mesh: &TetMesh, medium: &Medium, nodes: &Nodes, from: Corner) -> Option<u32> {
+        let sees = |there: Corner| medium.sees(mesh, [from, there]);
+        let through = |distance: f64, there: Corner| distance + from.place.distance(there.place);
+        let mut nearest = (f64::INFINITY, NONE);
+        match from.start {
+            Start::Vertex(vertex) => nearest = self.steps[vertex as usize],
+            _ => {
+                for (node, (&there, &(distance, _))) in (0..).zip(nodes.corners.iter().zip(&self.steps)) {
+                    let distance = through(distance, there);
+                    if distance < nearest.0 * (1.0 - GAIN) && sees(there) {
+                        nearest = (distance, node);
+                    }
+                }
+            }
+        }
+        for (by, source) in (nodes.corners.len() as u32..).zip(&self.sources) {
+            let there = source.point.corner(mesh);
+            let distance = through(source.initial_distance, there);
+            if distance < nearest.0 * (1.0 - GAIN) && sees(there) {
+                nearest = (distance, by);
+            }
+        }
+        nearest.0.is_finite().then_some(nearest.1)
     }
 }

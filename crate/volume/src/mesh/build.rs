@@ -143,11 +143,7 @@ fn unit(size: f64) -> Result<f64> {
 }
 
 /// The tetrahedra that stay, in positive orientation, and the number of each of the input among them, or [`NONE`].
-fn clean(
-    TetSoup { positions, tetrahedra }: &TetSoup,
-    unit: f64,
-    report: &mut MeshReport,
-) -> (Vec<[u32; 4]>, Vec<u32>) {
+fn clean(TetSoup { positions, tetrahedra }: &TetSoup, unit: f64, report: &mut MeshReport) -> (Vec<[u32; 4]>, Vec<u32>) {
     let mut kept: Vec<[u32; 4]> = Vec::with_capacity(tetrahedra.len());
     let mut number = vec![NONE; tetrahedra.len()];
     let mut seen: HashSet<[u32; 4]> = HashSet::with_capacity(tetrahedra.len());

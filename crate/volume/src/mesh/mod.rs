@@ -8,8 +8,8 @@ pub(crate) mod quality;
 mod report;
 
 use std::num::NonZeroU64;
-use std::sync::{Arc, OnceLock};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 use heatwalk::VertexId;
