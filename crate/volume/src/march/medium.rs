@@ -64,7 +64,8 @@ impl Medium {
         }
         let ConcaveEdges { concave, sharp, edges } = medium.concave_edges(mesh);
         medium.concave = concave;
-        let nodes = mesh.vertex_count() + sharp.len();
+        let is_open = |&vertex: &u32| mesh.around().row(vertex).iter().any(|&around| medium.cost(around).is_finite());
+        let nodes = (0..mesh.vertex_count() as u32).filter(is_open).count() + sharp.len();
         let share = sharp.len() as f64 / edges as f64;
         if medium.is_uniform() && nodes as f64 <= NODES * share * share {
             medium.nodes = Some(Nodes::new(mesh, &sharp));
@@ -152,16 +153,39 @@ impl Medium {
     /// Whether the straight line between two places stays in tetrahedra of the cost at the first, and ends on the second one's side of a crack,
     /// where that has vertices of equal position on both sides.
     pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
-        if a.place == b.place {
-            let of_b = self.touching(mesh, b);
-            return self.touching(mesh, a).iter().any(|tetrahedron| of_b.contains(tetrahedron));
-        }
         let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
-        let walk = |from: Corner, to: Corner| {
-            self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On)
+        let are_in_one = || {
+            let of_b = self.touching(mesh, b);
+            self.touching(mesh, a).iter().any(|tetrahedron| may_enter(*tetrahedron) && of_b.contains(tetrahedron))
         };
-        // By rounding it may end beside those that the place touches.
-        walk(a, b).is_some_and(|end| self.touching(mesh, b).contains(&end) || walk(b, a).is_some())
+        // A line along a crack may be followed on one side of it alone, but it comes from both.
+        are_in_one()
+            || [[a, b], [b, a]].into_iter().any(|[from, to]| {
+                let end = self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On);
+                end.is_some_and(|end| self.touches(mesh, end, to))
+            })
+    }
+
+    /// Whether a tetrahedron that a place is in, as it seems, is one of those that it touches, or leads to one by faces that it is on: which of
+    /// them it is in is up to rounding, but on the other side of a crack it is in none.
+    fn touches(&self, mesh: &TetMesh, tetrahedron: u32, corner: Corner) -> bool {
+        let touching = self.touching(mesh, corner);
+        let mut joined = vec![tetrahedron];
+        let mut next = 0;
+        while let Some(&tetrahedron) = joined.get(next) {
+            if touching.contains(&tetrahedron) {
+                return true;
+            }
+            next += 1;
+            let weights = weights(mesh.corners(TetId(tetrahedron)), corner.place);
+            let beyond = self.sight(mesh).neighbors[tetrahedron as usize];
+            for (other, weight) in beyond.into_iter().zip(weights) {
+                if other != NONE && weight.abs() <= GRAZING && !joined.contains(&other) {
+                    joined.push(other);
+                }
+            }
+        }
+        false
     }
 
     /// Lines through the tetrahedra that are no walls.

@@ -63,7 +63,7 @@ impl Nodes {
             let mut pairs: Vec<[u32; 2]> = Vec::new();
             let mut last = vec![NONE; mesh.vertex_count()];
             for node in 0..self.corners.len() as u32 {
-                let near = self.near(mesh, node, &mut last);
+                let near = self.near(mesh, medium, node, &mut last);
                 pairs.extend(near.into_iter().map(|other| [node.min(other), node.max(other)]));
             }
             pairs.sort_unstable();
@@ -75,24 +75,30 @@ impl Nodes {
     }
 
     /// The nodes that one is tried to see. `last` keeps for which node each vertex was last come to.
-    fn near(&self, mesh: &TetMesh, node: u32, last: &mut [u32]) -> Vec<u32> {
+    fn near(&self, mesh: &TetMesh, medium: &Medium, node: u32, last: &mut [u32]) -> Vec<u32> {
         let mut vertices = match self.corners[node as usize].start {
             Start::Edge(ends) => ends.to_vec(),
             _ => vec![node],
         };
         vertices.iter().for_each(|&vertex| last[vertex as usize] = node);
+        let ends = vertices.len();
         let mut near = Vec::with_capacity(TRIED);
-        let (mut next, neighbors) = (0, vertices.iter().map(|&vertex| 1 + mesh.adjacent().row(vertex).len()).sum());
+        let (mut next, mut neighbors) = (0, 0);
         // All neighbors along edges, so that no distance is above the way along those.
         while next < vertices.len() && (next < neighbors || near.len() < TRIED) {
             let vertex = vertices[next];
-            next += 1;
             near.extend(self.of_vertex.row(vertex));
-            for &other in mesh.adjacent().row(vertex) {
-                if last[other as usize] != node {
-                    last[other as usize] = node;
-                    vertices.push(other);
+            for tetrahedron in medium.touching(mesh, self.corners[vertex as usize]) {
+                for other in mesh.tetrahedra()[tetrahedron as usize] {
+                    if last[other as usize] != node {
+                        last[other as usize] = node;
+                        vertices.push(other);
+                    }
                 }
+            }
+            next += 1;
+            if next == ends {
+                neighbors = vertices.len();
             }
         }
         near
