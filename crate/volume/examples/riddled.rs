@@ -75,9 +75,10 @@ fn measure(method: VolumeMethod, most: usize, points: &[usize], shares: &[f64]) 
             let there_and_back = [values[from][to], values[to][from]];
             let straight = mesh.positions()[from].distance(mesh.positions()[to]);
             let (low, high) = (there_and_back[0].min(there_and_back[1]), there_and_back[0].max(there_and_back[1]));
-            // Written so that not a number counts.
-            above += usize::from(!(high <= edges[from][to] * (1.0 + ROUNDING)));
-            below += usize::from(!(low >= straight * (1.0 - ROUNDING)));
+            // Not a number counts as both.
+            let (is_short, is_long) = (high <= edges[from][to] * (1.0 + ROUNDING), low >= straight * (1.0 - ROUNDING));
+            above += usize::from(!is_short);
+            below += usize::from(!is_long);
             let asymmetry = (high - low) / high;
             sum += asymmetry;
             largest = largest.max(asymmetry);

@@ -27,7 +27,7 @@ pub(super) fn cap(mesh: &TetMesh, medium: &Medium, sources: &[TetSource], values
     let mut queue: BinaryHeap<Reverse<(u64, u32)>> = BinaryHeap::new();
     // Bits of non-negative floats order as the floats do.
     let push = |queue: &mut BinaryHeap<Reverse<(u64, u32)>>, value: f64, vertex: u32| {
-        queue.push(Reverse((value.to_bits(), vertex)))
+        queue.push(Reverse((value.to_bits(), vertex)));
     };
     for vertex in 0..mesh.vertex_count() as u32 {
         let value = values[vertex as usize];
