@@ -19,7 +19,7 @@ use crate::point::{TetPoint, TetSource};
 pub struct VolumeOptions {
     /// By which method.
     pub method: VolumeMethod,
-    /// Vertices farther than this, in the file's unit, stay at infinity, and no work is done there; positive. Infinite for
+    /// Vertices farther than this, in the file's unit, stay at infinity, and no work is done there unless the mesh is riddled; positive. Infinite for
     /// [`VolumeMethod::Heat`], which finds all distances at once.
     pub max_distance: f64,
     /// The options of [`VolumeMethod::Heat`]; the operator is not among them, since tetrahedra have one.
