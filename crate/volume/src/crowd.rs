@@ -3,15 +3,16 @@
 //! A path is found where a walker needs one: where it starts, and where it stands when the distance changes. That takes longer than
 //! a step, so a few are found in each step, and the other walkers wait for theirs where they are.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
-use crate::march::Medium;
+use crate::measured::Measured;
 use crate::mesh::{TetId, TetMesh, six_volumes};
-use crate::path::{self, VolumePath};
+use crate::path::VolumePath;
 use crate::point::TetPoint;
 use crate::random::random;
 use crate::solver::VolumeSolver;
@@ -60,10 +61,9 @@ struct Walk {
 /// What there is to follow.
 #[derive(Debug, Clone)]
 struct Goal {
-    medium: Arc<Medium>,
-    /// As the medium has it, with lengths to be multiplied by `unit_cost`.
+    measured: Measured,
+    /// As it is measured there.
     distance: VolumeDistance,
-    unit_cost: f64,
     /// `#T`, volume of the tetrahedra up to and with each that a source can be reached from; made when someone starts.
     volumes: Option<Vec<f64>>,
 }
@@ -126,9 +126,9 @@ impl VolumeCrowd {
             return Err(Error::ForeignMesh { what: "solver" });
         }
         distance.require(&self.mesh)?;
-        let unit_cost = solver.unit_cost();
-        let distance = if unit_cost == 1.0 { distance } else { distance.times(unit_cost.recip()) };
-        self.goal = Some(Goal { medium: Arc::clone(solver.medium()), distance, unit_cost, volumes: None });
+        let measured = solver.measured().clone();
+        self.goal =
+            Some(Goal { distance: measured.inside(Cow::Owned(distance)).into_owned(), measured, volumes: None });
         self.walkers.iter_mut().for_each(|walker| walker.path = None);
         Ok(())
     }
@@ -192,14 +192,12 @@ impl Goal {
     /// The path from a place; none where that is outside or reaches no source.
     fn path(&self, mesh: &TetMesh, place: DVec3) -> Option<VolumePath> {
         let from = mesh.locate(place)?;
-        let mut path = path::find(mesh, &self.medium, &self.distance, from).ok()?;
-        path.costs.iter_mut().for_each(|cost| *cost *= self.unit_cost);
-        Some(path)
+        self.measured.path(&self.distance, from).ok()
     }
 
     /// Someone at a random place, by volume, who faces where distance falls; none where no tetrahedron has a path from everywhere.
     fn start(&mut self, mesh: &TetMesh, state: &mut u64) -> Option<Walker> {
-        let volumes = self.volumes.get_or_insert_with(|| reached_volumes(mesh, &self.medium, &self.distance));
+        let volumes = self.volumes.get_or_insert_with(|| reached_volumes(&self.measured, &self.distance));
         let total = volumes.last().copied().filter(|&total| total > 0.0)?;
         let wanted = random(state) * total;
         // The product may round to the total; the tetrahedron that completes it has a volume, the last one need not count.
@@ -209,7 +207,7 @@ impl Goal {
         cuts.sort_unstable_by(f64::total_cmp);
         let weights = [cuts[0], cuts[1] - cuts[0], cuts[2] - cuts[1], 1.0 - cuts[2]];
         let position = TetPoint::Inside { tetrahedron: TetId(tetrahedron), weights }.position(mesh);
-        let heading = (-self.distance.gradient_in(mesh, tetrahedron)).normalize_or(DVec3::X);
+        let heading = (-self.distance.gradient_in(&self.measured.mesh, tetrahedron)).normalize_or(DVec3::X);
         Some(Walker { position, heading, arc: 0.0, path: None })
     }
 
@@ -222,7 +220,7 @@ impl Goal {
 }
 
 /// As [`Goal::volumes`].
-fn reached_volumes(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance) -> Vec<f64> {
+fn reached_volumes(Measured { mesh, medium, .. }: &Measured, distance: &VolumeDistance) -> Vec<f64> {
     let mut sum = 0.0;
     let up_to = |(tetrahedron, corners): (usize, &[u32; 4])| {
         let is_reached = corners.iter().all(|&vertex| distance.values[vertex as usize].is_finite());

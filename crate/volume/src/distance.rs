@@ -8,7 +8,7 @@ use heatwalk::VertexId;
 
 use crate::error::{Error, Result};
 use crate::heat::gradient_in;
-use crate::march::Waves;
+use crate::march::Origins;
 use crate::mesh::{MeshId, TetId, TetMesh};
 use crate::point::TetPoint;
 
@@ -62,8 +62,10 @@ pub struct VolumeDistance {
     pub sources: Vec<TetPoint>,
     /// Values below this were found by the march; infinity when all were.
     pub exact_below: f64,
+    /// The distances that the sources start from.
+    pub(crate) initial_distances: Vec<f64>,
     pub(crate) heat: Option<Vec<f64>>,
-    pub(crate) waves: Option<Waves>,
+    pub(crate) origins: Option<Origins>,
 }
 
 impl VolumeDistance {
@@ -90,7 +92,7 @@ impl VolumeDistance {
     /// Whether a straight line inside of the mesh leads from a vertex to its source, so that its distance is exact up to rounding. Known
     /// of the march alone.
     pub fn is_straight(&self, vertex: VertexId) -> bool {
-        self.waves.as_ref().is_some_and(|waves| waves.is_straight(vertex))
+        self.origins.as_ref().is_some_and(|origins| origins.is_straight(vertex))
     }
 
     /// `#T`, unit vectors along the gradient of heat in each tetrahedron, towards the sources; zero where there is none.
@@ -101,13 +103,13 @@ impl VolumeDistance {
         self.require(mesh)?;
         let heat = self.heat.as_deref().ok_or(heatwalk::Error::NoHeat)?;
         let direction = |(tetrahedron, corners): (u32, &[u32; 4])| {
-            gradient_in(mesh.corners(TetId(tetrahedron)), corners.map(|corner| heat[corner as usize]))
+            gradient_in(mesh.scaled_corners(TetId(tetrahedron)), corners.map(|corner| heat[corner as usize]))
                 .normalize_or_zero()
         };
         Ok((0..).zip(mesh.tetrahedra()).map(direction).collect())
     }
 
-    /// The distance at a place, interpolated linearly in its tetrahedron.
+    /// The distance at a place, interpolated linearly in its tetrahedron; [`VolumeSolver::at`](crate::VolumeSolver::at) measures it.
     ///
     /// # Errors
     /// [`Error::ForeignMesh`]; as [`TetPoint::checked`].
@@ -128,13 +130,17 @@ impl VolumeDistance {
     pub(crate) fn gradient_in(&self, mesh: &TetMesh, tetrahedron: u32) -> DVec3 {
         let values = mesh.tetrahedra()[tetrahedron as usize].map(|vertex| self.values[vertex as usize]);
         let is_finite = values.iter().all(|value| value.is_finite());
-        if is_finite { gradient_in(mesh.corners(TetId(tetrahedron)), values) } else { DVec3::ZERO }
+        if !is_finite {
+            return DVec3::ZERO;
+        }
+        mesh.scaled(gradient_in(mesh.scaled_corners(TetId(tetrahedron)), values))
     }
 
     /// The same where all lengths are so many times as large. Waves stay as they are.
     pub(crate) fn times(mut self, factor: f64) -> Self {
         self.values.iter_mut().for_each(|value| *value *= factor);
         self.exact_below *= factor;
+        self.initial_distances.iter_mut().for_each(|distance| *distance *= factor);
         self
     }
 

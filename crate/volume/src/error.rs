@@ -30,6 +30,16 @@ pub enum Error {
         /// Where it is.
         position: [f64; 3],
     },
+    /// So large or so small that squares of lengths are no numbers.
+    #[error("the largest coordinate is {size:e}, where it can be {least:e} to {most:e}; scale the mesh")]
+    BadSize {
+        /// The largest coordinate by size.
+        size: f64,
+        /// The least that it can be.
+        least: f64,
+        /// The most that it can be.
+        most: f64,
+    },
     /// No tetrahedron has a volume.
     #[error("all {tetrahedra} tetrahedra are flat: none has a volume")]
     AllFlat {
@@ -152,6 +162,7 @@ impl Error {
             Self::NoTetrahedra => "no-tetrahedra",
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
+            Self::BadSize { .. } => "bad-size",
             Self::AllFlat { .. } => "all-flat",
             Self::NonManifoldFace { .. } => "non-manifold-face",
             Self::TooMany { .. } => "too-many",

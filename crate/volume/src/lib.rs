@@ -33,6 +33,7 @@ mod heat;
 pub mod io;
 mod lists;
 pub mod march;
+mod measured;
 pub mod mesh;
 pub mod path;
 mod point;

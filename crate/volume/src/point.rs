@@ -6,7 +6,8 @@ use heatwalk::VertexId;
 use crate::boxes::{Bounds, Boxes};
 use crate::error::{Error, Result};
 use crate::mesh::locate::{GRAZING, weights};
-use crate::mesh::{TetId, TetMesh};
+use crate::mesh::{Start, TetId, TetMesh};
+use crate::path::Corner;
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
 /// less than anything seen.
@@ -73,6 +74,17 @@ impl TetPoint {
         vertices.map(VertexId).into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0)
     }
 
+    /// A path's end there.
+    pub(crate) fn corner(self, mesh: &TetMesh) -> Corner {
+        let mut support = self.support(mesh).map(|(vertex, _)| vertex.0);
+        let start = match (self, [support.next(), support.next(), support.next()]) {
+            (Self::Inside { .. }, [Some(a), Some(b), None]) => Start::Edge([a, b]),
+            (Self::Inside { tetrahedron, .. }, _) => Start::Inside(tetrahedron.0),
+            (Self::Vertex(vertex), _) => Start::Vertex(vertex.0),
+        };
+        Corner::at(self.position(mesh), start)
+    }
+
     /// Where it is, in the file's unit.
     pub fn position(self, mesh: &TetMesh) -> DVec3 {
         match self {
@@ -126,7 +138,7 @@ impl TetMesh {
         boxes.near(place, |tetrahedron| {
             let is_first = first.is_none_or(|(other, _)| tetrahedron < other);
             if is_first && bounds(tetrahedron as usize).contains(place) {
-                let weights = weights(self.corners(TetId(tetrahedron)), place);
+                let weights = weights(self.scaled_corners(TetId(tetrahedron)), self.scaled(place));
                 if weights.iter().all(|&weight| weight >= -GRAZING) {
                     first = Some((tetrahedron, weights));
                 }

@@ -1,5 +1,6 @@
 //! One object that answers by any method.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use heatwalk::{Parameters, Progress};
@@ -7,9 +8,10 @@ use heatwalk::{Parameters, Progress};
 use crate::distance::{VolumeDistance, VolumeMethod};
 use crate::error::{Error, Result};
 use crate::heat::{VolumeHeat, go_on};
-use crate::march::{March, Medium};
+use crate::march::March;
+use crate::measured::Measured;
 use crate::mesh::TetMesh;
-use crate::path::{self, VolumePath};
+use crate::path::VolumePath;
 use crate::point::{TetPoint, TetSource};
 
 /// How distances are found.
@@ -17,7 +19,7 @@ use crate::point::{TetPoint, TetSource};
 pub struct VolumeOptions {
     /// By which method.
     pub method: VolumeMethod,
-    /// Vertices farther than this, in the file's unit, stay at infinity, and no work is done there; positive. Infinite for
+    /// Vertices farther than this, in the file's unit, stay at infinity, and no work is done there unless the mesh is riddled; positive. Infinite for
     /// [`VolumeMethod::Heat`], which finds all distances at once.
     pub max_distance: f64,
     /// The options of [`VolumeMethod::Heat`]; the operator is not among them, since tetrahedra have one.
@@ -55,9 +57,7 @@ impl VolumeOptions {
 #[derive(Debug)]
 pub struct VolumeSolver {
     mesh: Arc<TetMesh>,
-    medium: Arc<Medium>,
-    /// That of all that are no walls, where they have one. All is computed as if it were 1, and then multiplied.
-    cost: f64,
+    measured: Measured,
     heat: Option<VolumeHeat>,
 }
 
@@ -65,8 +65,8 @@ impl VolumeSolver {
     /// Of a mesh where all costs are 1.
     pub fn new(mesh: impl Into<Arc<TetMesh>>) -> Self {
         let mesh = mesh.into();
-        let medium = Medium::new(&mesh, None).expect("without costs there is nothing to refuse");
-        Self { mesh, medium: medium.into(), cost: 1.0, heat: None }
+        let measured = Measured::new(&mesh, None).expect("without costs there is nothing to refuse");
+        Self { mesh, measured, heat: None }
     }
 
     /// Of a mesh where each unit of length costs `costs` (`#T`), 10⁻³ to 10³, or infinity for walls, which nothing enters.
@@ -75,14 +75,8 @@ impl VolumeSolver {
     /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
     pub fn with_costs(mesh: impl Into<Arc<TetMesh>>, costs: &[f64]) -> Result<Self> {
         let mesh = mesh.into();
-        let medium = Medium::new(&mesh, Some(costs))?;
-        if !medium.is_uniform() {
-            return Ok(Self { mesh, medium: medium.into(), cost: 1.0, heat: None });
-        }
-        let cost = costs.iter().copied().fold(f64::INFINITY, f64::min);
-        let of_one: Vec<f64> = costs.iter().map(|&own| if own.is_finite() { 1.0 } else { own }).collect();
-        let medium = Medium::new(&mesh, Some(&of_one))?;
-        Ok(Self { mesh, medium: medium.into(), cost, heat: None })
+        let measured = Measured::new(&mesh, Some(costs))?;
+        Ok(Self { mesh, measured, heat: None })
     }
 
     /// The mesh.
@@ -101,10 +95,11 @@ impl VolumeSolver {
             return Ok(());
         }
         let factored = options.heat.factor_options();
+        let Measured { mesh, medium, .. } = &self.measured;
         match &mut self.heat {
-            Some(heat) => heat.set_options(&self.mesh, &self.medium, factored, progress),
+            Some(heat) => heat.set_options(mesh, medium, factored, progress),
             None => {
-                self.heat = Some(VolumeHeat::new(&self.mesh, &self.medium, factored, progress)?);
+                self.heat = Some(VolumeHeat::new(mesh, medium, factored, progress)?);
                 Ok(())
             }
         }
@@ -126,34 +121,34 @@ impl VolumeSolver {
         }
         let sources = sources.iter().enumerate().map(|(number, &source)| self.checked(number, source.into()));
         let sources = sources.collect::<Result<Vec<TetSource>>>()?;
-        let mesh = &self.mesh;
+        let Measured { mesh, medium, .. } = &self.measured;
         let points = sources.iter().map(|source| source.point).collect();
+        let initial_distances = sources.iter().map(|source| source.initial_distance).collect();
         let mut distance = VolumeDistance {
             mesh: mesh.id(),
             values: Vec::new(),
             method: options.method,
             sources: points,
+            initial_distances,
             exact_below: f64::INFINITY,
             heat: None,
-            waves: None,
+            origins: None,
         };
         match (options.method, &self.heat) {
             (VolumeMethod::Heat, Some(heat)) => {
-                let found = heat.distance(mesh, &self.medium, &sources, &options.heat)?;
+                let found = heat.distance(mesh, medium, &sources, &options.heat)?;
                 distance.values = found.values;
                 distance.heat = Some(found.heat);
                 distance.exact_below = found.exact_below;
             }
             _ => {
-                let mut march = March::new(mesh, &self.medium, &sources);
-                // A value of just the maximum distance is final, too.
-                march.advance((options.max_distance / self.cost).next_up(), usize::MAX);
-                let (values, waves) = march.finish();
+                let march = March::new(mesh, medium, &sources);
+                let (values, origins) = march.within(self.measured.scaled(options.max_distance));
                 distance.values = values;
-                distance.waves = Some(waves);
+                distance.origins = Some(origins);
             }
         }
-        Ok(distance.times(self.cost))
+        Ok(self.measured.outside(distance))
     }
 
     /// A shortest path from a place to the nearest source. Where costs differ, it descends the distance and refracts as that does.
@@ -163,23 +158,46 @@ impl VolumeSolver {
     pub fn path(&self, distance: &VolumeDistance, from: TetPoint) -> Result<VolumePath> {
         distance.require(&self.mesh)?;
         let from = from.checked(&self.mesh)?;
-        if self.cost == 1.0 {
-            return path::find(&self.mesh, &self.medium, distance, from);
+        self.measured.path(&self.measured.inside(Cow::Borrowed(distance)), from)
+    }
+
+    /// The distance at a place. By the march it is that of the vertex, or else that of the path from there, exact where straight lines lead to
+    /// the source; infinity where there is none. By heat it is interpolated in the tetrahedron, and straight to a source in the same one.
+    ///
+    /// # Errors
+    /// [`Error::ForeignMesh`] for a distance of another mesh; as [`TetPoint::checked`].
+    pub fn at(&self, distance: &VolumeDistance, point: TetPoint) -> Result<f64> {
+        let interpolated = distance.at(&self.mesh, point)?;
+        let TetPoint::Inside { tetrahedron, .. } = point.checked(&self.mesh)? else { return Ok(interpolated) };
+        let place = point.position(&self.mesh);
+        if distance.method == VolumeMethod::Heat {
+            let corners = self.mesh.tetrahedra()[tetrahedron.index()];
+            let is_beside = |source: &TetPoint| match source {
+                TetPoint::Vertex(vertex) => corners.contains(&vertex.0),
+                TetPoint::Inside { tetrahedron: own, .. } => *own == tetrahedron,
+            };
+            let cost = self.measured.cost(tetrahedron);
+            let sources = distance.sources.iter().zip(&distance.initial_distances);
+            let straight = sources.filter(|(source, _)| is_beside(source));
+            let straight =
+                straight.map(|(source, initial)| initial + cost * source.position(&self.mesh).distance(place));
+            return Ok(straight.fold(interpolated, f64::min));
         }
-        let mut path = path::find(&self.mesh, &self.medium, &distance.clone().times(self.cost.recip()), from)?;
-        path.cost *= self.cost;
-        path.costs.iter_mut().for_each(|cost| *cost *= self.cost);
-        Ok(path)
+        match self.path(distance, point) {
+            Ok(path) => {
+                let end = path.points[path.points.len() - 1];
+                let sources = distance.sources.iter().zip(&distance.initial_distances);
+                let there = sources.filter(|(source, _)| source.position(&self.mesh) == end);
+                Ok(path.cost + there.map(|(_, &initial)| initial).reduce(f64::min).unwrap_or(0.0))
+            }
+            Err(Error::Unreachable) => Ok(f64::INFINITY),
+            Err(error) => Err(error),
+        }
     }
 
-    /// What paths are found in.
-    pub(crate) fn medium(&self) -> &Arc<Medium> {
-        &self.medium
-    }
-
-    /// What lengths in that are to be multiplied by.
-    pub(crate) fn unit_cost(&self) -> f64 {
-        self.cost
+    /// What all is computed in.
+    pub(crate) fn measured(&self) -> &Measured {
+        &self.measured
     }
 
     /// Stored entries of all factors; 0 where nothing is factored.
@@ -194,7 +212,7 @@ impl VolumeSolver {
 
     fn checked(&self, number: usize, source: TetSource) -> Result<TetSource> {
         let source = source.checked(&self.mesh)?;
-        let is_open = |tetrahedron: u32| self.medium.cost(tetrahedron).is_finite();
+        let is_open = |tetrahedron: u32| self.measured.medium.cost(tetrahedron).is_finite();
         let is_reached = match source.point {
             TetPoint::Vertex(vertex) => {
                 self.mesh.around().row(vertex.0).iter().any(|&tetrahedron| is_open(tetrahedron))
@@ -204,6 +222,6 @@ impl VolumeSolver {
         if !is_reached {
             return Err(Error::SourceInWall { source_number: number });
         }
-        Ok(TetSource { initial_distance: source.initial_distance / self.cost, ..source })
+        Ok(self.measured.source(source))
     }
 }

@@ -75,7 +75,7 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     }
     said.push("method", answer.method.name());
     said.push("factor_nonzeros", solver.factor_nonzeros());
-    said.push("distance", answer.at(&mesh, from)?);
+    said.push("distance", solver.at(&answer, from)?);
     said.push("length", path.length);
     if costs.is_some() {
         said.push("cost", path.cost);

@@ -4,6 +4,7 @@
 //! [march](crate::march): in tetrahedra whose four corners it reached, X is their gradient. Where the time step is automatic, X is
 //! the field of the [`Logarithm`] of heat, and distance follows it from vertex to vertex.
 
+mod bounds;
 mod elements;
 mod field;
 mod lengths;
@@ -165,6 +166,8 @@ impl VolumeHeat {
             }
         };
         region.complete(mesh, elements.components(), sources, &mut values);
+        bounds::cap(mesh, medium, sources, &mut values);
+        bounds::raise(mesh, medium, sources, &mut values);
         Ok(Found { values, heat, exact_below: region.radius() })
     }
 }

@@ -3,10 +3,13 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
+use super::sights::Nodes;
 use crate::error::{Error, Result};
 use crate::lists::Lists;
+use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::quality::dihedral_angles;
-use crate::mesh::{EDGES, FACES, NONE, Sight, TetId, TetMesh};
+use crate::mesh::{Crossing, EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
+use crate::path::Corner;
 
 /// Costs of tetrahedra that are not walls.
 pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
@@ -14,6 +17,15 @@ pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
 /// Waves bend around edges whose angle inside the mesh is above π by this, in radians: more than rounding, and less than what takes
 /// a line through the edge's ends out of sight.
 const CONCAVE: f64 = 1e-10;
+
+/// Edges whose angle inside the mesh is above π by this, in radians, are sharp: less is between the faces of a round obstacle, whose edges
+/// waves bend around one after another.
+const SHARP: f64 = 0.5;
+
+/// Nodes of a riddled mesh, at most, if all edges of its boundary are sharp: to see which of them see each other takes some seconds then, and
+/// 100 MB. Where a share of the edges is, that times its square: 0.4 to 1 where tetrahedra between points at random are taken out, 0 on
+/// round solids, where waves come as far and take less.
+const NODES: f64 = 70_000.0;
 
 /// The tetrahedra of a mesh with what it costs to go through them.
 #[derive(Debug)]
@@ -26,6 +38,18 @@ pub(crate) struct Medium {
     cost: f64,
     /// Of each vertex, the other ends of the boundary's concave edges.
     concave: Lists,
+    /// Where the mesh is riddled.
+    nodes: Option<Nodes>,
+}
+
+/// The concave edges of a boundary.
+struct ConcaveEdges {
+    /// Of each vertex, their other ends.
+    concave: Lists,
+    /// The ends of the sharp ones.
+    sharp: Vec<[u32; 2]>,
+    /// How many edges the boundary has.
+    edges: usize,
 }
 
 impl Medium {
@@ -34,11 +58,18 @@ impl Medium {
     /// # Errors
     /// [`Error::CostCount`]; [`Error::BadCost`]; [`Error::AllWalls`].
     pub(crate) fn new(mesh: &TetMesh, costs: Option<&[f64]>) -> Result<Self> {
-        let mut medium = Self { neighbors: None, costs: None, cost: 1.0, concave: Lists::default() };
+        let mut medium = Self { neighbors: None, costs: None, cost: 1.0, concave: Lists::default(), nodes: None };
         if let Some(costs) = costs {
             medium.set_costs(mesh, costs)?;
         }
-        medium.concave = medium.concave_edges(mesh);
+        let ConcaveEdges { concave, sharp, edges } = medium.concave_edges(mesh);
+        medium.concave = concave;
+        let is_open = |&vertex: &u32| mesh.around().row(vertex).iter().any(|&around| medium.cost(around).is_finite());
+        let nodes = (0..mesh.vertex_count() as u32).filter(is_open).count() + sharp.len();
+        let share = sharp.len() as f64 / edges as f64;
+        if medium.is_uniform() && nodes as f64 <= NODES * share * share {
+            medium.nodes = Some(Nodes::new(mesh, &sharp));
+        }
         Ok(medium)
     }
 
@@ -80,6 +111,11 @@ impl Medium {
         self.costs.is_none().then_some(self.cost)
     }
 
+    /// The least of those that are no walls.
+    pub(crate) fn least_cost(&self) -> f64 {
+        self.costs.as_ref().map_or(self.cost, |costs| costs.iter().copied().fold(f64::INFINITY, f64::min))
+    }
+
     /// Whether some are walls.
     pub(crate) fn has_walls(&self) -> bool {
         self.neighbors.is_some()
@@ -90,12 +126,75 @@ impl Medium {
         self.concave.row(vertex)
     }
 
+    /// Where paths may bend in a riddled mesh; none in others.
+    pub(super) fn nodes(&self) -> Option<&Nodes> {
+        self.nodes.as_ref()
+    }
+
+    /// The tetrahedra that are no walls and that a place touches.
+    pub(crate) fn touching(&self, mesh: &TetMesh, Corner { start, place, .. }: Corner) -> Vec<u32> {
+        let is_open = |tetrahedron: &u32| self.cost(*tetrahedron).is_finite();
+        match start {
+            Start::Vertex(vertex) => mesh.around().row(vertex).iter().copied().filter(is_open).collect(),
+            Start::Edge([a, b]) => {
+                let has_edge = |tetrahedron: &u32| mesh.tetrahedra()[*tetrahedron as usize].contains(&b);
+                mesh.around().row(a).iter().copied().filter(|other| has_edge(other) && is_open(other)).collect()
+            }
+            Start::Inside(tetrahedron) => {
+                let weights = weights(mesh.corners(TetId(tetrahedron)), place);
+                let beyond = self.sight(mesh).neighbors[tetrahedron as usize];
+                let touched =
+                    beyond.into_iter().zip(weights).filter(|&(other, weight)| other != NONE && weight <= GRAZING);
+                touched.map(|(other, _)| other).chain([tetrahedron]).collect()
+            }
+        }
+    }
+
+    /// Whether the straight line between two places stays in tetrahedra of the cost at the first, and ends on the second one's side of a crack,
+    /// where that has vertices of equal position on both sides.
+    pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
+        let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
+        let are_in_one = || {
+            let of_b = self.touching(mesh, b);
+            self.touching(mesh, a).iter().any(|tetrahedron| may_enter(*tetrahedron) && of_b.contains(tetrahedron))
+        };
+        // A line along a crack may be followed on one side of it alone, but it comes from both.
+        are_in_one()
+            || [[a, b], [b, a]].into_iter().any(|[from, to]| {
+                let end = self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On);
+                end.is_some_and(|end| self.touches(mesh, end, to))
+            })
+    }
+
+    /// Whether a tetrahedron that a place is in, as it seems, is one of those that it touches, or leads to one by faces that it is on: which of
+    /// them it is in is up to rounding, but on the other side of a crack it is in none.
+    fn touches(&self, mesh: &TetMesh, tetrahedron: u32, corner: Corner) -> bool {
+        let touching = self.touching(mesh, corner);
+        let mut joined = vec![tetrahedron];
+        let mut next = 0;
+        while let Some(&tetrahedron) = joined.get(next) {
+            if touching.contains(&tetrahedron) {
+                return true;
+            }
+            next += 1;
+            let weights = weights(mesh.corners(TetId(tetrahedron)), corner.place);
+            let beyond = self.sight(mesh).neighbors[tetrahedron as usize];
+            for (other, weight) in beyond.into_iter().zip(weights) {
+                if other != NONE && weight.abs() <= GRAZING && !joined.contains(&other) {
+                    joined.push(other);
+                }
+            }
+        }
+        false
+    }
+
     /// Lines through the tetrahedra that are no walls.
     pub(crate) fn sight<'a>(&'a self, mesh: &'a TetMesh) -> Sight<'a> {
         Sight { mesh, neighbors: self.neighbors.as_deref().unwrap_or(mesh.neighbors()) }
     }
 
-    fn concave_edges(&self, mesh: &TetMesh) -> Lists {
+    /// The concave edges of the boundary of what is no wall.
+    fn concave_edges(&self, mesh: &TetMesh) -> ConcaveEdges {
         let neighbors = self.sight(mesh).neighbors;
         let mut edges: Vec<[u32; 2]> = Vec::new();
         for (tetrahedron, (corners, neighbors)) in mesh.tetrahedra().iter().zip(neighbors).enumerate() {
@@ -110,15 +209,20 @@ impl Medium {
             }
         }
         edges.sort_unstable();
-        let mut concave = Vec::new();
+        let (mut concave, mut sharp, mut count) = (Vec::new(), Vec::new(), 0);
         for sides in edges.chunk_by(|a, b| a == b) {
+            count += 1;
             let [a, b] = sides[0];
             // Where parts meet in an edge only, lines cannot tell whether they may pass.
-            if sides.len() > 2 || self.angle_at_edge(mesh, [a, b]) > PI + CONCAVE {
+            let angle = if sides.len() > 2 { f64::INFINITY } else { self.angle_at_edge(mesh, [a, b]) };
+            if angle > PI + CONCAVE {
                 concave.extend([(a, b), (b, a)]);
             }
+            if angle > PI + SHARP {
+                sharp.push([a, b]);
+            }
         }
-        Lists::group(mesh.vertex_count(), || concave.iter().copied())
+        ConcaveEdges { concave: Lists::group(mesh.vertex_count(), || concave.iter().copied()), sharp, edges: count }
     }
 
     /// The angle of the tetrahedra around an edge, in radians.

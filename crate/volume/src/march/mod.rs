@@ -11,6 +11,7 @@
 mod medium;
 mod refraction;
 mod search;
+mod sights;
 mod wave;
 
 pub use medium::COSTS;
@@ -20,37 +21,105 @@ use glam::DVec3;
 use heatwalk::VertexId;
 
 use crate::mesh::{Crossing, NONE, Start, TetMesh};
-use crate::point::TetSource;
+use crate::path::Corner;
+use crate::point::{TetPoint, TetSource};
 use search::Search;
+use sights::{Sights, Tree};
 use wave::Wave;
 
 /// A march in work.
-pub(crate) struct March<'a>(Search<'a>);
+pub(crate) enum March<'a> {
+    /// By waves.
+    Waves(Search<'a>),
+    /// In a riddled mesh.
+    Sights(Sights<'a>),
+}
 
 impl<'a> March<'a> {
     /// From sources that were checked.
     pub(crate) fn new(mesh: &'a TetMesh, medium: &'a Medium, sources: &[TetSource]) -> Self {
-        let mut search = Search::new(mesh, medium);
-        for source in sources {
-            search.start(source);
+        match medium.nodes() {
+            None => {
+                let mut search = Search::new(mesh, medium);
+                sources.iter().for_each(|source| search.start(source));
+                Self::Waves(search)
+            }
+            Some(nodes) => Self::Sights(Sights::new(mesh, medium, nodes, sources)),
         }
-        Self(search)
     }
 
     /// Goes on until every distance below `radius` is final, or so much work is done: about that of so many faces that straight lines
     /// pass. Returns the radius below which all are: infinity where nothing is left to do.
     pub(crate) fn advance(&mut self, radius: f64, work: usize) -> f64 {
-        self.0.advance(radius, work)
+        match self {
+            Self::Waves(search) => search.advance(radius, work),
+            Self::Sights(search) => search.advance(radius, work),
+        }
+    }
+
+    /// The distances (`#V`) that are at most `most`, infinite elsewhere, and what they come from.
+    pub(crate) fn within(mut self, most: f64) -> (Vec<f64>, Origins) {
+        // Paths over nodes are longer than what they are pulled to, by how much is not known.
+        let radius = if matches!(self, Self::Waves(_)) { most.next_up() } else { f64::INFINITY };
+        self.advance(radius, usize::MAX);
+        let (mut distances, origins) = self.finish();
+        distances.iter_mut().filter(|distance| **distance > most).for_each(|distance| *distance = f64::INFINITY);
+        (distances, origins)
     }
 
     /// The distances (`#V`).
     pub(crate) fn into_distances(self) -> Vec<f64> {
-        self.0.distances
+        self.finish().0
     }
 
     /// The distances (`#V`) and the waves that they come from.
-    pub(crate) fn finish(self) -> (Vec<f64>, Waves) {
-        (self.0.distances, Waves { waves: self.0.waves, of_vertex: self.0.wave_of })
+    pub(crate) fn finish(self) -> (Vec<f64>, Origins) {
+        match self {
+            Self::Waves(search) => {
+                (search.distances, Origins::Waves(Waves { waves: search.waves, of_vertex: search.wave_of }))
+            }
+            Self::Sights(search) => {
+                let (distances, tree) = search.finish();
+                (distances, Origins::Sights(tree))
+            }
+        }
+    }
+}
+
+/// Where distances come from.
+#[derive(Debug, Clone)]
+pub(crate) enum Origins {
+    /// Waves.
+    Waves(Waves),
+    /// Lines of sight in a riddled mesh.
+    Sights(Tree),
+}
+
+impl Origins {
+    /// Whether the distance of a vertex comes from a source, straight and through one cost.
+    pub(crate) fn is_straight(&self, vertex: VertexId) -> bool {
+        match self {
+            Self::Waves(waves) => waves.is_straight(vertex),
+            Self::Sights(tree) => tree.is_straight(vertex.0),
+        }
+    }
+
+    /// The waves, where there are some.
+    pub(crate) fn waves(&self) -> Option<&Waves> {
+        match self {
+            Self::Waves(waves) => Some(waves),
+            Self::Sights(_) => None,
+        }
+    }
+
+    /// The path from a place over lines of sight; none in a mesh that is not riddled, or where there is none.
+    pub(crate) fn path(&self, mesh: &TetMesh, medium: &Medium, from: TetPoint) -> Option<Vec<Corner>> {
+        match (self, medium.nodes()) {
+            (Self::Sights(tree), Some(nodes)) => {
+                tree.path(mesh, medium, nodes, from.corner(mesh)).map(|(_, path)| path)
+            }
+            _ => None,
+        }
     }
 }
 
@@ -68,8 +137,8 @@ pub(crate) struct Leg {
     pub(crate) to: DVec3,
     /// What each unit of its length costs.
     pub(crate) cost: f64,
-    /// The edge, or twice the vertex, that it ends at; none at a source.
-    pub(crate) ends: Option<[u32; 2]>,
+    /// Where in the mesh that is; none at a source.
+    pub(crate) start: Option<Start>,
 }
 
 impl Waves {
@@ -99,12 +168,12 @@ impl Waves {
             waves.into_iter().map(|wave| (wave, self.waves[wave as usize].ray(place))).collect();
         rays.sort_by(|a, b| a.1.distance.total_cmp(&b.1.distance));
         rays.into_iter().find_map(|(wave, ray)| {
-            let Wave { cost, ends, .. } = self.waves[wave as usize];
-            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
+            let wave = &self.waves[wave as usize];
+            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == wave.cost;
             let sight = medium.sight(mesh);
             let is_clear =
                 ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
-            is_clear.then_some(Leg { to: ray.from, cost, ends })
+            is_clear.then_some(Leg { to: ray.from, cost: wave.cost, start: wave.start_at(ray.from) })
         })
     }
 }

@@ -31,7 +31,7 @@ const OFFERED: usize = 1;
 type Offer = Reverse<(u64, u32, u32)>;
 
 /// A march in work.
-pub(super) struct Search<'a> {
+pub(crate) struct Search<'a> {
     mesh: &'a TetMesh,
     medium: &'a Medium,
     pub(super) waves: Vec<Wave>,
@@ -40,6 +40,8 @@ pub(super) struct Search<'a> {
     pub(super) wave_of: Vec<u32>,
     offered: Vec<[u32; REMEMBERED]>,
     offers: BinaryHeap<Offer>,
+    /// Vertices that got a distance since edges were looked at, see [`Search::relax`].
+    settled: Vec<u32>,
     is_uniform: bool,
     /// Done so far, see [`super::March::advance`].
     work: usize,
@@ -56,6 +58,7 @@ impl<'a> Search<'a> {
             wave_of: vec![NONE; vertices],
             offered: vec![[NONE; REMEMBERED]; vertices],
             offers: BinaryHeap::new(),
+            settled: Vec::new(),
             is_uniform: medium.is_uniform(),
             work: 0,
         }
@@ -97,24 +100,55 @@ impl<'a> Search<'a> {
 
     /// As [`super::March::advance`].
     pub(super) fn advance(&mut self, radius: f64, work: usize) -> f64 {
-        let mut reached_before = 0;
         loop {
-            while let Some(&Reverse((distance, vertex, wave))) = self.offers.peek() {
-                let distance = f64::from_bits(distance);
-                if distance >= radius || self.work >= work {
-                    return distance.min(radius);
+            self.spread(radius, work);
+            self.relax();
+            match self.front() {
+                f64::INFINITY => return f64::INFINITY,
+                front if front >= radius || self.work >= work => return front.min(radius),
+                _ => {}
+            }
+        }
+    }
+
+    /// The least distance offered, infinity where nothing is.
+    fn front(&self) -> f64 {
+        self.offers.peek().map_or(f64::INFINITY, |&Reverse((distance, ..))| f64::from_bits(distance))
+    }
+
+    /// Accepts offers below `radius`, nearest first, until there are none or so much work is done.
+    fn spread(&mut self, radius: f64, work: usize) {
+        while self.front() < radius && self.work < work {
+            let Some(Reverse((distance, vertex, wave))) = self.offers.pop() else { break };
+            let distance = f64::from_bits(distance);
+            if distance < self.distances[vertex as usize] * (1.0 - GAIN) && self.is_seen(wave, vertex) {
+                let (distance, wave) = self.straightened(vertex, distance, wave);
+                self.settle(vertex, distance, wave);
+            }
+        }
+    }
+
+    /// Offers the ways along edges wherever the distances of an edge's ends differ by more than its length: where all waves offered
+    /// to a vertex are in the shadow of something, and where tetrahedra touch in a vertex only.
+    fn relax(&mut self) {
+        let (mesh, least) = (self.mesh, self.medium.least_cost());
+        for from in std::mem::take(&mut self.settled) {
+            let (start, distance) = (mesh.positions()[from as usize], self.distances[from as usize]);
+            let mut wave = NONE;
+            for &vertex in mesh.adjacent().row(from) {
+                let length = start.distance(mesh.positions()[vertex as usize]);
+                let known = self.distances[vertex as usize] * (1.0 - GAIN);
+                if distance + least * length >= known {
+                    continue;
                 }
-                self.offers.pop();
-                if distance < self.distances[vertex as usize] * (1.0 - GAIN) && self.is_seen(wave, vertex) {
-                    let (distance, wave) = self.straightened(vertex, distance, wave);
-                    self.settle(vertex, distance, wave);
+                let cost = self.least_cost_at([from, vertex]);
+                if distance + cost * length < known {
+                    if wave == NONE || self.waves[wave as usize].cost != cost {
+                        wave = self.add_from(from, cost);
+                    }
+                    self.offer(wave, vertex);
                 }
             }
-            let reached = self.distances.iter().filter(|distance| distance.is_finite()).count();
-            if reached == reached_before || !self.pass_corners() {
-                return f64::INFINITY;
-            }
-            reached_before = reached;
         }
     }
 
@@ -143,7 +177,7 @@ impl<'a> Search<'a> {
         let Wave { cost, .. } = self.waves[wave as usize];
         let place = self.mesh.positions()[vertex as usize];
         let from = self.waves[wave as usize].ray(place).from;
-        if from == place {
+        if from == place || self.comes_along(wave, vertex) {
             return true;
         }
         let (wave_of, medium) = (&self.wave_of, self.medium);
@@ -170,11 +204,21 @@ impl<'a> Search<'a> {
         sight.walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
     }
 
+    /// Whether a wave comes from the other end of an edge, along which nothing is in between.
+    fn comes_along(&self, wave: u32, vertex: u32) -> bool {
+        let Wave { cost, ends, .. } = self.waves[wave as usize];
+        let Some([from, other]) = ends else { return false };
+        from == other
+            && self.mesh.adjacent().row(vertex).binary_search(&from).is_ok()
+            && self.least_cost_at([from, vertex]) <= cost
+    }
+
     /// Gives a vertex its distance and sends waves on.
     fn settle(&mut self, vertex: u32, distance: f64, wave: u32) {
         self.work += SETTLED;
         self.distances[vertex as usize] = distance;
         self.wave_of[vertex as usize] = wave;
+        self.settled.push(vertex);
         let mesh = self.mesh;
         if wave != NONE {
             for &other in mesh.adjacent().row(vertex) {
@@ -277,14 +321,17 @@ impl<'a> Search<'a> {
 
     /// Sends a wave from a vertex.
     fn send_from(&mut self, vertex: u32) {
-        let (mesh, distance) = (self.mesh, self.distances[vertex as usize]);
-        let cost = self.least_cost_at([vertex; 2]);
-        let parents = [self.wave_of[vertex as usize], NONE];
-        let place = mesh.positions()[vertex as usize];
-        let wave = self.add(Wave::from_place(place, distance, cost, Some(vertex)).after(parents));
-        for &other in mesh.adjacent().row(vertex) {
+        let wave = self.add_from(vertex, self.least_cost_at([vertex; 2]));
+        for &other in self.mesh.adjacent().row(vertex) {
             self.offer(wave, other);
         }
+    }
+
+    /// A wave that goes on from a vertex.
+    fn add_from(&mut self, vertex: u32, cost: f64) -> u32 {
+        let (place, distance) = (self.mesh.positions()[vertex as usize], self.distances[vertex as usize]);
+        let parents = [self.wave_of[vertex as usize], NONE];
+        self.add(Wave::from_place(place, distance, cost, Some(vertex)).after(parents))
     }
 
     /// Offers distances through the tetrahedra around a vertex.
@@ -305,27 +352,5 @@ impl<'a> Search<'a> {
                 }
             }
         }
-    }
-
-    /// Goes on from vertices with a distance to those without, where tetrahedra touch in a vertex only. Returns whether there are
-    /// any.
-    fn pass_corners(&mut self) -> bool {
-        let mesh = self.mesh;
-        let mut is_any = false;
-        for vertex in 0..mesh.vertex_count() as u32 {
-            let is_reached = |vertex: u32| self.distances[vertex as usize].is_finite();
-            if !is_reached(vertex) {
-                continue;
-            }
-            let around = mesh.around().row(vertex).iter();
-            let mut open = around.filter(|&&tetrahedron| self.medium.cost(tetrahedron).is_finite());
-            if open
-                .any(|&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].iter().any(|&corner| !is_reached(corner)))
-            {
-                self.send_from(vertex);
-                is_any = true;
-            }
-        }
-        is_any
     }
 }

@@ -1,9 +1,12 @@
 //! From a soup to a mesh.
 
 use std::collections::HashSet;
+use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use glam::DVec3;
+use heatwalk::heat::scale;
+use heatwalk::surface::MOST_COORDINATE;
 use heatwalk::surface::union_find::UnionFind;
 
 use crate::error::{Error, Result};
@@ -11,6 +14,13 @@ use crate::lists::Lists;
 use crate::mesh::report::MeshReport;
 use crate::mesh::{EDGES, MeshId, NONE, TetMesh, faces, six_volumes};
 use crate::soup::TetSoup;
+
+/// Largest coordinates that meshes may have, in their unit: squares of lengths are numbers then, with room for sums of them.
+const SIZES: RangeInclusive<f64> = MOST_COORDINATE.recip()..=MOST_COORDINATE;
+
+/// The same where all is computed in the mesh's own unit: eighth powers of edges, which angles are found by, are then normal numbers, also
+/// those of edges of a millionth.
+const SIZES_OF_PRODUCTS: RangeInclusive<f64> = 1e-30..=1e30;
 
 /// A tetrahedron is flat where its volume is below this share of the cube of its longest edge, over 6: what rounding of its
 /// corners to 53 bits makes of four points in a plane that is a few thousand edges from the origin.
@@ -33,14 +43,15 @@ impl TetMesh {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoTetrahedra`]; [`Error::IndexOutOfRange`]; [`Error::NotFinite`]; [`Error::AllFlat`];
+    /// [`Error::NoTetrahedra`]; [`Error::IndexOutOfRange`]; [`Error::NotFinite`]; [`Error::BadSize`]; [`Error::AllFlat`];
     /// [`Error::NonManifoldFace`]; [`Error::TooMany`].
     pub fn build(soup: &TetSoup) -> Result<Self> {
         let TetSoup { positions, tetrahedra } = soup;
         check(soup)?;
+        let unit = unit(size(soup))?;
         let mut report =
             MeshReport { input_vertices: positions.len(), input_tetrahedra: tetrahedra.len(), ..MeshReport::default() };
-        let (kept, tetrahedron_of_input) = clean(soup, &mut report);
+        let (kept, tetrahedron_of_input) = clean(soup, unit, &mut report);
         if kept.is_empty() {
             return Err(Error::AllFlat { tetrahedra: tetrahedra.len() });
         }
@@ -73,6 +84,7 @@ impl TetMesh {
         report.volume = kept.iter().map(|tetrahedron| six_volumes(corners(tetrahedron))).sum::<f64>() / 6.0;
         Ok(Self {
             id: MeshId::next(),
+            unit,
             positions,
             tetrahedra: kept,
             neighbors,
@@ -113,13 +125,30 @@ fn check(TetSoup { positions, tetrahedra }: &TetSoup) -> Result<()> {
     Ok(())
 }
 
+/// The largest coordinate of corners by its absolute value.
+fn size(TetSoup { positions, tetrahedra }: &TetSoup) -> f64 {
+    let of_corner = |&vertex: &u32| positions[vertex as usize].abs().max_element();
+    tetrahedra.iter().flatten().map(of_corner).fold(0.0, f64::max)
+}
+
+/// As [`TetMesh::unit`], for a size. Where that is 0, all tetrahedra are flat.
+fn unit(size: f64) -> Result<f64> {
+    if size == 0.0 || SIZES_OF_PRODUCTS.contains(&size) {
+        Ok(1.0)
+    } else if SIZES.contains(&size) {
+        Ok(scale(size).recip())
+    } else {
+        Err(Error::BadSize { size, least: *SIZES.start(), most: *SIZES.end() })
+    }
+}
+
 /// The tetrahedra that stay, in positive orientation, and the number of each of the input among them, or [`NONE`].
-fn clean(TetSoup { positions, tetrahedra }: &TetSoup, report: &mut MeshReport) -> (Vec<[u32; 4]>, Vec<u32>) {
+fn clean(TetSoup { positions, tetrahedra }: &TetSoup, unit: f64, report: &mut MeshReport) -> (Vec<[u32; 4]>, Vec<u32>) {
     let mut kept: Vec<[u32; 4]> = Vec::with_capacity(tetrahedra.len());
     let mut number = vec![NONE; tetrahedra.len()];
     let mut seen: HashSet<[u32; 4]> = HashSet::with_capacity(tetrahedra.len());
     for (&(mut corners), number) in tetrahedra.iter().zip(&mut number) {
-        let points = corners.map(|vertex| positions[vertex as usize]);
+        let points = corners.map(|vertex| positions[vertex as usize] / unit);
         let longest = EDGES.iter().map(|&[a, b]| points[a].distance(points[b])).fold(0.0, f64::max);
         // Taken relative to the longest edge, so that neither underflows.
         let volume = six_volumes(points.map(|point| (point - points[0]) / longest));

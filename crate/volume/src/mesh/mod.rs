@@ -8,8 +8,8 @@ pub(crate) mod quality;
 mod report;
 
 use std::num::NonZeroU64;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 use heatwalk::VertexId;
@@ -61,6 +61,8 @@ impl MeshId {
 #[derive(Debug)]
 pub struct TetMesh {
     id: MeshId,
+    /// A power of two that positions are divided by where products of many lengths are computed; 1 where those are numbers anyway.
+    unit: f64,
     positions: Vec<DVec3>,
     tetrahedra: Vec<[u32; 4]>,
     /// `#T × 4`, the tetrahedron beyond the face opposite each corner, or [`NONE`].
@@ -173,6 +175,39 @@ impl TetMesh {
             }
         }
         sum / count as f64
+    }
+
+    /// The mesh in a unit that all can be computed in, and that unit in its own.
+    pub(crate) fn in_unit(self: &Arc<Self>) -> (Arc<Self>, f64) {
+        if self.unit == 1.0 {
+            return (Arc::clone(self), 1.0);
+        }
+        let scaled = Self {
+            id: self.id,
+            unit: 1.0,
+            positions: self.positions.iter().map(|&position| self.scaled(position)).collect(),
+            tetrahedra: self.tetrahedra.clone(),
+            neighbors: self.neighbors.clone(),
+            around: self.around.clone(),
+            adjacent: self.adjacent.clone(),
+            components: self.components.clone(),
+            input_of_vertex: self.input_of_vertex.clone(),
+            vertex_of_input: self.vertex_of_input.clone(),
+            tetrahedron_of_input: self.tetrahedron_of_input.clone(),
+            report: self.report.clone(),
+            boxes: OnceLock::new(),
+        };
+        (Arc::new(scaled), self.unit)
+    }
+
+    /// A place, or a vector, in that unit.
+    pub(crate) fn scaled(&self, place: DVec3) -> DVec3 {
+        place / self.unit
+    }
+
+    /// Where the corners of a tetrahedron are in that unit.
+    pub(crate) fn scaled_corners(&self, tetrahedron: TetId) -> [DVec3; 4] {
+        self.corners(tetrahedron).map(|corner| self.scaled(corner))
     }
 
     /// Boxes around the tetrahedra, once something has made them.

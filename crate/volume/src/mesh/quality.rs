@@ -20,7 +20,7 @@ impl TetMesh {
     pub fn quality(&self) -> Quality {
         let (mut least, mut largest, mut sum) = (f64::INFINITY, 0.0, 0.0);
         for tetrahedron in 0..self.tetrahedron_count() as u32 {
-            let angles = dihedral_angles(self.corners(TetId(tetrahedron)));
+            let angles = dihedral_angles(self.scaled_corners(TetId(tetrahedron)));
             let own_least = angles.iter().copied().fold(f64::INFINITY, f64::min);
             largest = angles.iter().copied().fold(largest, f64::max);
             least = own_least.min(least);

@@ -45,7 +45,7 @@ pub(super) fn go_down(
         let Some(step) = step.or_else(|| slopes.lowest(place, start, value)) else { return Descent::Stuck };
         corners.last_mut().expect("there is a last").cost = step.cost;
         corners.push(Corner { place: step.place, start: step.start, cost: step.cost });
-        if distance.waves.is_some() {
+        if distance.origins.is_some() {
             return Descent::Continues;
         }
     }

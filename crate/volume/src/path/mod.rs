@@ -11,11 +11,12 @@ use glam::DVec3;
 
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
-use crate::march::{March, Medium, Waves};
+use crate::march::{March, Medium, Origins, Waves};
 use crate::mesh::{MeshId, Start, TetMesh};
 use crate::point::{TetPoint, TetSource};
-use corner::Corner;
+pub(crate) use corner::Corner;
 use descent::Descent;
+pub(crate) use taut::{length_of, pull};
 
 /// Bends of a path, at most: more than there are concave edges on any way.
 const MOST_BENDS: usize = 1 << 20;
@@ -35,6 +36,18 @@ pub struct VolumePath {
 }
 
 impl VolumePath {
+    fn along(mesh: &TetMesh, corners: &[Corner]) -> Self {
+        let legs = || corners.windows(2).map(|ends| (ends[0].place.distance(ends[1].place), ends[0].cost));
+        Self {
+            mesh: mesh.id(),
+            length: 0.0 + legs().map(|(length, _)| length).sum::<f64>(),
+            cost: 0.0 + legs().map(|(length, cost)| length * cost).sum::<f64>(),
+            costs: legs().map(|(_, cost)| cost).collect(),
+            // Adding 0 makes −0 to 0.
+            points: corners.iter().map(|corner| corner.place + DVec3::ZERO).collect(),
+        }
+    }
+
     /// The mesh that it is in.
     pub fn mesh(&self) -> MeshId {
         self.mesh
@@ -46,13 +59,12 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
     if from.support(mesh).any(|(vertex, _)| distance.values[vertex.0 as usize].is_infinite()) {
         return Err(Error::Unreachable);
     }
-    let start = match from {
-        TetPoint::Vertex(vertex) => Start::Vertex(vertex.0),
-        TetPoint::Inside { tetrahedron, .. } => Start::Inside(tetrahedron.0),
-    };
-    let mut corners = vec![Corner { place: from.position(mesh), start, cost: 1.0 }];
+    if let Some(corners) = distance.origins.as_ref().and_then(|origins| origins.path(mesh, medium, from)) {
+        return Ok(VolumePath::along(mesh, &corners));
+    }
+    let mut corners = vec![from.corner(mesh)];
     // Where distance is refracted there is no wave to go back along, but there is one again in the medium of the source.
-    let waves = distance.waves.as_ref();
+    let waves = distance.origins.as_ref().and_then(Origins::waves);
     while !waves.is_some_and(|waves| go_back(mesh, medium, waves, &mut corners)) {
         match descent::go_down(mesh, medium, distance, &mut corners) {
             Descent::Arrived => break,
@@ -62,22 +74,24 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
                 let sources: Vec<TetSource> = distance.sources.iter().map(|&source| source.into()).collect();
                 let mut march = March::new(mesh, medium, &sources);
                 march.advance(f64::INFINITY, usize::MAX);
-                let (_, waves) = march.finish();
-                go_back(mesh, medium, &waves, &mut corners);
+                let (_, origins) = march.finish();
+                if let Some(path) = origins.path(mesh, medium, from) {
+                    corners = path;
+                } else if let Some(waves) = origins.waves() {
+                    go_back(mesh, medium, waves, &mut corners);
+                }
                 break;
             }
         }
     }
-    taut::pull(mesh, medium, &mut corners);
-    let legs = || corners.windows(2).map(|ends| (ends[0].place.distance(ends[1].place), ends[0].cost));
-    Ok(VolumePath {
-        mesh: mesh.id(),
-        length: 0.0 + legs().map(|(length, _)| length).sum::<f64>(),
-        cost: 0.0 + legs().map(|(length, cost)| length * cost).sum::<f64>(),
-        costs: legs().map(|(_, cost)| cost).collect(),
-        // Adding 0 makes −0 to 0.
-        points: corners.iter().map(|corner| corner.place + DVec3::ZERO).collect(),
-    })
+    // Waves know of a source where it is, not what it is in.
+    if let Some(last) = corners.last_mut()
+        && let Some(source) = distance.sources.iter().find(|source| source.position(mesh) == last.place)
+    {
+        last.start = source.corner(mesh).start;
+    }
+    pull(mesh, medium, &mut corners);
+    Ok(VolumePath::along(mesh, &corners))
 }
 
 /// Goes back along the waves of a march. Returns whether it arrived.
@@ -91,18 +105,14 @@ fn go_back(mesh: &TetMesh, medium: &Medium, waves: &Waves, corners: &mut Vec<Cor
         };
         let Some(leg) = waves.leg(mesh, medium, place, start, near.into_iter()) else { return false };
         corners.last_mut().expect("there is a last").cost = leg.cost;
-        let start = match leg.ends {
-            Some([a, b]) if a == b => Start::Vertex(a),
-            Some(ends) => Start::Edge(ends),
-            // The path ends there.
-            None => start,
-        };
+        // The path ends where there is none.
+        let start = leg.start.unwrap_or(start);
         if leg.to != place {
             corners.push(Corner { place: leg.to, start, cost: leg.cost });
         } else if let Some(last) = corners.last_mut() {
             last.start = start;
         }
-        if leg.ends.is_none() {
+        if leg.start.is_none() {
             return true;
         }
     }

@@ -17,7 +17,7 @@ const GAIN: f64 = 1e-7;
 const HALVINGS: u32 = 8;
 
 /// Shortens a path while its ends stay where they are.
-pub(super) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
+pub(crate) fn pull(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
     skip(mesh, medium, corners);
     shorten(mesh, medium, corners, |mesh, medium, corners| slide(mesh, medium, corners));
     shorten(mesh, medium, corners, cut);
@@ -40,14 +40,9 @@ fn shorten(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>, step: fn(
     }
 }
 
-fn length_of(corners: &[Corner]) -> f64 {
+/// The length of a path.
+pub(crate) fn length_of(corners: &[Corner]) -> f64 {
     corners.windows(2).map(|ends| ends[0].place.distance(ends[1].place)).sum()
-}
-
-/// The tetrahedron that the straight line from a corner to a place ends in, if it stays inside.
-fn sees(mesh: &TetMesh, medium: &Medium, from: &Corner, to: DVec3) -> Option<u32> {
-    let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == from.cost;
-    medium.sight(mesh).walk(from.start, [from.place, to], may_enter, |_| Crossing::On)
 }
 
 /// Leaves out corners that lie between two that see each other.
@@ -59,8 +54,7 @@ fn skip(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         let (mut next, mut stride) = (current + 1, 1);
         while stride > 0 {
             let target = next + stride;
-            let is_seen =
-                target < corners.len() && sees(mesh, medium, &corners[current], corners[target].place).is_some();
+            let is_seen = target < corners.len() && medium.sees(mesh, [corners[current], corners[target]]);
             if is_seen {
                 next = target;
                 stride *= 2;
@@ -92,9 +86,8 @@ fn slide(mesh: &TetMesh, medium: &Medium, corners: &mut [Corner]) {
         for ends in edges {
             let (place, start) = best_on(mesh, ends, [before.place, after.place]);
             let moved = Corner { place, start, ..corner };
-            let is_better = length(place) < shortest
-                && sees(mesh, medium, &before, place).is_some()
-                && sees(mesh, medium, &moved, after.place).is_some();
+            let is_better =
+                length(place) < shortest && medium.sees(mesh, [before, moved]) && medium.sees(mesh, [moved, after]);
             if is_better {
                 shortest = length(place);
                 corners[index] = moved;
@@ -130,7 +123,8 @@ fn cut(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         let (before, corner, after) = (*pulled.last().expect("the first is there"), corners[index], corners[index + 1]);
         let at = |end: &Corner, share: f64| -> Option<Corner> {
             let place = corner.place.lerp(end.place, share);
-            let inside = sees(mesh, medium, &corner, place)?;
+            let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == corner.cost;
+            let inside = medium.sight(mesh).walk(corner.start, [corner.place, place], may_enter, |_| Crossing::On)?;
             Some(Corner { place, start: Start::Inside(inside), cost: corner.cost })
         };
         if before.cost != corner.cost {
@@ -140,7 +134,9 @@ fn cut(mesh: &TetMesh, medium: &Medium, corners: &mut Vec<Corner>) {
         let across = (1..=HALVINGS).find_map(|halving| {
             let share = 0.5_f64.powi(halving as i32);
             let (near, far) = (at(&before, share)?, at(&after, share)?);
-            sees(mesh, medium, &near, far.place).map(|_| [near, far])
+            // A line along a crack may have been followed on the other side of it.
+            let is_clear = [[near, far], [before, near], [far, after]].into_iter().all(|ends| medium.sees(mesh, ends));
+            is_clear.then_some([near, far])
         });
         match across {
             Some(two) => pulled.extend(two),

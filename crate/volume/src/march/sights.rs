@@ -1,0 +1,269 @@
+//! Distance in riddled meshes: shortest paths over lines of sight between the places that paths may bend at (Dijkstra 1959).
+//!
+//! Who sees whom is the same from both ends, and so are the shortest paths over lines of sight. Those that end at a vertex are pulled
+//! taut, from the same one of their ends whichever was the source. So every distance is the length of a path inside, not above any along
+//! edges, and the same there and back: what a march of waves cannot promise where most of them are in the way of something before
+//! they come to a vertex.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::sync::OnceLock;
+
+use super::medium::Medium;
+use crate::lists::Lists;
+use crate::mesh::{NONE, Start, TetMesh};
+use crate::path::{Corner, length_of, pull};
+use crate::point::{TetPoint, TetSource};
+
+/// A distance replaces another if it is below it by this share: what is less is rounding, which depends on the order of sums.
+const GAIN: f64 = 1e-12;
+
+/// Nodes that each is tried to see, at most, in the order of steps along edges to them. What is farther away than so many is seen over
+/// others in between, and [pulling](pull) leaves those out. Where there are fewer nodes, all are tried.
+const TRIED: usize = 200;
+
+/// Places on edges are about in the middle, within this share of the edge: lines between the very middles of the edges around a
+/// quadrilateral have equal lengths, and of two ways that are equally long one would be taken there and the other one back.
+const SPREAD: f64 = 0.1;
+
+/// Its multiples, less their whole parts, are spread evenly, and no two are one.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Places that paths may bend at, and which of them see each other.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// The vertices, and after them a place on each sharp edge. More of these would make better first guesses; where on an edge a path
+    /// bends, [pulling](pull) finds by itself.
+    corners: Vec<Corner>,
+    /// Of each vertex, itself and the places on the edges that it is the first end of.
+    of_vertex: Lists,
+    /// Of each node, those that it sees among those tried; made by the first search.
+    seen: OnceLock<Lists>,
+}
+
+impl Nodes {
+    /// With places on these edges.
+    pub(super) fn new(mesh: &TetMesh, edges: &[[u32; 2]]) -> Self {
+        let vertices = (0..).zip(mesh.positions()).map(|(vertex, &place)| Corner::at(place, Start::Vertex(vertex)));
+        let on_edge = |(number, &ends): (usize, &[u32; 2])| {
+            let [a, b] = ends.map(|end| mesh.positions()[end as usize]);
+            let share = 0.5 + SPREAD * ((number as f64 * GOLDEN).fract() - 0.5);
+            Corner::at(a.lerp(b, share), Start::Edge(ends))
+        };
+        let corners: Vec<Corner> = vertices.chain(edges.iter().enumerate().map(on_edge)).collect();
+        let count = mesh.vertex_count() as u32;
+        let places = || (count..).zip(edges).map(|(node, &[first, _])| (first, node));
+        let of_vertex = Lists::group(mesh.vertex_count(), || (0..count).map(|vertex| (vertex, vertex)).chain(places()));
+        Self { corners, of_vertex, seen: OnceLock::new() }
+    }
+
+    /// Of each node, those that it sees.
+    fn seen(&self, mesh: &TetMesh, medium: &Medium) -> &Lists {
+        self.seen.get_or_init(|| {
+            let mut pairs: Vec<[u32; 2]> = Vec::new();
+            let mut last = vec![NONE; mesh.vertex_count()];
+            for node in 0..self.corners.len() as u32 {
+                let near = self.near(mesh, medium, node, &mut last);
+                pairs.extend(near.into_iter().map(|other| [node.min(other), node.max(other)]));
+            }
+            pairs.sort_unstable();
+            pairs.dedup();
+            // From the same end whichever asks.
+            pairs.retain(|&[a, b]| a != b && medium.sees(mesh, [a, b].map(|node| self.corners[node as usize])));
+            Lists::group(self.corners.len(), || pairs.iter().flat_map(|&[a, b]| [(a, b), (b, a)]))
+        })
+    }
+
+    /// The nodes that one is tried to see. `last` keeps for which node each vertex was last come to.
+    fn near(&self, mesh: &TetMesh, medium: &Medium, node: u32, last: &mut [u32]) -> Vec<u32> {
+        let mut vertices = match self.corners[node as usize].start {
+            Start::Edge(ends) => ends.to_vec(),
+            _ => vec![node],
+        };
+        vertices.iter().for_each(|&vertex| last[vertex as usize] = node);
+        let ends = vertices.len();
+        let mut near = Vec::with_capacity(TRIED);
+        let (mut next, mut neighbors) = (0, 0);
+        // All neighbors along edges, so that no distance is above the way along those.
+        while next < vertices.len() && (next < neighbors || near.len() < TRIED) {
+            let vertex = vertices[next];
+            near.extend(self.of_vertex.row(vertex));
+            for tetrahedron in medium.touching(mesh, self.corners[vertex as usize]) {
+                for other in mesh.tetrahedra()[tetrahedron as usize] {
+                    if last[other as usize] != node {
+                        last[other as usize] = node;
+                        vertices.push(other);
+                    }
+                }
+            }
+            next += 1;
+            if next == ends {
+                neighbors = vertices.len();
+            }
+        }
+        near
+    }
+}
+
+/// A search in work.
+pub(crate) struct Sights<'a> {
+    mesh: &'a TetMesh,
+    medium: &'a Medium,
+    nodes: &'a Nodes,
+    tree: Tree,
+    seen: &'a Lists,
+    offers: BinaryHeap<Reverse<(u64, u32)>>,
+    /// Of each node, whether its distance is final.
+    is_final: Vec<bool>,
+    /// Offers that were taken.
+    work: usize,
+}
+
+/// Shortest paths over lines of sight.
+#[derive(Debug, Clone)]
+pub(crate) struct Tree {
+    sources: Vec<TetSource>,
+    /// Of each node its distance, and the node before; the number of a source comes after those of nodes. None where infinite.
+    steps: Vec<(f64, u32)>,
+    /// Of each vertex, whether it sees its source; none before the search has ended.
+    is_straight: Vec<bool>,
+}
+
+impl<'a> Sights<'a> {
+    pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium, nodes: &'a Nodes, sources: &[TetSource]) -> Self {
+        let count = nodes.corners.len();
+        let tree =
+            Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); count], is_straight: Vec::new() };
+        let (offers, is_final) = (BinaryHeap::new(), vec![false; count]);
+        let seen = nodes.seen(mesh, medium);
+        let mut search = Self { mesh, medium, nodes, tree, seen, offers, is_final, work: 0 };
+        for (by, source) in (count as u32..).zip(sources) {
+            search.start(source, by);
+        }
+        search
+    }
+
+    /// Offers the distance of a source that is a node, or of all nodes that see another one.
+    fn start(&mut self, source: &TetSource, by: u32) {
+        let from = source.point.corner(self.mesh);
+        let nodes = match source.point {
+            TetPoint::Vertex(vertex) => vertex.0..vertex.0 + 1,
+            TetPoint::Inside { .. } => 0..self.nodes.corners.len() as u32,
+        };
+        for node in nodes {
+            if self.medium.sees(self.mesh, [from, self.nodes.corners[node as usize]]) {
+                self.offer(source.initial_distance, from, node, by);
+            }
+        }
+    }
+
+    /// As [`super::March::advance`].
+    pub(super) fn advance(&mut self, radius: f64, work: usize) -> f64 {
+        while let Some(&Reverse((bits, node))) = self.offers.peek() {
+            let distance = f64::from_bits(bits);
+            if distance >= radius || self.work >= work {
+                return distance.min(radius);
+            }
+            self.offers.pop();
+            if !std::mem::replace(&mut self.is_final[node as usize], true) {
+                let from = self.nodes.corners[node as usize];
+                for &other in self.seen.row(node) {
+                    self.offer(distance, from, other, node);
+                }
+            }
+        }
+        f64::INFINITY
+    }
+
+    /// Offers a node its distance over a place at this distance that it sees.
+    fn offer(&mut self, distance: f64, from: Corner, node: u32, by: u32) {
+        let through = distance + from.place.distance(self.nodes.corners[node as usize].place);
+        let step = &mut self.tree.steps[node as usize];
+        if through < step.0 * (1.0 - GAIN) {
+            *step = (through, by);
+            self.offers.push(Reverse((through.to_bits(), node)));
+            self.work += 1;
+        }
+    }
+
+    /// The distances of vertices (`#V`), and the paths.
+    pub(super) fn finish(self) -> (Vec<f64>, Tree) {
+        let Self { mesh, medium, nodes, mut tree, is_final, .. } = self;
+        for (step, _) in tree.steps.iter_mut().zip(is_final).filter(|&(_, is_final)| !is_final) {
+            *step = (f64::INFINITY, NONE);
+        }
+        let found = |(&from, &(distance, _)): (&Corner, &(f64, u32))| {
+            let path = distance.is_finite().then(|| tree.path(mesh, medium, nodes, from)).flatten();
+            path.map_or((f64::INFINITY, false), |(distance, path)| (distance, path.len() <= 2))
+        };
+        let (distances, is_straight) = nodes.corners[..mesh.vertex_count()].iter().zip(&tree.steps).map(found).unzip();
+        tree.is_straight = is_straight;
+        (distances, tree)
+    }
+}
+
+impl Tree {
+    /// Whether a vertex has its distance straight from a source.
+    pub(super) fn is_straight(&self, vertex: u32) -> bool {
+        self.is_straight[vertex as usize]
+    }
+
+    /// The distance of a place and the path from there to its source; none where there is none.
+    pub(super) fn path(
+        &self,
+        mesh: &TetMesh,
+        medium: &Medium,
+        nodes: &Nodes,
+        from: Corner,
+    ) -> Option<(f64, Vec<Corner>)> {
+        let mut path = vec![from];
+        let mut next = self.first_step(mesh, medium, nodes, from)?;
+        while (next as usize) < nodes.corners.len() {
+            path.push(nodes.corners[next as usize]);
+            next = self.steps[next as usize].1;
+        }
+        let source = self.sources[next as usize - nodes.corners.len()];
+        let there = source.point.corner(mesh);
+        if path[path.len() - 1].place != there.place {
+            path.push(there);
+        }
+        // Pulled from the same end whichever is the source.
+        let is_turned = from.place.to_array() > there.place.to_array();
+        if is_turned {
+            path.reverse();
+        }
+        pull(mesh, medium, &mut path);
+        let length = length_of(&path);
+        if is_turned {
+            path.reverse();
+        }
+        Some((source.initial_distance + length, path))
+    }
+
+    /// The node or source that a place has its distance by: a source that it sees, or else, of a vertex, the one found by the search, and
+    /// of other places the nearest over what they see.
+    fn first_step(&self, mesh: &TetMesh, medium: &Medium, nodes: &Nodes, from: Corner) -> Option<u32> {
+        let sees = |there: Corner| medium.sees(mesh, [from, there]);
+        let through = |distance: f64, there: Corner| distance + from.place.distance(there.place);
+        let mut nearest = (f64::INFINITY, NONE);
+        match from.start {
+            Start::Vertex(vertex) => nearest = self.steps[vertex as usize],
+            _ => {
+                for (node, (&there, &(distance, _))) in (0..).zip(nodes.corners.iter().zip(&self.steps)) {
+                    let distance = through(distance, there);
+                    if distance < nearest.0 * (1.0 - GAIN) && sees(there) {
+                        nearest = (distance, node);
+                    }
+                }
+            }
+        }
+        for (by, source) in (nodes.corners.len() as u32..).zip(&self.sources) {
+            let there = source.point.corner(mesh);
+            let distance = through(source.initial_distance, there);
+            if distance < nearest.0 * (1.0 - GAIN) && sees(there) {
+                nearest = (distance, by);
+            }
+        }
+        nearest.0.is_finite().then_some(nearest.1)
+    }
+}
