@@ -8,14 +8,14 @@
 //! with which both grew over the last factor of 4. Seconds below a hundredth and megabytes below one have none: that is the noise
 //! of what does not grow.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, FaceId, Method, Path, Place, Soup,
@@ -95,7 +95,7 @@ fn print(name: &str, figures: &[Figures]) {
 type Family = (&'static str, fn(usize) -> Soup);
 
 /// Soups of about so many triangles.
-const FAMILIES: [Family; 10] = [
+const FAMILIES: [Family; 15] = [
     ("terrain", |count| shapes::terrain((count as f64 / 2.0).sqrt() as u32)),
     ("ladder", ladder),
     ("hub", |count| fan(count, 0.0, 0.0)),
@@ -103,7 +103,12 @@ const FAMILIES: [Family; 10] = [
     ("cone", |count| fan(count, 2.0, 0.0)),
     ("two hubs", two_hubs),
     ("needles", needles),
-    ("book", book),
+    ("book", |count| book(count, 0.0)),
+    ("winding book", |count| book(count, 0.5)),
+    ("bouquet", bouquet),
+    ("star", star),
+    ("ladders side by side", |count| two_ladders(count, DMat3::IDENTITY)),
+    ("ladders across", |count| two_ladders(count, DMat3::from_rotation_z(FRAC_PI_2))),
     ("chain", chain),
     ("crack", crack),
 ];
@@ -161,11 +166,53 @@ fn needles(count: usize) -> Soup {
     Soup::single("needles", positions, triangles.collect())
 }
 
-/// Pages on one edge.
-fn book(count: usize) -> Soup {
+/// Pages on one edge, the last of them less wide than the first by this share.
+fn book(count: usize, less: f64) -> Soup {
     let mut positions = vec![DVec3::ZERO, DVec3::Y];
-    positions.extend(rim(count, 0.0).map(|point| point + 0.5 * DVec3::Y));
+    let width = |index: usize| 1.0 - less * index as f64 / count as f64;
+    positions.extend(rim(count, 0.0).enumerate().map(|(index, point)| width(index) * point + 0.5 * DVec3::Y));
     Soup::single("book", positions, (0..count as u32).map(|index| [0, 1, index + 2]).collect())
+}
+
+/// Triangles that have one corner in common.
+fn bouquet(count: usize) -> Soup {
+    let outward = directions(2 * count).flat_map(|direction| [direction, 1.1 * direction.any_orthogonal_vector()]);
+    let positions = std::iter::once(DVec3::ZERO).chain(outward.take(2 * count)).collect();
+    let triangles = (0..count as u32).map(|index| [0, 2 * index + 1, 2 * index + 2]);
+    Soup::single("bouquet", positions, triangles.collect())
+}
+
+/// Triangles that all pierce each other near one point.
+fn star(count: usize) -> Soup {
+    let corners = |direction: DVec3| {
+        let (x, y) = direction.any_orthonormal_pair();
+        [x, y - 0.5 * x, -y - 0.5 * x]
+    };
+    let triangles = (0..count as u32).map(|index| [0, 1, 2].map(|k| 3 * index + k));
+    Soup::single("star", directions(count).flat_map(corners).collect(), triangles.collect())
+}
+
+/// Unit vectors all around, on a spiral.
+fn directions(count: usize) -> impl Iterator<Item = DVec3> {
+    (0..count).map(move |index| {
+        let height = 1.0 - (2.0 * index as f64 + 1.0) / count as f64;
+        let (y, x) = (2.4 * index as f64).sin_cos();
+        let radius = (1.0 - height * height).sqrt();
+        DVec3::new(radius * x, radius * y, height)
+    })
+}
+
+/// Two squares of slivers, one near above the other and turned.
+fn two_ladders(count: usize, turn: DMat3) -> Soup {
+    let mut both = ladder(count / 2);
+    let first = both.positions.len() as u32;
+    let middle = DVec3::new(0.5, 0.5, 0.0);
+    let above = |point: &DVec3| turn * (*point - middle) + middle + 1e-4 * DVec3::Z;
+    both.positions.extend_from_within(..);
+    both.positions[first as usize..].iter_mut().for_each(|point| *point = above(point));
+    let above: Vec<_> = both.triangles.iter().map(|corners| corners.map(|corner| corner + first)).collect();
+    both.triangles.extend(above);
+    Soup::single("ladders", both.positions, both.triangles)
 }
 
 /// Triangles of which each pierces the next.
@@ -327,7 +374,8 @@ fn field(soup: &Soup) -> Result<(Arc<Surface>, Distance, VertexId)> {
     let mut solver = DistanceSolver::new(Arc::clone(&surface));
     let options = DistanceOptions::by(Method::Propagation);
     let distance = solver.distance(&[source], &options, &mut |_| ControlFlow::Continue(()))?.distance;
-    let from = surface.vertices().max_by(|&a, &b| distance.values[a].total_cmp(&distance.values[b]));
+    let reached = surface.vertices().filter(|&vertex| distance.values[vertex] < f64::INFINITY);
+    let from = reached.max_by(|&a, &b| distance.values[a].total_cmp(&distance.values[b]));
     Ok((surface, distance, from.context("a vertex")?))
 }
 
