@@ -17,6 +17,11 @@ export function cubeVertex(n: number, i: number, j: number, k: number): { vertex
 
 /** The unit cube in n³ cubes of six tetrahedra. */
 export function cubeMsh(n: number): string {
+  return cubesMsh(n, () => true);
+}
+
+/** Those of its n³ cubes that are `kept`. */
+export function cubesMsh(n: number, kept: (i: number, j: number) => boolean): string {
   const nodes: string[] = [];
   const elements: string[] = [];
   for (let k = 0; k <= n; k++) {
@@ -27,6 +32,7 @@ export function cubeMsh(n: number): string {
   for (let k = 0; k < n; k++) {
     for (let j = 0; j < n; j++) {
       for (let i = 0; i < n; i++) {
+        if (!kept(i, j)) continue;
         for (const corners of KUHN) {
           const at = (corner: number) =>
             1 + cubeVertex(n, i + (corner & 1), j + ((corner >> 1) & 1), k + (corner >> 2)).vertex;

@@ -2,7 +2,7 @@
 import type { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
 import { expect, type HeatwalkPage, test } from '../page';
-import { cubeMsh, cubeVertex } from '../tetrahedra';
+import { cubesMsh, cubeVertex } from '../tetrahedra';
 
 /** A sheet, whose boundary makes Neumann and Dirichlet differ. */
 const SHEET = off(grid(32));
@@ -111,10 +111,11 @@ test('a link opens both sides', async ({ heatwalk, page }) => {
 
 test('two settings inside of tetrahedra share boundary and cut', async ({ heatwalk, page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
-  // Seen at right angles to the cut, which covers what is compared.
+  // Behind a wall, where distances are not straight. Seen at right angles to the cut, which covers what is compared.
   const n = 8;
-  const scene = `up=y&cam=0,0,3.2,0,0,0&s=${cubeVertex(n, 4, 4, 4).vertex}&w=none&cut=plane&method=heat&near=0&refine=0`;
-  await heatwalk.openFile('cube.msh', cubeMsh(n), `${scene}&b=neumann&vs=b:dirichlet,at:0.5`);
+  const mesh = cubesMsh(n, (i, j) => j !== 1 || i === 0 || i === n - 1);
+  const scene = `up=y&cam=0,0,3.2,0,0,0&s=${cubeVertex(n, 4, 0, 4).vertex}&w=none&cut=plane&method=heat&near=0&refine=0`;
+  await heatwalk.openFile('walled.msh', mesh, `${scene}&b=neumann&vs=b:dirichlet,at:0.5`);
   const section = page.locator('#section-compare');
   await page.locator('#section-compare > summary').click();
   await expect(section.locator('thead')).toHaveText('Insulated (Neumann)Cold (Dirichlet)');
