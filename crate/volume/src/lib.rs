@@ -24,6 +24,7 @@
 //! mesh.
 
 mod boxes;
+mod corner;
 pub mod crowd;
 mod dijkstra;
 mod distance;

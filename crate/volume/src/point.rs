@@ -4,10 +4,10 @@ use glam::DVec3;
 use heatwalk::VertexId;
 
 use crate::boxes::{Bounds, Boxes};
+use crate::corner::Corner;
 use crate::error::{Error, Result};
 use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::{Start, TetId, TetMesh};
-use crate::path::Corner;
 
 /// Barycentric weights may miss a sum of 1, or lie below 0, by this much: more than rounding through 32-bit floats,
 /// less than anything seen.

@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use super::sights::Nodes;
+use super::nodes::Nodes;
+use crate::corner::Corner;
 use crate::error::{Error, Result};
 use crate::lists::Lists;
 use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::quality::dihedral_angles;
 use crate::mesh::{Crossing, EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
-use crate::path::Corner;
 
 /// Costs of tetrahedra that are not walls.
 pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;

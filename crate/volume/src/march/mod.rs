@@ -9,19 +9,22 @@
 //! 1987); how distance goes on behind an edge is Keller's (1962) law of diffraction.
 
 mod medium;
+mod nodes;
 mod refraction;
 mod search;
 mod sights;
+mod taut;
 mod wave;
 
 pub use medium::COSTS;
 pub(crate) use medium::Medium;
+pub(crate) use taut::pull;
 
 use glam::DVec3;
 use heatwalk::VertexId;
 
+use crate::corner::Corner;
 use crate::mesh::{Crossing, NONE, Start, TetMesh};
-use crate::path::Corner;
 use crate::point::{TetPoint, TetSource};
 use search::Search;
 use sights::{Sights, Tree};

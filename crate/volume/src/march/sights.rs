@@ -7,12 +7,13 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::sync::OnceLock;
 
 use super::medium::Medium;
+use super::nodes::Nodes;
+use super::taut::{length_of, pull};
+use crate::corner::Corner;
 use crate::lists::Lists;
 use crate::mesh::{NONE, Start, TetMesh};
-use crate::path::{Corner, length_of, pull};
 use crate::point::{TetPoint, TetSource};
 
 /// A distance replaces another if it is below it by this share: what is less is rounding, which depends on the order of sums.
@@ -22,41 +23,7 @@ const GAIN: f64 = 1e-12;
 /// others in between, and [pulling](pull) leaves those out. Where there are fewer nodes, all are tried.
 const TRIED: usize = 200;
 
-/// Places on edges are about in the middle, within this share of the edge: lines between the very middles of the edges around a
-/// quadrilateral have equal lengths, and of two ways that are equally long one would be taken there and the other one back.
-const SPREAD: f64 = 0.1;
-
-/// Its multiples, less their whole parts, are spread evenly, and no two are one.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// Places that paths may bend at, and which of them see each other.
-#[derive(Debug)]
-pub(super) struct Nodes {
-    /// The vertices, and after them a place on each sharp edge. More of these would make better first guesses; where on an edge a path
-    /// bends, [pulling](pull) finds by itself.
-    corners: Vec<Corner>,
-    /// Of each vertex, itself and the places on the edges that it is the first end of.
-    of_vertex: Lists,
-    /// Of each node, those that it sees among those tried; made by the first search.
-    seen: OnceLock<Lists>,
-}
-
 impl Nodes {
-    /// With places on these edges.
-    pub(super) fn new(mesh: &TetMesh, edges: &[[u32; 2]]) -> Self {
-        let vertices = (0..).zip(mesh.positions()).map(|(vertex, &place)| Corner::at(place, Start::Vertex(vertex)));
-        let on_edge = |(number, &ends): (usize, &[u32; 2])| {
-            let [a, b] = ends.map(|end| mesh.positions()[end as usize]);
-            let share = 0.5 + SPREAD * ((number as f64 * GOLDEN).fract() - 0.5);
-            Corner::at(a.lerp(b, share), Start::Edge(ends))
-        };
-        let corners: Vec<Corner> = vertices.chain(edges.iter().enumerate().map(on_edge)).collect();
-        let count = mesh.vertex_count() as u32;
-        let places = || (count..).zip(edges).map(|(node, &[first, _])| (first, node));
-        let of_vertex = Lists::group(mesh.vertex_count(), || (0..count).map(|vertex| (vertex, vertex)).chain(places()));
-        Self { corners, of_vertex, seen: OnceLock::new() }
-    }
-
     /// Of each node, those that it sees.
     fn seen(&self, mesh: &TetMesh, medium: &Medium) -> &Lists {
         self.seen.get_or_init(|| {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::corner::Corner;
+use crate::corner::Corner;
 use crate::distance::VolumeDistance;
 use crate::march::Medium;
 use crate::mesh::locate::weights;

@@ -3,20 +3,17 @@
 //! A march's path goes back along its waves, straight from bend to bend. Any other descends the distance from tetrahedron to
 //! tetrahedron. It is then pulled taut where costs do not change.
 
-mod corner;
 mod descent;
-mod taut;
 
 use glam::DVec3;
 
+use crate::corner::Corner;
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
-use crate::march::{March, Medium, Origins, Waves};
+use crate::march::{March, Medium, Origins, Waves, pull};
 use crate::mesh::{MeshId, Start, TetMesh};
 use crate::point::{TetPoint, TetSource};
-pub(crate) use corner::Corner;
 use descent::Descent;
-pub(crate) use taut::{length_of, pull};
 
 /// Bends of a path, at most: more than there are concave edges on any way.
 const MOST_BENDS: usize = 1 << 20;

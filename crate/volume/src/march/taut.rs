@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 
-use super::corner::Corner;
-use crate::march::Medium;
+use super::medium::Medium;
+use crate::corner::Corner;
 use crate::mesh::{Crossing, Start, TetMesh};
 
 /// Rounds of cutting corners, at most. Each about halves what a corner is too far out.
