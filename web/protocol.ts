@@ -374,6 +374,11 @@ export interface SolverApi {
    * field stays as it is.
    */
   refine(request: PathRequest | null): Promise<Solved>;
+  /**
+   * The last field at places of a surface, in the file's unit, Infinity where no source reaches them; null until all of it is exact,
+   * and inside of tetrahedra.
+   */
+  exactDistances(places: readonly MeshPoint[]): Promise<Float64Array | null>;
   /** A path on the last field. */
   path(request: PathRequest): Promise<TracedPath>;
   /** One step of searching the exact path, of 100 to 200 ms; null: it is not found yet, and the next call goes on. */

@@ -1,4 +1,5 @@
 import { grid, off, sphere } from '../fixtures';
+import type { MeshPoint } from '../../web/protocol';
 import { expect, type HeatwalkPage, test } from '../page';
 
 const N = 24;
@@ -44,6 +45,30 @@ test('on a flat grid every distance is refined to that of the plane', async ({ h
   await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
     /^Exact\. Error of the heat method: mean [\d.]+ %, maximum [\d.]+ %\.$/,
   );
+});
+
+test('distances in faces are exact once all is, also under the pointer', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&w=${at(20, 22)}&refine=0`);
+  await heatwalk.settled();
+  const exactAt = (point: MeshPoint) => page.evaluate((place) => window.heatwalk.exactDistanceAt(place), point);
+  const [x, y] = await heatwalk.pixelOnModel();
+  const place = await page.evaluate(([px, py]) => window.heatwalk.placeAt(px, py), [x, y] as const);
+  if (!place || !('face' in place)) throw new Error('no face under the pointer');
+  await page.mouse.move(x, y);
+  const readout = page.locator('.readout');
+  await expect(readout).toHaveText(/^≈ /);
+  expect(await exactAt(place)).toBeNull();
+
+  await page.locator('#section-solver > summary').click();
+  await page.getByRole('switch', { name: 'Refine to exact' }).check();
+  await expect.poll(() => heatwalk.refining()).toBe('exact');
+  const corners = grid(N).triangles[place.face].map((vertex) => grid(N).positions[vertex]);
+  const mean = (axis: number) => place.weights.reduce((sum, weight, corner) => sum + weight * corners[corner][axis], 0);
+  const expected = Math.hypot(mean(0) - 6 / N, mean(1) - 8 / N);
+  expect(Math.abs(((await exactAt(place)) ?? 0) - expected)).toBeLessThan(1e-12);
+  expect(await exactAt({ vertex: SOURCE })).toBe(0);
+  await page.mouse.move(x, y);
+  await expect(readout).toHaveText(/^[\d.]+ units · /);
 });
 
 test('refinement can be switched off and on', async ({ heatwalk, page }) => {

@@ -238,6 +238,10 @@ export class Engine {
     return this.#worker.call(this.#worker.api.pose(moment, false));
   }
 
+  exactDistances(places: readonly MeshPoint[]): Promise<Float64Array | null> {
+    return this.#worker.call(this.#worker.api.exactDistances(places));
+  }
+
   gradients(kind: FaceField): Promise<Float32Array> {
     return this.#worker.call(this.#worker.api.gradients(kind));
   }

@@ -1,5 +1,6 @@
 /** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
+import { exactDistanceAt } from '../session/distances';
 import type { Session } from '../session/session';
 import type { ToldTape } from '../session/tapes';
 import type { Engine } from '../solver/engine';
@@ -58,6 +59,8 @@ export interface Heatwalk {
   readonly tapes: readonly ToldTape[];
   /** Distance at a place of the shown field, linear between those of vertices; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: MeshPoint): number;
+  /** The exact one, as `SolverApi.exactDistances`. */
+  exactDistanceAt(point: MeshPoint): Promise<number | null>;
   /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
   gradients(kind: FaceField): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
@@ -149,6 +152,7 @@ export function expose(
       const shown = session.shown.value;
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field) : Number.NaN;
     },
+    exactDistanceAt: (point) => exactDistanceAt(session, point),
     gradients: async (kind) => openEngine(session).gradients(kind),
     heat: async () => openEngine(session).heat(),
     async picture(scale = 1, clear = false) {

@@ -126,7 +126,8 @@ impl Distance {
         Ok(Self { surface: to.id(), ..self.clone() })
     }
 
-    /// The distance at a point, in the file's unit, interpolated linearly in its face.
+    /// The distance at a point, in the file's unit, interpolated linearly in its face: between vertices no exact one, which
+    /// [`PlaceDistances`](crate::exact::PlaceDistances) gives.
     ///
     /// # Errors
     /// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for another surface than [`Self::surface`], and as

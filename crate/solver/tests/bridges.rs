@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use common::{random, soup, square};
 use glam::{DVec3, dvec3};
-use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
+use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront, shortest_path};
 use heatwalk::{
     Bridges, Carriers, DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, Method, Place, Portal,
     Propagation, PropagationOptions, PropagationRefinement, Surface, VertexId, descend, straighten,
@@ -139,6 +139,22 @@ fn exact_distances_cross_portals() {
         front.restart(&[case.source]).expect("a source");
         front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
         assert!(front.values().iter().zip(&case.expected).all(|(&value, &expected)| is_near(value, expected)));
+    }
+}
+
+#[test]
+fn places_in_faces_are_reached_through_portals() {
+    let mut seed = 5;
+    for case in cases() {
+        let geometry = geometry(&case);
+        let places: Vec<Place> = (0..30).map(|number| place(&case.surface, number % 3, &mut seed)).collect();
+        let mut front = Wavefront::with_targets(Arc::clone(&geometry), &[case.source], &places).expect("valid places");
+        front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
+        let distances = PlaceDistances::new(&geometry, front.values(), &[case.source]).expect("a source");
+        for (&place, &expected) in places.iter().zip(front.target_values()) {
+            let value = distances.at(place).expect("a valid place");
+            assert!(is_near(value, expected), "{place:?}: {value} for {expected}");
+        }
     }
 }
 

@@ -11,15 +11,16 @@ use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use common::searches;
 use common::shortness::check_valid;
 use common::truth::examine::{Examined, ROUNDING, SYMMETRIC};
 use common::truth::{Case, Random, developable, nasty, thin};
 use glam::{DQuat, DVec3};
-use heatwalk::exact::{exact_distance, shortest_path};
+use heatwalk::exact::{PlaceDistances, Wavefront, exact_distance, shortest_path};
 use heatwalk::propagation::propagated_distance;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, Element, ExactSearch, InputVertex, Method, PropagationOptions, Soup, Surface,
-    VertexData, VertexId, Windows,
+    DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, InputVertex, Method, Place, PropagationOptions,
+    Soup, Surface, VertexData, VertexId, Windows,
 };
 
 /// Meshes of each family.
@@ -174,6 +175,32 @@ fn paths_are_as_long_as_distances() {
             };
             if length != value && (length - value).abs() > SYMMETRIC * value + ROUNDING * extent(&surface) {
                 return Err(format!("{length:e} along the path from {source} to {to}, {value:e} by distance"));
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn places_in_faces_are_as_far_as_a_search_to_them_says() {
+    check(|case, seed| {
+        let Some(surface) = surface_of(&case.soup) else { return Ok(()) };
+        let mut random = Random::new(seed);
+        let geometry = searches::geometry(&surface);
+        let mut inside = || {
+            let [a, b] = [(); 2].map(|()| random.between(0.0, 1.0));
+            let face = FaceId::from_index(random.below(surface.face_count()));
+            Place::Face { face, weights: [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)] }
+        };
+        let sources = [(inside(), 0.0), (inside(), 0.3 * surface.bounding_radius())];
+        let places = [(); 8].map(|()| inside());
+        let mut front = Wavefront::with_targets(Arc::clone(&geometry), &sources, &places).expect("valid places");
+        front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
+        let distances = PlaceDistances::new(&geometry, front.values(), &sources).expect("valid sources");
+        for (place, &value) in places.into_iter().zip(front.target_values()) {
+            let found = distances.at(place).expect("a valid place");
+            if found != value && (found - value).abs() > SYMMETRIC * value + ROUNDING * extent(&surface) {
+                return Err(format!("{found:e} at {place:?}, {value:e} by the search"));
             }
         }
         Ok(())

@@ -42,7 +42,8 @@ impl Solved {
         self.instant.as_ref().filter(|_| self.is_exact())
     }
 
-    fn is_exact(&self) -> bool {
+    /// Whether all values are.
+    pub fn is_exact(&self) -> bool {
         self.distance.exact_below == f64::INFINITY
     }
 

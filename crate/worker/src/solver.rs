@@ -11,7 +11,7 @@ use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use heatwalk::exact::{self, ExactGeometry};
+use heatwalk::exact::{self, ExactGeometry, PlaceDistances};
 use heatwalk::surface::memory;
 use heatwalk::{
     CarriedSources, Carriers, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch,
@@ -325,6 +325,20 @@ impl Solver {
             self.search = Some((from, search));
         }
         path.map(|path| self.shown_path(path)).transpose()
+    }
+
+    /// The last field at places, in the file's unit, Infinity where no source reaches them; none until all of it is exact.
+    pub fn exact_distances(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "readonly SurfacePoint[]")] places: &Array,
+    ) -> Result<Option<Vec<f64>>> {
+        let solved = self.solved()?;
+        if !solved.is_exact() {
+            return Ok(None);
+        }
+        let distances = PlaceDistances::new(&self.geometry, &solved.distance.values, &solved.sources)?;
+        let at = |place| Ok(distances.at(self.drawn.point(self.geometry.surface(), &place)?)?);
+        places.iter().map(at).collect::<Result<_>>().map(Some)
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.

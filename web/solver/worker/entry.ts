@@ -289,6 +289,11 @@ const api: SolverApi = {
     return solvedOf(field, mesh, request);
   },
 
+  exactDistances(places: readonly MeshPoint[]): Promise<Float64Array | null> {
+    const distances = openMesh().surface?.exact_distances(known(places)) ?? null;
+    return Promise.resolve(distances && transfer(distances, [distances.buffer]));
+  },
+
   path(request: PathRequest): Promise<TracedPath> {
     const traced = trace(openMesh(), request);
     return Promise.resolve(transfer(traced, pathBuffersOf(traced)));

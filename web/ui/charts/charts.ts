@@ -2,6 +2,7 @@
 import '../../style/charts.css';
 import type { Convergence as Residuals, MeshPoint } from '../../protocol';
 import type { Shown } from '../../session/prepare';
+import { exactDistances } from '../../session/distances';
 import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
 import { isSameField, type Question } from '../../solver/engine';
@@ -62,7 +63,11 @@ export class Charts {
       const neighbors = isSurface && tapes.length > 0 ? await engine.neighbors() : null;
       if (wish !== this.#wish) return;
       const unit = unitOf(scene.state, opened);
-      const { charts, notes } = chartsOf(shown.value, tapes, { errors, walk, neighbors }, unit);
+      const lines = opened.interior ? [] : linesOf(shown.value, tapes, neighbors, unit);
+      const distances = await distancesOf(this.#session, lines);
+      if (wish !== this.#wish) return;
+      const { charts, notes } = chartsOf(shown.value, { errors, walk, lines, distances }, unit);
+      if (answer.field && tapes.length === 0) notes.push(t('Lay a tape (M) to see the distance along it.'));
       const { question, convergence } = this.#compared ?? {};
       if (convergence && question && isSameField(question, answer.question))
         charts.push(...residualCharts(convergence));
@@ -110,19 +115,31 @@ function residualChart(title: string, iterated: Float64Array, factored: number):
   return { title, xLabel: t('Steps'), yLabel: t('Residual'), logarithmic: 'up', series };
 }
 
+/** Places, and how far along a line each is, in the unit shown. */
+interface Profile {
+  x: number[];
+  points: MeshPoint[];
+}
+
+/** A line along which distance is drawn; `length` names the way along it. */
+interface Line extends Profile {
+  title: string;
+  length: string;
+}
+
 /** What the worker was asked for; null where there is none. */
 interface Fetched {
   errors: Float32Array | null;
   walk: Float64Array | null;
-  /** The triangles beside each, where there are tapes: see `SolverApi.neighbors`. */
-  neighbors: Uint32Array | null;
+  lines: readonly Line[];
+  /** Exact distances along the lines, as far as they are known. */
+  distances: ReadonlyMap<MeshPoint, number>;
 }
 
 /** What can be drawn, and sentences for what cannot. */
 function chartsOf(
   { opened, places, answer }: Shown,
-  tapes: readonly MeasuredTape[],
-  { errors, walk, neighbors }: Fetched,
+  { errors, walk, lines, distances }: Fetched,
   unit: LengthUnit,
 ): { charts: Chart[]; notes: string[] } {
   const { field, question } = answer;
@@ -155,20 +172,11 @@ function chartsOf(
     const series = [{ name: xLabel, kind: 'line' as const, x, y }];
     charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
-  const valueAt = (point: MeshPoint) => places.valueAt(point, field);
-  const along = (title: string, length: string, profile: { x: number[]; y: number[] } | null) => {
-    if (!profile) return;
-    const series = [{ name: xLabel, kind: 'line' as const, ...profile }];
-    charts.push({ title, xLabel: inUnit(length), yLabel: xLabel, series });
-  };
-  tapes.forEach((tape, index) => {
-    const mesh = neighbors && { surface: opened.surface, neighbors };
-    const stretch = scale / opened.drawTransform.scale;
-    along(t`Distance along tape ${index + 1}`, t('Along the tape'), profileOf(tape, places, valueAt, scale));
-    const cut = mesh && cutOf(tape, mesh, places, valueAt, { stretch, scale });
-    along(t`Straight cut of tape ${index + 1}`, t('Along the cut'), cut);
-  });
-  if (tapes.length === 0) notes.push(t('Lay a tape (M) to see the distance along it.'));
+  for (const { title, length, x, points } of lines) {
+    const y = points.map((point) => scale * (distances.get(point) ?? places.valueAt(point, field)));
+    if (!y.every(Number.isFinite)) continue;
+    charts.push({ title, xLabel: inUnit(length), yLabel: xLabel, series: [{ name: xLabel, kind: 'line', x, y }] });
+  }
   if (errors && !field.byCorner) {
     const { distance, mean, most } = errorsByDistance(errors, field.distance, BINS);
     const x = distance.map((value) => value * scale);
@@ -185,46 +193,64 @@ function inPercent(shares: readonly number[]): number[] {
   return shares.map((share) => 100 * share);
 }
 
-/** Distance over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
-function profileOf(
-  { legs }: MeasuredTape,
-  places: Places,
-  valueAt: (point: MeshPoint) => number,
-  scale: number,
-): { x: number[]; y: number[] } | null {
+/** Along tapes, and along straight cuts from place to place of each. */
+function linesOf(
+  { opened, places }: Shown,
+  tapes: readonly MeasuredTape[],
+  neighbors: Uint32Array | null,
+  { scale }: LengthUnit,
+): Line[] {
+  const mesh = neighbors && { surface: opened.surface, neighbors };
+  const stretch = scale / opened.drawTransform.scale;
+  return tapes.flatMap((tape, index) => {
+    const along = profileOf(tape, places, scale);
+    const cut = mesh && cutOf(tape, mesh, places, { stretch, scale });
+    return [
+      ...(along ? [{ title: t`Distance along tape ${index + 1}`, length: t('Along the tape'), ...along }] : []),
+      ...(cut ? [{ title: t`Straight cut of tape ${index + 1}`, length: t('Along the cut'), ...cut }] : []),
+    ];
+  });
+}
+
+/** Exact distances of the places of lines that lie in faces; none where these are not known. */
+async function distancesOf(session: Session, lines: readonly Line[]): Promise<Map<MeshPoint, number>> {
+  const points = lines.flatMap((line) => line.points);
+  const distances = points.length > 0 ? await exactDistances(session, points) : null;
+  return new Map(distances ? points.map((point, index) => [point, distances[index]]) : []);
+}
+
+/** Places over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
+function profileOf({ legs }: MeasuredTape, places: Places, scale: number): Profile | null {
   if (legs.length === 0) return null;
-  const [x, y]: [number[], number[]] = [[], []];
+  const [x, points]: [number[], MeshPoint[]] = [[], []];
   let before = 0;
   for (const { leg } of legs) {
     if (!leg || !('triangles' in leg)) return null;
-    const points = pointsOf(leg);
-    const arcs = arcsOf(positionsOf(points, places));
+    const passed = pointsOf(leg);
+    const arcs = arcsOf(positionsOf(passed, places));
     const stretch = leg.length / (arcs[arcs.length - 1] || 1);
-    points.forEach((point, i) => {
-      x.push(scale * (before + stretch * arcs[i]));
-      y.push(scale * valueAt(point));
-    });
+    x.push(...arcs.map((arc) => scale * (before + stretch * arc)));
+    points.push(...passed);
     before += leg.length;
   }
-  return y.every(Number.isFinite) ? { x, y } : null;
+  return { x, points };
 }
 
-/** Distance over the length along straight cuts from place to place of a tape; null where they do not lead there. */
+/** Places over the length along straight cuts from place to place of a tape; null where they do not lead there. */
 function cutOf(
   { tape }: MeasuredTape,
   mesh: CutSurface,
   places: Places,
-  valueAt: (point: MeshPoint) => number,
   { stretch, scale }: { stretch: number; scale: number },
-): { x: number[]; y: number[] } | null {
-  const [x, y]: [number[], number[]] = [[], []];
+): Profile | null {
+  const [x, points]: [number[], MeshPoint[]] = [[], []];
   let before = 0;
   for (const [from, to] of legsOf(tape)) {
     const cut = straightCut(mesh, places, from, to);
     if (!cut) return null;
     x.push(...cut.arcs.map((arc) => before + stretch * arc));
-    y.push(...cut.points.map((point) => scale * valueAt(point)));
+    points.push(...cut.points);
     before = x[x.length - 1];
   }
-  return x.length > 0 && y.every(Number.isFinite) ? { x, y } : null;
+  return x.length > 0 ? { x, points } : null;
 }

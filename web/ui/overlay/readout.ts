@@ -1,25 +1,68 @@
 import type { MeshPoint } from '../../protocol';
+import { exactDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
 import { unitOf } from '../../state/scene';
 import { h } from '../dom';
 import { measure, percent } from '../words';
 import { t } from '../../texts';
 
+/** What is read, and where on the screen. */
+interface Reading {
+  point: MeshPoint;
+  x: number;
+  y: number;
+}
+
 /** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices. */
 export class Readout {
   readonly element = h('output', { class: 'readout', hidden: true });
   readonly #session: Session;
+  /** Null while nothing is shown. */
+  #reading: Reading | null = null;
+  #isAsking = false;
 
   constructor(session: Session) {
     this.#session = session;
   }
 
   show(point: MeshPoint, x: number, y: number): void {
-    const text = readoutText(this.#session, point);
+    const text = readoutText(this.#session, point, null);
     if (text === null) {
       this.hide();
       return;
     }
+    this.#reading = { point, x, y };
+    this.#draw(this.#reading, text);
+    void this.#makeExact();
+  }
+
+  hide(): void {
+    this.#reading = null;
+    this.element.hidden = true;
+  }
+
+  /** Asks for the exact distance of what is read, one question at a time, and shows it if that is read still. */
+  async #makeExact(): Promise<void> {
+    if (this.#isAsking) return;
+    this.#isAsking = true;
+    try {
+      let asked: Reading | null = null;
+      while (this.#reading && this.#reading !== asked) {
+        asked = this.#reading;
+        const answer = this.#session.shown.value?.answer;
+        const distance = await exactDistanceAt(this.#session, asked.point);
+        const isCurrent = asked === this.#reading && answer === this.#session.shown.value?.answer;
+        const text = isCurrent && distance !== null ? readoutText(this.#session, asked.point, distance) : null;
+        if (text !== null) this.#draw(asked, text);
+      }
+    } catch {
+      // Another mesh was opened, or the worker failed and says so itself: what is between vertices stays.
+    } finally {
+      this.#isAsking = false;
+    }
+  }
+
+  #draw({ x, y }: Reading, text: string): void {
     this.element.hidden = false;
     this.element.textContent = text;
     const { offsetWidth, offsetHeight } = this.element;
@@ -29,19 +72,16 @@ export class Readout {
     const top = y + 20 + offsetHeight > innerHeight ? y - offsetHeight - 12 : y + 20;
     this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }
-
-  hide(): void {
-    this.element.hidden = true;
-  }
 }
 
-function readoutText({ scene, shown }: Session, point: MeshPoint): string | null {
+/** `exact`: the distance; null where it is taken from those of vertices. */
+function readoutText({ scene, shown }: Session, point: MeshPoint, exact: number | null): string | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
-  const distance = places.valueAt(point, answer.field);
+  const distance = exact ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
-  const about = places.isBetween(point) ? '≈ ' : '';
+  const about = exact === null && places.isBetween(point) ? '≈ ' : '';
   return t`${about + measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -22,6 +22,7 @@ mod list;
 mod lists;
 mod origin;
 mod overlap;
+mod places;
 mod points;
 mod portals;
 mod queue;
@@ -41,6 +42,7 @@ use std::sync::Arc;
 pub(crate) use crossing::{Crossing, Exits};
 pub use geometry::ExactGeometry;
 pub(crate) use geometry::{Side, after, before};
+pub use places::PlaceDistances;
 pub(crate) use portals::Portals;
 pub(crate) use queue::Ring;
 pub use wavefront::Wavefront;
@@ -90,10 +92,14 @@ pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPo
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[from])?;
-    // No path can get shorter once the front has passed the target.
+    search(geometry, sources, from)?.path_from_target(0)
+}
+
+/// A wavefront that has passed its only target, so that no path to it can get shorter.
+fn search<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], target: impl ToPoint) -> Result<Wavefront> {
+    let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[target])?;
     while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
         wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)?;
     }
-    wavefront.path_from_target(0)
+    Ok(wavefront)
 }
