@@ -21,6 +21,7 @@ mod packed;
 pub mod parallel;
 pub mod path;
 pub mod point;
+pub mod scale;
 mod sort;
 pub mod soup;
 pub mod surface;

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::scale::scale;
+
 /// Cotangents of corner angles are cut at ± this. It bounds angles from below by 10⁻⁵ rad, about 0.0006°: thinner
 /// triangles are noise of the file, and weights of 10¹⁶ would drown those of their neighbours in rounding.
 const COTAN_LIMIT: f64 = 1e5;
@@ -20,15 +22,20 @@ pub fn length(vector: DVec3) -> f64 {
     if (1e-280..1e280).contains(&squared) {
         return squared.sqrt();
     }
-    let scale = vector.abs().max_element();
-    if scale > 0.0 { scale * (vector / scale).length() } else { 0.0 }
+    let scale = scale(vector.abs().max_element());
+    (vector * scale).length() / scale
 }
 
 /// Length of a plane vector, safe where its square would under- or overflow.
 #[inline]
 pub fn hypotenuse(x: f64, y: f64) -> f64 {
     let squared = x * x + y * y;
-    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { x.hypot(y) }
+    if (1e-280..1e280).contains(&squared) {
+        return squared.sqrt();
+    }
+    let scale = scale(x.abs().max(y.abs()));
+    let (x, y) = (x * scale, y * scale);
+    (x * x + y * y).sqrt() / scale
 }
 
 /// Area of the triangle with these side lengths, 0 where they violate the triangle inequality. W. Kahan,
@@ -39,14 +46,12 @@ pub fn area_of_lengths([a, b, c]: [f64; 3]) -> f64 {
     let (a, middle) = if c > long { (c, long) } else { (long, c) };
     let (b, c) = if middle > short { (middle, short) } else { (short, middle) };
     let product = |a: f64, b: f64, c: f64| ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).max(0.0);
-    // Lengths whose fourth powers are no numbers are measured by the longest.
+    // Fourth powers of lengths need not be numbers.
     if (1e-60..1e60).contains(&a) {
-        0.25 * product(a, b, c).sqrt()
-    } else if a > 0.0 {
-        0.25 * a * a * product(1.0, b / a, c / a).sqrt()
-    } else {
-        0.0
+        return 0.25 * product(a, b, c).sqrt();
     }
+    let scale = scale(a);
+    0.25 * product(a * scale, b * scale, c * scale).sqrt() / scale / scale
 }
 
 /// The edges opposite each corner.

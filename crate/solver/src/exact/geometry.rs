@@ -11,6 +11,7 @@ use super::portals::Portals;
 use super::window::TURN;
 use crate::cost::Costs;
 use crate::extremum::{larger, smaller};
+use heatwalk_surface::scale::scale;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
 use heatwalk_surface::{parallel, triangle};
@@ -86,7 +87,7 @@ impl Frame {
         let (edges, lengths) = if length.iter().all(|length| PLAIN_LENGTHS.contains(length)) {
             (edges, length)
         } else {
-            let scale = length.into_iter().fold(0.0, larger).recip();
+            let scale = scale(length.into_iter().fold(0.0, larger));
             (edges.map(|edge| edge * scale), length.map(|length| length * scale))
         };
         // Across the longest edge lies the angle whose edges give the area of a thin triangle to full precision.

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use crate::extremum::larger;
 use crate::heat::exact_region::{ExactRegion, Touched};
-use crate::heat::scale::scale;
 use crate::operator::elements::{BLOCK, Element, Elements};
+use heatwalk_surface::scale::scale;
 
 /// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
 /// triangles whose three corners are in the exact region, elsewhere the unit field of `heat`. Signed so that `L φ` equals it for

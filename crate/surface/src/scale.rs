@@ -1,4 +1,5 @@
-//! Heat falls by hundreds of orders of magnitude over a mesh, and only its ratios within an element matter.
+//! Numbers of any size are brought near 1 by powers of two, which round nothing: of what is scaled so, answers are the same at any size,
+//! bit by bit.
 
 /// Stored bits of a float's mantissa, below those of its exponent.
 const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
