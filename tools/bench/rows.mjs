@@ -94,7 +94,7 @@ async function drag(page, preset) {
 function picking({ tree }) {
   const manifest = ['--manifest-path', join(tree, 'Cargo.toml')];
   const env = { ...process.env, CARGO_TARGET_DIR: join(tree, 'target') };
-  const args = ['bench', ...manifest, '-p', 'heatwalk-viewer', '--bench', 'picking', ...PICKING];
+  const args = ['bench', ...manifest, '--bench', 'picking', ...PICKING];
   const { status, stdout, stderr } = spawnSync('cargo', args, { env, encoding: 'utf8' });
   if (status !== 0) fail(`Picking could not be measured: ${stderr}`);
   const units = { ns: 1e-6, µs: 1e-3, ms: 1, s: 1e3 };

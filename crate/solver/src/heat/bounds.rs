@@ -35,7 +35,7 @@ struct Edge {
 const MOST_SWEEPS: usize = 4;
 
 /// Fewer than a vertex in so many are quicker searched from.
-const FEW: usize = 32;
+const FEW: usize = 16;
 
 impl Bounds {
     /// On a surface whose faces have costs, or not.

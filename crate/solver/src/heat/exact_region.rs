@@ -17,7 +17,7 @@ const RADIUS_STEP: f64 = 1.189_207_115_002_721; // the fourth root of 2
 
 /// Windows that the exact region may propagate, times the fourth root of the number of vertices: beyond some rings it
 /// gains little, and the finer the mesh, the less it may take of a solve.
-const WINDOWS: f64 = 600.0;
+const WINDOWS: f64 = 540.0;
 
 /// Vertices below which that falls with their number, so that on small meshes, too, it takes at most about twice the time
 /// of the rest of a solve.

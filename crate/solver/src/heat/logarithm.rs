@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use crate::extremum::{larger, smaller};
 use crate::heat::bounds::Bounds;
-use crate::heat::upwind::{EdgeField, Upwind};
+use crate::heat::upwind::{EdgeField, Length, Upwind, WHOLE};
 use crate::operator::elements::{BLOCK, Element, Elements};
 use crate::operator::{Laplacian, Operators};
 
@@ -44,11 +44,11 @@ pub(super) struct Logarithm {
     sides: Vec<[Side; 3]>,
     /// The unit of lengths.
     unit: f64,
-    /// Length of the field.
-    length: f64,
     /// `#V`, what heat is to be computed with: plane waves are nearly solutions then on uneven meshes, too.
     mass: Arc<[f64]>,
     least_time_factor: f64,
+    /// `#E`, in the unit of lengths, no more than they are.
+    lengths: Vec<Length>,
     bounds: Bounds,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct Logarithm {
 struct Side {
     /// Which of the [edges](Laplacian::edges) it is.
     edge: u32,
-    /// What the triangle counts for there; those of all triangles at an edge sum to 1.
+    /// What the triangle counts for there, over the length of the edge, to a scale: see [`sides`].
     share: f32,
 }
 
@@ -66,11 +66,13 @@ impl Logarithm {
     pub(super) fn new(operators: &Operators, bumpiness: f64, bounds: Bounds) -> Self {
         let (elements, laplacian) = (&operators.elements, operators.laplacian());
         let unit = operators.mean_edge();
+        let length = 1.0 - LOSS * bumpiness * bumpiness;
+        let lengths = lengths(elements, laplacian, unit);
         Self {
             upwind: Upwind::new(laplacian, unit),
-            sides: sides(elements, laplacian),
+            sides: sides(elements, laplacian, &lengths, f64::from(WHOLE) * length),
             unit,
-            length: 1.0 - LOSS * bumpiness * bumpiness,
+            lengths,
             mass: operators.circumcentric_mass().into(),
             least_time_factor: least_time_factor(operators),
             bounds,
@@ -102,18 +104,18 @@ impl Logarithm {
         for (low, &own) in logarithms.iter().enumerate() {
             let (first, entries) = laplacian.edges_of_column(low);
             let weights = &laplacian.stiffness.values()[entries.clone()];
-            let edges = laplacian.rows()[entries].iter().zip(weights).zip(&rates[first..]);
-            let field = edges.map(|((&high, weight), rate)| {
+            let edges = laplacian.rows()[entries].iter().zip(weights).zip(&rates[first..]).zip(&self.lengths[first..]);
+            let field = edges.map(|(((&high, weight), rate), &length)| {
                 let fall = own - logarithms[high as usize];
-                (high, EdgeField { flow: (-weight * fall) as f32, rise: (self.length * fall) as f32 * rate })
+                (high, EdgeField { flow: (-weight * fall) as f32, rise: fall as f32 * rate, length })
             });
             inflows.add(low as u32, field);
         }
         self.upwind.distances(&inflows, &logarithms, known)
     }
 
-    /// `#E`, what a unit of the logarithm is in distance along each edge, in the unit of lengths: the mean of one over the length of
-    /// the gradient in the triangles beside it.
+    /// `#E`, what a unit of the logarithm is in distance along each edge, [`WHOLE`] for the length: the mean of one over the length of
+    /// the gradient in the triangles beside it, times that of the field.
     fn rates(&self, operators: &Operators, logarithms: &[f64], most: f64) -> Vec<f32> {
         let elements = &operators.elements;
         let mut rates = vec![0.0; edge_count(operators.laplacian())];
@@ -150,15 +152,34 @@ fn least_time_factor(operators: &Operators) -> f64 {
     smaller((LONG_SIDE_SHARE * long / operators.mean_edge()).powi(2), MOST_FOR_LONG_SIDES)
 }
 
-/// The sides of all triangles.
-fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
+/// The edges of the sides opposite the corners of a triangle.
+fn edges_of([a, b, c]: [u32; 3], laplacian: &Laplacian) -> [Option<usize>; 3] {
+    // A side from a vertex to itself is no edge, and counts for nothing.
+    [[b, c], [c, a], [a, b]].map(|ends| laplacian.edge(ends))
+}
+
+/// `#E`, the lengths of the edges, rounded down; the least where triangles differ.
+fn lengths(elements: &Elements, laplacian: &Laplacian, unit: f64) -> Vec<Length> {
+    let mut lengths = vec![f64::INFINITY; edge_count(laplacian)];
+    for (&face, shape) in elements.faces.iter().zip(&elements.shapes) {
+        let [of_c, of_a, of_b] = shape.sides();
+        for (edge, length) in edges_of(face, laplacian).into_iter().zip([of_a, of_b, of_c]) {
+            if let Some(edge) = edge {
+                lengths[edge] = smaller(lengths[edge], length);
+            }
+        }
+    }
+    lengths.into_iter().map(|length| Length::at_most(length / unit)).collect()
+}
+
+/// The sides of all triangles. What those at an edge count for sums to `scale` over its length.
+fn sides(elements: &Elements, laplacian: &Laplacian, lengths: &[Length], scale: f64) -> Vec<[Side; 3]> {
     let mut shares = vec![0.0_f32; edge_count(laplacian)];
     let mut sides = Vec::with_capacity(elements.faces.len());
-    for (index, (&[a, b, c], shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
+    for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
         let mut own = [Side::default(); 3];
-        for ((side, ends), cotan) in own.iter_mut().zip([[b, c], [c, a], [a, b]]).zip(shape.cotans()) {
-            // A side from a vertex to itself is no edge, and counts for nothing.
-            if let Some(edge) = laplacian.edge(ends) {
+        for ((side, edge), cotan) in own.iter_mut().zip(edges_of(face, laplacian)).zip(shape.cotans()) {
+            if let Some(edge) = edge {
                 let share = (elements.share(index) * larger(cotan, LEAST_COTAN)) as f32;
                 shares[edge] += share;
                 *side = Side { edge: edge as u32, share };
@@ -167,7 +188,10 @@ fn sides(elements: &Elements, laplacian: &Laplacian) -> Vec<[Side; 3]> {
         sides.push(own);
     }
     for side in sides.as_flattened_mut() {
-        side.share /= shares[side.edge as usize];
+        let edge = side.edge as usize;
+        // An edge that is too short to have a length is crossed for nothing.
+        let length = larger(f64::from(lengths[edge].get()), f64::MIN_POSITIVE);
+        side.share = (scale * f64::from(side.share) / f64::from(shares[edge]) / length) as f32;
     }
     sides
 }

@@ -11,7 +11,7 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 use bytemuck::allocation::zeroed_vec;
 
-use crate::extremum::smaller;
+use crate::extremum::{larger, smaller};
 use crate::operator::Laplacian;
 
 /// How many edges of a mesh end at each vertex.
@@ -41,13 +41,42 @@ pub(super) struct Inflows {
     inflows: Vec<Inflow>,
 }
 
-/// What comes to a vertex along an edge.
+/// What comes to a vertex along an edge, in as few bytes as may be: the pass waits for them.
 #[derive(Clone, Copy, Zeroable)]
 struct Inflow {
     /// The warmer end.
     from: u32,
     flow: f32,
-    rise: f32,
+    /// Its bits turned over: where all are 0, it is far.
+    length: u16,
+    /// What distance grows by, [`WHOLE`] for the length.
+    rise: u16,
+}
+
+/// The most that distance may grow by along an edge: its length.
+pub(super) const WHOLE: f32 = u16::MAX as f32;
+const WHOLE_INVERSE: f64 = 1.0 / WHOLE as f64;
+
+/// The length of an edge in half precision, rounded down by a thousandth at most: from 1/64 of the unit, below which it is as
+/// precise as there, to sixteen million units.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Length(u16);
+
+impl Length {
+    /// How many bits of a number in single precision it has not.
+    const BITS_LESS: u32 = 13;
+    /// Takes the range of its exponents to the least of single precision.
+    const SHIFT: f32 = f32::from_bits((127 - 120) << 23);
+
+    pub(super) fn at_most(length: f64) -> Self {
+        let bits = (length as f32).next_down().clamp(0.0, 1e7) * Self::SHIFT;
+        Self((bits.to_bits() >> Self::BITS_LESS) as u16)
+    }
+
+    #[inline]
+    pub(super) fn get(self) -> f32 {
+        f32::from_bits(u32::from(self.0) << Self::BITS_LESS) * Self::SHIFT.recip()
+    }
 }
 
 /// What goes on along an edge, from its lower vertex to its higher one.
@@ -55,24 +84,30 @@ struct Inflow {
 pub(super) struct EdgeField {
     /// Heat that flows: its stiffness times the fall of the logarithm of heat, to any scale. It counts for so much.
     pub(super) flow: f32,
-    /// What distance grows by, in the unit of lengths.
+    /// What distance grows by, [`WHOLE`] for the length; of the sign of the flow.
     pub(super) rise: f32,
+    /// In the unit of lengths. Distance grows by no more.
+    pub(super) length: Length,
 }
 
 impl Inflows {
     /// Adds the field of the edges from a vertex to higher ones, which are given with it.
     #[inline]
     pub(super) fn add(&mut self, low: u32, edges: impl Iterator<Item = (u32, EdgeField)>) {
-        for (high, EdgeField { flow, rise }) in edges {
+        for (high, EdgeField { flow, rise, length }) in edges {
             // Which end is warmer is as good as random, so that nothing branches on it: a wrong guess of the processor would cost more.
             let is_low_cooler = flow < 0.0;
             let cooler = select_unpredictable(is_low_cooler, low, high);
             let end = &mut self.ends[cooler as usize];
-            let turned = f32::from_bits(rise.to_bits() ^ u32::from(is_low_cooler) << 31);
-            let inflow = Inflow { from: low ^ high ^ cooler, flow: flow.abs(), rise: turned };
             // What has no flow is overwritten by the next.
-            self.inflows[*end as usize] = inflow;
-            *end += u32::from(flow != 0.0);
+            let flows = u16::from(flow != 0.0);
+            self.inflows[*end as usize] = Inflow {
+                from: low ^ high ^ cooler,
+                flow: flow.abs(),
+                length: flows * !length.0,
+                rise: (rise.abs() + 0.5) as u16,
+            };
+            *end += u32::from(flows);
         }
     }
 
@@ -110,16 +145,17 @@ impl Upwind {
         distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
         let unknown = (0..).zip(&distances).filter(|&(_, &distance)| distance == UNKNOWN);
         let mut order: Vec<u64> = Vec::with_capacity(distances.len());
-        order.extend(unknown.map(|(vertex, _)| warmest_first(heat[vertex as usize], vertex)));
+        let key = warmest_first(heat);
+        order.extend(unknown.map(|(vertex, _)| key(vertex)));
         sort_by_upper_half(&mut order);
         for vertex in order.into_iter().map(|key| key as u32) {
             let own = inflows.of(vertex, self.edges_of(vertex));
-            let [mut flow, mut sum] = total(own, &distances, |_| true);
+            let [mut flow, mut sum, mut most] = total(own, &distances, |_| true);
             if sum > LEAST_UNKNOWN_SUM {
-                [flow, sum] = total(own, &distances, |distance| distance < UNKNOWN);
+                [flow, sum, most] = total(own, &distances, |distance| distance < UNKNOWN);
             }
             if flow > 0.0 {
-                distances[vertex as usize] = smaller(sum / flow, UNKNOWN);
+                distances[vertex as usize] = smaller(sum / flow, most);
             }
         }
         distances
@@ -134,13 +170,16 @@ impl Upwind {
     }
 }
 
-/// The sum of flows from vertices whose distances count, and that of what distance is by each of them, times its flow.
+/// The sum of flows from vertices whose distances count, that of what distance is by each of them, times its flow, and the least that it
+/// is by any of them and the length of the edge.
 #[inline]
-fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 2] {
-    let counted = inflows.iter().map(|&Inflow { from, flow, rise }| (distances[from as usize], flow, rise));
-    counted.filter(|&(distance, ..)| counts(distance)).fold([0.0; 2], |[whole, sum], (distance, flow, rise)| {
-        let flow = f64::from(flow);
-        [whole + flow, sum + flow * (distance + f64::from(rise))]
+fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) -> [f64; 3] {
+    let counted = inflows.iter().map(|inflow| (distances[inflow.from as usize], inflow));
+    let none = [0.0, 0.0, UNKNOWN];
+    counted.filter(|&(distance, _)| counts(distance)).fold(none, |[whole, sum, most], (distance, inflow)| {
+        let (flow, length) = (f64::from(inflow.flow), f64::from(Length(!inflow.length).get()));
+        let rise = length * (f64::from(inflow.rise) * WHOLE_INVERSE);
+        [whole + flow, sum + flow * (distance + rise), smaller(most, distance + length)]
     })
 }
 
@@ -166,12 +205,15 @@ fn sort_by_upper_half(keys: &mut Vec<u64>) {
     }
 }
 
-/// Orders vertices by falling heat, to 24 bits, and in its lower half is the vertex.
-fn warmest_first(heat: f64, vertex: u32) -> u64 {
-    let bits = (heat as f32).to_bits();
-    // As integers, the bits of negative numbers order the other way round.
-    let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
-    u64::from(falling) << 32 | u64::from(vertex)
+/// What orders vertices by falling heat (`#V`), to so many levels as 32 bits tell, and has the vertex in its lower half.
+fn warmest_first(heat: &[f64]) -> impl Fn(u32) -> u64 {
+    let warmest = heat.iter().copied().fold(f64::NEG_INFINITY, larger);
+    let coldest = heat.iter().copied().fold(f64::INFINITY, smaller);
+    let levels = f64::from(u32::MAX) / larger(warmest - coldest, f64::MIN_POSITIVE);
+    move |vertex| {
+        let level = (levels * (warmest - heat[vertex as usize])) as u32;
+        u64::from(level) << 32 | u64::from(vertex)
+    }
 }
 
 #[cfg(test)]
@@ -193,26 +235,53 @@ mod tests {
         path.distances(&inflows, &heat, known)
     }
 
+    /// Of what edges of a length of 15 are rounded to.
+    const ROUNDING: f64 = 1e-3;
+
+    /// Of an edge of a length of 15.
+    fn field(flow: f32, rise: f32) -> EdgeField {
+        EdgeField { flow, rise: WHOLE / Length::at_most(15.0).get() * rise, length: Length::at_most(15.0) }
+    }
+
+    fn check(distances: &[f64], expected: [f64; 4]) {
+        let is_near = |(a, b): (&f64, f64)| (a - b).abs() < ROUNDING;
+        assert!(distances.iter().zip(expected).all(is_near), "{distances:?} for {expected:?}");
+    }
+
     fn known(first: f64) -> Vec<f64> {
         vec![first, f64::INFINITY, f64::INFINITY, f64::INFINITY]
     }
 
     #[test]
     fn distance_grows_from_the_warmest_to_the_coolest() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
-        assert_eq!(distances(field, [3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
+        check(&distances([field(1.0, 1.0); 3], [3.0, 2.0, 1.0, 0.0], known(5.0)), [5.0, 5.5, 6.0, 6.5]);
     }
 
     #[test]
     fn the_coolest_has_the_mean_of_both_sides_by_flow() {
-        let field = [
-            EdgeField { flow: 1.0, rise: 2.0 },
-            EdgeField { flow: 3.0, rise: 2.0 },
-            EdgeField { flow: -1.0, rise: -4.0 },
-        ];
+        let field = [field(1.0, 2.0), field(3.0, 2.0), field(-1.0, -4.0)];
         let known = vec![0.0, f64::INFINITY, f64::INFINITY, 0.0];
         // 1 along the first edge, then (3 · 2 + 1 · 2) / 4.
-        assert_eq!(distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
+        check(&distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, 1.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    fn distance_grows_by_no_more_than_any_of_the_edges() {
+        let length = Length::at_most(4.0);
+        let edge = |flow: f32| EdgeField { flow, rise: WHOLE * flow, length };
+        let field = [edge(1.0), edge(1.0), edge(-1.0)];
+        let length = f64::from(length.get());
+        let known = vec![0.0, f64::INFINITY, f64::INFINITY, 9.0];
+        // By the mean, half of 4 + 2 and 9 + 2.
+        check(&distances(field, [3.0, 2.0, 0.0, 1.0], known), [0.0, length / 2.0, length, 9.0]);
+    }
+
+    #[test]
+    fn lengths_are_rounded_down_by_little() {
+        for length in [1e-9, 1e-3, 0.02, 0.3, 1.0, 1.5, 40.0, 1e6] {
+            let rounded = f64::from(Length::at_most(length).get());
+            assert!(rounded < length && rounded >= length - length.max(1.0 / 64.0) / 1000.0, "{rounded} for {length}");
+        }
     }
 
     #[test]
@@ -233,7 +302,7 @@ mod tests {
 
     #[test]
     fn what_no_known_vertex_reaches_is_infinite() {
-        let field = [EdgeField { flow: 1.0, rise: 1.0 }; 3];
+        let field = [field(1.0, 1.0); 3];
         let distances = distances(field, [3.0, 2.0, 1.0, 0.0], known(f64::INFINITY));
         assert!(distances.iter().all(|distance| *distance == f64::INFINITY), "{distances:?}");
     }
