@@ -6,6 +6,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use glam::{DQuat, DVec3, EulerRot};
 
 use super::*;
+use crate::cracks::WeldRule;
+use crate::parallel;
 use crate::soup::Soup;
 
 /// A portal is within a spacing of each place that was taken, and these are half a spacing apart.
@@ -326,17 +328,18 @@ fn rims_that_face_each_other_are_a_crack_and_are_told() {
 
 /// Triangles on both sides of a slit, layer upon layer, that hang together at two vertices.
 fn layered_slit(layers: u32) -> Surface {
-    let mut shape: Shape =
-        (vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.0, 0.5, 3.0)], vec![[0, 1, 2]]);
+    let mut soup = Soup::default();
+    soup.positions = vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.0, 0.5, 3.0)];
+    soup.triangles = vec![[0, 1, 2]];
     for side in [0, 1] {
         for layer in 0..layers {
             let (x, z) = (1e-4 * (2.0 * f64::from(side) - 1.0), 1e-3 * f64::from(layer) / f64::from(layers));
-            let first = shape.0.len() as u32;
-            shape.0.extend([DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)]);
-            shape.1.push(if side == 0 { [side, first, first + 1] } else { [side, first + 1, first] });
+            let first = soup.positions.len() as u32;
+            soup.positions.extend([DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)]);
+            soup.triangles.push(if side == 0 { [side, first, first + 1] } else { [side, first + 1, first] });
         }
     }
-    assembled(&[shape])
+    Surface::build_by(&soup, WeldRule::Exact, parallel::ONE).expect("a surface")
 }
 
 #[test]
