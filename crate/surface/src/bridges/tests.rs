@@ -328,9 +328,8 @@ fn rims_that_face_each_other_are_a_crack_and_are_told() {
 
 /// Triangles on both sides of a slit, layer upon layer, that hang together at two vertices.
 fn layered_slit(layers: u32) -> Surface {
-    let mut soup = Soup::default();
-    soup.positions = vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.0, 0.5, 3.0)];
-    soup.triangles = vec![[0, 1, 2]];
+    let spines = vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.0, 0.5, 3.0)];
+    let mut soup = Soup::single("slit", spines, vec![[0, 1, 2]]);
     for side in [0, 1] {
         for layer in 0..layers {
             let (x, z) = (1e-4 * (2.0 * f64::from(side) - 1.0), 1e-3 * f64::from(layer) / f64::from(layers));
