@@ -55,7 +55,8 @@ fn warnings(bridges: &Bridges) -> Vec<String> {
     let across = format!(
         "paths cross gaps between boundaries, up to {gap} wide, at {places} places; --bridge off keeps both sides apart"
     );
-    let some = "parts meet in more places than are looked at; those that meet elsewhere alone are of different groups";
+    let some = "parts meet in more places than are looked at; those that meet elsewhere alone are of different groups, \
+                and links may be wider than the least";
     let told = [(places > 0).then_some(across), (!bridges.is_complete()).then(|| some.to_owned())];
     told.into_iter().flatten().collect()
 }

@@ -3,16 +3,19 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Steps that a search may take: so many, and so many a triangle. Thousands of boxes that are stacked face to face, of 12
-/// triangles each, take half of that, models of finer triangles a hundredth.
-const STEPS: usize = 1 << 22;
+/// Steps that a search may take: so many, and so many a triangle. Boxes that are stacked face to face by the thousand, of 12
+/// triangles each, take 2,100 a triangle, models of finer triangles 10 to 400.
+const STEPS: usize = 1 << 23;
 const STEPS_OF_TRIANGLE: usize = 2048;
 
 /// Steps that a few neighbouring triangles may take where all together are too many.
 const STEPS_OF_GROUP: usize = 512;
 
-/// A place that is kept counts as so many steps, each of which is a box that is looked into, or a pair of triangles: as long as it
-/// takes, and so few that they fit into memory.
+/// Two triangles whose nearest points are looked for count as so many steps, each of which is a box that is looked into, two
+/// triangles whose boxes are near, or a point that is tried: as long as it takes.
+pub const STEPS_OF_PAIR: usize = 8;
+
+/// A place that is kept counts as so many: as long as it takes, and so few that they fit into memory.
 pub const STEPS_OF_PLACE: usize = 16;
 
 /// What remains of the steps of a search, on any number of threads.
@@ -32,8 +35,12 @@ impl Budget {
     /// What a search through so many triangles finds, and whether it finds all: where that would be too much, it is done again
     /// with as little for each group as for any other.
     pub fn spend<T>(triangles: usize, search: impl Fn(&Self) -> (T, bool)) -> (T, bool) {
-        let (found, is_all) = search(&Self::new(triangles));
-        if is_all { (found, true) } else { (search(&Self::Each).0, false) }
+        let whole = search(&Self::new(triangles));
+        if whole.1 {
+            return whole;
+        }
+        drop(whole);
+        (search(&Self::Each).0, false)
     }
 
     /// What a group may take.

@@ -45,6 +45,9 @@ const MEETING: f64 = 1e-3;
 const PAIRS: usize = 1 << 20;
 const PAIRS_OF_EDGE: usize = 64;
 
+/// A portal that is found counts as so many pairs, so that all of them fit into memory.
+const PAIRS_OF_PORTAL: usize = 8;
+
 /// Portals along a crack are this share of the usual spacing apart, since all that crosses has to pass through one.
 const OF_SPACING: f64 = 0.5;
 
@@ -127,7 +130,9 @@ pub fn across_cracks(scene: &Scene, most: f64) -> (Across, bool) {
         // The one that comes first in the surface, so that the order of the search makes no difference.
         let [first, second] = if first.halfedge < second.halfedge { [first, second] } else { [second, first] };
         let components = [first.component; 2];
+        let before = found.len();
         portals_between(scene, [first, second], most, &mut |portal| found.push((components, first.halfedge, portal)));
+        found.len() - before
     });
     found.sort_by_key(|&(components, halfedge, _)| (components, halfedge));
     // Both edges at a vertex tell of it.
@@ -151,7 +156,12 @@ fn number(place: Place) -> (u8, u32) {
 }
 
 /// Shows each edge with those beside it that are no longer, as far as it reaches. Returns whether these were all, or too many.
-fn for_pairs<'a>(rims: &[&'a Rim], reach: impl Fn(&Rim) -> f64, found: &mut impl FnMut(&'a Rim, &'a Rim)) -> bool {
+/// `found`: how many portals it makes.
+fn for_pairs<'a>(
+    rims: &[&'a Rim],
+    reach: impl Fn(&Rim) -> f64,
+    found: &mut impl FnMut(&'a Rim, &'a Rim) -> usize,
+) -> bool {
     let inner = rims.len().div_ceil(LEAF) - 1;
     let mut boxes = vec![Bounds::EMPTY; inner];
     boxes.extend(rims.chunks(LEAF).map(|leaf| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends))));
@@ -180,7 +190,7 @@ fn for_pairs<'a>(rims: &[&'a Rim], reach: impl Fn(&Rim) -> f64, found: &mut impl
             for &other in &rims[first..rims.len().min(first + LEAF)] {
                 let is_no_longer = (other.length, other.halfedge) < (rim.length, rim.halfedge);
                 if is_no_longer && other.component == rim.component {
-                    found(rim, other);
+                    left = left.saturating_sub(PAIRS_OF_PORTAL * found(rim, other));
                 }
             }
         }

@@ -137,9 +137,9 @@ pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal
         }
     }
     order.sort_unstable();
-    let candidates: Vec<Candidate> = order.into_iter().map(|key| found[key as u32 as usize]).collect();
-    let contacts = candidates.chunk_by(|a, b| a.components == b.components);
-    contacts.map(|own| (own[0].components, portals(scene, own))).collect()
+    let contacts = order.chunk_by(|a, b| a >> 96 == b >> 96);
+    let own = |keys: &[u128]| keys.iter().map(|&key| &found[key as u32 as usize]).collect::<Vec<_>>();
+    contacts.map(own).map(|own| (own[0].components, portals(scene, &own))).collect()
 }
 
 /// How far apart sets of components may be, given as shares of the diagonals of the smaller one and of the scene.

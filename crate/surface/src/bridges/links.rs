@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 
 use super::bounds::Bounds;
+use super::budget::{Budget, STEPS_OF_PAIR};
 use super::find::{OF_SCENE, contacts};
 use super::hierarchy::{Below, Hierarchy, Item};
 use super::scene::Scene;
@@ -32,6 +33,8 @@ pub struct Link {
     pub components: [u32; 2],
     /// Least distance of the groups in space, in the file's unit.
     pub gap: f64,
+    /// Whether all was looked at that may be nearer, or else too much is near for any link to be known for the narrowest.
+    pub is_complete: bool,
     /// The portals, by pairs of components of the two groups.
     pub(super) contacts: Vec<([u32; 2], Vec<Portal>)>,
 }
@@ -44,6 +47,9 @@ impl Bridges {
     /// set of groups leads to the group that is nearest to that set. A link crosses only where its groups are nearest to each
     /// other: over its gap, and where they are farther apart by no more than 0.1 % of the diagonal of the surface's bounding box.
     ///
+    /// Where that takes too long, since triangles of the groups are near each other by the thousand, gaps may be wider than the
+    /// least ([`Link::is_complete`]): time and memory are in proportion to the faces.
+    ///
     /// `surface`: the one that the bridges are of.
     #[must_use]
     pub fn links(&self, surface: &Surface) -> Vec<Link> {
@@ -53,7 +59,8 @@ impl Bridges {
         let mut scene = Scene::new(surface, parallel::ONE);
         scene.least_spacing = SLACK;
         let hierarchy = Hierarchy::new(&scene);
-        let mut places = spanning_tree(&hierarchy, &self.groups);
+        let tree = |budget: &Budget| spanning_tree(&hierarchy, &self.groups, budget);
+        let (mut places, mut is_complete) = Budget::spend(surface.face_count(), tree);
         if places.is_empty() {
             return Vec::new();
         }
@@ -63,13 +70,6 @@ impl Bridges {
         };
         let pairs = places.iter().map(|place| pair(place.components));
         let number: HashMap<[u32; 2], usize> = pairs.zip(0..).collect();
-        let link = |place: &Candidate| Link {
-            components: place.components,
-            gap: scene.in_file_unit(place.gap),
-            contacts: Vec::new(),
-        };
-        let mut links: Vec<Link> = places.iter().map(link).collect();
-
         let slack = SLACK + scene.rounding;
         let mut near =
             Tolerance { set: self.groups.clone(), reach: vec![0.0; self.group_count()], pairs: HashMap::new() };
@@ -81,7 +81,16 @@ impl Bridges {
             }
         }
         // The search looks for the nearest places no further than they matter; the tree knows them.
-        places.extend(search(&scene, &hierarchy, &near).0);
+        let (around, are_all) = search(&scene, &hierarchy, &near);
+        is_complete &= are_all;
+        let link = |place: &Candidate| Link {
+            components: place.components,
+            gap: scene.in_file_unit(place.gap),
+            is_complete,
+            contacts: Vec::new(),
+        };
+        let mut links: Vec<Link> = places.iter().map(link).collect();
+        places.extend(around);
         for contact in contacts(&scene, &places) {
             links[number[&pair(contact.0)]].contacts.push(contact);
         }
@@ -96,18 +105,22 @@ impl Bridges {
         let portals = |first: u32, count: u32| self.portals[first as usize..][..count as usize].to_vec();
         let own = self.contacts.iter().map(|contact| (contact.components, portals(contact.first, contact.count)));
         let contacts = own.chain(links.iter().flat_map(|link| link.contacts.iter().cloned())).collect();
-        Self { is_complete: self.is_complete, ..Self::new(surface, contacts) }
+        let is_complete = self.is_complete && links.iter().all(|link| link.is_complete);
+        Self { is_complete, ..Self::new(surface, contacts) }
     }
 }
 
-/// Between which places groups are joined to one with the least gaps, the narrowest first.
-fn spanning_tree(hierarchy: &Hierarchy, group_of_component: &[u32]) -> Vec<Candidate> {
+/// Between which places groups are joined to one with the least gaps, the narrowest first; and whether these are the least.
+fn spanning_tree(hierarchy: &Hierarchy, group_of_component: &[u32], budget: &Budget) -> (Vec<Candidate>, bool) {
     let sets = UnionFind::new(group_of_component.len());
     let mut tree: Vec<Candidate> = Vec::new();
+    let mut are_least = true;
     loop {
         let set: Vec<u32> = group_of_component.iter().map(|&group| sets.least(group)).collect();
         let before = tree.len();
-        for place in nearest_places(hierarchy, &set).into_iter().flatten() {
+        let (nearest, are_nearest) = nearest_places(hierarchy, &set, budget);
+        are_least &= are_nearest;
+        for place in nearest.into_iter().flatten() {
             let [a, b] = place.components.map(|component| group_of_component[component as usize]);
             if sets.least(a) != sets.least(b) {
                 sets.join(a, b);
@@ -116,21 +129,28 @@ fn spanning_tree(hierarchy: &Hierarchy, group_of_component: &[u32]) -> Vec<Candi
         }
         if tree.len() == before {
             tree.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.components.cmp(&b.components)));
-            return tree;
+            return (tree, are_least);
         }
     }
 }
 
-/// By number of a set: where it is nearest to any other. `set`: `#components`, that of each.
-fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> {
+/// By number of a set: where it is nearest to any other; and whether the budget was enough to know. Each set has a place even
+/// where it was not: what is nearest by boxes is looked at first. `set`: `#components`, that of each.
+fn nearest_places(hierarchy: &Hierarchy, set: &[u32], budget: &Budget) -> (Vec<Option<Candidate>>, bool) {
     let mut nearest: Vec<Option<Candidate>> = vec![None; set.len()];
     let set_of_node = hierarchy.common(|component| set[component as usize]);
-    let mut waiting = Vec::new();
+    let (mut waiting, mut are_nearest) = (Vec::new(), true);
     for group in hierarchy.groups() {
         let own = set[group[0].component as usize];
         let around = group.iter().map(|item| item.bounds).fold(Bounds::EMPTY, Bounds::around);
         waiting.push((0, 0.0));
+        let (most, mut steps) = (budget.of_group(), 0);
         while let Some((node, squared)) = waiting.pop() {
+            steps += 1;
+            if steps > most {
+                waiting.clear();
+                continue;
+            }
             let least = nearest[own as usize].map_or(f64::INFINITY, |place| place.gap);
             if squared >= least * least || set_of_node[node] == Some(own) {
                 continue;
@@ -143,7 +163,12 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
                             continue;
                         }
                         let least = nearest[own as usize].map_or(f64::INFINITY, |place| place.gap);
-                        let Some(place) = nearer(item, other, least) else { continue };
+                        let squared = item.bounds.squared_distance(other.bounds);
+                        if squared >= least * least {
+                            continue;
+                        }
+                        steps += STEPS_OF_PAIR;
+                        let Some(place) = nearer(item, other, squared, least) else { continue };
                         for set in [own, of_other] {
                             let known = &mut nearest[set as usize];
                             if known.is_none_or(|known| place.gap < known.gap) {
@@ -160,16 +185,14 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32]) -> Vec<Option<Candidate>> 
                 }
             }
         }
+        are_nearest &= budget.take(steps);
     }
-    nearest
+    (nearest, are_nearest)
 }
 
-/// Where two triangles are nearest to each other, if that is nearer than `least`.
-fn nearer(item: &Item, other: &Item, least: f64) -> Option<Candidate> {
-    let squared = item.bounds.squared_distance(other.bounds);
-    if squared >= least * least {
-        return None;
-    }
+/// Where two triangles are nearest to each other, if that is nearer than `least`. `squared`: square of the distance
+/// of their boxes.
+fn nearer(item: &Item, other: &Item, squared: f64, least: f64) -> Option<Candidate> {
     let pair = [item.corners, other.corners];
     triangles::separation([&item.corners, &other.corners], [item.normal, other.normal], least)?;
     if squared == 0.0

@@ -45,10 +45,10 @@ impl Spot {
 }
 
 /// The portals of one contact. The candidates come in order of their gaps.
-pub fn portals(scene: &Scene, candidates: &[Candidate]) -> Vec<Portal> {
+pub fn portals(scene: &Scene, candidates: &[&Candidate]) -> Vec<Portal> {
     let spots: Vec<Spot> = candidates.iter().map(|candidate| Spot::new(scene, candidate)).collect();
     let spacing = scene.spacing(candidates[0].components);
-    thinned(&spots, spacing).into_iter().map(|index| portal(scene, &candidates[index])).collect()
+    thinned(&spots, spacing).into_iter().map(|index| portal(scene, candidates[index])).collect()
 }
 
 /// A portal at a candidate.

@@ -7,7 +7,7 @@
 //! Of the triangles that share a corner or a side, the largest one alone tells of it. What meets another of them meets that one,
 //! too, and it is small only where they all are.
 
-use super::budget::{Budget, STEPS_OF_PLACE};
+use super::budget::{Budget, STEPS_OF_PAIR, STEPS_OF_PLACE};
 use super::cells::{cell_of, list_of};
 use super::hierarchy::{Hierarchy, Item, LEAF};
 use super::scene::{Scene, cuts};
@@ -74,10 +74,9 @@ fn search_within(
 ) -> (Vec<Candidate>, bool) {
     // Parts are dealt out in turn: where components meet, there is more to do.
     let busy = parallel::ranges(scene.surface.face_count(), scene.threads).len();
-    let blocks = if busy > 1 { BLOCKS_OF_PART } else { usize::MAX };
     let sets = hierarchy.common(|component| tolerance.set[component as usize]);
     let dealt = parallel::map(0..busy, |first| {
-        let parts = hierarchy.parts(blocks).skip(first).step_by(busy);
+        let parts = hierarchy.parts(BLOCKS_OF_PART).skip(first).step_by(busy);
         let mut search = Search::new(scene, tolerance, matches!(budget, Budget::Each));
         let mut are_all = true;
         let found = parts.map(|blocks| {
@@ -87,9 +86,14 @@ fn search_within(
         (found.collect::<Vec<_>>(), are_all)
     });
     let are_all = dealt.iter().all(|&(_, are_all)| are_all);
+    // What is done again is not put together.
+    if !are_all && matches!(budget, Budget::Whole(_)) {
+        return (Vec::new(), false);
+    }
     let dealt = dealt.into_iter().map(|(parts, _)| parts);
     let mut dealt: Vec<_> = dealt.map(Vec::into_iter).collect();
-    let mut found = Vec::new();
+    let count = dealt.iter().flat_map(|parts| parts.as_slice()).map(Vec::len).sum();
+    let mut found = Vec::with_capacity(count);
     // The first thread has as many parts as any.
     for _ in 0..dealt[0].len() {
         dealt.iter_mut().for_each(|parts| found.extend(parts.next().into_iter().flatten()));
@@ -194,10 +198,12 @@ impl Visitor for Search<'_> {
         let item = &group[own];
         if let Some(bound) = self.bound_of(group, own, other.component)
             && squared <= bound * bound
-            && let Some(separation) =
-                triangles::separation([&item.corners, &other.corners], [item.normal, other.normal], bound)
         {
-            self.look(group, own, other, bound, separation);
+            self.steps += 1;
+            let separation = triangles::separation([&item.corners, &other.corners], [item.normal, other.normal], bound);
+            if let Some(separation) = separation {
+                self.look(group, own, other, bound, separation);
+            }
         }
     }
 }
@@ -205,7 +211,7 @@ impl Visitor for Search<'_> {
 impl<'a> Search<'a> {
     /// Looks at a triangle of a group and a larger one, whose places must be so near to be of use.
     fn look(&mut self, group: &[Item], own: usize, other: &Item, bound: f64, separation: Separation) {
-        self.steps += 1;
+        self.steps += STEPS_OF_PAIR;
         let items = [&group[own], other];
         let pair = [items[0].corners, items[1].corners];
         let normals = [items[0].normal, items[1].normal];
@@ -243,7 +249,8 @@ impl<'a> Search<'a> {
                     let cell = Cell { place, component: other.component, sides };
                     self.keep(cell, Candidate::new(items, weights, distance));
                 };
-                triangles::spread(&pair, features, bound, spacing / DENSITY, &mut take);
+                let tried = triangles::spread(&pair, features, bound, spacing / DENSITY, &mut take);
+                self.steps += tried;
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;

@@ -6,6 +6,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use glam::{DQuat, DVec3, EulerRot};
 
 use super::*;
+use crate::cracks::WeldRule;
+use crate::parallel;
 use crate::soup::Soup;
 
 /// A portal is within a spacing of each place that was taken, and these are half a spacing apart.
@@ -322,6 +324,29 @@ fn rims_that_face_each_other_are_a_crack_and_are_told() {
     assert!(bridges.across_cracks().count() >= 21 && (bridges.crack_width() - gap).abs() < 1e-6, "{bridges:?}");
     assert!(bridges.is_complete());
     assert_eq!(Bridges::find(&surface, BridgeRule::Off).crack_width(), 0.0);
+}
+
+/// Triangles on both sides of a slit, layer upon layer, that hang together at two vertices.
+fn layered_slit(layers: u32) -> Surface {
+    let spines = vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.0, 0.5, 3.0)];
+    let mut soup = Soup::single("slit", spines, vec![[0, 1, 2]]);
+    for side in [0, 1] {
+        for layer in 0..layers {
+            let (x, z) = (1e-4 * (2.0 * f64::from(side) - 1.0), 1e-3 * f64::from(layer) / f64::from(layers));
+            let first = soup.positions.len() as u32;
+            soup.positions.extend([DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)]);
+            soup.triangles.push(if side == 0 { [side, first, first + 1] } else { [side, first + 1, first] });
+        }
+    }
+    Surface::build_by(&soup, WeldRule::Exact, parallel::ONE).expect("a surface")
+}
+
+#[test]
+fn of_rims_that_all_face_each_other_so_many_portals_are_kept_as_fit_into_memory() {
+    let [few, many] = [4, 100].map(|layers| Bridges::find(&layered_slit(layers), BridgeRule::Automatic));
+    assert!(few.is_complete() && few.portals().len() > 100, "{}", few.portals().len());
+    // A pair of sides has some hundred.
+    assert!(!many.is_complete() && many.portals().len() < 200_000, "{}", many.portals().len());
 }
 
 /// So many triangles through the middle of a ball, each of which pierces nearly all others.

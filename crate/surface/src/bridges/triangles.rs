@@ -379,14 +379,16 @@ pub fn between([start, end]: &[Weights; 2], share: f64) -> Weights {
 }
 
 /// Points spread over the places where two triangles, the smaller first, are no farther apart than a tolerance: corners and
-/// crossings of sides, points at the spacing on sides where a surface ends or bends, and points inside.
+/// crossings of sides, points at the spacing on sides where a surface ends or bends, and points inside. Returns how many points on
+/// sides and inside were tried.
 pub fn spread(
     triangles: &[Triangle; 2],
     features: [Features; 2],
     tolerance: f64,
     spacing: f64,
     found: &mut impl FnMut(Pair),
-) {
+) -> usize {
+    let mut tried = 0;
     for_corners(triangles, features.map(|own| own.corners), tolerance, &mut |pair| {
         found(pair);
         tolerance
@@ -403,6 +405,7 @@ pub fn spread(
         let near = Bounds::of_points(*other).grown(tolerance);
         let normal = area_vector(*other);
         let mut take_own = |own: [f64; 3]| {
+            tried += 1;
             let place = point(triangle, own);
             if near.holds(place) {
                 let others = nearest_on_triangle(place, other, normal);
@@ -434,4 +437,5 @@ pub fn spread(
             }
         }
     }
+    tried
 }

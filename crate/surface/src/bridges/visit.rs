@@ -78,13 +78,21 @@ pub fn visit<'a>(
             near_part.extend(near.iter().filter_map(|&node| query.may_hold(node)));
             // What is nearest is looked at first, so last in.
             near_part.sort_unstable_by(|a, b| b.apart.total_cmp(&a.apart));
+            // Those that are passed over take their time, too.
+            are_all &= budget.take(near.len());
             for group in part.chunks(LEAF) {
                 query.narrow(group);
                 query.boxes = Boxes::new(group.iter().map(|item| item.bounds));
                 let (most, before) = (budget.of_group(), visitor.steps());
                 let mut steps = 0;
                 waiting.extend(near_part.iter().filter_map(|near| query.may_hold(near.node)));
+                are_all &= budget.take(near_part.len());
                 while let Some(Near { node, squared, .. }) = waiting.pop() {
+                    steps += 1;
+                    if steps + visitor.steps() - before > most {
+                        waiting.clear();
+                        continue;
+                    }
                     let Node { component, longest, .. } = *hierarchy.node(node);
                     let bound = match component {
                         Some(component) => visitor.bound(group, component, longest),
@@ -94,10 +102,6 @@ pub fn visit<'a>(
                     match hierarchy.below(node) {
                         Below::Nodes(children) => query.near(node, children, bound, &mut waiting),
                         Below::Items(others) => meet(group, &query, node, others, bound, visitor),
-                    }
-                    steps += 1;
-                    if steps + visitor.steps() - before > most {
-                        waiting.clear();
                     }
                 }
                 are_all &= budget.take(steps + visitor.steps() - before);

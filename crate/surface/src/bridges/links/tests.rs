@@ -3,6 +3,8 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use glam::{DQuat, DVec3, EulerRot};
+
 use crate::bridges::tests::{assembled, cuboid, sphere};
 use crate::bridges::{BridgeRule, Bridges, Link, Portal};
 use crate::surface::Surface;
@@ -137,4 +139,36 @@ fn what_is_one_group_has_no_links() {
     let surface = assembled(&[cuboid([-1.0; 3], [1.0; 3]), cuboid([0.0; 3], [2.0; 3])]);
     assert_eq!(links(&surface, BridgeRule::Automatic), []);
     assert_eq!(Bridges::default().links(&surface), []);
+}
+
+/// Two squares of slivers across each other, one near above the other, at an angle to all axes: all their boxes overlap.
+fn slivers(count: u32) -> Surface {
+    let turn = DQuat::from_euler(EulerRot::XYZ, 0.3, 0.7, 1.1);
+    let square = |height: f64, quarter: f64| {
+        let turn = turn * DQuat::from_rotation_z(quarter);
+        let corner = |number: u32| {
+            let x = f64::from(number / 2) / f64::from(count) - 0.5;
+            turn * DVec3::new(x, f64::from(number % 2) - 0.5, height)
+        };
+        let strip = |column: u32| {
+            let first = 2 * column;
+            [[first, first + 2, first + 1], [first + 1, first + 2, first + 3]]
+        };
+        ((0..2 * count + 2).map(corner).collect(), (0..count).flat_map(strip).collect())
+    };
+    assembled(&[square(0.0, 0.0), square(0.01, 1.5)])
+}
+
+#[test]
+fn of_slivers_across_each_other_a_link_is_found_within_the_budget_and_that_is_told() {
+    for (count, is_complete) in [(20, true), (1000, false)] {
+        let surface = slivers(count);
+        let bridges = Bridges::find(&surface, BridgeRule::Off);
+        let links = bridges.links(&surface);
+        assert_eq!(links.len(), 1);
+        assert_eq!(links[0].is_complete, is_complete);
+        assert!((links[0].gap - 0.01).abs() < 1e-4, "{}", links[0].gap);
+        let linked = bridges.linked(&surface, &links);
+        assert_eq!((linked.group_count(), linked.is_complete()), (1, is_complete));
+    }
 }
