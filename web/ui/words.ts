@@ -128,7 +128,11 @@ function joinedSentence({ crackPortals, crackGap, contactsComplete }: Factoring)
     told.push(t`Paths cross gaps between boundaries, up to ${length(crackGap)} units wide, at ${places}.`);
   }
   if (!contactsComplete) {
-    told.push(t('Parts meet in more places than are looked at; those that meet elsewhere alone are not joined.'));
+    told.push(
+      t(
+        'Parts meet in more places than are looked at; those that meet elsewhere alone are not joined, and links may be wider than need be.',
+      ),
+    );
   }
   return told.length > 0 ? told.join(' ') : null;
 }

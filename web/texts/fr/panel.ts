@@ -109,8 +109,8 @@ export const PANEL: Texts = {
   '{0} over {1} {2} units; {3}.': '{0} par-dessus {1} {2} unités ; {3}.',
   'Paths cross gaps between boundaries, up to {0} units wide, at {1}.':
     'Les chemins franchissent des écarts entre bords, larges de {0} unités au plus, à {1}.',
-  'Parts meet in more places than are looked at; those that meet elsewhere alone are not joined.':
-    'Les pièces se touchent en plus d’endroits qu’il n’en est examiné ; celles qui ne se touchent qu’ailleurs ne sont pas jointes.',
+  'Parts meet in more places than are looked at; those that meet elsewhere alone are not joined, and links may be wider than need be.':
+    'Les pièces se touchent en plus d’endroits qu’il n’en est examiné ; celles qui ne se touchent qu’ailleurs ne sont pas jointes, et des liaisons peuvent être plus larges que nécessaire.',
   place: 'endroit',
   places: 'endroits',
   'seam vertex': 'sommet de couture',

@@ -204,7 +204,7 @@ function linesOf(
   const stretch = scale / opened.drawTransform.scale;
   return tapes.flatMap((tape, index) => {
     const along = profileOf(tape, places, scale);
-    const cut = mesh && cutOf(tape, mesh, places, { stretch, scale });
+    const cut = mesh && cutOf(tape, mesh, places, stretch);
     return [
       ...(along ? [{ title: t`Distance along tape ${index + 1}`, length: t('Along the tape'), ...along }] : []),
       ...(cut ? [{ title: t`Straight cut of tape ${index + 1}`, length: t('Along the cut'), ...cut }] : []),
@@ -241,7 +241,7 @@ function cutOf(
   { tape }: MeasuredTape,
   mesh: CutSurface,
   places: Places,
-  { stretch, scale }: { stretch: number; scale: number },
+  stretch: number,
 ): Profile | null {
   const [x, points]: [number[], MeshPoint[]] = [[], []];
   let before = 0;
