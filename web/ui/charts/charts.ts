@@ -237,12 +237,7 @@ function profileOf({ legs }: MeasuredTape, places: Places, scale: number): Profi
 }
 
 /** Places over the length along straight cuts from place to place of a tape; null where they do not lead there. */
-function cutOf(
-  { tape }: MeasuredTape,
-  mesh: CutSurface,
-  places: Places,
-  stretch: number,
-): Profile | null {
+function cutOf({ tape }: MeasuredTape, mesh: CutSurface, places: Places, stretch: number): Profile | null {
   const [x, points]: [number[], MeshPoint[]] = [[], []];
   let before = 0;
   for (const [from, to] of legsOf(tape)) {
