@@ -58,7 +58,7 @@ impl<'a> PlaceDistances<'a> {
         Ok(Self { geometry, values, sources, sources_in_faces: Arc::new(in_faces) })
     }
 
-    /// The distance at a place, in the file's unit; infinite where no source reaches it.
+    /// The distance at a place, in the file's unit, times the cost where all faces have one; infinite where no source reaches it.
     ///
     /// # Errors
     /// Those of [`ToPoint::to_point`]; [`Error::OutOfMemory`].

@@ -153,7 +153,7 @@ fn least_time_factor(operators: &Operators) -> f64 {
 }
 
 /// The edges of the sides opposite the corners of a triangle.
-fn edges_of([a, b, c]: [u32; 3], laplacian: &Laplacian) -> [Option<usize>; 3] {
+fn opposite_edges([a, b, c]: [u32; 3], laplacian: &Laplacian) -> [Option<usize>; 3] {
     // A side from a vertex to itself is no edge, and counts for nothing.
     [[b, c], [c, a], [a, b]].map(|ends| laplacian.edge(ends))
 }
@@ -163,7 +163,7 @@ fn lengths(elements: &Elements, laplacian: &Laplacian, unit: f64) -> Vec<Length>
     let mut lengths = vec![f64::INFINITY; edge_count(laplacian)];
     for (&face, shape) in elements.faces.iter().zip(&elements.shapes) {
         let [of_c, of_a, of_b] = shape.sides();
-        for (edge, length) in edges_of(face, laplacian).into_iter().zip([of_a, of_b, of_c]) {
+        for (edge, length) in opposite_edges(face, laplacian).into_iter().zip([of_a, of_b, of_c]) {
             if let Some(edge) = edge {
                 lengths[edge] = smaller(lengths[edge], length);
             }
@@ -178,7 +178,7 @@ fn sides(elements: &Elements, laplacian: &Laplacian, lengths: &[Length], scale: 
     let mut sides = Vec::with_capacity(elements.faces.len());
     for (index, (&face, shape)) in elements.faces.iter().zip(&elements.shapes).enumerate() {
         let mut own = [Side::default(); 3];
-        for ((side, edge), cotan) in own.iter_mut().zip(edges_of(face, laplacian)).zip(shape.cotans()) {
+        for ((side, edge), cotan) in own.iter_mut().zip(opposite_edges(face, laplacian)).zip(shape.cotans()) {
             if let Some(edge) = edge {
                 let share = (elements.share(index) * larger(cotan, LEAST_COTAN)) as f32;
                 shares[edge] += share;

@@ -32,7 +32,6 @@ pub use constraint::Constraint;
 pub use convergence::{Convergence, Residuals};
 pub use factorization::Factorization;
 pub use flow::{Condition, HeatFlow};
-pub use heatwalk_surface::scale::scale;
 pub use pair::factor_pair;
 pub use poisson::Poisson;
 pub use query::Query;

@@ -235,8 +235,8 @@ mod tests {
         path.distances(&inflows, &heat, known)
     }
 
-    /// Of what edges of a length of 15 are rounded to.
-    const ROUNDING: f64 = 1e-3;
+    /// Each of three edges of a length of 15, in the unit of ½, is rounded to half a step at most.
+    const ROUNDING: f64 = 3.0 * 0.5 * 0.5 * 15.0 * WHOLE_INVERSE;
 
     /// Of an edge of a length of 15.
     fn field(flow: f32, rise: f32) -> EdgeField {

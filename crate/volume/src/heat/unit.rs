@@ -1,7 +1,8 @@
 //! The unit field against the gradient of heat, one vector a tetrahedron (Crane and others 2013, algorithm 1).
 
 use glam::DVec3;
-use heatwalk::heat::{Constraint, scale};
+use heatwalk::heat::Constraint;
+use heatwalk::surface::scale::scale;
 
 use crate::heat::elements::Element;
 use crate::heat::region::Region;

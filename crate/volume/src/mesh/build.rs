@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use glam::DVec3;
-use heatwalk::heat::scale;
 use heatwalk::surface::MOST_COORDINATE;
+use heatwalk::surface::scale::scale;
 use heatwalk::surface::union_find::UnionFind;
 
 use crate::error::{Error, Result};
