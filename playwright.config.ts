@@ -1,4 +1,5 @@
 import { defineConfig } from '@playwright/test';
+import { PAGE } from './tests/built';
 
 /** Another one lets two checkouts be tested side by side. */
 const PORT = Number(process.env['PORT'] ?? 4173);
@@ -22,6 +23,11 @@ const WEBGPU = [
   '--ignore-gpu-blocklist',
 ];
 
+/** What takes long by nature runs apart from all else. */
+const SLOW = /@slow/;
+const isSlow = Boolean(process.env['HEATWALK_SLOW']);
+const chosen = isSlow ? { grep: SLOW } : { grepInvert: SLOW };
+
 /** What is looked at on both backends, less the tests in it of what the page does, which is the same on either. */
 const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
 
@@ -36,8 +42,7 @@ const browser = (args: readonly string[]) => ({
 export default defineConfig({
   testDir: 'tests',
   forbidOnly: true,
-  // Pictures are drawn by the processor here: two browsers at once only slow each other down.
-  workers: 1,
+  workers: 2,
   timeout: 90_000,
   expect: { timeout: 20_000 },
   reporter: [['list']],
@@ -49,17 +54,26 @@ export default defineConfig({
     screenshot: 'only-on-failure',
     // What a service worker keeps costs time; where it is tested it is allowed.
     serviceWorkers: 'block',
+    // Nothing moves by itself but where a test is about that: pictures are drawn by the processor here, which has enough to do.
+    contextOptions: { reducedMotion: 'reduce' },
   },
   projects: [
-    { name: 'unit', testDir: 'tests/unit' },
-    { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL) },
+    { name: 'unit', testDir: 'tests/unit', ...chosen },
+    { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL), ...chosen },
     // Driven by other means than the rest.
-    { name: 'others', testDir: 'tests/others' },
-    { name: 'webgpu', testDir: 'tests/browser', testMatch: DRAWN, grepInvert: /@page/, use: browser(WEBGPU) },
+    { name: 'others', testDir: 'tests/others', ...chosen },
+    {
+      name: 'webgpu',
+      testDir: 'tests/browser',
+      testMatch: DRAWN,
+      use: browser(WEBGPU),
+      ...chosen,
+      grepInvert: isSlow ? /@page/ : [SLOW, /@page/],
+    },
   ],
   webServer: {
     // Node itself, not npx: stopping npx would leave its child on the port.
-    command: `node node_modules/vite/bin/vite.js preview --port ${PORT} --strictPort`,
+    command: `node node_modules/vite/bin/vite.js preview --outDir ${PAGE} --port ${PORT} --strictPort`,
     url: `http://localhost:${PORT}/`,
     reuseExistingServer: false,
   },

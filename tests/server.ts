@@ -3,6 +3,7 @@ import { createReadStream, existsSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
+import { PAGE } from './built';
 
 const FOLDER = '/in/a/folder/';
 const TYPES: Readonly<Record<string, string>> = {
@@ -44,7 +45,7 @@ export class Host {
       for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
       const page = pages[pathname];
       const inside = pathname.startsWith(FOLDER) ? normalize(pathname.slice(FOLDER.length) || 'index.html') : '..';
-      const file = join('dist', inside);
+      const file = join(PAGE, inside);
       if (pathname === host.breaksOff) {
         host.breaksOff = null;
         response

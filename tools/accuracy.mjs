@@ -6,7 +6,8 @@ import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { json, POTPOURRI3D, pythonWith, PYGEODESIC } from './peers.mjs';
-import { cargo, fail, prepare, root } from './steps.mjs';
+import { prepare } from './needs.mjs';
+import { cargo, fail, root } from './steps.mjs';
 
 /** The shapes of the presets that are one surface. */
 const PRESETS = [

@@ -18,7 +18,9 @@ import { methods } from './bench/methods.mjs';
 import { Peers } from './bench/peers.mjs';
 import { Programs } from './bench/programs.mjs';
 import { markdown } from './bench/report.mjs';
-import { buildModules, fail, npmProgram, prepare, root } from './steps.mjs';
+import { bundle, publishModules } from './bundle.mjs';
+import { prepare } from './needs.mjs';
+import { fail, root } from './steps.mjs';
 
 const ROUNDS = 5;
 /** On meshes where a round takes a minute. */
@@ -71,10 +73,10 @@ if (values.models) {
 }
 
 prepare();
-buildModules();
+publishModules();
 const programs = new Programs(root);
 programs.build();
-npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+bundle();
 const peers = new Peers();
 const { Page } = await import('./bench/page.mjs');
 const page = await Page.open();

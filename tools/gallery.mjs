@@ -7,7 +7,9 @@ import { chromium } from '@playwright/test';
 import { preview } from 'vite';
 import { FIGURES } from './gallery/figures.mjs';
 import { galleryText } from './gallery/text.mjs';
-import { buildModules, npmProgram, prepare, requireChromium, root } from './steps.mjs';
+import { bundle, publishModules } from './bundle.mjs';
+import { prepare, requireChromium } from './needs.mjs';
+import { root } from './steps.mjs';
 
 const WINDOW = { width: 720, height: 540 };
 const QUALITY = 0.86;
@@ -17,8 +19,8 @@ const THUMBNAILS = join(root, 'web', 'thumbnails');
 const THUMBNAIL = { width: 168, height: 126 };
 
 prepare();
-buildModules();
-npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build'], 'The message above names the cause.');
+publishModules();
+bundle();
 
 const server = await preview({ root, logLevel: 'error' });
 const browser = await chromium.launch({

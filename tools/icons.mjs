@@ -3,7 +3,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { requireChromium, root } from './steps.mjs';
+import { requireChromium } from './needs.mjs';
+import { root } from './steps.mjs';
 
 const folder = join(root, 'public');
 const drawing = readFileSync(join(folder, 'icon.svg'), 'utf8');

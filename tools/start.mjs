@@ -1,6 +1,8 @@
 // npm start: builds what has changed, serves the page and prints its address.
 
-import { buildModules, fail, prepare, root } from './steps.mjs';
+import { buildModules } from './bundle.mjs';
+import { prepare } from './needs.mjs';
+import { fail, root } from './steps.mjs';
 
 prepare();
 buildModules();

@@ -4,7 +4,8 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { POTPOURRI3D, pythonWith, PYGEODESIC } from './peers.mjs';
-import { cargo, prepare, root, run } from './steps.mjs';
+import { prepare } from './needs.mjs';
+import { cargo, root, run } from './steps.mjs';
 
 const DATA = join(root, 'crate', 'solver', 'tests', 'data');
 const MESHES = join(root, 'target', 'bench', 'test-meshes');

@@ -1,19 +1,19 @@
-// npm test: everything. Checks, the Rust tests, the solver's tests on wasm32, the page in a real Chromium, Firefox and WebKit.
+// npm test: checks, the Rust tests, those that depend on numbers on wasm32 too, the page in a real Chromium, Firefox and WebKit.
+// npm test -- WORD: the tests alone that have the word in their name.
+// npm run test:slow: what is slow by nature, on the page as it is published: a million triangles, videos in real time, every
+// preset; and its bytes.
 
+import { bundle, bundleSingle, buildModules, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
+import { lint, lintTheRest } from './checks.mjs';
+import { findFirefox, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
-import {
-  cargo,
-  findFirefox,
-  findWebKit,
-  hasSoftwareVulkan,
-  npmProgram,
-  prepare,
-  requireChromium,
-  root,
-  run,
-} from './steps.mjs';
+import { cargo, npmProgram, output, printTimes, root, run } from './steps.mjs';
 
 const named = 'The message above names the test.';
+const PLAYWRIGHT = '@playwright/test/cli.js';
+
+const isSlow = process.argv[2] === '--slow';
+const word = isSlow ? undefined : process.argv[2];
 
 prepare();
 const chromium = requireChromium();
@@ -21,13 +21,35 @@ const firefox = findFirefox();
 findWebKit();
 const readers = findReaders();
 const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
-run('Checking format, lint and types', process.execPath, [`${root}tools/check.mjs`], 'npm run check repeats it.');
 // Tests that need large meshes are ignored where the folder of these is not known.
 const all = process.env.HEATWALK_MESHES ? ['--', '--include-ignored'] : [];
-cargo('Running the Rust tests', ['test', '--workspace', ...all], named, gpu);
-cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
-run('Building the page', process.execPath, [`${root}tools/build.mjs`], 'npm run build repeats it.');
-const single = [`${root}tools/build.mjs`, '--single'];
-run('Building the page in one file', process.execPath, single, 'npm run build:single repeats it.');
-const browsers = { CHROMIUM: chromium, FIREFOX: firefox, HEATWALK_PYTHON: readers };
-npmProgram('Running the page in Chromium, Firefox and WebKit', '@playwright/test/cli.js', ['test'], named, browsers);
+const environment = { CHROMIUM: chromium, FIREFOX: firefox, HEATWALK_PYTHON: readers };
+
+if (isSlow) {
+  publishModules();
+  testPage({ HEATWALK_SLOW: '1' });
+  run('Counting the bytes to the first picture', process.execPath, [`${root}tools/size.mjs`], 'They are too many.');
+} else if (word) {
+  const only = ['test', '--workspace', '--lib', '--bins', '--tests', word, ...all];
+  cargo(`Running the Rust tests with "${word}" in their name`, only, named, gpu);
+  cargo('Running those on wasm32', ['xtask', 'test-wasm', word], named);
+  buildModules();
+  const tests = [`${root}node_modules/${PLAYWRIGHT}`, 'test', '--list', '--grep', word];
+  if (output(process.execPath, tests, environment)) testPage({}, ['--grep', word]);
+  else console.log(`\nNo test of the page has "${word}" in its name.`);
+} else {
+  lint();
+  lintTheRest();
+  cargo('Running the Rust tests', ['test', '--workspace', '--lib', '--bins', '--tests', ...all], named, gpu);
+  cargo('Running the examples of the documentation', ['test', '--workspace', '--doc'], named);
+  cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
+  testPage();
+}
+printTimes();
+
+function testPage(more = {}, chosen = []) {
+  bundle(TESTED_PAGE);
+  bundleSingle(TESTED_FILE);
+  const variables = { ...environment, ...more };
+  npmProgram('Running the page in Chromium, Firefox and WebKit', PLAYWRIGHT, ['test', ...chosen], named, variables);
+}

@@ -21,6 +21,7 @@ async function apart(heatwalk: HeatwalkPage, a: number, b: number): Promise<numb
 }
 
 test('a dropped file that moves plays, unless motion is unwelcome', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open();
   const section = page.locator('#section-animation');
   await expect(section).toBeHidden();

@@ -32,7 +32,6 @@ const OTHER = 30;
 const drawn = (heatwalk: HeatwalkPage) => heatwalk.drawing(1, true);
 
 test('two settings share a picture; the line between them moves, and is in the link', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.openFile('sheet.off', SHEET, `${SCENE}&b=dirichlet`);
   const dirichlet = await drawn(heatwalk);
   await page.locator('#section-solver > summary').click();
@@ -110,7 +109,6 @@ test('a link opens both sides', async ({ heatwalk, page }) => {
 });
 
 test('two settings inside of tetrahedra share boundary and cut', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   // Behind a wall, where distances are not straight. Seen at right angles to the cut, which covers what is compared.
   const n = 8;
   const mesh = cubesMsh(n, (i, j) => j !== 1 || i === 0 || i === n - 1);

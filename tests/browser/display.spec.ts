@@ -35,7 +35,6 @@ async function covered(heatwalk: HeatwalkPage): Promise<number[]> {
 const EAST = 225;
 
 test('an inactive part is hidden and shown again, and the link stores it', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   // From above the equator the moon hangs to the right of the earth and touches it nowhere.
   const file = obj({ earth: sphere(16), moon: sphere(16, [3, 0, 0]) });
   await heatwalk.openFile('planets.obj', file, 'p=0&s=0&w=none&refine=0&cam=0,0,8,0,0,0');
@@ -67,6 +66,7 @@ test('the error is shown once it is known', async ({ heatwalk, page }) => {
 });
 
 test('a crowd walks, and stands still while paused', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open('#v=1&m=bunny&w=none&crowd=300');
   await heatwalk.settled();
   const picture = () =>
@@ -163,10 +163,9 @@ for (const [subject, tag] of [
   ['Turntable', '@drawn'],
   ['The walk', '@page'],
 ] as const) {
-  test(`a video is saved: ${subject}`, { tag }, async ({ heatwalk, page }) => {
+  test(`a video is saved: ${subject}`, { tag: [tag, '@slow'] }, async ({ heatwalk, page }) => {
     await page.setViewportSize({ width: 760, height: 420 });
-    // The user asked for the video, so it moves all the same.
-    await page.emulateMedia({ reducedMotion: 'reduce' });
+    // Motion is unwelcome, but the user asked for the video, so it moves all the same.
     await heatwalk.open('#v=1&m=teapot');
     await heatwalk.settled();
     const still = await heatwalk.picture();
@@ -191,7 +190,7 @@ for (const [subject, tag] of [
   });
 }
 
-test('labels of tapes are in videos', { tag: '@page' }, async ({ heatwalk, page }) => {
+test('labels of tapes are in videos', { tag: ['@page', '@slow'] }, async ({ heatwalk, page }) => {
   await page.setViewportSize({ width: 760, height: 420 });
   await heatwalk.open('#m=torus&method=auto&tape=7264,2998');
   await heatwalk.settled();

@@ -15,8 +15,6 @@ test('a first visit: hints, a dropped mesh, sources, the walker, undo, a link, a
 }, info) => {
   test.slow();
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  // The walker stands at its start.
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   const look = async (step: string) => {
     await heatwalk.settled();
     const picture = await heatwalk.drawing(1, false);

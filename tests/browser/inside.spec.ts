@@ -151,7 +151,6 @@ test('what is cut away is not picked, and the cut moves by handle, keys and pane
 });
 
 test('shells, whole tetrahedra and tetrahedra apart are drawn, each another picture', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openCube(heatwalk);
   const section = page.locator('#section-inside');
   const drawn = () => heatwalk.drawing(0.3, false);
@@ -265,6 +264,7 @@ test('the faces of a file without tetrahedra are a surface', async ({ heatwalk }
 });
 
 test('a crowd walks inside, and all that is wanted comes with a link', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await openCube(heatwalk, 'method=auto&cut=none&spacing=0.2&crowd=40');
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await expect.poll(async () => (await heatwalk.scene()).crowd).toBe(40);

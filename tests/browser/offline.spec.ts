@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { PAGE } from '../built';
 import { expect, test } from '../page';
 import { Host } from '../server';
 
@@ -59,7 +60,7 @@ test('the page can be installed, and after one visit every preset opens without 
 
 /** What Chromium says that keeps a page from being installed, and what the system needs to open files with it. */
 async function expectInstallable(page: Page): Promise<void> {
-  const manifest = JSON.parse(readFileSync('dist/manifest.webmanifest', 'utf8')) as {
+  const manifest = JSON.parse(readFileSync(`${PAGE}/manifest.webmanifest`, 'utf8')) as {
     icons: { src: string; sizes: string }[];
     file_handlers: { accept: Record<string, string[]> }[];
   };

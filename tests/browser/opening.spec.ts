@@ -58,19 +58,22 @@ async function stages(page: Page): Promise<() => Promise<string[]>> {
     });
 }
 
-test('a mesh of a million triangles shows its stripes before anything is factored', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await heatwalk.open('#v=1&m=file&name=torus.ply&method=auto&refine=0&cam=0,1.2,3,0,0,0');
-  const said = await stages(page);
-  await dropTorus(page, 'torus.ply', 500);
-  await expect.poll(async () => (await heatwalk.mesh()).name, { timeout: 60_000 }).toBe('torus.ply');
-  expect(await said()).toEqual(['fetching', 'reading', 'welding', 'drawing', 'propagating']);
-  expect(await heatwalk.mesh()).toMatchObject({ triangles: 1_000_000, vertices: 500_000, components: 1 });
-  expect(await page.evaluate(() => window.heatwalk.factorNonzeros)).toBe(0);
-  const { sources } = await heatwalk.scene();
-  expect(await heatwalk.distanceAt(sources[0])).toBe(0);
-  expect(await stripesAcross(heatwalk, 500)).toBeGreaterThanOrEqual(4);
-});
+test(
+  'a mesh of a million triangles shows its stripes before anything is factored',
+  { tag: '@slow' },
+  async ({ heatwalk, page }) => {
+    await heatwalk.open('#v=1&m=file&name=torus.ply&method=auto&refine=0&cam=0,1.2,3,0,0,0');
+    const said = await stages(page);
+    await dropTorus(page, 'torus.ply', 500);
+    await expect.poll(async () => (await heatwalk.mesh()).name, { timeout: 60_000 }).toBe('torus.ply');
+    expect(await said()).toEqual(['fetching', 'reading', 'welding', 'drawing', 'propagating']);
+    expect(await heatwalk.mesh()).toMatchObject({ triangles: 1_000_000, vertices: 500_000, components: 1 });
+    expect(await page.evaluate(() => window.heatwalk.factorNonzeros)).toBe(0);
+    const { sources } = await heatwalk.scene();
+    expect(await heatwalk.distanceAt(sources[0])).toBe(0);
+    expect(await stripesAcross(heatwalk, 500)).toBeGreaterThanOrEqual(4);
+  },
+);
 
 /** Across the ring of a torus, from its outer edge to the hole. */
 async function stripesAcross(heatwalk: HeatwalkPage, n: number): Promise<number> {
@@ -139,7 +142,6 @@ test('a large mesh is drawn before its first answer, and keeps its view when tha
   heatwalk,
   page,
 }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await holdFirstAnswers(page);
   await heatwalk.open('#v=1&m=teapot&refine=0');
   const teapot = await heatwalk.picture();
@@ -178,7 +180,6 @@ for (const [end, sentence] of [
 ] as const) {
   const title = `${end} after the first picture brings back the former scene, with what was changed behind it`;
   test(title, { tag: '@page' }, async ({ heatwalk, page }) => {
-    await page.emulateMedia({ reducedMotion: 'reduce' });
     await holdFirstAnswers(page);
     await heatwalk.open('#v=1&m=teapot&refine=0&show=edges');
     await page.mouse.click(...(await heatwalk.pixelOnModel()));

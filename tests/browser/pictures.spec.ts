@@ -99,7 +99,7 @@ function compare(a: PNG, b: PNG): { clearly: number; mean: number; block: number
 
 test('styles and overlays look like the reference images', async ({ heatwalk, page }) => {
   test.setTimeout(600_000);
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await page.emulateMedia({ colorScheme: 'light' });
   await heatwalk.open('#v=1&m=teapot&kiosk=1');
   const off: string[] = [];
   for (const [name, link] of PICTURES) {
@@ -121,7 +121,7 @@ test('the materials of a file look like the reference image, stripes over them a
   heatwalk,
   page,
 }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await page.emulateMedia({ colorScheme: 'light' });
   for (const blend of BLENDS) {
     await heatwalk.open(`#v=1&m=file&name=balls.glb&s=0&look=model&blend=${blend}&stripes=0,0.2,0&${VIEW}&kiosk=1`);
     await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
@@ -130,7 +130,7 @@ test('the materials of a file look like the reference image, stripes over them a
 });
 
 test('glass looks like the reference image, and so do the lights of a file', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await page.emulateMedia({ colorScheme: 'light' });
   for (const lights of ['style', 'file']) {
     const link = `s=0&w=none&refine=0&look=model&style=none&lights=${lights}&cam=0.7,0.3,3.4,0,0,0`;
     await heatwalk.open(`#v=1&m=file&name=glass.glb&${link}&kiosk=1`);
@@ -140,7 +140,7 @@ test('glass looks like the reference image, and so do the lights of a file', asy
 });
 
 test('a pose looks like the reference image, with its walker, arrows and edges', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await page.emulateMedia({ colorScheme: 'light' });
   const link = 's=0&w=1&method=auto&clip=0&time=1&look=candy&show=scenery,edges,distance&cam=0.4,0.3,3.4,0,0,0';
   await heatwalk.open(`#v=1&m=file&name=arm.glb&p=0&${link}&kiosk=1`);
   await heatwalk.dropAndOpen([['arm.glb', armGlb()]]);
@@ -179,7 +179,7 @@ function moved(size: number, shift: readonly number[]): string {
 
 test('a mesh of any size and position looks the same', async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+  await page.emulateMedia({ colorScheme: 'light' });
   const link =
     'p=0&s=40&w=500&look=zebra&around=studio&light=0&crowd=200&show=scenery,edges,distance&cam=-0.5,0.4,4.1,0,0,0';
   const shown = async (size: number, shift: readonly number[]) => {

@@ -41,8 +41,6 @@ const distances = ({ page }: HeatwalkPage) =>
   );
 
 async function openGrid(heatwalk: HeatwalkPage): Promise<void> {
-  // Nothing moves by itself, so that pictures can be compared.
-  await heatwalk.page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.openFile('grid.off', GRID, OPTIONS);
   await expect(heatwalk.page).toHaveURL(/hash=[\da-f]{64}/);
 }

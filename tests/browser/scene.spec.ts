@@ -5,8 +5,6 @@ import { brightness, crossings, difference, expect, test } from '../page';
 const BALL = sphere(24);
 
 test('the first visit shows stripes, a path and one hint', async ({ heatwalk, page }) => {
-  // The walker stays at its start, so that it does not come between the stripes that are counted.
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await heatwalk.open();
   const { sources, mesh } = await heatwalk.scene();
   expect(mesh).toEqual({ kind: 'preset', id: 'bunny' });
@@ -28,6 +26,7 @@ test('the first visit shows stripes, a path and one hint', async ({ heatwalk, pa
 });
 
 test('the walker starts and arrives', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open();
   const arc = () => page.evaluate(() => window.heatwalk.walker?.arc ?? 0);
   const before = await arc();
@@ -36,6 +35,7 @@ test('the walker starts and arrives', async ({ heatwalk, page }) => {
 });
 
 test('P pauses the walker', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open();
   await page.keyboard.press('p');
   await expect(page.getByRole('button', { name: 'Resume' })).toBeVisible();
@@ -208,7 +208,7 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
   await expect(page.getByText('not the file the link was made with')).toBeVisible();
 });
 
-test('every preset opens, is solved and has a walker', async ({ heatwalk, page }) => {
+test('every preset opens, is solved and has a walker', { tag: '@slow' }, async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
   await heatwalk.open();
   const cards = page.getByRole('group', { name: 'Presets' }).getByRole('button');

@@ -1,10 +1,11 @@
 import { copyFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
+import { SINGLE } from '../built';
 import { expect, test } from '../page';
 
 test('the page in one file opens from a disk, where nothing else is', async ({ page }, info) => {
   const alone = info.outputPath('alone.html');
-  copyFileSync('dist-single/heatwalk.html', alone);
+  copyFileSync(`${SINGLE}/heatwalk.html`, alone);
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).protocol));
   await page.goto(`${pathToFileURL(alone).href}?gpu=webgl`);

@@ -2,7 +2,8 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { fail, prepare, root } from '../steps.mjs';
+import { prepare } from '../needs.mjs';
+import { fail, root } from '../steps.mjs';
 import { Checkout, checkout } from './checkout.mjs';
 import { meshes as chosenMeshes } from './meshes.mjs';
 import { judge, LIMIT, median } from './ratios.mjs';

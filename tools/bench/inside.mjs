@@ -5,7 +5,9 @@ import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { attempt, LIBIGL, pythonWith } from '../peers.mjs';
-import { buildModules, cargo, fail, npmProgram, prepare, root } from '../steps.mjs';
+import { bundle, publishModules } from '../bundle.mjs';
+import { prepare } from '../needs.mjs';
+import { cargo, fail, root } from '../steps.mjs';
 import { description } from './checkout.mjs';
 import { median } from './ratios.mjs';
 import { table } from './report.mjs';
@@ -15,8 +17,8 @@ const FOLDER = join(root, 'target', 'bench', 'inside');
 
 export async function inside({ quick }) {
   prepare();
-  buildModules();
-  npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+  publishModules();
+  bundle();
   cargo(
     'Building the example',
     ['build', '--release', '-p', 'heatwalk-volume', '--example', 'inside'],

@@ -4,7 +4,9 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { attempt, POTPOURRI3D, pythonWith } from '../peers.mjs';
-import { buildModules, npmProgram, prepare, root } from '../steps.mjs';
+import { bundle, publishModules } from '../bundle.mjs';
+import { prepare } from '../needs.mjs';
+import { root } from '../steps.mjs';
 import { description } from './checkout.mjs';
 import { folder, meshes as chosenMeshes } from './meshes.mjs';
 import { Programs } from './programs.mjs';
@@ -25,8 +27,8 @@ const BEFORE_A_FILE = 'teapot';
 /** Meshes as in `chosenMeshes`. Those on which a peer takes minutes have one pair, and neither errors nor exact distances. */
 export async function methods({ files, subdivisions, quick, only }) {
   prepare();
-  buildModules();
-  npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+  publishModules();
+  bundle();
   const { Page } = await import('./page.mjs');
   const page = await Page.open();
   const programs = new Programs(root);

@@ -3,7 +3,9 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
-import { buildModules, cargo, fail, npmProgram, prepare, root } from '../steps.mjs';
+import { bundle, publishModules } from '../bundle.mjs';
+import { prepare } from '../needs.mjs';
+import { cargo, fail, root } from '../steps.mjs';
 import { compare } from './bars.mjs';
 import { description } from './checkout.mjs';
 import { assemblies, compressed, textured } from './made.mjs';
@@ -25,8 +27,8 @@ export async function models({ files, only }) {
   if (chosen.length === 0)
     fail(`--only: no group has "${only}" in its name; there are ${Object.keys(GROUPS).join(', ')}.`);
   prepare();
-  buildModules();
-  npmProgram('Bundling the page into dist/', 'vite/bin/vite.js', ['build', '--logLevel', 'warn'], 'See above.');
+  publishModules();
+  bundle();
   const { Page } = await import('./page.mjs');
   const page = await Page.open();
   const rows = [];

@@ -7,7 +7,8 @@ import { brotliCompressSync, constants } from 'node:zlib';
 // Of two checkouts, each brings its own; the test runner would refuse to be loaded twice.
 import { chromium } from 'playwright-core';
 import { preview } from 'vite';
-import { requireChromium, root } from '../steps.mjs';
+import { requireChromium } from '../needs.mjs';
+import { root } from '../steps.mjs';
 
 const dist = join(root, 'dist');
 const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];

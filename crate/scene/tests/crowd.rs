@@ -3,13 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[path = "../../solver/tests/common/mod.rs"]
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{any_triangles, band, book, distance_from, random, soup, square, surface};
+use crate::common::{any_triangles, band, book, distance_from, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};

@@ -1,11 +1,10 @@
 //! Lines that show how a surface is meshed.
 
-#[path = "../../solver/tests/common/mod.rs"]
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 
-use common::surface;
+use crate::common::surface;
 use glam::DVec3;
 use heatwalk::{BridgeRule, Bridges, HeatSolver, Operator, Parameters, VertexId};
 use heatwalk_scene::overlay::{self, Segment};

@@ -3,12 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 
-use common::exact_distances::{self, Field, Known};
-use common::{distance_from, heat_only, nearest, solver, solver_with, square, surface};
+use crate::common::exact_distances::{self, Field, Known};
+use crate::common::{distance_from, heat_only, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{

@@ -3,12 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{random, soup, square};
+use crate::common::{random, soup, square};
 use glam::{DVec3, dvec3};
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront, shortest_path};
 use heatwalk::{

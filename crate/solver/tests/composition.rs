@@ -1,13 +1,11 @@
 //! Operators, heat flow and Poisson put together anew: signed distance, weighted and anisotropic metrics, which the crate
 //! itself does not offer.
 
-mod common;
-
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{nearest, square, surface};
+use crate::common::{nearest, square, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, Systems};
 use heatwalk::operator::Operators;

@@ -3,14 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::pieces::{CHANGES, Errors, Pieces, wholes};
-use common::random;
+use crate::common::pieces::{CHANGES, Errors, Pieces, wholes};
+use crate::common::random;
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
 use heatwalk::{

@@ -3,13 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::media::{jittered_square, least_cost, two_media};
-use common::{nearest, surface};
+use crate::common::media::{jittered_square, least_cost, two_media};
+use crate::common::{nearest, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::{
     Costs, DistanceOptions, DistanceSolver, Error, FaceData, FaceId, Method, Surface, VertexData, VertexId, Windows,

@@ -3,15 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::pieces::{Change, Errors, Pieces, wholes};
-use common::soup;
+use crate::common::pieces::{Change, Errors, Pieces, wholes};
+use crate::common::soup;
 use glam::{DVec3, dvec3};
 use heatwalk::{
     BuildReport, DistanceOptions, DistanceSolver, InputVertex, Method, Soup, Surface, VertexData, VertexId, WeldRule,

@@ -3,9 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
-use common::{solver_with, soup};
+use crate::common::{solver_with, soup};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{

@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{band, nearest, random, soup, square, surface};
+use crate::common::{band, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::surface::VertexId;

@@ -3,13 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::exact_distances::{self, Field, Known};
-use common::{any_triangles, band, book, flat, nearest, random, soup, square, surface};
+use crate::common::exact_distances::{self, Field, Known};
+use crate::common::{any_triangles, band, book, flat, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;

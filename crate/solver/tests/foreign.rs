@@ -1,6 +1,6 @@
 //! What was made on one surface is refused by another, be it of the same shape.
 
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -3,12 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{distance_from, random, square, surface};
+use crate::common::{distance_from, random, square, surface};
 use glam::DVec3;
 use heatwalk::gradient::{face_directions, face_gradients, vertex_directions, vertex_tangents};
 use heatwalk::propagation::propagated_distance;

@@ -3,11 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 
-use common::{band, distance_from, random, solver, soup, square, surface};
+use crate::common::{band, distance_from, random, solver, soup, square, surface};
 use glam::{DQuat, DVec3};
 use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;

@@ -3,12 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::soup;
+use crate::common::soup;
 use glam::{DVec3, dvec3};
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Method, Path, Soup, Surface, VertexId, descend,

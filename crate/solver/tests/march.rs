@@ -3,13 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::media::{jittered_square, least_cost, two_media};
-use common::searches::{at, exact, geometry, mixed_sources};
-use common::{any_triangles, band, book, nearest, square, surface};
+use crate::common::media::{jittered_square, least_cost, two_media};
+use crate::common::searches::{at, exact, geometry, mixed_sources};
+use crate::common::{any_triangles, band, book, nearest, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::{

@@ -3,12 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::solver_with;
+use crate::common::solver_with;
 use heatwalk::{
     Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Place, Result, Surface, TimeStep, VertexId,
 };

@@ -4,12 +4,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
-use common::{Damage, band, book, damaged, random, square, surface};
+use crate::common::{Damage, band, book, damaged, random, square, surface};
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{Element, ExactSearch, Place, Propagation, PropagationOptions, Soup, Surface, VertexId, Windows};
 use heatwalk_shapes as shapes;

@@ -3,10 +3,8 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
-use common::truth::brute_force::all_distances;
-use common::{band, book, flat, grid_triangles};
+use crate::common::truth::brute_force::all_distances;
+use crate::common::{band, book, flat, grid_triangles};
 use glam::{DQuat, DVec2, DVec3};
 
 /// What coordinates and lengths as 64-bit floats lose, as a share of the largest distance.

@@ -4,12 +4,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{flat, grid_triangles, random, soup, surface};
+use crate::common::{flat, grid_triangles, random, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::{Distance, DistanceOptions, DistanceSolver, FaceId, Method, Place, Soup, Surface, ToSource, VertexId};

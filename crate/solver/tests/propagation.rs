@@ -3,15 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::exact_distances::{self, Field};
-use common::searches::{at, exact, geometry, mixed_sources};
-use common::{any_triangles, band, book, random, soup, square, surface};
+use crate::common::exact_distances::{self, Field};
+use crate::common::searches::{at, exact, geometry, mixed_sources};
+use crate::common::{any_triangles, band, book, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::propagation::{Propagation, propagated_distance};

@@ -2,13 +2,13 @@
 //! pieces. The same code runs on wasm32 in the other tests; random numbers there would need the browser's.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::shortness::{check_valid, largest_kink, sharpest_turn};
-use common::{Damage, band, book, damaged, square};
+use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
+use crate::common::{Damage, band, book, damaged, square};
 use glam::DVec3;
 use heatwalk::exact::{exact_distance, shortest_path};
 use heatwalk::operator::Operators;

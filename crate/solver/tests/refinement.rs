@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{any_triangles, band, flat, soup, surface};
+use crate::common::{any_triangles, band, flat, soup, surface};
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::{
     Distance, Error, PathSearch, Propagation, PropagationOptions, PropagationRefinement, Soup, Source, VertexId,

@@ -3,13 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{square, surface};
+use crate::common::{square, surface};
 use heatwalk::exact::exact_distance;
 use heatwalk::{
     Answer, Boundary, DistanceOptions, DistanceSolver, Error, ExactRadius, HeatSolver, Method, Parameters,

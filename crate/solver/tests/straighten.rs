@@ -3,13 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::f64::consts::{PI, TAU};
 
-use common::exact_distances::{self, Field, Known};
-use common::shortness::{check_valid, largest_kink, sharpest_turn};
-use common::{band, book, distance_from, nearest, random, solver, soup, square, surface};
+use crate::common::exact_distances::{self, Field, Known};
+use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
+use crate::common::{band, book, distance_from, nearest, random, solver, soup, square, surface};
 use glam::{DVec3, Vec3Swizzles};
 use heatwalk::{
     Boundary, Element, FaceId, HeatSolver, InputVertex, Path, Place, Soup, Surface, VertexId, descend, edge_path,

@@ -3,11 +3,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::f64::consts::{PI, TAU};
 
-use common::{band, book, nearest, random, soup, square, surface};
+use crate::common::{band, book, nearest, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{

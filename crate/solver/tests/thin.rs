@@ -4,13 +4,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::searches::geometry;
-use common::{random, soup, surface};
+use crate::common::searches::geometry;
+use crate::common::{random, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::propagation::Propagation;
 use heatwalk::{

@@ -3,12 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{band, book, distance_from, flat, random, soup, square, surface};
+use crate::common::{band, book, distance_from, flat, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;

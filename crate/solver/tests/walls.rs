@@ -3,12 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use common::{nearest, random, surface};
+use crate::common::{nearest, random, surface};
 use glam::DVec3;
 use heatwalk::{
     DistanceOptions, DistanceSolver, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface, VertexData,

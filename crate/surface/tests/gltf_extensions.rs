@@ -3,8 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[allow(dead_code, reason = "the other tests of readers use more of it")]
-mod reading;
+use crate::reading;
 
 use glam::DVec3;
 use heatwalk_surface::io;

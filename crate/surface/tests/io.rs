@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod reading;
+use crate::reading;
 
 use glam::DVec3;
 use heatwalk_shapes as shapes;

@@ -3,8 +3,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod reading;
-
 use glam::{DVec3, Vec3};
 use heatwalk_surface::appearance::{Alpha, Channel, Material, Run, Texels, Texture, Wrap};
 use heatwalk_surface::io::{self, write};

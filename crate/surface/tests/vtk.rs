@@ -3,8 +3,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod reading;
-
 use glam::DVec3;
 use heatwalk_surface::{Error, Soup, WarningCode};
 use miniz_oxide::deflate::compress_to_vec_zlib;

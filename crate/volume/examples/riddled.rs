@@ -6,16 +6,14 @@
 
 #[path = "../tests/common/mod.rs"]
 mod common;
-#[path = "../tests/common/riddled.rs"]
-mod riddled;
 
 use std::env;
 use std::time::Instant;
 
 use common::Random;
+use common::riddled::{along_edges, riddled};
 use heatwalk::VertexId;
 use heatwalk_volume::{TetMesh, VolumeMethod, VolumeOptions, VolumeSolver};
-use riddled::{along_edges, riddled};
 
 const PAIRS: usize = 100_000;
 

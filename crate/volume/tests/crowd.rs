@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{mesh, nearest};
+use crate::common::{mesh, nearest};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::crowd::{VolumeCrowd, VolumePose};

@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{around_cylinder, around_sphere, errors, mesh, nearest, truth};
+use crate::common::{around_cylinder, around_sphere, errors, mesh, nearest, truth};
 use glam::DVec3;
 use heatwalk::{Boundary, ExactRadius, LinearSolver, MultiSource, TimeStep, VertexId};
 use heatwalk_volume::{TetId, TetPoint, TetSoup, TetSource, VolumeMethod, VolumeOptions, VolumeSolver, shapes};

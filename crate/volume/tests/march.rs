@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{Random, around_cylinder, around_sphere, errors, mesh, nearest, truth};
+use crate::common::{Random, around_cylinder, around_sphere, errors, mesh, nearest, truth};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, VolumeOptions, VolumeSolver, shapes};

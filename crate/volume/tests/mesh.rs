@@ -3,9 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
-use common::{Random, mesh};
+use crate::common::{Random, mesh};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, shapes};

@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{Random, around_sphere, mesh};
+use crate::common::{Random, around_sphere, mesh};
 use glam::DVec3;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
 

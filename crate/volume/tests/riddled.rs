@@ -3,19 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-#[path = "common/riddled.rs"]
-mod riddled;
-
 use std::sync::Arc;
 
-use common::Random;
+use crate::common::Random;
+use crate::common::riddled::{along_edges, riddled};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{
     Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, VolumeCrowd, VolumeMethod, VolumeOptions, VolumeSolver,
 };
-use riddled::{along_edges, riddled};
 
 /// Rounding of sums of lengths.
 const ROUNDING: f64 = 1e-12;

@@ -3,13 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
+use crate::common;
 
 use std::collections::HashMap;
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
-use common::{Random, mesh};
+use crate::common::{Random, mesh};
 use glam::DVec3;
 use heatwalk_volume::section::{Cut, Faces, Plane, Section, Shells};
 use heatwalk_volume::{Error, TetMesh, TetPoint, VolumeDistance, VolumeOptions, VolumeSolver, shapes};

@@ -3,11 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod common;
-
 use std::f64::consts::PI;
 
-use common::mesh;
+use crate::common::mesh;
 use heatwalk_volume::shapes;
 
 #[test]

@@ -1,8 +1,8 @@
 //! The wasm modules of the page and what is run on them.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::SystemTime;
 
 use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
@@ -19,9 +19,9 @@ pub struct Module {
     file: &'static str,
     /// Compiler flags.
     flags: &'static [&'static str],
-    /// The target folder: one for packages that are compiled alike.
+    /// The target folder of the published module: one for packages that are compiled alike.
     folder: &'static str,
-    /// The profile of Cargo.toml that it is compiled with.
+    /// The profile of Cargo.toml that it is published with.
     profile: &'static str,
     /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
     is_restartable: bool,
@@ -94,54 +94,97 @@ pub const MAKER: Module = Module { name: "maker", package: "heatwalk-maker", fil
 /// Isolines and files of distances, which the worker loads where one is wanted.
 pub const CURVES: Module = Module { name: "curves", package: "heatwalk-curves", file: "heatwalk_curves", ..INTERIOR };
 
+/// All modules, those first that the page begins with.
+const ALL: [&Module; 8] = [&SOLVER, &READER, &MAKER, &INTERIOR, &CURVES, &BASIS, &VIEWER_WEBGL2, &VIEWER_WEBGPU];
+
 /// The packages whose tests run on wasm32 too.
 const TESTED: [&str; 6] =
     ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-volume", "heatwalk-scene"];
 
-impl Module {
-    fn target_folder(&self) -> PathBuf {
-        workspace().join("target").join(self.folder)
-    }
+/// The profile and the target folder of all that is not published: modules to develop and test with, tests, and lints.
+const QUICK: &str = "quick";
+const QUICK_FOLDER: &str = "wasm-quick";
 
+impl Module {
     /// Cargo's arguments for the package and its features.
     fn chosen(&self) -> Vec<&'static str> {
         let features = self.features.iter().flat_map(|feature| ["--features", feature]);
-        ["--package", self.package, "--no-default-features"].into_iter().chain(features).collect()
+        ["--package", self.package].into_iter().chain(features).collect()
     }
 
-    /// `cargo COMMAND` with the module's flags and `more` of them.
-    fn cargo(&self, toolchain: &Toolchain, command: &str, more: &[&str]) -> Command {
-        let flags: Vec<String> = self.flags.iter().chain(more).map(ToString::to_string).chain(shortened()).collect();
-        let mut cargo = toolchain.cargo(command);
-        cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", self.target_folder());
-        cargo.env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
-        cargo
+    /// Where Cargo puts the module with this profile.
+    fn compiled(&self, folder: &str, profile: &str) -> PathBuf {
+        let file = format!("{}.wasm", self.package.replace('-', "_"));
+        workspace().join("target").join(folder).join(TARGET).join(profile).join(file)
     }
 }
 
-/// Builds all modules: two beside each other, since a module is linked as a whole, which takes long and one core.
-pub fn build_all(toolchain: &Toolchain) -> Result<()> {
-    let in_turn = |modules: &[&Module]| modules.iter().try_for_each(|module| build(module, toolchain));
+/// `cargo COMMAND` that builds in a folder of `target` with compiler flags.
+fn cargo(toolchain: &Toolchain, command: &str, folder: &str, flags: &[&str]) -> Command {
+    let flags: Vec<String> = flags.iter().map(ToString::to_string).chain(shortened()).collect();
+    let mut cargo = toolchain.cargo(command);
+    cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", workspace().join("target").join(folder));
+    cargo.env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
+    cargo
+}
+
+/// Builds all modules as they are published: two beside each other, since a module is linked as a whole, which takes long and
+/// one core.
+pub fn publish_all(toolchain: &Toolchain) -> Result<()> {
+    let (viewers, others): (Vec<&Module>, Vec<&Module>) =
+        ALL.into_iter().partition(|module| module.package == VIEWER_WEBGPU.package);
+    let in_turn = |modules: &[&Module]| modules.iter().try_for_each(|module| publish(module, toolchain));
     std::thread::scope(|scope| {
-        let viewers = scope.spawn(|| in_turn(&[&VIEWER_WEBGL2, &VIEWER_WEBGPU]));
-        let others = in_turn(&[&SOLVER, &READER, &MAKER, &INTERIOR, &CURVES, &BASIS]);
+        let viewers = scope.spawn(|| in_turn(&viewers));
+        let others = in_turn(&others);
         viewers.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)).and(others)
     })
 }
 
-/// Compiles a module and writes its bindings to `web/wasm/NAME`.
-pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
+/// Compiles a module as it is published, and writes its bindings to `web/wasm/NAME`.
+pub fn publish(module: &Module, toolchain: &Toolchain) -> Result<()> {
     eprintln!("Compiling the {} for wasm32.", module.name);
-    run(module.cargo(toolchain, "build", &[]).args(["--profile", module.profile]).args(module.chosen()))?;
-    let compiled = format!("{}.wasm", module.package.replace('-', "_"));
-    let compiled = module.target_folder().join(TARGET).join(module.profile).join(compiled);
+    let mut build = cargo(toolchain, "build", module.folder, module.flags);
+    run(build.args(["--no-default-features", "--profile", module.profile]).args(module.chosen()))?;
+    bind(module, &module.compiled(module.folder, module.profile))
+}
+
+/// Builds all modules in a third of the time, larger and hardly slower: what they share is compiled once.
+pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
+    for modules in quick_groups() {
+        for_group(cargo(toolchain, "build", QUICK_FOLDER, SOLVER.flags), modules, &[])?;
+        for module in modules {
+            bind(module, &module.compiled(QUICK_FOLDER, QUICK))?;
+        }
+    }
+    Ok(())
+}
+
+/// Modules that are compiled at once: the two viewers are one package with different features.
+fn quick_groups() -> impl Iterator<Item = &'static [&'static Module]> {
+    const VIEWERS: usize = 2;
+    let (together, viewers) = const { &ALL }.split_at(ALL.len() - VIEWERS);
+    std::iter::once(together).chain(viewers.chunks(1))
+}
+
+fn for_group(mut command: Command, modules: &[&Module], last: &[&str]) -> Result<()> {
+    let names: Vec<&str> = modules.iter().map(|module| module.name).collect();
+    eprintln!("For wasm32: {}.", names.join(", "));
+    let chosen = modules.iter().flat_map(|module| module.chosen());
+    run(command.args(["--no-default-features", "--profile", QUICK]).args(chosen).args(last))
+}
+
+/// Writes the bindings of a compiled module, unless they are there.
+fn bind(module: &Module, compiled: &Path) -> Result<()> {
     let folder = workspace().join("web/wasm").join(module.name);
-    let bound = folder.join(format!("{}_bg.wasm", module.file));
-    if modified(&bound).is_some_and(|bound| modified(&compiled).is_some_and(|compiled| compiled < bound)) {
+    // Which file they are of, and of when.
+    let stamp = format!("{}\n{:?}\n", compiled.display(), compiled.metadata()?.modified()?);
+    let stamped = workspace().join("target/bound").join(module.name);
+    if folder.is_dir() && fs::read_to_string(&stamped).is_ok_and(|before| before == stamp) {
         return Ok(());
     }
     Bindgen::new()
-        .input_path(&compiled)
+        .input_path(compiled)
         .web(true)?
         .typescript(true)
         .out_name(module.file)
@@ -149,32 +192,28 @@ pub fn build(module: &Module, toolchain: &Toolchain) -> Result<()> {
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate(&folder)
-        .with_context(|| format!("The bindings of {} could not be made", compiled.display()))
+        .with_context(|| format!("The bindings of {} could not be made", compiled.display()))?;
+    fs::create_dir_all(stamped.parent().context("A file lies in a folder")?)?;
+    Ok(fs::write(stamped, stamp)?)
 }
 
-/// Runs the solver's tests on wasm32, under Node.
-pub fn test_solver(toolchain: &Toolchain) -> Result<()> {
+/// Runs the tests that depend on numbers, those of one name where it is given, on wasm32 under Node.
+pub fn test(toolchain: &Toolchain, names: &[&str]) -> Result<()> {
     eprintln!("Running the solver's tests on wasm32.");
     let runner = std::env::current_exe()?;
     let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
-    // Linking every test as a whole would take longer than all of them run.
-    run(SOLVER
-        .cargo(toolchain, "test", &[])
-        .args(["--profile", "release", "--config", "profile.release.lto='off'"])
+    run(cargo(toolchain, "test", QUICK_FOLDER, SOLVER.flags)
+        .args(["--profile", QUICK, "--tests"])
         .args(TESTED.iter().flat_map(|package| ["--package", package]))
-        .arg("--tests")
+        .args(names)
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
 }
 
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     let (flags, last) = toolchain.deny_warnings();
-    for module in [&SOLVER, &READER, &MAKER, &VIEWER_WEBGPU, &VIEWER_WEBGL2, &INTERIOR, &CURVES, &BASIS] {
-        eprintln!("Linting the {} for wasm32.", module.name);
-        let mut cargo = module.cargo(toolchain, "clippy", flags);
-        run(cargo.args(["--profile", module.profile]).args(module.chosen()).args(last))?;
-    }
-    Ok(())
+    let flags = [SOLVER.flags, flags].concat();
+    quick_groups().try_for_each(|modules| for_group(cargo(toolchain, "clippy", QUICK_FOLDER, &flags), modules, last))
 }
 
 /// Flags that take the folders of the registries off the file names in panic messages: two hundred of them, which name no
@@ -191,10 +230,6 @@ fn shortened() -> Vec<String> {
         .collect();
     flags.sort();
     flags
-}
-
-fn modified(path: &Path) -> Option<SystemTime> {
-    path.metadata().and_then(|metadata| metadata.modified()).ok()
 }
 
 fn run(command: &mut Command) -> Result<()> {

@@ -13,7 +13,7 @@ use heatwalk_surface::motion::{Target, Track};
 use heatwalk_surface::{Error, Soup};
 use serde_json::{Value, json};
 
-use crate::document::{Builder, square};
+use super::document::{Builder, square};
 use crate::reading::flip_bytes;
 
 /// Rounding of values that a file holds in single precision.

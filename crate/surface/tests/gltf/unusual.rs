@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use heatwalk_surface::Error;
 use serde_json::{Value, json};
 
-use crate::document::square;
+use super::document::square;
 use crate::reading::{part_names, read};
 
 const MARK: &[u8] = b"\xEF\xBB\xBF";

@@ -1,6 +1,8 @@
 //! Exact distances, errors and random places, for tests of distance inside of meshes.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
+pub mod riddled;
+
 use std::f64::consts::TAU;
 
 use glam::DVec3;

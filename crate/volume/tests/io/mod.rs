@@ -12,7 +12,7 @@ use heatwalk::surface::{Error as FileError, WarningCode};
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::{self, CellCounts, Error, Format, Result, TetFile, write};
 
-use crate::files::{Encoding, Mesh, TETRAHEDRON, TRIANGLE};
+use files::{Encoding, Mesh, TETRAHEDRON, TRIANGLE};
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

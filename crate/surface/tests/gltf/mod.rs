@@ -5,8 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod document;
 mod motion;
-#[path = "../reading/mod.rs"]
-mod reading;
+use crate::reading;
 mod unusual;
 
 use glam::{DVec3, Vec3};
@@ -14,8 +13,8 @@ use heatwalk_surface::io;
 use heatwalk_surface::{Error, LightKind, Projection};
 use serde_json::{Value, json};
 
-use crate::document::square;
 use crate::reading::{areas, part_names, read};
+use document::square;
 
 #[test]
 fn gltf_from_glb_data_uri_and_file() {

@@ -1,0 +1,7 @@
+//! The tests of the crate's public interface, in one program: each would be linked with all of it.
+
+#[path = "../../solver/tests/common/mod.rs"]
+mod common;
+mod crowd;
+mod drawing;
+mod overlay;

@@ -1,0 +1,35 @@
+//! The tests of the solver's public interface, in one program: each would be linked with all of it.
+
+mod accuracy;
+mod bridges;
+mod common;
+mod composition;
+mod contacts;
+mod convergence;
+mod costs;
+mod cracks;
+mod defects;
+mod enclosed;
+mod exact;
+mod foreign;
+mod gradient;
+mod invariants;
+mod junctions;
+mod march;
+mod memory;
+mod metric;
+mod oracle;
+mod path;
+mod peers_values;
+mod propagation;
+mod properties;
+mod refinement;
+mod refract;
+mod solver;
+mod sources;
+mod straighten;
+mod straightest;
+mod thin;
+mod topology;
+mod truth;
+mod walls;

@@ -1,0 +1,3 @@
+/** Where the page that is tested has been bundled: see tools/bundle.mjs. */
+export const PAGE = 'target/page';
+export const SINGLE = 'target/page-single';

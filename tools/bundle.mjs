@@ -1,0 +1,44 @@
+// The wasm modules and the page that is bundled with them.
+
+import { join } from 'node:path';
+import { requireWasm } from './needs.mjs';
+import { cargo, npmProgram, root } from './steps.mjs';
+
+const named = 'The message above names the cause.';
+
+/** Where the page for tests is bundled: with modules that are not published. */
+export const TESTED_PAGE = join(root, 'target', 'page');
+export const TESTED_FILE = join(root, 'target', 'page-single');
+
+/** The wasm modules with their bindings, in web/wasm, as they are published: small, fast, minutes to compile. */
+export function publishModules() {
+  requireWasm();
+  cargo('Building the wasm modules to publish (minutes the first time, seconds after)', ['xtask', 'wasm'], named);
+}
+
+/** The same, compiled in a third of the time. */
+export function buildModules() {
+  requireWasm();
+  cargo('Building the wasm modules (minutes the first time, seconds after)', ['xtask', 'wasm', '--quick'], named);
+}
+
+/** The page with the modules that were built last. */
+export function bundle(folder = 'dist') {
+  const args = ['build', '--logLevel', 'warn', '--outDir', folder, '--emptyOutDir'];
+  npmProgram('Bundling the page', 'vite/bin/vite.js', args, named);
+}
+
+/** The same in one file. */
+export function bundleSingle(folder = 'dist-single') {
+  const args = [
+    'build',
+    '--logLevel',
+    'warn',
+    '--config',
+    'vite.single.config.ts',
+    '--outDir',
+    folder,
+    '--emptyOutDir',
+  ];
+  npmProgram('Bundling the page in one file', 'vite/bin/vite.js', args, named);
+}
