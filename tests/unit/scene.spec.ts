@@ -1,6 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { moveSource, setInitialDistance } from '../../web/state/edit';
-import { emptyScene, Scene } from '../../web/state/scene';
+import { Scene } from '../../web/state/history';
+import { emptyScene } from '../../web/state/scene';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 

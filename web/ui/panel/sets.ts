@@ -1,7 +1,7 @@
 /** Draws, types, and saves sources that are many at once. */
 import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
-import type { Scene } from '../../state/scene';
+import type { Scene } from '../../state/history';
 import { fitLink } from '../../state/sets';
 import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
