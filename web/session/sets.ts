@@ -2,7 +2,7 @@
 import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
-import type { Vector } from '../state/places';
+import type { Vector } from '../state/vector';
 import type { Scene } from '../state/history';
 import { unitOf } from '../state/scene';
 import {

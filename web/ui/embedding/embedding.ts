@@ -1,5 +1,6 @@
 /** Answers the page around the frame, and tells it what happens. Nobody else is heard, and nobody else is answered. */
 import type { Events, Message, Method, Methods, Openable, Options, Request } from '../../embed';
+import { messageOf } from '../../error';
 import type { MeshPoint } from '../../protocol';
 import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
@@ -58,7 +59,7 @@ class Embedding {
       const { answer, transferred = [] } = await this.#answer(parseRequest(data));
       this.#post({ heatwalk: VERSION, id, answer }, host, transferred);
     } catch (error) {
-      this.#post({ heatwalk: VERSION, id, error: error instanceof Error ? error.message : String(error) }, host);
+      this.#post({ heatwalk: VERSION, id, error: messageOf(error) }, host);
     }
   }
 

@@ -5,6 +5,7 @@ import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../state/scene';
+import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
 import { t } from '../../texts';
@@ -98,8 +99,8 @@ export class Messages implements Voice {
   }
 
   #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
-    const copy: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
-    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+    const copying: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
+    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copying] : [copying]);
     return message;
   }
 
@@ -136,9 +137,5 @@ export class Messages implements Voice {
 
 /** Without permission to use the clipboard the details are shown, to be copied by hand. */
 async function copyDetails(message: HTMLElement, details: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(details);
-  } catch {
-    if (!message.querySelector('pre')) message.append(h('pre', {}, details));
-  }
+  if (!(await copy(details)) && !message.querySelector('pre')) message.append(h('pre', {}, details));
 }
