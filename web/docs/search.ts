@@ -1,6 +1,5 @@
 /** The search field of the documents: sections of all of them, best first. */
 import MiniSearch from 'minisearch';
-import { messageOf } from '../error';
 import type { Section } from './section';
 
 const MOST_FOUND = 12;
@@ -51,7 +50,7 @@ field?.addEventListener('input', () => {
   find(words)
     .catch((error: unknown) => {
       index = null;
-      return [item(messageOf(error))];
+      return [item(error instanceof Error ? error.message : String(error))];
     })
     .then((items) => {
       // What was typed meanwhile is answered by itself.

@@ -5,10 +5,24 @@ import { type Undoable, undoableOf } from './link';
 
 export type SceneListener = (state: SceneState, previous: SceneState) => void;
 
+/** What the steps of undo may hold beside the present scene: a hundred strokes on a mesh of half a million triangles. */
+const MOST_BYTES = 2 ** 26;
+const MOST_STEPS = 1000;
+/** About what an object or an array takes beside what is in it. */
+const OBJECT_BYTES = 64;
+const VALUE_BYTES = 8;
+
+/** A state to go back to. */
+interface Step {
+  state: Undoable;
+  /** What it alone holds: the states after it share the rest. */
+  bytes: number;
+}
+
 export class Scene {
   #state: SceneState;
-  #past: Undoable[] = [];
-  #future: Undoable[] = [];
+  #past: Step[] = [];
+  #future: Step[] = [];
   #gesture: object | null = null;
   readonly #listeners = new Set<SceneListener>();
 
@@ -41,12 +55,11 @@ export class Scene {
 
   /** Changes what undo goes back over. All changes that carry the same `gesture` are one step of undo, as a drag is. */
   edit(change: Partial<Undoable> & { selected?: number }, gesture: object | null = null): void {
-    if (gesture === null || gesture !== this.#gesture) {
-      this.#past.push(undoableOf(this.#state));
-    }
+    const next = withValidSelection({ ...this.#state, ...change });
+    if (gesture === null || gesture !== this.#gesture) this.#past = bounded([...this.#past, stepTo(this.#state, next)]);
     this.#gesture = gesture;
     this.#future = [];
-    this.#replace(withValidSelection({ ...this.#state, ...change }));
+    this.#replace(next);
   }
 
   /** Takes back a change that could not be done. It is no step, and one that leads to the same is none any more. */
@@ -54,7 +67,7 @@ export class Scene {
     const state = { ...this.#state, ...change };
     for (const steps of [this.#past, this.#future]) {
       const last = steps.at(-1);
-      if (last && isThere(last, state)) steps.pop();
+      if (last && isThere(last.state, state)) steps.pop();
     }
     this.#gesture = null;
     this.#replace(state);
@@ -76,12 +89,12 @@ export class Scene {
     this.#replace(state);
   }
 
-  #travel(from: Undoable[], to: Undoable[]): boolean {
+  #travel(from: Step[], to: Step[]): boolean {
     const step = from.pop();
     if (!step) return false;
-    to.push(undoableOf(this.#state));
+    to.push(stepTo(this.#state, step.state));
     this.#gesture = null;
-    this.#replace(withValidSelection({ ...this.#state, ...step }));
+    this.#replace(withValidSelection({ ...this.#state, ...step.state }));
     return true;
   }
 
@@ -90,6 +103,29 @@ export class Scene {
     this.#state = state;
     tellEach(this.#listeners, state, previous);
   }
+}
+
+function stepTo(state: SceneState, next: Undoable): Step {
+  const undoable = undoableOf(state);
+  return { state: undoable, bytes: bytesBeside(undoable, next) };
+}
+
+/** Without the oldest steps, where all together hold too much; the last one stays. */
+function bounded(steps: readonly Step[]): Step[] {
+  let bytes = 0;
+  const oldest = steps.findLastIndex((step) => (bytes += step.bytes) > MOST_BYTES);
+  return steps.slice(Math.max(0, Math.min(oldest + 1, steps.length - 1), steps.length - MOST_STEPS));
+}
+
+/** About how many bytes a value holds that another one does not share with it. */
+function bytesBeside(value: unknown, other: unknown): number {
+  if (Object.is(value, other)) return 0;
+  if (ArrayBuffer.isView(value)) return OBJECT_BYTES + value.byteLength;
+  if (typeof value === 'string') return 2 * value.length;
+  if (typeof value !== 'object' || value === null) return VALUE_BYTES;
+  const beside = new Map<string, unknown>(typeof other === 'object' && other !== null ? Object.entries(other) : []);
+  const parts = Object.entries(value).map(([key, part]) => VALUE_BYTES + bytesBeside(part, beside.get(key)));
+  return parts.reduce((sum, bytes) => sum + bytes, OBJECT_BYTES);
 }
 
 /** Whether a step leads to where a state is. */

@@ -13,6 +13,7 @@ import type { Readout } from '../overlay/readout';
 import { draws, type Tool } from '../../state/tool';
 import type { DrawInput } from './draw';
 import type { MeasureInput } from '../measure/input';
+import { isHeard } from '../shortcuts';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -69,8 +70,8 @@ export class Keys {
     const element = event.target instanceof HTMLElement ? event.target : document.body;
     // What is open in front of the page has keys of its own.
     if (element.closest('dialog')) return;
-    const onStage = element === this.#o.session.view.stage || element === document.body;
-    const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
+    if (!isHeard(event, element === this.#o.session.view.stage || element === document.body)) return;
+    const used = this.#command(event) || this.#camera(event) || this.#view(event) || this.#place(event);
     if (used) event.preventDefault();
   }
 
@@ -95,9 +96,10 @@ export class Keys {
       if (event.ctrlKey || event.metaKey) view.pan(-x * ORBIT_PX, -y * ORBIT_PX);
       else if (scene.state.selected in scene.state.sources) this.#nudge(x, y);
       else view.orbit(-x * ORBIT_PX, -y * ORBIT_PX);
-    } else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
+    } else if (hasModifier(event)) return false;
+    else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
     else if (event.key === '-') view.zoom(1 / ZOOM_STEP);
-    else if (event.key.toLowerCase() === 'f' && !event.ctrlKey && !event.metaKey) view.frame();
+    else if (event.key.toLowerCase() === 'f') view.frame();
     else return false;
     cameraMoved();
     return true;

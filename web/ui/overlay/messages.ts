@@ -1,4 +1,4 @@
-/** Messages at the bottom left. Errors stay until closed and can be copied. */
+/** Messages at the bottom left. All but what was opened stay until they are closed; errors can be copied. */
 import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
@@ -36,11 +36,12 @@ export class Messages implements Voice {
     this.#fade(this.#told);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
-    if (this.#absent) this.#fade(this.#absent);
   }
 
   notice(text: string): void {
-    this.#fade(this.#say(this.#polite, 'notice', text, []));
+    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === text);
+    former?.remove();
+    this.#say(this.#polite, 'notice', text, []);
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {
