@@ -13,7 +13,7 @@ import { Session } from './session/session';
 import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
 import { DEFAULT_FILL } from './state/inside';
-import { Scene } from './state/scene';
+import { Scene } from './state/history';
 import { Signal } from './state/signal';
 import { draws, type Tool } from './state/tool';
 import { h } from './ui/dom';

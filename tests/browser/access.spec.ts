@@ -28,3 +28,51 @@ for (const colorScheme of ['light', 'dark'] as const) {
     expect(await violations(page)).toEqual([]);
   });
 }
+
+test('arrows scroll the panel while it has the focus, and letters do nothing there, nor where they are off', async ({
+  heatwalk,
+  page,
+}) => {
+  await page.setViewportSize({ width: 1000, height: 500 });
+  await heatwalk.open();
+  await heatwalk.settled();
+  await heatwalk.rest();
+  const camera = () => page.evaluate(() => window.heatwalk.camera);
+  const paused = page.getByRole('button', { name: 'Resume', exact: true });
+  const before = await camera();
+  await page.locator('#section-scene summary').focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
+  await expect.poll(() => page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop)).toBeGreaterThan(0);
+  await page.keyboard.press('p');
+  await expect(paused).toHaveCount(0);
+  expect(await camera()).toEqual(before);
+
+  await page.locator('.stage').focus();
+  await page.keyboard.press('p');
+  await expect(paused).toBeVisible();
+  await page.keyboard.press('?');
+  await page.getByLabel('Single-key shortcuts').uncheck();
+  await page.keyboard.press('Escape');
+  await page.locator('.stage').focus();
+  await page.keyboard.press('p');
+  await expect(paused).toBeVisible();
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(camera).not.toEqual(before);
+  // They stay off from one visit to the next.
+  await page.reload();
+  await heatwalk.settled();
+  await page.getByRole('button', { name: 'Help', exact: true }).click();
+  await expect(page.getByLabel('Single-key shortcuts')).not.toBeChecked();
+});
+
+test('a notice stays until it is closed, and the same one is there once', async ({ heatwalk, page }) => {
+  await page.clock.install();
+  await heatwalk.open('#v=1&m=hemisphere&t=fast');
+  await heatwalk.settled();
+  const notice = page.locator('.message.notice', { hasText: 't=fast' });
+  await expect(notice).toBeVisible();
+  await page.clock.fastForward('10:00');
+  await expect(notice).toHaveCount(1);
+  await notice.getByRole('button', { name: 'Close the message' }).click();
+  await expect(notice).toHaveCount(0);
+});

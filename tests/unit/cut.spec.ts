@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import type { MeshPoint } from '../../web/protocol';
-import type { Vector } from '../../web/state/places';
+import type { Vector } from '../../web/state/vector';
 import { straightCut } from '../../web/ui/charts/cut';
 import { grid, sphere } from '../fixtures';
 

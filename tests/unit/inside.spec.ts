@@ -1,6 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { anglesOf, directionOf, HALVED, innerCutOf, middleOf, reachOf, WHOLE } from '../../web/state/inside';
-import type { Box, Vector } from '../../web/state/places';
+import type { Box } from '../../web/state/places';
+import type { Vector } from '../../web/state/vector';
 
 const BOX: Box = [
   [-1, -0.5, -0.25],

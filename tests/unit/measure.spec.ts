@@ -1,7 +1,8 @@
 import { expect, test } from '@playwright/test';
 import type { MeshPoint } from '../../web/protocol';
 import type { Session } from '../../web/session/session';
-import { emptyScene, Scene } from '../../web/state/scene';
+import { Scene } from '../../web/state/history';
+import { emptyScene } from '../../web/state/scene';
 import { Signal } from '../../web/state/signal';
 import { MeasureInput } from '../../web/ui/measure/input';
 import type { Tool } from '../../web/state/tool';

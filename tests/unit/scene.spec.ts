@@ -1,6 +1,8 @@
 import { expect, test } from '@playwright/test';
+import { LEVEL } from '../../web/state/ground';
 import { moveSource, setInitialDistance } from '../../web/state/edit';
-import { emptyScene, Scene } from '../../web/state/scene';
+import { Scene } from '../../web/state/history';
+import { emptyScene } from '../../web/state/scene';
 
 const fresh = () => new Scene({ ...emptyScene({ kind: 'preset', id: 'bunny' }), sources: [{ vertex: 1 }] });
 
@@ -118,4 +120,32 @@ test('listeners get both states until they unsubscribe', () => {
   leave();
   scene.undo();
   expect(heard).toEqual([1, 0]);
+});
+
+const painted = (bytes: number) => ({ ground: { ...LEVEL, faces: new Uint8Array(bytes) } });
+
+function undoAll(scene: Scene): number {
+  let steps = 0;
+  while (scene.undo()) steps += 1;
+  return steps;
+}
+
+test('undo holds the newest steps that fit into 64 MiB, and always the last', () => {
+  const scene = fresh();
+  for (let stroke = 0; stroke < 100; stroke++) scene.edit(painted(2 ** 20));
+  // Beside the strokes there is a little more.
+  expect(undoAll(scene)).toBe(63);
+  expect(scene.state.ground.faces).toHaveLength(2 ** 20);
+  scene.edit(painted(2 ** 27));
+  scene.edit({ ground: LEVEL });
+  expect(undoAll(scene)).toBe(1);
+});
+
+test('what steps of undo share counts once, and there are no more than a thousand', () => {
+  const scene = fresh();
+  scene.edit(painted(2 ** 25));
+  for (let links = 0; links < 100; links++) scene.edit({ links });
+  expect(undoAll(scene)).toBe(101);
+  for (let links = 0; links < 2000; links++) scene.edit({ links });
+  expect(undoAll(scene)).toBe(1000);
 });

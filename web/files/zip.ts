@@ -66,7 +66,7 @@ export class Archive {
     }
     let at = 0;
     const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: () => at++ === index })[name]);
-    if (bytes.length !== size) throw new Error(damaged());
+    if (bytes?.length !== size) throw new Error(damaged());
     this.#left -= size;
     return bytes;
   }
@@ -77,23 +77,23 @@ const damaged = () => t('the archive is damaged or cut short; copy it again');
 function entriesOf(bytes: Uint8Array): Map<string, Entry> {
   const flags = flagsOf(bytes);
   const entries = new Map<string, Entry>();
-  const twice: string[] = [];
+  let twice: string | undefined;
   let index = 0;
   orDamaged(() =>
     unzipSync(bytes, {
       filter({ name, size, originalSize, compression }) {
-        const isEncrypted = (flags[index] & ENCRYPTED) !== 0;
+        const isEncrypted = ((flags[index] ?? 0) & ENCRYPTED) !== 0;
         const entry = { index, name, packed: size, size: originalSize, method: compression, isEncrypted };
         index++;
         const path = name.replaceAll('\\', '/');
-        if (entries.has(path)) twice.push(path);
+        if (entries.has(path)) twice ??= path;
         if (!path.endsWith('/')) entries.set(path, entry);
         return false;
       },
     }),
   );
   // Programs differ in which one they take.
-  if (twice.length > 0) throw new Error(t`the archive holds ${twice[0]} twice; unpack it and open the files`);
+  if (twice !== undefined) throw new Error(t`the archive holds ${twice} twice; unpack it and open the files`);
   return entries;
 }
 
@@ -116,7 +116,12 @@ function flagsOf(bytes: Uint8Array): number[] {
     const flags: number[] = [];
     for (let at = offset; flags.length < count;) {
       flags.push(view.getUint16(at + 8, true));
-      const [name, extra, comment] = [28, 30, 32].map((field) => view.getUint16(at + field, true));
+      // Lengths of the name, of extra fields and of the comment.
+      const [name, extra, comment] = [
+        view.getUint16(at + 28, true),
+        view.getUint16(at + 30, true),
+        view.getUint16(at + 32, true),
+      ];
       at += ENTRY_BYTES + name + extra + comment;
     }
     return flags;

@@ -1,6 +1,6 @@
 /** Keeps the address in step with the scene, so that it can be shared and reloaded, and follows a link that is pasted. */
 import { encodeLink } from '../state/link';
-import type { Scene } from '../state/scene';
+import type { Scene } from '../state/history';
 import { type Opener, startOf } from './opener';
 
 /** The address is written after a pause; browsers limit how often it may change. */

@@ -1,6 +1,6 @@
 /** The clock of an animation: which moment of it is to be shown. */
 import type { Clip, Moment } from '../protocol';
-import type { Scene } from '../state/scene';
+import type { Scene } from '../state/history';
 import { Signal } from '../state/signal';
 import { momentOf } from './prepare';
 

@@ -1,5 +1,6 @@
 /** Sets of sources as they are drawn: curves, and dots where their places are in no order. */
-import type { Places, Vector } from '../state/places';
+import type { Places } from '../state/places';
+import { type Vector, distance, normalized } from '../state/vector';
 import { isClosed, isCurve, type SourceSet } from '../state/sources';
 import type { Edges } from '../view/layers';
 
@@ -52,11 +53,5 @@ function marks({ points }: SourceSet, places: Places): number[] {
 /** A unit vector at right angles to another one. */
 function tangent([x, y, z]: Vector): Vector {
   // Of the two, the longer one: the normal is not along both axes.
-  const [a, b, c]: Vector = Math.abs(x) < Math.abs(z) ? [0, z, -y] : [-y, x, 0];
-  const length = Math.hypot(a, b, c) || 1;
-  return [a / length, b / length, c / length];
-}
-
-function distance(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return normalized(Math.abs(x) < Math.abs(z) ? [0, z, -y] : [-y, x, 0]);
 }

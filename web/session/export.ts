@@ -1,8 +1,7 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
 import type { DrawTransform, SurfacePath, Tracks } from '../protocol';
+import { distance, type Vector } from '../state/vector';
 import type { Up } from '../wasm/contract';
-
-type Vector = [number, number, number];
 
 /** Kinds of files of a path. */
 export type PathFile = 'csv' | 'obj' | 'glb';
@@ -64,7 +63,7 @@ function rowsOf(points: readonly Vector[]): string[] {
   let walked = 0;
   return points.map((point, index) => {
     const before = points[Math.max(0, index - 1)];
-    walked += Math.hypot(...point.map((coordinate, axis) => coordinate - before[axis]));
+    walked += distance(point, before);
     return [walked, ...point].join(',');
   });
 }

@@ -1,4 +1,5 @@
 /** The loop of frames, and the moment at which a moved camera has come to rest. */
+import { toError } from '../error';
 import { Resolution } from '../view/resolution';
 import type { CrowdWalk } from './crowd';
 import type { Session } from './session';
@@ -47,7 +48,7 @@ export class Frames {
       try {
         this.#frame(now);
       } catch (error) {
-        this.#tell(error instanceof Error ? error : new Error(String(error)));
+        this.#tell(toError(error));
       }
     });
   }

@@ -13,7 +13,7 @@ import {
 } from '../state/brush';
 import { codesOfRows, codesOfVertices } from '../state/costs';
 import { type Ground, LEVEL, type WallLine, withFaces } from '../state/ground';
-import type { Vector } from '../state/places';
+import { type Vector, distance } from '../state/vector';
 import { Signal } from '../state/signal';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
@@ -278,10 +278,6 @@ export class GroundEditor {
       this.#session.fail(error);
     }
   }
-}
-
-function distance(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 type Pixel = readonly [number, number];

@@ -1,6 +1,6 @@
 /** The place of a surface that is nearest to a point of space. */
 import type { DrawMesh, DrawTransform, MeshPoint } from '../protocol';
-import type { Vector } from '../state/places';
+import { type Vector, dot, minus, vectorAt } from '../state/vector';
 
 /** Triangles of a leaf of the hierarchy, see `bake::hierarchy::LEAF`. */
 const LEAF = 8;
@@ -120,10 +120,6 @@ function squareTo(boxes: Float32Array, node: number, point: Vector): number {
   return square;
 }
 
-function vectorAt(positions: Float32Array, index: number): Vector {
-  return [positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]];
-}
-
 function blended([u, v, w]: Vector, a: Vector, b: Vector, c: Vector): Vector {
   const at = (k: number) => u * a[k] + v * b[k] + w * c[k];
   return [at(0), at(1), at(2)];
@@ -132,12 +128,4 @@ function blended([u, v, w]: Vector, a: Vector, b: Vector, c: Vector): Vector {
 function squareBetween(a: Vector, b: Vector): number {
   const away = minus(a, b);
   return dot(away, away);
-}
-
-function minus(a: Vector, b: Vector): Vector {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -4,6 +4,7 @@ import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
 import { fileName, isArchive, isTable } from '../files/paths';
 import type { SceneFile } from '../files/scene';
+import { toError } from '../error';
 import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -375,8 +376,4 @@ function given(collection: Collection): Origin {
 /** The state in which a mesh that is opened from a file starts out where some of it is chosen beforehand. */
 export function startOfGiven(mesh: MeshReference): SceneState {
   return { ...emptyScene(mesh), ...UNTOLD, style: MODEL_STYLE };
-}
-
-function toError(thrown: unknown): Error {
-  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }

@@ -1,7 +1,7 @@
 /** Boundary loops, components and parts of a surface, by the triangles beside each triangle. */
 import type { OpenedMesh } from '../protocol';
 import { partsOfFaces } from '../state/parts';
-import type { Vector } from '../state/places';
+import { type Vector, distance, vectorAt } from '../state/vector';
 
 /** A surface as it is drawn, and the triangles beside each: `SolverApi.neighbors`. */
 export interface Outlined extends Pick<OpenedMesh, 'parts' | 'active' | 'inputVertices'> {
@@ -142,11 +142,5 @@ function vertexOf({ surface, inputVertices }: Outlined, face: number, corner: nu
 }
 
 function positionOf({ surface }: Outlined, face: number, corner: number): Vector {
-  const first = 3 * surface.triangles[3 * face + corner];
-  const { positions } = surface;
-  return [positions[first], positions[first + 1], positions[first + 2]];
-}
-
-function distance(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return vectorAt(surface.positions, surface.triangles[3 * face + corner]);
 }

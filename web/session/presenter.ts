@@ -2,7 +2,8 @@
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
 import { isPainted, isWeighted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
-import { type Scene, type SceneState, visible } from '../state/scene';
+import type { Scene } from '../state/history';
+import { type SceneState, visible } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { ShownField } from '../view/layers';
 import type { View } from '../view/view';

@@ -1,4 +1,5 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
+import { toError } from '../error';
 import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, isSameMoment, type Question } from '../solver/engine';
@@ -6,7 +7,8 @@ import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { Places } from '../state/places';
-import { type Scene, type SceneState, upOf } from '../state/scene';
+import type { Scene } from '../state/history';
+import { type SceneState, upOf } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { View } from '../view/view';
 import type { Walk } from '../view/walk';
@@ -38,6 +40,39 @@ export interface Preview {
   opened: OpenedMesh;
 }
 
+/** Another worker that is made ready for the mesh on screen, turned or with the factors of the heat method. */
+interface Preparing {
+  kind: 'turned' | 'factored';
+  /** The method by which the worker in use is asked until then; null: that of the scene. */
+  meanwhile: Method | null;
+}
+
+interface OnScreen {
+  /** What the mesh was opened by. */
+  readonly request: OpenRequest;
+  preparing: Preparing | null;
+}
+
+/** Before the first mesh; while a worker answers for the one on screen; while that worker is lost. */
+type Phase =
+  | { readonly kind: 'empty' }
+  | (OnScreen & {
+      readonly kind: 'answering';
+      readonly engine: Engine;
+      /** What was asked last, while it is under way. */
+      asked: Question | null;
+      /** Whether another pose is under way that distance is not measured in. */
+      posing: boolean;
+    })
+  | (OnScreen & { readonly kind: 'lost'; readonly lost: WorkerLost });
+
+/** A drag under way. */
+interface Drag {
+  readonly paints: boolean;
+  /** Whether fields are solved with less accuracy: decided once, since quick fields soon take less than a frame. */
+  readonly quick: boolean;
+}
+
 export class Session {
   readonly scene: Scene;
   readonly view: View;
@@ -63,26 +98,10 @@ export class Session {
   );
   readonly #client = new SolverClient();
   readonly #presenter: Presenter;
-  /** What the mesh on screen was opened by. */
-  #request: OpenRequest | null = null;
-  /** Null before the first mesh, and while the worker of the one on screen is lost. */
-  #engine: Engine | null = null;
-  /** Of the mesh that is being opened, while its first answer is under way. */
-  #answering: Engine | null = null;
-  #lost: WorkerLost | null = null;
-  /** While the mesh on screen is being factored for the heat method: the method that it is asked by meanwhile. */
-  #factoring: { meanwhile: Method } | null = null;
-  /** What was asked last, while it is under way. */
-  #asked: Question | null = null;
-  /** What the mesh on screen is being turned for. */
-  #turning: SceneState | null = null;
+  #phase: Phase = { kind: 'empty' };
+  #drag: Drag | null = null;
   /** What was asked when a worker was lost last, as text. */
   #fatal = '';
-  /** While another pose is under way that distance is not measured in. */
-  #posing = false;
-  #dragging = false;
-  #painting = false;
-  #quick = false;
 
   constructor(scene: Scene, view: View) {
     this.scene = scene;
@@ -105,12 +124,12 @@ export class Session {
 
   /** What the mesh on screen was opened by; null before the first. */
   get request(): OpenRequest | null {
-    return this.#request;
+    return this.#phase.kind === 'empty' ? null : this.#phase.request;
   }
 
   /** Where the mesh on screen can be asked; null before the first, and while its worker is lost. */
   get engine(): Engine | null {
-    return this.#engine;
+    return this.#phase.kind === 'answering' ? this.#phase.engine : null;
   }
 
   /** Shows another mesh once it is solved, a large one ahead of that; if this rejects, everything is as it was. */
@@ -123,8 +142,7 @@ export class Session {
     return whileLoading(this.loading, request.title, async (progress, signal) => {
       try {
         const built = (opened: OpenedMesh) => this.#preview(opened, request);
-        const engine = await this.#start(request, request.state, progress, built);
-        this.#answering = engine;
+        const engine = await this.#start(request, request.state, progress, signal, built);
         try {
           const wanted = suited(request, engine.opened);
           const { state, shown } = await prepare(engine, wanted);
@@ -134,8 +152,6 @@ export class Session {
         } catch (error) {
           engine.dispose();
           throw error;
-        } finally {
-          if (this.#answering === engine) this.#answering = null;
         }
       } finally {
         this.#presenter.endPreview();
@@ -153,36 +169,40 @@ export class Session {
   cancelOpening(): void {
     this.loading.value = null;
     this.#client.cancel();
-    this.#answering?.dispose();
   }
 
   /** During a drag a small exact region, or what vertices carry, may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
-    const answer = this.shown.value?.answer;
-    this.#dragging = dragging;
-    // Decided once a drag: quick fields soon take less than a frame.
-    this.#quick = dragging && (this.#painting || (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS);
-    if (dragging) this.refiner.interrupt();
-    if (dragging || !answer) return;
-    if (this.#isAnswered(answer)) this.#rest();
-    else void this.#solve();
+    this.#setDrag(dragging, false);
   }
 
   /** While the ground is painted, fields follow by a window, also where they are by heat: that has to be factored anew. */
   set painting(painting: boolean) {
-    this.#painting = painting;
-    this.dragging = painting;
+    this.#setDrag(painting, true);
   }
 
   get dragging(): boolean {
-    return this.#dragging;
+    return this.#drag !== null;
+  }
+
+  #setDrag(begins: boolean, paints: boolean): void {
+    const answer = this.shown.value?.answer;
+    if (begins) {
+      this.#drag = { paints, quick: paints || (answer?.field?.solveMs ?? 0) > LIVE_FIELD_MS };
+      this.refiner.interrupt();
+      return;
+    }
+    this.#drag = null;
+    if (!answer) return;
+    if (this.#isAnswered(answer)) this.#rest();
+    else void this.#solve();
   }
 
   /** Nothing is being opened, solved or refined, and no source is dragged. */
   get settled(): boolean {
     if (this.loading.value !== null) return false;
     const isPosed = this.animator.plays || isSameMoment(this.pose.value, this.animator.moment.value);
-    return this.#engine === null || (this.refiner.settled && isPosed);
+    return this.engine === null || (this.refiner.settled && isPosed);
   }
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
@@ -199,22 +219,23 @@ export class Session {
 
   /** Shows the pose that is wanted, unless one is under way. */
   async #pose(): Promise<void> {
-    const engine = this.#engine;
+    const phase = this.#phase;
     const moment = this.animator.moment.value;
-    if (!engine || this.#posing || !this.shown.value || isSameMoment(moment, this.pose.value)) return;
+    if (phase.kind !== 'answering' || phase.posing || !this.shown.value) return;
+    if (isSameMoment(moment, this.pose.value)) return;
     if (this.scene.state.animation.live) {
       // The answer brings the pose.
       if (!this.#isAnswered(this.shown.value.answer)) void this.#solve();
       return;
     }
-    this.#posing = true;
+    phase.posing = true;
     try {
-      const posed = await engine.pose(moment);
-      if (posed && engine === this.#engine) this.#showPose(posed, moment);
+      const posed = await phase.engine.pose(moment);
+      if (posed && phase === this.#phase) this.#showPose(posed, moment);
     } catch (error) {
       this.fail(error);
     } finally {
-      this.#posing = false;
+      phase.posing = false;
     }
   }
 
@@ -238,15 +259,21 @@ export class Session {
     this.failure.value = toError(error);
   }
 
-  /** A worker that has opened a mesh for a state. */
-  #start(
+  /** A worker that has opened a mesh for a state. Unless it answers for the mesh on screen by then, it ends with `signal`. */
+  async #start(
     { load }: OpenRequest,
     state: SceneState,
     progress: ProgressListener,
+    signal: AbortSignal,
     built?: (opened: OpenedMesh) => void,
   ): Promise<Engine> {
-    this.#answering?.dispose();
-    return this.#client.open(load, wantedOf(state), progress, built);
+    const engine = await this.#client.open(load, wantedOf(state), progress, built);
+    const end = () => {
+      if (engine !== this.engine) engine.dispose();
+    };
+    signal.addEventListener('abort', end);
+    if (signal.aborted) end();
+    return engine;
   }
 
   #preview(opened: OpenedMesh, request: OpenRequest): void {
@@ -269,11 +296,9 @@ export class Session {
       if (before) this.shown.value = { ...before, opened: { ...before.opened } };
       throw error;
     }
-    this.#engine?.dispose();
-    this.#use(engine);
     // What was placed is in the scene from now on.
     const { carry: _carry, ...kept } = request;
-    this.#request = kept;
+    this.#use(engine, kept);
     this.refiner.reset();
     this.failure.value = null;
     this.#count(shown.answer);
@@ -291,51 +316,77 @@ export class Session {
    * Opens the mesh on screen anew with another axis upward, in a worker of its own; until then it is shown as it was. What
    * undo goes back over stays, and so does what is changed meanwhile.
    */
-  async #turn(): Promise<void> {
-    if (!this.#request) return;
+  #turn(meanwhile: Method | null): Promise<void> {
     const { state } = this.scene;
-    this.#turning = state;
-    try {
-      await this.#open({ ...this.#request, state, choosePlaces: false, view: null }, true);
+    return this.#prepare({ kind: 'turned', meanwhile }, async (request) => {
+      await this.#open({ ...request, state, choosePlaces: false, view: null }, true);
       if (this.shown.value && !this.#isAnswered(this.shown.value.answer)) void this.#solve();
+    });
+  }
+
+  /** Factors the mesh on screen in a worker of its own; until that is done, the one in use answers by the method before. */
+  #factor(before: Method): Promise<void> {
+    return this.#prepare({ kind: 'factored', meanwhile: before }, async (request) => {
+      this.#use(await this.#startAgain(request, this.scene.state), request);
+      await this.#solve();
+    });
+  }
+
+  /** Makes another worker ready, in the place of one that was being made ready; takes back what could not be done. */
+  async #prepare(mine: Preparing, work: (request: OpenRequest) => Promise<void>): Promise<void> {
+    if (this.#phase.kind === 'empty') return;
+    this.#phase.preparing = mine;
+    try {
+      await work(this.#phase.request);
     } catch (error) {
-      this.fail(error);
-      const { value: shown } = this.shown;
-      if (shown && this.scene.state.up === state.up) this.scene.withdraw({ up: shown.opened.drawTransform.up });
-    } finally {
-      if (this.#turning === state) this.#turning = null;
+      if (!this.#endPreparing(mine)) return;
+      if (!(error instanceof Cancelled)) this.failure.value = toError(error);
+      const { opened } = this.shown.value ?? {};
+      const { up } = opened?.drawTransform ?? {};
+      if (opened && up && upOf(this.scene.state, opened.upright) !== up) this.scene.withdraw({ up });
+      if (mine.meanwhile) this.scene.withdraw({ method: mine.meanwhile });
     }
   }
 
-  #use(engine: Engine): void {
-    this.#engine = engine;
-    this.#asked = null;
-    this.#lost = null;
+  /** Whether it was not over yet. */
+  #endPreparing(mine: Preparing): boolean {
+    if (this.#phase.kind === 'empty' || this.#phase.preparing !== mine) return false;
+    this.#phase.preparing = null;
+    return true;
+  }
+
+  get #preparing(): Preparing | null {
+    return this.#phase.kind === 'empty' ? null : this.#phase.preparing;
+  }
+
+  /** Has a mesh on screen answered by a worker, in the place of the one before. */
+  #use(engine: Engine, request: OpenRequest): void {
+    this.engine?.dispose();
+    this.#phase = { kind: 'answering', request, preparing: null, engine, asked: null, posing: false };
     // It shows the mesh as its file has it.
     this.pose.value = null;
     void engine.lost.then((lost) => {
-      if (engine !== this.#engine) return;
-      this.#engine = null;
-      this.#lost = lost;
-      return this.#revive(lost);
+      if (engine !== this.engine) return;
+      this.#phase = { kind: 'lost', request, preparing: this.#preparing, lost };
+      return this.#revive(request, lost);
     });
     // The next opening finds its worker compiled, and the first picture does not wait for it.
     setTimeout(() => this.#client.warmUp(), WARM_UP_MS);
   }
 
   /** Gives the scene a fresh worker, once: what has ended two workers would end a third. */
-  async #revive(lost: WorkerLost): Promise<void> {
+  async #revive(request: OpenRequest, lost: WorkerLost): Promise<void> {
     this.refiner.giveUp();
     const { state } = this.scene;
     const asked = asText(state);
-    if (!this.#request || this.loading.value || asked === this.#fatal) {
+    if (this.loading.value || asked === this.#fatal) {
       this.failure.value = lost;
       return;
     }
     this.#fatal = asked;
     const exactBelow = this.shown.value?.answer.field?.exactBelow ?? 0;
     try {
-      this.#use(await this.#startAgain(this.#request, state));
+      this.#use(await this.#startAgain(request, state), request);
     } catch (error) {
       this.failure.value = error instanceof Cancelled ? lost : toError(error);
       return;
@@ -349,46 +400,23 @@ export class Session {
   /** Another worker for the mesh on screen, which is to be asked next. */
   #startAgain(request: OpenRequest, state: SceneState): Promise<Engine> {
     return whileLoading(this.loading, request.title, async (progress, signal) => {
-      const engine = await this.#start(request, state, progress);
-      try {
-        signal.throwIfAborted();
-        this.refiner.interrupt();
-        return engine;
-      } catch (error) {
-        engine.dispose();
-        throw error;
-      }
+      const engine = await this.#start(request, state, progress, signal);
+      signal.throwIfAborted();
+      this.refiner.interrupt();
+      return engine;
     });
-  }
-
-  /** Factors the mesh on screen in a worker of its own; until that is done, the one in use answers by the method before. */
-  async #factor(before: Method): Promise<void> {
-    if (!this.#request) return;
-    const mine = { meanwhile: before };
-    this.#factoring = mine;
-    try {
-      const engine = await this.#startAgain(this.#request, this.scene.state);
-      this.#factoring = null;
-      this.#engine?.dispose();
-      this.#use(engine);
-    } catch (error) {
-      if (this.#factoring !== mine) return;
-      if (!(error instanceof Cancelled)) this.failure.value = toError(error);
-      this.#factoring = null;
-      this.scene.withdraw({ method: before });
-      return;
-    }
-    await this.#solve();
   }
 
   /** Another method: heat needs factors, and others do not wait for them. */
   #choose(before: Method): void {
-    if (this.scene.state.method !== 'heat' && this.#factoring) {
-      this.#factoring = null;
+    const preparing = this.#preparing;
+    if (this.scene.state.method === 'heat' && this.engine?.isFactored === false) {
+      if (preparing?.kind === 'turned') void this.#turn(before);
+      else void this.#factor(before);
+    } else if (preparing?.kind === 'factored') {
+      this.#endPreparing(preparing);
       this.cancelOpening();
-    } else if (this.scene.state.method === 'heat' && this.#engine?.isFactored === false) {
-      void this.#factor(before);
-    }
+    } else if (preparing) preparing.meanwhile = null;
   }
 
   #follow(state: SceneState, previous: SceneState): void {
@@ -396,39 +424,43 @@ export class Session {
     if (!shown) return;
     if (state.up !== previous.up) {
       if (upOf(state, shown.opened.upright) !== shown.opened.drawTransform.up) {
-        void this.#turn();
+        void this.#turn(this.#preparing?.meanwhile ?? null);
         return;
       }
-      if (this.#turning) this.cancelOpening();
+      if (this.#preparing?.kind === 'turned') this.cancelOpening();
     }
     if (state.method !== previous.method) this.#choose(previous.method);
-    if (this.#lost || !this.#isAnswered(shown.answer)) void this.#solve();
+    if (this.#phase.kind === 'lost' || !this.#isAnswered(shown.answer)) void this.#solve();
     else if (state.refine !== previous.refine) this.#rest();
   }
 
   /** Whether the scene's question was answered and shown. */
   async #solve(): Promise<boolean> {
-    const engine = this.#engine;
+    const phase = this.#phase;
     const { value: before } = this.shown;
-    if (this.#lost && !this.loading.value) void this.#revive(this.#lost);
-    if (!engine || !before) return false;
+    if (phase.kind === 'lost' && !this.loading.value) void this.#revive(phase.request, phase.lost);
+    if (phase.kind !== 'answering' || !before) return false;
+    const { engine } = phase;
     const question = this.#question;
-    const wait = this.#dragging && before.answer.pathMs > LIVE_PATH_MS;
+    const wait = this.dragging && before.answer.pathMs > LIVE_PATH_MS;
+    const isOver = () => {
+      if (phase.asked === question) phase.asked = null;
+    };
     this.refiner.interrupt();
-    this.#asked = question;
+    phase.asked = question;
     try {
       const answer = await engine.ask({ ...question, from: wait ? null : question.from });
-      if (this.#asked === question) this.#asked = null;
-      if (!answer || engine !== this.#engine) return false;
-      const moved = answer.question.from !== before.answer.question.from && !this.#dragging;
+      isOver();
+      if (!answer || phase !== this.#phase) return false;
+      const moved = answer.question.from !== before.answer.question.from && !this.dragging;
       const pathMs = wait ? before.answer.pathMs : answer.pathMs;
       this.#show({ ...this.#meshOf(engine, before), answer: { ...answer, pathMs } }, moved);
       this.#showMeasured(answer);
       this.failure.value = null;
-      if (!this.#dragging) this.#rest();
+      if (!this.dragging) this.#rest();
       return true;
     } catch (error) {
-      if (this.#asked === question) this.#asked = null;
+      isOver();
       if (error instanceof Cancelled || error instanceof WorkerLost) return false;
       this.refiner.giveUp();
       this.fail(error);
@@ -445,17 +477,17 @@ export class Session {
   #rest(): void {
     const { value: shown } = this.shown;
     const { state } = this.scene;
-    if (!this.#engine || !shown || !this.#isAnswered(shown.answer) || this.#isLive) return;
-    this.refiner.rest(this.#engine, shown.answer, { ...state, method: shown.answer.question.method });
+    if (!this.engine || !shown || !this.#isAnswered(shown.answer) || this.#isLive) return;
+    this.refiner.rest(this.engine, shown.answer, { ...state, method: shown.answer.question.method });
   }
 
   /** What the scene asks now. */
   get #question(): Question {
     const { state } = this.scene;
     const moment = state.animation.live ? this.animator.moment.value : null;
-    const quick = this.#quick || this.#isLive;
-    const method = this.#painting && state.method === 'heat' ? 'auto' : state.method;
-    return { ...questionOf(state, this.#factoring?.meanwhile ?? method), moment, quick };
+    const quick = this.#drag?.quick === true || this.#isLive;
+    const method = this.#drag?.paints && state.method === 'heat' ? 'auto' : state.method;
+    return { ...questionOf(state, this.#preparing?.meanwhile ?? method), moment, quick };
   }
 
   /** Whether distance is measured in one pose after the other. */
@@ -467,7 +499,7 @@ export class Session {
   #isAnswered({ question }: Answer): boolean {
     const asked = this.#question;
     return (
-      this.#asked === null &&
+      (this.#phase.kind !== 'answering' || this.#phase.asked === null) &&
       isSameField(question, asked) &&
       question.method === asked.method &&
       question.from === asked.from &&
@@ -482,7 +514,7 @@ export class Session {
   }
 
   #show(shown: Shown, fromStart: boolean): void {
-    this.#presenter.answer(shown, fromStart, shown.answer.question.from !== null || !this.#dragging);
+    this.#presenter.answer(shown, fromStart, shown.answer.question.from !== null || !this.dragging);
     this.#count(shown.answer);
     this.shown.value = shown;
   }
@@ -506,8 +538,4 @@ function asText({
 /** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
 function outOfMemory(exactBelow: number): string {
   return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
-}
-
-function toError(thrown: unknown): Error {
-  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }

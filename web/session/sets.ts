@@ -2,8 +2,9 @@
 import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
-import type { Vector } from '../state/places';
-import { type Scene, unitOf } from '../state/scene';
+import type { Vector } from '../state/vector';
+import type { Scene } from '../state/history';
+import { unitOf } from '../state/scene';
 import {
   allSources,
   type Corner,

@@ -5,6 +5,7 @@ import { MOST_SECONDS } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isWeighted } from '../state/ground';
+import { distance } from '../state/vector';
 import { Signal, until } from '../state/signal';
 import { legsOf, type Tape } from '../state/tapes';
 import type { Shown } from './prepare';
@@ -126,7 +127,7 @@ export class Tapes {
     const [a, b] = [from, to].map((end) => shown.value?.places.at(end)?.position);
     if (!shown.value || !a || !b) return { state: 'none', leg: null, straight: NaN };
     const { scale } = shown.value.opened.drawTransform;
-    return { state: 'measuring', leg: null, straight: Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / scale };
+    return { state: 'measuring', leg: null, straight: distance(a, b) / scale };
   }
 
   /** Measures what is not measured, one leg after the other, the newest tape first. */

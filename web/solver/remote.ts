@@ -1,5 +1,6 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
+import { toError } from '../error';
 import type { SolverApi } from '../protocol';
 import { OUT_OF_MEMORY } from '../wasm/contract';
 import { spawn } from './spawn';
@@ -60,10 +61,6 @@ export class SolverWorker {
     this.#worker.terminate();
     this.#ended.reject(reason);
   }
-}
-
-function toError(thrown: unknown): Error {
-  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
 function lostTo(trap: Error): WorkerLost {

@@ -1,6 +1,6 @@
 /** The brush: which triangles a disc on the surface covers, and how strokes change the ground. */
 import { blend, CLOSED_GATE, codeOf, EVEN, type Ground, isCost, isWall, OPEN_GATE, WALL, withFaces } from './ground';
-import type { Vector } from './places';
+import { type Vector, dot, minus } from './vector';
 
 export const MATERIALS = ['mud', 'sand', 'road', 'custom', 'wall', 'gate', 'eraser'] as const;
 export type Material = (typeof MATERIALS)[number];
@@ -169,12 +169,4 @@ function distanceToEdge(point: Vector, from: Vector, to: Vector): number {
   const [along, there] = [minus(to, from), minus(point, from)];
   const share = Math.min(1, Math.max(0, dot(there, along) / (dot(along, along) || 1)));
   return Math.hypot(...there.map((value, k) => value - share * along[k]));
-}
-
-function minus(a: Vector, b: Vector): Vector {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

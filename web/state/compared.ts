@@ -1,7 +1,8 @@
 /** Two settings of the solver side by side. */
 import { DEFAULT_PARAMETERS, DEFAULT_WINDOWS } from '../wasm/contract';
-import { encodeSettings, parserOf, type SettingKey, SETTINGS, type Settings } from './settings';
-import { number, within } from './text';
+import { type Key, keysOf, read } from './keys';
+import { type SettingKey, SETTINGS, type Settings } from './settings';
+import { within } from './text';
 
 /** What the scene is compared with. */
 export interface Compared extends Settings {
@@ -20,30 +21,33 @@ export function settingsOf({ method, windows, parameters, refine }: Settings): S
 
 /** The keys of the settings in which two differ. */
 export function differing(one: Settings, other: Settings): SettingKey[] {
-  const [ofOne, ofOther] = [encodeSettings(one), encodeSettings(other)];
-  return SETTINGS.filter((key) => ofOne[key] !== ofOther[key]);
+  return apart(one, other).map(({ key }) => key);
 }
+
+function apart(one: Settings, other: Settings) {
+  return SETTINGS.filter(({ encode }) => encode(one) !== encode(other));
+}
+
+const SPLIT = keysOf<Compared>().whole('at', 'split', within(SPLITS));
+const KEYS: readonly Key<Compared>[] = [...SETTINGS, SPLIT];
 
 /** What differs from the scene's own settings, and the split; `none` where nothing is compared. */
 export function encodeCompared(compared: Compared | null, own: Settings): string {
   if (!compared) return 'none';
-  const texts = encodeSettings(compared);
-  return [...differing(own, compared).map((key) => `${key}:${texts[key]}`), `at:${number(compared.split)}`].join();
+  return [...apart(own, compared), SPLIT].map(({ key, encode }) => `${key}:${encode(compared)}`).join();
 }
 
-/** What `encodeCompared` has written for the same settings, in a list, or an empty one; null for other text. */
-export function decodeCompared(text: string, own: Settings): Compared[] | null {
-  if (text === 'none') return [];
-  const compared: Compared = { ...settingsOf(own), split: MIDDLE };
+/** What `encodeCompared` has written for the same settings; undefined for other text. */
+export function decodeCompared(text: string, own: Settings): Compared | null | undefined {
+  if (text === 'none') return null;
+  let compared: Compared | undefined = { ...settingsOf(own), split: MIDDLE };
   for (const entry of text.split(',')) {
-    const [key, value = '', ...more] = entry.split(':');
-    const split = key === 'at' ? within(...SPLITS)(value) : null;
-    const known = SETTINGS.find((name) => name === key);
-    const change = split === null ? known && parserOf(known)(value)?.(compared) : { split };
-    if (!change || more.length > 0) return null;
-    Object.assign(compared, change);
+    const [name, value = '', ...more] = entry.split(':');
+    const known = KEYS.find(({ key }) => key === name);
+    compared = known && more.length === 0 ? read(known, value, compared) : undefined;
+    if (!compared) return undefined;
   }
-  return [compared];
+  return compared;
 }
 
 const BY_HEAT: Settings = { method: 'heat', windows: DEFAULT_WINDOWS, parameters: DEFAULT_PARAMETERS, refine: false };

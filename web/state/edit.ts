@@ -2,7 +2,8 @@
 import type { MeshPoint } from '../protocol';
 import { UP, type Up } from '../wasm/contract';
 import type { Inside } from './inside';
-import { type Scene, upOf } from './scene';
+import type { Scene } from './history';
+import { upOf } from './scene';
 import { type SourceSet, withOffset } from './sources';
 
 export function setSource(scene: Scene, point: MeshPoint): void {

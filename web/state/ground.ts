@@ -157,12 +157,12 @@ export function encodeGround(ground: Ground): string {
   return pack(Uint8Array.from(bytes));
 }
 
-/** Null for text that is none. */
-export function decodeGround(text: string): Pick<Ground, 'faces' | 'lines'> | null {
+/** Undefined for text that is none. */
+export function decodeGround(text: string): Pick<Ground, 'faces' | 'lines'> | undefined {
   try {
     return text === '' ? { faces: LEVEL.faces, lines: [] } : read(unpack(text));
   } catch {
-    return null;
+    return undefined;
   }
 }
 

@@ -1,7 +1,8 @@
 /** How the inside of a mesh of tetrahedra is looked into. */
 import type { InnerCut } from '../protocol';
 import type { Method } from '../wasm/contract';
-import type { Box, Vector } from './places';
+import type { Box } from './places';
+import { type Vector, dot, moved } from './vector';
 
 /** Whether a mesh can be asked by a method: inside of tetrahedra distance is by heat, or by waves from vertex to vertex. */
 export function isMethodOf(method: Method, isInside: boolean): boolean {
@@ -92,7 +93,7 @@ export function anglesOf([x, y, z]: Vector): Pick<Inside, 'turn' | 'tilt'> {
 export function middleOf(inside: Inside, box: Box): Vector {
   const direction = directionOf(inside);
   const away = inside.place * reachOf(direction, box);
-  return direction.map((along, axis) => center(box, axis) + away * along) as Vector;
+  return moved([center(box, 0), center(box, 1), center(box, 2)], direction, away);
 }
 
 /** How far a mesh reaches from its middle in a direction. */
@@ -118,10 +119,6 @@ function sideOf(inside: Inside, side: number): Vector {
 
 function center([low, high]: Box, axis: number): number {
   return (low[axis] + high[axis]) / 2;
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 function radians(angle: number): number {

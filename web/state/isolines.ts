@@ -32,13 +32,14 @@ export function encodeIsolines(wish: IsolineWish | null): string {
   return isolinesText(wish) || 'stripes';
 }
 
-/** What `encodeIsolines` wrote, in a list, or an empty one; null for other text. */
-export function decodeIsolines(text: string): IsolineWish[] | null {
-  if (text === 'stripes') return [];
-  const [first, ...more] = text.split(',');
-  const words = more.length === 1 && more[0] === '' ? [first] : [first, ...more];
-  const numbers = words.map(parseAmount).filter((value) => value !== null);
-  if (numbers.length < words.length || numbers.length > MOST) return null;
-  if (more.length === 0) return numbers[0] > 0 ? [{ values: [], spacing: numbers[0] }] : null;
-  return [{ values: numbers, spacing: 0 }];
+/** What `encodeIsolines` wrote; undefined for other text. */
+export function decodeIsolines(text: string): IsolineWish | null | undefined {
+  if (text === 'stripes') return null;
+  const words = text.split(',');
+  const isSpacing = words.length === 1;
+  const numbers = (words.length === 2 && words[1] === '' ? words.slice(0, 1) : words).map(parseAmount);
+  if (numbers.length > MOST || !numbers.every((value) => value !== undefined)) return undefined;
+  const [spacing = 0] = numbers;
+  if (!isSpacing) return { values: numbers, spacing: 0 };
+  return spacing > 0 ? { values: [], spacing } : undefined;
 }

@@ -1,6 +1,6 @@
 /** Lists of sources as rows of text: a CSV file, what is pasted, what is typed. */
 import { MOST_POINTS } from './sources';
-import type { Vector } from './places';
+import type { Vector } from './vector';
 import { t } from '../texts';
 
 /** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates. */

@@ -1,7 +1,6 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
 import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
-
-export type Vector = [number, number, number];
+import { distance, normalized, type Vector } from './vector';
 
 /** Least and greatest corner of a box. */
 export type Box = readonly [Vector, Vector];
@@ -39,7 +38,7 @@ export class Places {
       this.#drawnOf[vertex] = drawn;
     });
     this.box = boxAround(mesh.surface.positions);
-    this.drawnDiameter = distanceBetween(...this.box);
+    this.drawnDiameter = distance(...this.box);
     this.diameter = this.drawnDiameter / mesh.drawTransform.scale;
   }
 
@@ -92,7 +91,7 @@ export class Places {
     const { positions, normals } = this.#pose;
     return {
       position: blend(positions, found.corners, found.weights),
-      normal: normalised(blend(normals, found.corners, found.weights)),
+      normal: normalized(blend(normals, found.corners, found.weights)),
     };
   }
 
@@ -185,11 +184,6 @@ function blend(values: Float32Array, corners: readonly number[], weights: readon
   return out;
 }
 
-function normalised(vector: Vector): Vector {
-  const length = Math.hypot(...vector) || 1;
-  return [vector[0] / length, vector[1] / length, vector[2] / length];
-}
-
 /** Least and greatest corner of the box around points. */
 export function boxAround(positions: Float32Array): Box {
   const low: Vector = [Infinity, Infinity, Infinity];
@@ -199,8 +193,4 @@ export function boxAround(positions: Float32Array): Box {
     high[i % 3] = Math.max(high[i % 3], positions[i]);
   }
   return [low, high];
-}
-
-function distanceBetween(a: Vector, b: Vector): number {
-  return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }

@@ -13,7 +13,6 @@ import { type Ground, LEVEL } from './ground';
 import { type Inside, WHOLE } from './inside';
 import type { Compared } from './compared';
 import type { Settings } from './settings';
-import { tellEach } from './signal';
 import type { SourceSet } from './sources';
 import type { Tape } from './tapes';
 import { DEFAULT_STYLE, type Style } from './styles';
@@ -98,8 +97,19 @@ export const LARGEST_CROWD = 10_000;
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
 export const CROWD_HEIGHT = 0.03;
 
-/** What undo goes back over: all but the mesh, how it is looked at, and how it moves. */
-export interface Undoable extends Settings {
+export interface SceneState extends Settings {
+  mesh: MeshReference;
+  /** Indices of the active parts; empty: all. */
+  parts: readonly number[];
+  /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
+  triangles: number | null;
+  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  fill: number | null;
+  /** As `Viewer.camera` gives it; null until the user has moved it. */
+  camera: readonly number[] | null;
+  animation: Animation;
+  /** Indices of the parts that are hidden; active parts are always shown. */
+  hidden: readonly number[];
   sources: readonly Source[];
   /** Sources that are many places each. */
   sets: readonly SourceSet[];
@@ -134,21 +144,6 @@ export interface Undoable extends Settings {
   overlays: readonly Overlay[];
   /** Number of walkers in the crowd. */
   crowd: number;
-}
-
-export interface SceneState extends Undoable {
-  mesh: MeshReference;
-  /** Indices of the active parts; empty: all. */
-  parts: readonly number[];
-  /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
-  triangles: number | null;
-  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
-  fill: number | null;
-  /** As `Viewer.camera` gives it; null until the user has moved it. */
-  camera: readonly number[] | null;
-  animation: Animation;
-  /** Indices of the parts that are hidden; active parts are always shown. */
-  hidden: readonly number[];
   /** Index into `sources` and, after these, `sets`; −1 for none. Belongs to the moment, so the link leaves it out. */
   selected: number;
 }
@@ -225,109 +220,4 @@ export function isSameUnit(
 export function visible(scenery: readonly SceneryPart[], { overlays, hidden }: SceneState): SceneryPart[] {
   if (!overlays.includes('scenery')) return [];
   return scenery.filter(({ part }) => !hidden.includes(part));
-}
-
-export type SceneListener = (state: SceneState, previous: SceneState) => void;
-
-export class Scene {
-  #state: SceneState;
-  #past: Undoable[] = [];
-  #future: Undoable[] = [];
-  #gesture: object | null = null;
-  readonly #listeners = new Set<SceneListener>();
-
-  constructor(state: SceneState) {
-    this.#state = state;
-  }
-
-  get state(): SceneState {
-    return this.#state;
-  }
-
-  get canUndo(): boolean {
-    return this.#past.length > 0;
-  }
-
-  get canRedo(): boolean {
-    return this.#future.length > 0;
-  }
-
-  /** Returns the function that ends the subscription. */
-  subscribe(listener: SceneListener): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
-  }
-
-  /** A change that undo does not concern. */
-  set(change: Partial<Omit<SceneState, keyof Undoable>>): void {
-    this.#replace({ ...this.#state, ...change });
-  }
-
-  /** Changes what undo goes back over. All changes that carry the same `gesture` are one step of undo, as a drag is. */
-  edit(change: Partial<Undoable> & { selected?: number }, gesture: object | null = null): void {
-    if (gesture === null || gesture !== this.#gesture) {
-      this.#past.push(undoableOf(this.#state));
-    }
-    this.#gesture = gesture;
-    this.#future = [];
-    this.#replace(withValidSelection({ ...this.#state, ...change }));
-  }
-
-  /** Takes back a change that could not be done. It is no step, and one that leads to the same is none any more. */
-  withdraw(change: Partial<Undoable>): void {
-    const state = { ...this.#state, ...change };
-    for (const steps of [this.#past, this.#future]) {
-      const last = steps.at(-1);
-      if (last && isThere(last, state)) steps.pop();
-    }
-    this.#gesture = null;
-    this.#replace(state);
-  }
-
-  undo(): boolean {
-    return this.#travel(this.#past, this.#future);
-  }
-
-  redo(): boolean {
-    return this.#travel(this.#future, this.#past);
-  }
-
-  /** Another mesh, or other parts of it: places on the old one mean nothing here, so the history ends. */
-  load(state: SceneState): void {
-    this.#past = [];
-    this.#future = [];
-    this.#gesture = null;
-    this.#replace(state);
-  }
-
-  #travel(from: Undoable[], to: Undoable[]): boolean {
-    const step = from.pop();
-    if (!step) return false;
-    to.push(undoableOf(this.#state));
-    this.#gesture = null;
-    this.#replace(withValidSelection({ ...this.#state, ...step }));
-    return true;
-  }
-
-  #replace(state: SceneState): void {
-    const previous = this.#state;
-    this.#state = state;
-    tellEach(this.#listeners, state, previous);
-  }
-}
-
-/** What undo goes back over, of a state. */
-export function undoableOf(state: SceneState): Undoable {
-  const { mesh: _mesh, parts: _parts, triangles: _triangles, fill: _fill, ...rest } = state;
-  const { camera: _camera, animation: _animation, hidden: _hidden, selected: _selected, ...undoable } = rest;
-  return undoable;
-}
-
-/** Whether a step leads to where a state is. */
-function isThere(step: Undoable, state: SceneState): boolean {
-  return (Object.keys(step) as (keyof Undoable)[]).every((key) => step[key] === state[key]);
-}
-
-function withValidSelection(state: SceneState): SceneState {
-  return state.selected < state.sources.length + state.sets.length ? state : { ...state, selected: -1 };
 }

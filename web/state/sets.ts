@@ -1,7 +1,7 @@
 /** Sets of sources as text in a link. */
 import type { MeshPoint, Source } from '../protocol';
 import { indexOf, MOST_POINTS, MOST_SETS, placesOf, type SetShape, type SourceSet, withOffset } from './sources';
-import { amount, pack, parseAmount, unpack } from './text';
+import { amount, COUNT, pack, parseAmount, unpack } from './text';
 
 /** Text that is longer is packed, and marked so. */
 const MOST_READABLE = 1500;
@@ -36,24 +36,24 @@ export function encodeAllSets(sets: readonly SourceSet[]): string {
   return text;
 }
 
-/** Null for text that is none, and for more than a scene may have. Places that only a mesh can tell are empty. */
-export function decodeSets(text: string): SourceSet[] | null {
+/** Undefined for text that is none, and for more than a scene may have. Places that only a mesh can tell are empty. */
+export function decodeSets(text: string): SourceSet[] | undefined {
   if (text === '') return [];
   try {
     const plain = text.startsWith(PACKED) ? new TextDecoder().decode(unpack(text.slice(PACKED.length))) : text;
     const words = plain.split(',', MOST_SETS + 1);
-    if (words.length > MOST_SETS) return null;
+    if (words.length > MOST_SETS) return undefined;
     const sets: SourceSet[] = [];
     let left = MOST_POINTS;
     for (const word of words) {
       const set = parseSet(word);
       left -= set ? placesOf(set) : Infinity;
-      if (!set || left < 0) return null;
+      if (!set || left < 0) return undefined;
       sets.push(set);
     }
     return sets;
   } catch {
-    return null;
+    return undefined;
   }
 }
 
@@ -77,39 +77,35 @@ function encodeShape(shape: SetShape, points: readonly Source[]): string {
   }
 }
 
-function parseSet(text: string): SourceSet | null {
+function parseSet(text: string): SourceSet | undefined {
   const [whole, start, ...more] = text.split('@');
   const [kind, ...rest] = whole.split(':');
   const offset = start === undefined ? 0 : parseAmount(start);
   const places = rest.pop();
-  if (offset === null || more.length > 0 || places === undefined || rest.length !== (kind === 'list' ? 1 : 0))
-    return null;
-  const of = (shape: SetShape, points: readonly Source[] | null = []) => points && { shape, points, offset };
-  const index = parseIndex(places);
+  if (offset === undefined || more.length > 0 || places === undefined || rest.length !== (kind === 'list' ? 1 : 0))
+    return undefined;
+  const of = (shape: SetShape, points: readonly Source[] | undefined) => points && { shape, points, offset };
+  const index = COUNT.parse(places);
   switch (kind) {
     case 'line':
     case 'loop': {
-      const corners = places.split('-', MOST_POINTS + 1).map(parseIndex);
-      const isLine = corners.every((corner) => corner !== null);
-      return isLine ? of({ kind: 'line', corners, closed: kind === 'loop' }) : null;
+      const corners = places.split('-', MOST_POINTS + 1).map(COUNT.parse);
+      const isLine = corners.every((corner) => corner !== undefined);
+      return isLine ? of({ kind: 'line', corners, closed: kind === 'loop' }, []) : undefined;
     }
     case 'stroke':
     case 'curve':
       return of({ kind: 'stroke', closed: kind === 'curve' }, parsePoints(places));
     case 'boundary':
     case 'component':
-      return index === null ? null : of({ kind, vertex: index });
+      return index === undefined ? undefined : of({ kind, vertex: index }, []);
     case 'part':
-      return index === null ? null : of({ kind, part: index });
+      return index === undefined ? undefined : of({ kind, part: index }, []);
     case 'list':
       return of({ kind, name: decodeURIComponent(rest[0]) }, parsePoints(places));
     default:
-      return null;
+      return undefined;
   }
-}
-
-function parseIndex(text: string): number | null {
-  return /^\d{1,9}$/.test(text) ? Number(text) : null;
 }
 
 /** Each as the step from the index before, then its weights but the last one, then its own initial distance. */
@@ -137,24 +133,24 @@ function shares(weights: readonly number[]): string {
   return weights.slice(0, -1).map(part).join('');
 }
 
-function parsePoints(text: string): Source[] | null {
+function parsePoints(text: string): Source[] | undefined {
   const found: Source[] = [];
   let index = 0;
   for (const word of text.split('_')) {
     const match = /^(-?\d{1,9})((?:\/\d{1,5}){0,3})(?:\*(.+))?$/.exec(word);
     const offset = match?.[3] === undefined ? 0 : parseAmount(match[3]);
-    if (!match || offset === null || found.length === MOST_POINTS) return null;
+    if (!match || offset === undefined || found.length === MOST_POINTS) return undefined;
     index += Number(match[1]);
-    const point = index < 0 ? null : pointOf(index, match[2].split('/').slice(1).map(Number));
-    if (!point) return null;
+    const point = index < 0 ? undefined : pointOf(index, match[2].split('/').slice(1).map(Number));
+    if (!point) return undefined;
     found.push(withOffset(point, offset));
   }
   return found;
 }
 
-function pointOf(index: number, steps: readonly number[]): MeshPoint | null {
+function pointOf(index: number, steps: readonly number[]): MeshPoint | undefined {
   const rest = STEPS - steps.reduce((sum, step) => sum + step, 0);
-  if (rest < 0 || steps.length === 1) return null;
+  if (rest < 0 || steps.length === 1) return undefined;
   const [a, b, c, d] = [...steps, rest].map((step) => step / STEPS);
   if (steps.length === 0) return { vertex: index };
   return steps.length === 2 ? { face: index, weights: [a, b, c] } : { tetrahedron: index, weights: [a, b, c, d] };

@@ -12,7 +12,8 @@ import {
   TIME_STEP_FACTORS,
   WINDOWS,
 } from '../wasm/contract';
-import { automaticOr, choiceOf, flag, number, oneOf, option, within } from './text';
+import { keysOf } from './keys';
+import { automaticOr, choiceOf, FLAG, oneOf, within } from './text';
 
 /** Windows of each half-edge, as many as propagation keeps. */
 export type Windows = (typeof WINDOWS)[number];
@@ -28,61 +29,19 @@ export interface Settings {
   refine: boolean;
 }
 
-/** Their keys in a link. */
-export const SETTINGS = ['method', 'windows', 't', 'b', 'multi', 'near', 'memory', 'op', 'solver', 'refine'] as const;
-export type SettingKey = (typeof SETTINGS)[number];
+const { whole, part } = keysOf<Settings>();
 
-export function encodeSettings({ method, windows, parameters, refine }: Settings): Record<SettingKey, string> {
-  return {
-    method,
-    windows: number(windows),
-    t: option(parameters.timeStep),
-    b: parameters.boundary,
-    multi: parameters.sources,
-    near: option(parameters.exactRadius),
-    memory: option(parameters.memory),
-    op: parameters.operator,
-    solver: parameters.solver,
-    refine: flag(refine),
-  };
-}
-
-/** Settings with another value of one of them. */
-type Apply = (settings: Settings) => Settings;
-type Parser = (text: string) => Apply | null;
-
-/** Reads the value of a key: what it makes of settings, or null for text that is none. */
-export function parserOf(key: SettingKey): Parser {
-  return PARSERS[key];
-}
-
-const PARSERS: Record<SettingKey, Parser> = {
-  method: plain('method', choiceOf(METHOD)),
-  windows: plain('windows', (text) => WINDOWS.find((count) => String(count) === text) ?? null),
-  t: parameter('timeStep', automaticOr(within(...TIME_STEP_FACTORS))),
-  b: parameter('boundary', choiceOf(BOUNDARY)),
-  multi: parameter('sources', choiceOf(MULTI_SOURCE)),
-  near: parameter('exactRadius', automaticOr(within(...EXACT_RADIUS_EDGES))),
-  memory: parameter('memory', automaticOr(within(...MEMORY_LIMIT_MEBIBYTES))),
-  op: parameter('operator', choiceOf(OPERATOR)),
-  solver: parameter('solver', choiceOf(LINEAR_SOLVER)),
-  refine: (text) => {
-    const refine = oneOf(['0', '1'])(text);
-    return refine && ((settings) => ({ ...settings, refine: refine === '1' }));
-  },
-};
-
-function plain<K extends 'method' | 'windows'>(name: K, parse: (text: string) => Settings[K] | null): Parser {
-  return (text) => {
-    const value = parse(text);
-    return value === null ? null : (settings) => ({ ...settings, [name]: value });
-  };
-}
-
-function parameter<K extends keyof Parameters>(name: K, parse: (text: string) => Parameters[K] | null): Parser {
-  return (text) => {
-    const value = parse(text);
-    const apply: Apply = (settings) => ({ ...settings, parameters: { ...settings.parameters, [name]: value } });
-    return value === null ? null : apply;
-  };
-}
+/** Their keys in a link, in the order in which it has them. */
+export const SETTINGS = [
+  whole('method', 'method', choiceOf(METHOD)),
+  whole('windows', 'windows', oneOf(WINDOWS)),
+  part('t', 'parameters', 'timeStep', automaticOr(within(TIME_STEP_FACTORS))),
+  part('b', 'parameters', 'boundary', choiceOf(BOUNDARY)),
+  part('multi', 'parameters', 'sources', choiceOf(MULTI_SOURCE)),
+  part('near', 'parameters', 'exactRadius', automaticOr(within(EXACT_RADIUS_EDGES))),
+  part('memory', 'parameters', 'memory', automaticOr(within(MEMORY_LIMIT_MEBIBYTES))),
+  part('op', 'parameters', 'operator', choiceOf(OPERATOR)),
+  part('solver', 'parameters', 'solver', choiceOf(LINEAR_SOLVER)),
+  whole('refine', 'refine', FLAG),
+] as const;
+export type SettingKey = (typeof SETTINGS)[number]['key'];

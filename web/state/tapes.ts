@@ -1,5 +1,7 @@
 /** Measuring tapes: chains of places between which lengths are told, and the scale that lengths are told in. */
 import type { MeshPoint } from '../protocol';
+import { POINTS } from './points';
+import type { Codec } from './text';
 
 /** A chain of places, in order; a closed one leads back to its first. */
 export interface Tape {
@@ -49,19 +51,19 @@ export function withoutPlace(tapes: readonly Tape[], index: number, place: numbe
   return tapes.with(index, { points, closed: tapes[index].closed && points.length >= LEAST_CLOSED });
 }
 
-/** Places with commas between them, tapes with semicolons. */
-export function encodeTapes(tapes: readonly Tape[], encode: (points: readonly MeshPoint[]) => string): string {
-  return tapes.map((tape) => encode(tape.points) + (tape.closed ? CLOSED : '')).join(';') || 'none';
-}
+/** Places with commas between them, tapes with semicolons; undefined where anything is no tape. */
+export const TAPES: Codec<readonly Tape[]> = {
+  encode: (tapes) =>
+    tapes.map(({ points, closed }) => POINTS.encode(points) + (closed ? CLOSED : '')).join(';') || 'none',
+  parse: (text) => {
+    if (text === 'none') return [];
+    const tapes = text.split(';').map(parseTape);
+    return tapes.every((tape) => tape !== undefined) ? tapes : undefined;
+  },
+};
 
-/** Null where anything in it is no tape. */
-export function decodeTapes(text: string, decode: (text: string) => MeshPoint[] | null): Tape[] | null {
-  if (text === 'none') return [];
-  const tapes = text.split(';').map((each): Tape | null => {
-    const isClosed = each.endsWith(CLOSED);
-    const points = decode(isClosed ? each.slice(0, -1) : each);
-    const least = isClosed ? LEAST_CLOSED : 1;
-    return points && points.length >= least ? { points, closed: isClosed } : null;
-  });
-  return tapes.every((tape) => tape !== null) ? tapes : null;
+function parseTape(text: string): Tape | undefined {
+  const closed = text.endsWith(CLOSED);
+  const points = POINTS.parse(closed ? text.slice(0, -1) : text);
+  return points && points.length >= (closed ? LEAST_CLOSED : 1) ? { points, closed } : undefined;
 }

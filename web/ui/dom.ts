@@ -128,12 +128,14 @@ export interface AutomaticSliderOptions extends Omit<SliderOptions, 'change' | '
   change: (value: number | 'auto', gesture: object) => void;
 }
 
-/** A slider with a button that leaves the choice to the solver; to take hold of the slider takes the choice back. */
-export function automaticSlider({ change, describe, ...options }: AutomaticSliderOptions): {
+export interface AutomaticControl {
   element: HTMLElement;
   /** `chosen` is what "auto" comes to. */
   show: (value: number | 'auto', chosen: number) => void;
-} {
+}
+
+/** A slider with a button that leaves the choice to the solver; to take hold of the slider takes the choice back. */
+export function automaticSlider({ change, describe, ...options }: AutomaticSliderOptions): AutomaticControl {
   let automatic = false;
   let taken = options.min;
   const { element, show } = slider({ ...options, describe: (value) => describe(value, automatic), change });

@@ -1,5 +1,16 @@
 /** What the panel calls the values of the solver's settings. */
-import type { Boundary, LinearSolver, Method, MultiSource, Operator } from '../wasm/contract';
+import type { Parameters } from '../protocol';
+import {
+  AUTOMATIC,
+  type Boundary,
+  type LinearSolver,
+  type Method,
+  type MultiSource,
+  type Operator,
+  TIME_STEP_FACTORS,
+} from '../wasm/contract';
+import { type AutomaticControl, automaticSlider } from './dom';
+import { length } from './words';
 import { t } from '../texts';
 
 export const METHODS: Record<Method, string> = {
@@ -27,7 +38,23 @@ export const SOLVERS: Record<LinearSolver, string> = {
   cg: t('Conjugate gradients'),
 };
 
-/** A time factor as its slider gives it, in two digits. */
-export function fromLogarithm(value: number): number {
-  return Number((10 ** value).toPrecision(2));
+/** A slider of the time factor, over its logarithm. */
+export function timeFactor(change: (timeStep: Parameters['timeStep'], gesture: object) => void): AutomaticControl {
+  const [least, most] = TIME_STEP_FACTORS;
+  const { element, show } = automaticSlider({
+    label: t('Time factor m'),
+    min: Math.log10(least),
+    max: Math.log10(most),
+    step: 0.05,
+    describe: (value) => length(inTwoDigits(value)),
+    change: (value, gesture) => change(value === AUTOMATIC ? value : inTwoDigits(value), gesture),
+  });
+  return {
+    element,
+    show: (value, chosen) => show(value === AUTOMATIC ? value : Math.log10(value), Math.log10(chosen)),
+  };
+}
+
+function inTwoDigits(logarithm: number): number {
+  return Number((10 ** logarithm).toPrecision(2));
 }

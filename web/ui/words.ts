@@ -22,6 +22,11 @@ export function counted(value: number, noun: string, plural = `${noun}s`): strin
   return `${count(value)} ${t(PLURALS.select(value) === 'one' ? noun : plural)}`;
 }
 
+/** Of files about a mesh, without an ending. */
+export function fileNameOf(shown: { opened: OpenedMesh } | null): string {
+  return (shown?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
+}
+
 /** With so many digits after the point. */
 export function fixed(value: number, digits: number): string {
   const all = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false };

@@ -1,4 +1,5 @@
 /** The canvas of the page and the renderer on it: made, sized, lost and made again. */
+import { messageOf, toError } from '../error';
 import { isTrap } from '../solver/trap';
 import { Signal } from '../state/signal';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
@@ -83,7 +84,7 @@ export abstract class Screen {
       this.trouble.value = null;
       this.backend.value = viewer.backend();
     } catch (error) {
-      this.trouble.value = error instanceof Error ? error.message : String(error);
+      this.trouble.value = messageOf(error);
     }
   }
 
@@ -116,7 +117,7 @@ export abstract class Screen {
     try {
       return call(this.#viewer);
     } catch (cause) {
-      const error = asError(cause);
+      const error = toError(cause);
       if (!isUnusable(error)) throw error;
       if (this.#recovers()) void this.start();
       else this.#giveUp(t`The renderer failed repeatedly: ${error.message}`);
@@ -282,10 +283,6 @@ export function isUnusable(error: Error): boolean {
   return (
     isTrap(error) || /recursive use of an object|while it was borrowed|null pointer passed to rust/.test(error.message)
   );
-}
-
-export function asError(thrown: unknown): Error {
-  return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
 /** The exact count of device pixels differs from the product by rounding only; on an emulated screen it is not scaled. */

@@ -1,7 +1,9 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
+import { toError } from '../error';
 import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, SurfacePath } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
-import type { Place, Vector } from '../state/places';
+import type { Place } from '../state/places';
+import type { Vector } from '../state/vector';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
 import {
@@ -25,7 +27,7 @@ import {
   THIN,
   WITH_FRAME,
 } from './layers';
-import { asError, isUnusable, Screen } from './screen';
+import { isUnusable, Screen } from './screen';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 import { t } from '../texts';
 
@@ -63,7 +65,7 @@ export class View extends Screen {
         this.#drawn.layers.get(layer)?.(viewer);
       } catch (error) {
         this.#drawn.layers.delete(layer);
-        this.failure.value = asError(error);
+        this.failure.value = toError(error);
         if (isUnusable(this.failure.value)) return false;
       }
     }

@@ -7,6 +7,7 @@ import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { onDemand } from './demand';
 import { filesOf, unpackedOf, withFiles } from './files';
+import { through } from './plain';
 
 /** How the mesh is drawn, and the file and its parts that it is; null where it was simplified or filled. */
 export interface ShownAs {
@@ -40,7 +41,7 @@ export async function isolines(solver: wasm.Solver, wish: IsolineWish, shownAs?:
   const found = await trace(solver, wish);
   const numbers = found.table();
   const rows = Array.from({ length: numbers.length / 5 }, (_, row) => {
-    const [value, length, area, count, closed] = numbers.subarray(5 * row, 5 * row + 5);
+    const [value = NaN, length = NaN, area = NaN, count = 0, closed = 0] = numbers.subarray(5 * row, 5 * row + 5);
     return { value, length, area, curves: count, closed };
   });
   const ends = found.ends(Float64Array.from(center), scale, up);
@@ -63,7 +64,8 @@ export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, show
   const module = await loaded();
   const vertices = solver.vertices_of_inputs();
   const values = solver.distances();
-  const distances = Float64Array.from(vertices, (vertex) => (vertex === NONE ? Infinity : values[vertex]));
+  // NONE is an index of no value.
+  const distances = Float64Array.from(vertices, (vertex) => values[vertex] ?? Infinity);
   const input = from?.input;
   if (from && (input?.kind === 'files' || input?.kind === 'archive')) {
     const { mesh } = input;
@@ -86,7 +88,7 @@ function ofInputs(solver: wasm.Solver, vertices: Uint32Array): [Float64Array, Ui
     positions.set(welded.subarray(3 * vertex, 3 * vertex + 3), 3 * input);
     inputOf[vertex] = input;
   });
-  return [positions, solver.faces().map((vertex) => inputOf[vertex])];
+  return [positions, through(solver.faces(), inputOf)];
 }
 
 type Bytes = Uint8Array<ArrayBuffer>;

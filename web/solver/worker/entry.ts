@@ -37,7 +37,7 @@ import type { ShownAs } from './curves';
 import { innerSolver, interiorBytes, interiorOf } from './interior';
 import { innerMesh, type Mesh, messageOf, type SolvedField, surfaceMesh } from './mesh';
 import { FILLED_FROM, lookOf, openingOf, sourceOf } from './opening';
-import { plain } from './plain';
+import { plain, through } from './plain';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
 const BUILD_FROM = 0.1;
@@ -139,11 +139,15 @@ const api: SolverApi = {
     shownAs = { transform: drawTransform, from: simplified || inner ? null : { input, parts: chosen } };
     const drawn = drawing.input_vertices();
     const interior = inner && interiorOf(inner.mesh, drawTransform);
-    const inputVertices = inner ? drawn.map((vertex) => inner.vertices[vertex]) : drawn;
+    const inputVertices = inner ? through(drawn, inner.vertices) : drawn;
     const mesh: OpenedMesh = {
       name,
       hash,
-      parts: names.map((part, index) => ({ name: part, triangles: triangles[index] ?? 0, ranges: ranges[index] })),
+      parts: names.map((part, index) => ({
+        name: part,
+        triangles: triangles[index] ?? 0,
+        ranges: ranges[index] ?? new Uint32Array(),
+      })),
       active: [...chosen],
       cameras: drawing.cameras().map(plain),
       lights: drawing.lights(),
@@ -263,7 +267,7 @@ const api: SolverApi = {
 
   async solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null> {
     if (quick && !(await moves.isLast())) return null;
-    return firstField(true, ({ solver }) => messageOf(solver.solve(known(sources), quick)), request);
+    return firstField(true, ({ solver }) => messageOf(solver.solve(sources.map(known), quick)), request);
   },
 
   async propagate(
@@ -273,7 +277,7 @@ const api: SolverApi = {
     request: PathRequest | null,
   ): Promise<Solved | null> {
     if (quick && !(await moves.isLast())) return null;
-    return firstField(false, ({ solver }) => messageOf(solver.propagate(known(sources), windows, quick)), request);
+    return firstField(false, ({ solver }) => messageOf(solver.propagate(sources.map(known), windows, quick)), request);
   },
 
   refine(request: PathRequest | null): Promise<Solved> {
@@ -290,7 +294,7 @@ const api: SolverApi = {
   },
 
   exactDistances(places: readonly MeshPoint[]): Promise<Float64Array | null> {
-    const distances = openMesh().surface?.exact_distances(known(places)) ?? null;
+    const distances = openMesh().surface?.exact_distances(places.map(known)) ?? null;
     return Promise.resolve(distances && transfer(distances, [distances.buffer]));
   },
 
@@ -302,7 +306,7 @@ const api: SolverApi = {
   searchPath(from: MeshPoint): Promise<TracedPath | null> {
     const mesh = openMesh();
     const clock = stopwatch();
-    const path = pathOf(() => openSurface().search_path(known([from])[0], mesh.work));
+    const path = pathOf(() => openSurface().search_path(known(from), mesh.work));
     const pathMs = clock();
     mesh.work = nextWork(mesh.work, pathMs, SLICE_MS);
     if (path === undefined) return Promise.resolve(null);
@@ -313,17 +317,16 @@ const api: SolverApi = {
   measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
     const mesh = openMesh();
     const clock = stopwatch();
-    const ends = known([from, to]);
+    const [start, end] = [known(from), known(to)];
     const { inside } = mesh;
-    if (inside) return Promise.resolve({ leg: pathOf(() => inside.solver.measure(ends[0], ends[1])) ?? null });
-    const leg = pathOf(() => openSurface().measure(ends[0], ends[1], mesh.work));
+    if (inside) return Promise.resolve({ leg: pathOf(() => inside.solver.measure(start, end)) ?? null });
+    const leg = pathOf(() => openSurface().measure(start, end, mesh.work));
     mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
     return Promise.resolve(leg === undefined ? null : { leg });
   },
 
   estimate(from: MeshPoint, to: MeshPoint): Promise<SurfaceLeg | null> {
-    const ends = known([from, to]);
-    return Promise.resolve(pathOf(() => openSurface().estimate(ends[0], ends[1])) ?? null);
+    return Promise.resolve(pathOf(() => openSurface().estimate(known(from), known(to))) ?? null);
   },
 
   enclosed(legs: readonly SurfaceLeg[]): Promise<Enclosure> {
@@ -405,8 +408,8 @@ function openMesh(): Current {
 }
 
 /** A place that the mesh does not have is refused by its solver. */
-function known<T extends MeshPoint>(places: readonly T[]): wasm.Source[] {
-  return places as unknown as wasm.Source[];
+function known(place: MeshPoint): wasm.Source {
+  return place as unknown as wasm.Source;
 }
 
 const curves = () => import('./curves');
@@ -479,7 +482,7 @@ function viewBuffersOf(view: InnerView): Transferable[] {
 
 function trace({ solver }: Current, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
-  const path = request && pathOf(() => solver.path(known([request.from])[0], request.kind));
+  const path = request && pathOf(() => solver.path(known(request.from), request.kind));
   return { path: path ?? null, pathMs: clock() };
 }
 
@@ -532,7 +535,7 @@ function weightsOf(surface: wasm.ActiveSurface): OpenedMesh['weights'] {
 }
 
 function drawTransformOf(surface: wasm.ActiveSurface, up: Up): DrawTransform {
-  const [x, y, z, scale] = surface.draw_transform();
+  const [x = NaN, y = NaN, z = NaN, scale = NaN] = surface.draw_transform();
   return { center: [x, y, z], scale, up };
 }
 

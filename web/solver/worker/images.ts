@@ -21,14 +21,14 @@ export async function decodeImages(encoded: readonly Plain<EncodedImage>[]): Pro
   const decoded = await Promise.all(encoded.map(decodeImage));
   const undecoded = encoded.filter(({ bytes }, index) => bytes.length > 0 && decoded[index] === null);
   const made = encoded.map(({ channels }) => channelsOf(channels, decoded)).map((channels) => ofChannels(channels));
-  const images = await Promise.all(made.map((image, index) => image ?? decoded[index]));
+  const images = await Promise.all(made.map((image, index) => image ?? decoded[index] ?? null));
   return { images, undecoded: undecoded.map(({ name }) => name) };
 }
 
 /** Images and their channels as the file pairs them. */
 function channelsOf(pairs: Int32Array, images: readonly (ImageBitmap | null)[]): Channel[] {
   return Array.from({ length: pairs.length / 2 }, (_, index) => {
-    const [image, channel] = pairs.subarray(2 * index, 2 * index + 2);
+    const [image = -1, channel = 0] = pairs.subarray(2 * index, 2 * index + 2);
     return { image: images[image] ?? null, channel };
   });
 }

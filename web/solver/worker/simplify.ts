@@ -2,6 +2,7 @@
 import type { SimplifierFlags } from 'meshoptimizer/simplifier';
 import type { Simplified } from '../../protocol';
 import type { MeshFile } from '../../wasm/solver/heatwalk_worker.js';
+import { through } from './plain';
 
 /**
  * Over half the longest side of the box. Where edges would have to be collapsed over more, or larger components be taken away,
@@ -28,7 +29,7 @@ export async function simplify(
   try {
     const positions = outline.positions();
     const welded = simplifier.generatePositionRemap(positions, 3);
-    const whole = outline.triangles().map((vertex) => welded[vertex]);
+    const whole = through(outline.triangles(), welded);
     const wanted = 3 * triangles;
     // Sparse: welding leaves vertices without triangles, which would pass for seams.
     const how: SimplifierFlags[] = ['Sparse', 'ErrorAbsolute', 'Prune'];
@@ -47,11 +48,14 @@ export async function simplify(
 
 /** Of the box around positions, #V × 3. */
 function diagonalOf(positions: Float32Array): number {
-  const [low, high] = [Infinity, -Infinity].map((end) => [end, end, end]);
-  for (let at = 0; at < positions.length; at++) {
-    const axis = at % 3;
-    low[axis] = Math.min(low[axis], positions[at]);
-    high[axis] = Math.max(high[axis], positions[at]);
-  }
-  return Math.hypot(...high.map((end, axis) => end - low[axis]));
+  const sides = [0, 1, 2].map((axis) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let at = axis; at < positions.length; at += 3) {
+      const coordinate = positions[at] ?? 0;
+      low = Math.min(low, coordinate);
+      high = Math.max(high, coordinate);
+    }
+    return high - low;
+  });
+  return Math.hypot(...sides);
 }

@@ -23,7 +23,7 @@ export function ofChannels(channels: readonly Channel[]): Promise<ImageBitmap> |
   channels.forEach(({ image, channel }, target) => {
     const texels = image && read.get(image);
     if (!texels) return;
-    for (let at = 0; at < texels.length; at += 4) made[at + target] = texels[at + channel];
+    for (let at = 0; at < texels.length; at += 4) made[at + target] = texels[at + channel] ?? 0;
   });
   return bitmapOf(made, width, height);
 }
@@ -33,11 +33,12 @@ export async function normalsOfHeights(image: ImageBitmap): Promise<ImageBitmap>
   const { width, height } = image;
   const { data } = texelsOf(image, width, height);
   let difference = 0;
-  for (let at = 0; at < data.length; at += 4) difference += Math.abs(data[at] - data[at + 2]);
+  const texel = (at: number) => data[at] ?? 0;
+  for (let at = 0; at < data.length; at += 4) difference += Math.abs(texel(at) - texel(at + 2));
   if (difference > (GRAY * data.length) / 4) return image;
   image.close();
   const normals = new Uint8ClampedArray(data.length).fill(255);
-  const heightAt = (x: number, y: number) => data[4 * (((y + height) % height) * width + ((x + width) % width))] / 255;
+  const heightAt = (x: number, y: number) => texel(4 * (((y + height) % height) * width + ((x + width) % width))) / 255;
   const slope = (RELIEF * width) / 2;
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

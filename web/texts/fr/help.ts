@@ -12,6 +12,9 @@ export const HELP: Texts = {
   Mouse: 'Souris',
   Keyboard: 'Clavier',
   'Explain every setting of the panel': 'Expliquer chaque réglage du panneau',
+  'Single-key shortcuts: letters, digits and signs': 'Raccourcis d’une seule touche : lettres, chiffres et signes',
+  'Keys act while the model has the focus; Esc, Delete and Ctrl+Z always do.':
+    'Les touches agissent quand le modèle a le focus ; Échap, Suppr et Ctrl+Z toujours.',
   'More about {0}': 'En savoir plus sur « {0} »',
   more: 'plus',
   Orbit: 'Tourner autour',

@@ -1,7 +1,8 @@
 /** The surface cut straight from one place to another. */
 import type { MeshPoint, OpenedMesh } from '../../protocol';
-import type { Places, Vector } from '../../state/places';
-import { arcsOf, away } from '../measure/curves';
+import type { Places } from '../../state/places';
+import { between, cross, distance, dot, minus, moved, type Vector, vectorAt } from '../../state/vector';
+import { arcsOf } from '../measure/curves';
 
 export interface Cut {
   /** From the first place to the second. */
@@ -34,7 +35,7 @@ export function straightCut(mesh: CutSurface, places: PlacesOn, from: MeshPoint,
   const [start, end] = [places.at(from), places.at(to)];
   if (!start || !end) return null;
   const along = minus(end.position, start.position);
-  const across = cross(along, sum(start.normal, end.normal));
+  const across = cross(along, moved(start.normal, end.normal, 1));
   if (!(Math.hypot(...across) > 0)) return null;
   const height = (position: Vector) => dot(across, minus(position, start.position));
   const goals = new Set(facesAt(mesh, places, to));
@@ -78,7 +79,7 @@ function walk(
 function isEntry({ neighbors }: CutSurface, one: Crossing, other: Crossing, before: Crossing): boolean {
   const [leads, otherLeads] = [one, other].map(({ face, side }) => neighbors[3 * face + side] === before.face);
   if (leads !== otherLeads) return leads;
-  return away(one.position, before.position) <= away(other.position, before.position);
+  return distance(one.position, before.position) <= distance(other.position, before.position);
 }
 
 /** Where the plane leads through a triangle: two crossings, or none. */
@@ -88,7 +89,7 @@ function crossingsOf(
   face: number,
   height: (position: Vector) => number,
 ): Crossing[] {
-  const corners = [0, 1, 2].map((k) => positionOf(positions, triangles[3 * face + k]));
+  const corners = [0, 1, 2].map((k) => vectorAt(positions, triangles[3 * face + k]));
   const heights = corners.map(height);
   return [0, 1, 2].flatMap((side) => {
     const next = (side + 1) % 3;
@@ -97,7 +98,7 @@ function crossingsOf(
     const share = h0 / (h0 - h1);
     const weights: Vector = [0, 0, 0];
     [weights[side], weights[next]] = [1 - share, share];
-    const position = corners[side].map((x, axis) => x + share * (corners[next][axis] - x)) as Vector;
+    const position = between(corners[side], corners[next], share);
     return [{ face, side, point: { face, weights }, position }];
   });
 }
@@ -109,29 +110,9 @@ function facesAt({ surface: { triangles } }: CutSurface, places: PlacesOn, point
   const faces: number[] = [];
   // A vertex on a seam is drawn more than once, at one place.
   triangles.forEach((vertex, corner) => {
-    if (place && positionOf(places.positions, vertex).every((x, axis) => x === place[axis])) {
+    if (place && vectorAt(places.positions, vertex).every((x, axis) => x === place[axis])) {
       faces.push(Math.floor(corner / 3));
     }
   });
   return faces;
-}
-
-function positionOf(positions: Float32Array, vertex: number): Vector {
-  return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
-}
-
-function minus(a: Vector, b: Vector): Vector {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-function sum(a: Vector, b: Vector): Vector {
-  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-function cross(a: Vector, b: Vector): Vector {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }

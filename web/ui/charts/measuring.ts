@@ -1,5 +1,7 @@
 /** What is measured when it is asked for: a button that begins and cancels it, how far it is, and what came of it. */
+import { messageOf } from '../../error';
 import { Cancelled } from '../../solver/remote';
+import { copy } from '../clipboard';
 import { h } from '../dom';
 import { t } from '../../texts';
 
@@ -34,7 +36,7 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
       said.textContent = await measure(signal);
     } catch (error) {
       const isCancelled = error instanceof Cancelled || signal.aborted;
-      said.textContent = isCancelled ? t('Cancelled.') : error instanceof Error ? error.message : String(error);
+      said.textContent = isCancelled ? t('Cancelled.') : messageOf(error);
     } finally {
       running = null;
       button.textContent = label;
@@ -51,11 +53,8 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
 
 /** A button that puts Markdown on the clipboard. */
 export function markdownButton(text: () => string, said: HTMLElement, instead: string): HTMLElement {
-  const copy = () => {
-    navigator.clipboard.writeText(text()).then(
-      () => (said.textContent = t('Copied.')),
-      () => (said.textContent = instead),
-    );
+  const give = async () => {
+    said.textContent = (await copy(text())) ? t('Copied.') : instead;
   };
-  return h('button', { class: 'small', onclick: copy }, t('Copy as Markdown'));
+  return h('button', { class: 'small', onclick: () => void give() }, t('Copy as Markdown'));
 }

@@ -3,6 +3,8 @@ import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { differing, MIDDLE, SPLITS } from '../../state/compared';
 import { h, icon } from '../dom';
+import { draggable, hasModifier, keyGesture } from '../gesture';
+import { printLabel } from '../print';
 import { percent } from '../words';
 import { told } from './words';
 import { t } from '../../texts';
@@ -30,10 +32,7 @@ export class Divider {
   readonly element = h('div', { class: 'compare', hidden: true }, this.#left, this.#right, this.#grip);
   readonly #session: Session;
   readonly #comparison: Comparison;
-  /** From the pointer to the line, while that is dragged. */
-  #drag: { offset: number; gesture: object } | null = null;
-  /** Keys in a row are one step of undo. */
-  #keys: object | null = null;
+  readonly #keys = keyGesture(this.#grip);
 
   constructor(session: Session, comparison: Comparison) {
     this.#session = session;
@@ -41,16 +40,13 @@ export class Divider {
     const [least, most] = SPLITS;
     this.#grip.setAttribute('aria-valuemin', String(least));
     this.#grip.setAttribute('aria-valuemax', String(most));
-    this.#grip.addEventListener('pointerdown', (event) => this.#take(event));
-    this.#grip.addEventListener('pointermove', ({ clientX }) => {
-      if (this.#drag) this.#put((clientX + this.#drag.offset - this.#start) / session.view.free, this.#drag.gesture);
+    draggable(this.#grip, {
+      begin: (event) => this.#take(event),
+      move: ({ clientX }, { offset, gesture }) =>
+        this.#put((clientX + offset - this.#start) / session.view.free, gesture),
     });
-    for (const end of ['pointerup', 'pointercancel'] as const) {
-      this.#grip.addEventListener(end, () => (this.#drag = null));
-    }
     this.#grip.addEventListener('dblclick', () => this.#put(MIDDLE, {}));
     this.#grip.addEventListener('keydown', (event) => this.#key(event));
-    this.#grip.addEventListener('keyup', () => (this.#keys = null));
     session.view.overprints.push((context) => this.#print(context));
     session.scene.subscribe(() => this.#show());
     comparison.answer.watch(() => this.#show());
@@ -88,23 +84,22 @@ export class Divider {
     this.follow();
   }
 
-  #take(event: PointerEvent): void {
+  /** `offset`: from the pointer to the line. */
+  #take(event: PointerEvent): { offset: number; gesture: object } | null {
     const { compared } = this.#session.scene.state;
-    if (!compared) return;
+    if (!compared) return null;
     event.preventDefault();
     this.#grip.focus({ preventScroll: true });
-    this.#grip.setPointerCapture(event.pointerId);
-    this.#drag = { offset: this.#start + compared.split * this.#session.view.free - event.clientX, gesture: {} };
+    return { offset: this.#start + compared.split * this.#session.view.free - event.clientX, gesture: {} };
   }
 
   #key(event: KeyboardEvent): void {
     const { compared } = this.#session.scene.state;
     const move = KEYS[event.key];
-    if (!compared || !move || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!compared || !move || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#keys ??= {};
-    this.#put(move(compared.split), this.#keys);
+    this.#put(move(compared.split), this.#keys());
   }
 
   #put(split: number, gesture: object): void {
@@ -124,16 +119,7 @@ export class Divider {
     context.fillRect(line.left - stage.left, -stage.height, 2, 3 * stage.height);
     for (const label of [this.#left, this.#right]) {
       const { left, top, width, height } = label.getBoundingClientRect();
-      const { backgroundColor, color, font } = getComputedStyle(label);
-      context.beginPath();
-      context.roundRect(left - stage.left, top - stage.top, width, height, 4);
-      context.fillStyle = backgroundColor;
-      context.fill();
-      context.font = font;
-      context.fillStyle = color;
-      context.textAlign = 'center';
-      context.textBaseline = 'middle';
-      context.fillText(label.textContent ?? '', left - stage.left + width / 2, top - stage.top + height / 2);
+      printLabel(context, label, { x: left - stage.left, y: top - stage.top, width, height });
     }
   }
 }

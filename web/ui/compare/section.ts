@@ -6,18 +6,9 @@ import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } f
 import { isMethodOf } from '../../state/inside';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import type { Settings } from '../../state/settings';
-import {
-  AUTOMATIC,
-  BOUNDARY,
-  LINEAR_SOLVER,
-  METHOD,
-  OPERATOR,
-  type Parameters,
-  TIME_STEP_FACTORS,
-  WINDOWS,
-} from '../../wasm/contract';
-import { automaticSlider, h, labelled, select, toggle } from '../dom';
-import { BOUNDARIES, fromLogarithm, METHODS, OPERATORS, SOLVERS } from '../settings';
+import { BOUNDARY, LINEAR_SOLVER, METHOD, OPERATOR, type Parameters, WINDOWS } from '../../wasm/contract';
+import { h, labelled, select, toggle } from '../dom';
+import { BOUNDARIES, METHODS, OPERATORS, SOLVERS, timeFactor } from '../settings';
 import { count, finePercent, length, measure, milliseconds } from '../words';
 import { difference } from './difference';
 import { told } from './words';
@@ -68,15 +59,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     (value) => change({ windows: value }),
   );
   const refine = toggle(t('Refine to exact'), (on) => change({ refine: on }));
-  const [low, high] = TIME_STEP_FACTORS;
-  const factor = automaticSlider({
-    label: t('Time factor m'),
-    min: Math.log10(low),
-    max: Math.log10(high),
-    step: 0.05,
-    describe: (value) => `${fromLogarithm(value)}`,
-    change: (value, gesture) => changeHeat({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, gesture),
-  });
+  const factor = timeFactor((timeStep, gesture) => changeHeat({ timeStep }, gesture));
   const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) =>
     changeHeat({ boundary: value }),
   );
@@ -117,8 +100,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     method.show(compared.method);
     windows.show(compared.windows);
     refine.show(compared.refine);
-    const chosen = comparison.answer.value?.field?.timeFactor ?? 1;
-    factor.show(timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(timeStep), Math.log10(chosen));
+    factor.show(timeStep, comparison.answer.value?.field?.timeFactor ?? 1);
     boundary.show(compared.parameters.boundary);
     operator.show(compared.parameters.operator);
     solver.show(compared.parameters.solver);

@@ -1,11 +1,12 @@
 /** Answers the page around the frame, and tells it what happens. Nobody else is heard, and nobody else is answered. */
 import type { Events, Message, Method, Methods, Openable, Options, Request } from '../../embed';
+import { messageOf } from '../../error';
 import type { MeshPoint } from '../../protocol';
 import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
-import { decodeLink } from '../../state/link';
-import { undoableOf, type SceneState } from '../../state/scene';
+import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
+import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
@@ -58,7 +59,7 @@ class Embedding {
       const { answer, transferred = [] } = await this.#answer(parseRequest(data));
       this.#post({ heatwalk: VERSION, id, answer }, host, transferred);
     } catch (error) {
-      this.#post({ heatwalk: VERSION, id, error: error instanceof Error ? error.message : String(error) }, host);
+      this.#post({ heatwalk: VERSION, id, error: messageOf(error) }, host);
     }
   }
 
@@ -183,12 +184,10 @@ class Embedding {
     const changed = (Object.keys(wanted) as (keyof SceneState)[]).filter(
       (key) => JSON.stringify(wanted[key]) !== JSON.stringify(state[key]),
     );
-    const ofMesh = changed.filter((key) => OF_OPENING.has(key));
+    const ofMesh = changed.filter(isOpenedWith);
     if (ofMesh.length > 0) throw new Error(`${ofMesh.join(', ')} belong to the mesh: give them to open.`);
     wanted.sources.forEach((source, index) => this.#require(source, `s[${index}]`));
     if (wanted.walker) this.#require(wanted.walker, 'w');
-    const undoable = new Set(Object.keys(undoableOf(state)));
-    const isUndoable = (key: keyof SceneState) => undoable.has(key);
     const part = (isWanted: (key: keyof SceneState) => boolean) =>
       Object.fromEntries(changed.filter(isWanted).map((key) => [key, wanted[key]]));
     if (changed.some(isUndoable)) session.scene.edit(part(isUndoable));
@@ -210,8 +209,6 @@ function quiet(voice: Voice, refused: (reason: string) => void): Voice {
   };
 }
 
-/** What a mesh is opened with. */
-const OF_OPENING: ReadonlySet<keyof SceneState> = new Set(['mesh', 'parts', 'triangles', 'fill']);
 async function openWith(opener: Opener, what: Openable): Promise<void> {
   if ('link' in what) return openLink(opener, what.link);
   const options = what.options ? `&${written(what.options)}` : '';

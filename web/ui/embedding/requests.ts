@@ -1,13 +1,12 @@
 /** What the page around a frame asks, looked through before anything is done: it may be anything. */
 import type { EmbeddedFile, Method, Openable, Options, Request, Source, Version } from '../../embed';
+import { ADDRESS_KEYS } from '../../state/link';
 
 export const VERSION: Version = 1;
 
 /** Of pictures: a larger one would not fit into a canvas everywhere. */
 const SCALES = [1, 4] as const;
 const MOST_SOURCES = 100_000;
-/** Of the place in a link, or of a frame that only looks in. */
-const NOT_OPTIONS = new Set(['v', 'm', 'model', 'name', 'hash', 'kiosk']);
 
 /** What of a message concerns this page; null where it is none of ours. */
 export function addressed(data: unknown): { id: number; version: unknown } | null {
@@ -80,7 +79,7 @@ function optionsOf(given: unknown): Options {
   if (!isObject(given)) throw new Error(`options is ${told(given)}; an object of keys of the link is needed.`);
   return Object.fromEntries(
     Object.entries(given).map(([key, value]) => {
-      if (NOT_OPTIONS.has(key)) throw new Error(`${key} is no option: open says what is opened.`);
+      if (ADDRESS_KEYS.includes(key)) throw new Error(`${key} is no option: open says what is opened.`);
       if (typeof value !== 'string' && (typeof value !== 'number' || !Number.isFinite(value)))
         throw new Error(`The option ${key} is ${told(value)}; a text or a number is needed.`);
       return [key, value];

@@ -1,6 +1,7 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
 import { h, labelled, select, toggle } from '../dom';
+import { hasShortcuts, setShortcuts } from '../shortcuts';
 import { addressOf } from './documents';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
@@ -27,6 +28,7 @@ export function openHelp(panel: HTMLElement | null): void {
     ...(panel ? [explaining(panel)] : []),
     ...languages(),
     gestures(),
+    ...shortcuts(),
     h(
       'p',
       {},
@@ -79,6 +81,13 @@ function languages(): HTMLElement[] {
   });
   show(language);
   return [element, note];
+}
+
+function shortcuts(): HTMLElement[] {
+  const { element, show } = toggle(t('Single-key shortcuts: letters, digits and signs'), setShortcuts);
+  show(hasShortcuts());
+  const words = t('Keys act while the model has the focus; Esc, Delete and Ctrl+Z always do.');
+  return [element, h('p', { class: 'quiet' }, words)];
 }
 
 function explaining(panel: HTMLElement): HTMLElement {

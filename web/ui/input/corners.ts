@@ -4,15 +4,9 @@ import { selectedSet } from '../../state/edit';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
 import { h } from '../dom';
+import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
-
-const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 /** A corner goes to the first vertex in the direction of the arrow: it is looked for in steps of so many CSS pixels, at most so many. */
 const STEP_PX = 4;
@@ -30,8 +24,7 @@ export class LineCorners {
   readonly #session: Session;
   readonly #draw: DrawInput;
   #corners: readonly number[] = [];
-  /** Arrows in a row are one step of undo. */
-  #nudging: object | null = null;
+  readonly #keys = keyGesture(this.#layer);
 
   constructor(session: Session, draw: DrawInput) {
     this.#session = session;
@@ -83,21 +76,19 @@ export class LineCorners {
   #button(place: number): HTMLElement {
     const button = h('button', { class: 'corner' });
     button.addEventListener('keydown', (event) => this.#key(place, event));
-    button.addEventListener('keyup', () => (this.#nudging = null));
     return button;
   }
 
   #key(place: number, event: KeyboardEvent): void {
-    const arrow = ARROWS[event.key];
+    const arrow = arrowOf(event);
     const set = this.#line;
-    if (!arrow || !set || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!arrow || !set || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
     const vertex = this.#corners[place];
     const there = this.#towards(vertex, arrow);
     if (!there) return;
-    this.#nudging ??= {};
-    this.#draw.hold({ set, place, vertex }, this.#nudging);
+    this.#draw.hold({ set, place, vertex }, this.#keys());
     this.#draw.moveHeld(there);
   }
 

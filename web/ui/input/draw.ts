@@ -4,7 +4,7 @@ import type { Session } from '../../session/session';
 import { addSet, replaceSet, selectedSet } from '../../state/edit';
 import type { Signal } from '../../state/signal';
 import type { Corner, SourceSet } from '../../state/sources';
-import type { Vector } from '../../state/places';
+import { type Vector, distance } from '../../state/vector';
 import type { PointHit } from '../../view/view';
 import type { Tool } from '../../state/tool';
 import type { Target } from './pick';
@@ -207,8 +207,4 @@ export class DrawInput {
 
 function lazily() {
   return import('../../session/sets');
-}
-
-function distance(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }

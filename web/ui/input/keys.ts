@@ -8,10 +8,12 @@ import { addSource, lookInto, moveSource, removeSelected, sendWalker, setSource,
 import type { Signal } from '../../state/signal';
 import type { PointHit } from '../../view/view';
 import { h } from '../dom';
+import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { Readout } from '../overlay/readout';
 import { draws, type Tool } from '../../state/tool';
 import type { DrawInput } from './draw';
 import type { MeasureInput } from '../measure/input';
+import { isHeard } from '../shortcuts';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -22,12 +24,6 @@ const BRUSH_STEP = 1.2;
 /** How far a key moves the cut, as a share of the way from the middle to the end. */
 const CUT_STEP = 0.02;
 
-const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 const TOOL_KEYS: Record<string, Tool> = {
   '1': 'source',
   '2': 'add',
@@ -58,10 +54,7 @@ export interface KeysOptions {
 export class Keys {
   readonly reticle = h('div', { class: 'reticle', hidden: true, 'aria-hidden': 'true' });
   readonly #o: KeysOptions;
-  /** Arrows in a row are one step of undo. */
-  #nudging: object | null = null;
-  /** So are keys in a row that move the cut. */
-  #cutting: object | null = null;
+  readonly #gesture = keyGesture(window);
 
   constructor(options: KeysOptions) {
     this.#o = options;
@@ -77,8 +70,8 @@ export class Keys {
     const element = event.target instanceof HTMLElement ? event.target : document.body;
     // What is open in front of the page has keys of its own.
     if (element.closest('dialog')) return;
-    const onStage = element === this.#o.session.view.stage || element === document.body;
-    const used = this.#command(event) || this.#camera(event) || this.#view(event) || (onStage && this.#place(event));
+    if (!isHeard(event, element === this.#o.session.view.stage || element === document.body)) return;
+    const used = this.#command(event) || this.#camera(event) || this.#view(event) || this.#place(event);
     if (used) event.preventDefault();
   }
 
@@ -96,23 +89,24 @@ export class Keys {
   #camera(event: KeyboardEvent): boolean {
     const { session, cameraMoved } = this.#o;
     const { view, scene } = session;
-    const arrow = ARROWS[event.key];
+    const arrow = arrowOf(event);
     if (arrow) {
       const [x, y] = arrow;
       this.#showReticle();
       if (event.ctrlKey || event.metaKey) view.pan(-x * ORBIT_PX, -y * ORBIT_PX);
       else if (scene.state.selected in scene.state.sources) this.#nudge(x, y);
       else view.orbit(-x * ORBIT_PX, -y * ORBIT_PX);
-    } else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
+    } else if (hasModifier(event)) return false;
+    else if (event.key === '+' || event.key === '=') view.zoom(ZOOM_STEP);
     else if (event.key === '-') view.zoom(1 / ZOOM_STEP);
-    else if (event.key.toLowerCase() === 'f' && !event.ctrlKey && !event.metaKey) view.frame();
+    else if (event.key.toLowerCase() === 'f') view.frame();
     else return false;
     cameraMoved();
     return true;
   }
 
   #view(event: KeyboardEvent): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (hasModifier(event)) return false;
     const { session, tool, chooseFile, help, closeMessage } = this.#o;
     if (event.key.toLowerCase() in TOOL_KEYS) tool.value = TOOL_KEYS[event.key.toLowerCase()];
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
@@ -156,10 +150,8 @@ export class Keys {
     const { scene, shown } = this.#o.session;
     const { inside } = scene.state;
     if (!shown.value?.opened.interior || inside.cut === 'none') return;
-    this.#cutting ??= {};
     const [least, most] = INSIDE_RANGES.place;
-    lookInto(scene, { place: Math.min(most, Math.max(least, inside.place + step)) }, this.#cutting);
-    addEventListener('keyup', () => (this.#cutting = null), { once: true });
+    lookInto(scene, { place: Math.min(most, Math.max(least, inside.place + step)) }, this.#gesture());
   }
 
   #turn(): void {
@@ -209,9 +201,7 @@ export class Keys {
     const pixel = position && view.project(position);
     const hit = pixel && view.pick(pixel[0] + x * NUDGE_PX, pixel[1] + y * NUDGE_PX);
     if (!hit) return;
-    this.#nudging ??= {};
-    moveSource(scene, selected, hit.point, this.#nudging);
-    addEventListener('keyup', () => (this.#nudging = null), { once: true });
+    moveSource(scene, selected, hit.point, this.#gesture());
   }
 
   #underReticle(): MeshPoint | null {

@@ -2,6 +2,7 @@
 import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import type { Corner } from '../../state/sources';
+import { distance } from '../../state/vector';
 
 /** `corner`: of a line along edges, which a drag from there moves. */
 export type Target =
@@ -38,7 +39,7 @@ function nearestOf({ shown, view }: Session, points: readonly MeshPoint[], x: nu
     const away = Math.hypot(pixel[0] - x, pixel[1] - y);
     if (away > nearest) return;
     const hit = view.pick(...pixel);
-    if (hit && Math.hypot(...position.map((p, i) => p - hit.position[i])) > HIDDEN_BY * places.drawnDiameter) return;
+    if (hit && distance(position, hit.position) > HIDDEN_BY * places.drawnDiameter) return;
     best = index;
     nearest = away;
   });

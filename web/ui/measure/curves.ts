@@ -1,6 +1,7 @@
 /** Legs of tapes as polylines. */
 import type { Leg, MeshPoint, SurfaceLeg } from '../../protocol';
-import type { Places, Vector } from '../../state/places';
+import type { Places } from '../../state/places';
+import { type Vector, between, distance } from '../../state/vector';
 
 /** A leg as it is drawn. */
 export function polylineOf(leg: Leg, places: Places): Vector[] {
@@ -24,7 +25,7 @@ export function positionsOf(points: readonly MeshPoint[], places: Places): Vecto
 /** How far each point of a polyline is from its first, along it. */
 export function arcsOf(polyline: readonly Vector[]): number[] {
   let arc = 0;
-  return polyline.map((point, index) => (arc += index > 0 ? away(polyline[index - 1], point) : 0));
+  return polyline.map((point, index) => (arc += index > 0 ? distance(polyline[index - 1], point) : 0));
 }
 
 /** The point half way along a polyline; null for none. */
@@ -35,9 +36,5 @@ export function middleOf(polyline: readonly Vector[]): Vector | null {
   if (next < 1) return polyline[0] ?? null;
   const share = (half - arcs[next - 1]) / (arcs[next] - arcs[next - 1]);
   const [from, to] = [polyline[next - 1], polyline[next]];
-  return from.map((along, axis) => along + share * (to[axis] - along)) as Vector;
-}
-
-export function away(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return between(from, to, share);
 }

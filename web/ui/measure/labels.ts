@@ -1,12 +1,15 @@
 /** Tapes on the stage: their curves, places that can be dragged, and lengths that follow the camera and stay in pictures. */
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/tapes';
-import type { Places, Vector } from '../../state/places';
+import type { Places } from '../../state/places';
+import { type Vector, distance } from '../../state/vector';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
+import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
+import { printLabel } from '../print';
 import type { MeasureInput } from './input';
-import { away, middleOf, polylineOf, positionsOf } from './curves';
+import { middleOf, polylineOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 import { t } from '../../texts';
 import type { PlaneContext } from '../../view/view';
@@ -20,12 +23,6 @@ const SEEN_WITHIN = 0.02;
 
 const DRAG_PX = 3;
 const NUDGE_PX = 6;
-const ARROWS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 /** An element that stands where a place is seen. */
 interface Anchored {
@@ -42,8 +39,7 @@ export class TapeLabels {
   readonly #input: MeasureInput;
   #places: Anchored[][] = [];
   #labels: Anchored[] = [];
-  /** Arrows in a row are one step of undo. */
-  #nudging: object | null = null;
+  readonly #keys = keyGesture(this.#placeLayer);
   /** Whether lines are on the view. */
   #hasLines = false;
 
@@ -69,7 +65,7 @@ export class TapeLabels {
       if (!pixel) continue;
       element.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
       const seen = view.pick(...pixel)?.position;
-      const isBehind = seen !== undefined && away(seen, position) > SEEN_WITHIN * diameter;
+      const isBehind = seen !== undefined && distance(seen, position) > SEEN_WITHIN * diameter;
       element.toggleAttribute('data-behind', isBehind);
     }
   }
@@ -120,49 +116,41 @@ export class TapeLabels {
       'aria-label': t`Tape ${tape + 1}, place ${place + 1}`,
       title: t('Drag to move, Delete to remove'),
     });
-    let drag: { x: number; y: number; isMoving: boolean; gesture: object } | null = null;
-    button.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0) return;
-      button.setPointerCapture(event.pointerId);
-      drag = { x: event.clientX, y: event.clientY, isMoving: false, gesture: {} };
+    draggable(button, {
+      begin: ({ button: pressed, clientX: x, clientY: y }) =>
+        pressed === 0 ? { x, y, isMoving: false, gesture: {} } : null,
+      move: ({ clientX: x, clientY: y }, drag) => {
+        drag.isMoving ||= Math.hypot(x - drag.x, y - drag.y) > DRAG_PX;
+        if (drag.isMoving) this.#move(tape, place, x, y, drag.gesture);
+      },
+      end: ({ type, timeStamp }, { isMoving }) => {
+        if (!isMoving && type === 'pointerup') this.#input.clickPlace(tape, place, timeStamp);
+      },
     });
-    button.addEventListener('pointermove', ({ clientX: x, clientY: y }) => {
-      if (!drag) return;
-      drag.isMoving ||= Math.hypot(x - drag.x, y - drag.y) > DRAG_PX;
-      if (drag.isMoving) this.#move(tape, place, x, y, drag.gesture);
-    });
-    const end = (event: PointerEvent) => {
-      if (drag && !drag.isMoving && event.type === 'pointerup') this.#input.clickPlace(tape, place, event.timeStamp);
-      drag = null;
-    };
-    button.addEventListener('pointerup', end);
-    button.addEventListener('pointercancel', end);
     // By the keyboard alone: a pointer has ended above.
     button.addEventListener('click', (event) => {
       if (event.detail === 0) this.#input.clickPlace(tape, place, event.timeStamp);
     });
     button.addEventListener('wheel', (event) => this.#session.view.stage.dispatchEvent(new WheelEvent('wheel', event)));
-    button.addEventListener('keydown', (event) => this.#key(tape, place, button, event));
+    button.addEventListener('keydown', (event) => this.#key(tape, place, event));
     return button;
   }
 
-  #key(tape: number, place: number, button: HTMLElement, event: KeyboardEvent): void {
-    const arrow = ARROWS[event.key];
+  #key(tape: number, place: number, event: KeyboardEvent): void {
+    const arrow = arrowOf(event);
     const removes = event.key === 'Delete' || event.key === 'Backspace';
-    if ((!arrow && !removes) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if ((!arrow && !removes) || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
     const { scene, view } = this.#session;
-    if (removes) {
+    if (!arrow) {
       scene.edit({ tapes: withoutPlace(scene.state.tapes, tape, place) });
       view.stage.focus({ preventScroll: true });
       return;
     }
     const pixel = view.project(this.#places[tape][place].position);
     if (!pixel) return;
-    this.#nudging ??= {};
-    this.#move(tape, place, pixel[0] + arrow[0] * NUDGE_PX, pixel[1] + arrow[1] * NUDGE_PX, this.#nudging);
-    button.addEventListener('keyup', () => (this.#nudging = null), { once: true });
+    this.#move(tape, place, pixel[0] + arrow[0] * NUDGE_PX, pixel[1] + arrow[1] * NUDGE_PX, this.#keys());
   }
 
   #move(tape: number, place: number, x: number, y: number, gesture: object): void {
@@ -190,21 +178,10 @@ export class TapeLabels {
       context.stroke();
     }
     for (const each of this.#labels.filter(isSeen)) {
-      const text = each.element.textContent;
       const inner = each.element.firstElementChild;
-      if (!text || !inner) continue;
-      const { backgroundColor, color, font } = getComputedStyle(inner);
+      if (!inner) continue;
       const { left, top, width, height } = inner.getBoundingClientRect();
-      const [x, y] = [left - stage.left, top - stage.top];
-      context.beginPath();
-      context.roundRect(x, y, width, height, 4);
-      context.fillStyle = backgroundColor;
-      context.fill();
-      context.font = font;
-      context.fillStyle = color;
-      context.textAlign = 'center';
-      context.textBaseline = 'middle';
-      context.fillText(text, x + width / 2, y + height / 2);
+      printLabel(context, inner, { x: left - stage.left, y: top - stage.top, width, height });
     }
   }
 }

@@ -4,7 +4,9 @@ import { lengthOf, type MeasuredTape, stateOf, straightOf, type Tapes } from '..
 import { type LengthUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
 import { SCALES } from '../../state/tapes';
 import { save } from '../../view/picture';
+import { copy } from '../clipboard';
 import { h, select } from '../dom';
+import { fileNameOf } from '../words';
 import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
 import { t } from '../../texts';
 
@@ -14,20 +16,15 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const said = h('span', { class: 'quiet', role: 'status' });
   const csv = () => csvOf(tapes.measured.value, unitNow());
   const unitNow = () => unitOf(scene.state, shown.value?.opened ?? { unit: '', unitAssumed: false });
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(csv());
-      said.textContent = t('Copied.');
-    } catch {
-      said.textContent = t('The clipboard is not available. Save the file instead.');
-    }
+  const copyAll = async () => {
+    const isCopied = await copy(csv());
+    said.textContent = isCopied ? t('Copied.') : t('The clipboard is not available. Save the file instead.');
   };
-  const name = () => (shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
-  const saveFile = () => save(new Blob([csv()], { type: 'text/csv' }), `${name()} tapes.csv`);
+  const saveFile = () => save(new Blob([csv()], { type: 'text/csv' }), `${fileNameOf(shown.value)} tapes.csv`);
   const buttons = h(
     'div',
     { class: 'openers' },
-    h('button', { class: 'small', title: t('Copy all lengths as CSV'), onclick: () => void copy() }, t('Copy CSV')),
+    h('button', { class: 'small', title: t('Copy all lengths as CSV'), onclick: () => void copyAll() }, t('Copy CSV')),
     h('button', { class: 'small', title: t('Save all lengths as a CSV file'), onclick: saveFile }, t('Save CSV')),
     h(
       'button',

@@ -2,8 +2,9 @@
 import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
 import { directionOf, INSIDE_RANGES, middleOf, reachOf } from '../../state/inside';
-import type { Vector } from '../../state/places';
+import { moved } from '../../state/vector';
 import { h, icon } from '../dom';
+import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
 import { percent } from '../words';
 import { t } from '../../texts';
 
@@ -11,10 +12,19 @@ const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
 
 /** How far an arrow key moves the cut, as a share of the way from the middle to the end. */
 const STEP = 0.02;
-const KEYS: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 
 /** A direction that is seen shorter than this on the way to the end, in CSS pixels, is seen from its end: a drag means nothing. */
 const LEAST_PIXELS = 8;
+
+interface Drag {
+  /** Where it began, in the window and of the cut. */
+  x: number;
+  y: number;
+  place: number;
+  /** How far the cut moves by a pixel along each axis. */
+  worth: readonly [number, number];
+  gesture: object;
+}
 
 export class CutHandle {
   readonly element = h(
@@ -23,23 +33,15 @@ export class CutHandle {
     icon(ARROWS),
   );
   readonly #session: Session;
-  /** Where the drag began, in the window and of the cut, and what a pixel is worth along each axis. */
-  #drag: { x: number; y: number; place: number; worth: [number, number]; gesture: object } | null = null;
-  /** Keys in a row are one step of undo. */
-  #keys: object | null = null;
+  readonly #keys = keyGesture(this.element);
 
   constructor(session: Session) {
     this.#session = session;
     const [least, most] = INSIDE_RANGES.place;
     this.element.setAttribute('aria-valuemin', String(least));
     this.element.setAttribute('aria-valuemax', String(most));
-    this.element.addEventListener('pointerdown', (event) => this.#take(event));
-    this.element.addEventListener('pointermove', (event) => this.#move(event));
-    for (const end of ['pointerup', 'pointercancel'] as const) {
-      this.element.addEventListener(end, () => (this.#drag = null));
-    }
+    draggable(this.element, { begin: (event) => this.#take(event), move: (event, drag) => this.#move(event, drag) });
     this.element.addEventListener('keydown', (event) => this.#key(event));
-    this.element.addEventListener('keyup', () => (this.#keys = null));
     session.scene.subscribe(() => this.follow());
     session.shown.watch(() => this.follow());
   }
@@ -66,37 +68,33 @@ export class CutHandle {
     const middle = middleOf(inside, box);
     const direction = directionOf(inside);
     const reach = reachOf(direction, box);
-    const ahead = middle.map((along, axis) => along + reach * direction[axis]) as Vector;
+    const ahead = moved(middle, direction, reach);
     const [from, to] = [view.project(middle), view.project(ahead)];
     return from && to && [from, to];
   }
 
-  #take(event: PointerEvent): void {
+  #take(event: PointerEvent): Drag | null {
     const ends = this.#onScreen();
-    if (!ends) return;
+    if (!ends) return null;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
-    this.element.setPointerCapture(event.pointerId);
     const [[x, y], [toX, toY]] = ends;
     const pixels = Math.max(LEAST_PIXELS, Math.hypot(toX - x, toY - y));
     const worth: [number, number] = [(toX - x) / pixels ** 2, (toY - y) / pixels ** 2];
     const { place } = this.#session.scene.state.inside;
-    this.#drag = { x: event.clientX, y: event.clientY, place, worth, gesture: {} };
+    return { x: event.clientX, y: event.clientY, place, worth, gesture: {} };
   }
 
-  #move(event: PointerEvent): void {
-    if (!this.#drag) return;
-    const { x, y, place, worth, gesture } = this.#drag;
-    this.#put(place + (event.clientX - x) * worth[0] + (event.clientY - y) * worth[1], gesture);
+  #move({ clientX, clientY }: PointerEvent, { x, y, place, worth: [right, down], gesture }: Drag): void {
+    this.#put(place + (clientX - x) * right + (clientY - y) * down, gesture);
   }
 
   #key(event: KeyboardEvent): void {
-    const side = KEYS[event.key];
-    if (side === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    const [right, down] = arrowOf(event) ?? [0, 0];
+    if (right === down || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#keys ??= {};
-    this.#put(this.#session.scene.state.inside.place + side * STEP, this.#keys);
+    this.#put(this.#session.scene.state.inside.place + (right - down) * STEP, this.#keys());
   }
 
   #put(place: number, gesture: object): void {

@@ -2,6 +2,7 @@
 import type { Session } from '../../session/session';
 import type { SceneState } from '../../state/scene';
 import { h } from '../dom';
+import { remember, remembered } from '../memory';
 import { t } from '../../texts';
 
 const MEMORY = 'heatwalk.hints';
@@ -41,7 +42,7 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
     '×',
   );
   const element = h('div', { class: 'hint', hidden: true }, text, close);
-  let known = remembered();
+  let known = Number(remembered(MEMORY) ?? 0);
   const show = () => {
     const hint = HINTS[known];
     element.hidden = hint === undefined;
@@ -49,7 +50,7 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
   };
   const turn = (next: number) => {
     known = next;
-    remember(known);
+    remember(MEMORY, String(known));
     show();
   };
   return {
@@ -66,20 +67,4 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
       });
     },
   };
-}
-
-function remembered(): number {
-  try {
-    return Number(localStorage.getItem(MEMORY) ?? 0);
-  } catch {
-    return 0;
-  }
-}
-
-function remember(known: number): void {
-  try {
-    localStorage.setItem(MEMORY, String(known));
-  } catch {
-    // Storage may be disabled; then every visit starts with the first hint.
-  }
 }

@@ -1,10 +1,11 @@
-/** Messages at the bottom left. Errors stay until closed and can be copied. */
+/** Messages at the bottom left. All but what was opened stay until they are closed; errors can be copied. */
 import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Voice } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../state/scene';
+import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
 import { t } from '../../texts';
@@ -35,11 +36,12 @@ export class Messages implements Voice {
     this.#fade(this.#told);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
-    if (this.#absent) this.#fade(this.#absent);
   }
 
   notice(text: string): void {
-    this.#fade(this.#say(this.#polite, 'notice', text, []));
+    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === text);
+    former?.remove();
+    this.#say(this.#polite, 'notice', text, []);
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {
@@ -98,8 +100,8 @@ export class Messages implements Voice {
   }
 
   #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
-    const copy: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
-    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copy] : [copy]);
+    const copying: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
+    const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copying] : [copying]);
     return message;
   }
 
@@ -136,9 +138,5 @@ export class Messages implements Voice {
 
 /** Without permission to use the clipboard the details are shown, to be copied by hand. */
 async function copyDetails(message: HTMLElement, details: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(details);
-  } catch {
-    if (!message.querySelector('pre')) message.append(h('pre', {}, details));
-  }
+  if (!(await copy(details)) && !message.querySelector('pre')) message.append(h('pre', {}, details));
 }

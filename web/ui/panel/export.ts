@@ -1,3 +1,4 @@
+import { messageOf } from '../../error';
 import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines } from '../../protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
@@ -8,8 +9,9 @@ import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
 import { unitOf } from '../../state/scene';
 import { save } from '../../view/picture';
+import { copy } from '../clipboard';
 import { h, select } from '../dom';
-import { length, unitWords } from '../words';
+import { fileNameOf, length, unitWords } from '../words';
 import { t } from '../../texts';
 
 const CURVES: readonly (readonly [CurveFile['kind'], string])[] = [
@@ -58,7 +60,7 @@ export function exportSection(session: Session): HTMLElement {
       void Promise.resolve()
         .then(work)
         .then((words) => (said.textContent = words ?? ''))
-        .catch((error: unknown) => (said.textContent = error instanceof Error ? error.message : String(error)))
+        .catch((error: unknown) => (said.textContent = messageOf(error)))
         .finally(() => (button.disabled = false));
     });
     return button;
@@ -125,7 +127,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
     const bytes = await measured(session).curveFile(wish(), { kind, towardEye: towardEye(session.view.camera) });
-    save(new Blob([bytes]), `${nameOf(session)}.isolines.${kind}`);
+    save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
@@ -178,7 +180,7 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const engine = asked(session);
     const bytes = await (isInside() ? engine.innerDistanceFile(innerKind) : engine.distanceFile(kind));
-    save(new Blob([bytes]), `${nameOf(session)}.distances.${isInside() ? innerKind : kind}`);
+    save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
   };
   const title = t('One for each vertex of the file, in its unit');
   return [file.element, innerFile.element, action(t('Save distances'), title, work)];
@@ -191,7 +193,7 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
     const { opened, answer } = session.shown.value ?? {};
     if (!opened || !answer?.path) throw new Error(t('There is no path. Alt + click the surface to place a walker.'));
     const points = pathPoints(answer.path, opened.drawTransform);
-    save(new Blob([pathFile(kind, points)]), `${nameOf(session)}.path.${kind}`);
+    save(new Blob([pathFile(kind, points)]), `${fileNameOf(session.shown.value)}.path.${kind}`);
   };
   return [file.element, action(t('Save path'), t('The points of the path, in the unit of the file'), work)];
 }
@@ -202,7 +204,7 @@ function trackControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const tracks = trackPoints(await measured(session).crowdTracks());
     if (tracks.length === 0) throw new Error(t('There is no crowd. Choose how many walk in the section Display.'));
-    save(new Blob([tracksFile(kind, tracks)]), `${nameOf(session)}.tracks.${kind}`);
+    save(new Blob([tracksFile(kind, tracks)]), `${fileNameOf(session.shown.value)}.tracks.${kind}`);
   };
   const title = t('The ways of the crowd to the sources, from where each walker is, in the unit of the file');
   return [file.element, action(t('Save tracks'), title, work)];
@@ -221,13 +223,9 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
     const told = await measuredBy(session);
     field.value = TEXT_OF[kind](told);
     field.hidden = false;
-    try {
-      await navigator.clipboard.writeText(field.value);
-      return t('Copied.');
-    } catch {
-      field.select();
-      return t('The clipboard is not available. Copy the lines from the field.');
-    }
+    if (await copy(field.value)) return t('Copied.');
+    field.select();
+    return t('The clipboard is not available. Copy the lines from the field.');
   };
   return [lines.element, action(t('Copy lines'), t('Lines that give the present distances again'), work), field];
 }
@@ -241,8 +239,4 @@ async function measuredBy(session: Session): Promise<Measured> {
   const input = isPreset ? await request.load() : null;
   const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;
   return { state: scene.state, mesh, opened, field: answer.field };
-}
-
-function nameOf(session: Session): string {
-  return (session.shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
 }

@@ -1,5 +1,6 @@
 /** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
 import { h } from '../dom';
+import { remember, remembered } from '../memory';
 import { t } from '../../texts';
 
 export interface Section {
@@ -18,7 +19,7 @@ export interface Section {
 const MEMORY = 'heatwalk.panel';
 
 export function buildPanel(sections: readonly Section[]): HTMLElement {
-  const memory = remembered();
+  const memory = stops();
   const body = h('div', { class: 'panel-body', id: 'panel-body' });
   for (const { id, formerId, title, element, open, hidden } of sections) {
     const isOpen = memory[id] ?? (formerId ? memory[formerId] : undefined) ?? open;
@@ -28,7 +29,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
       h('summary', {}, title),
       typeof element === 'function' ? later(element) : element,
     );
-    details.addEventListener('toggle', () => remember(id, details.open));
+    details.addEventListener('toggle', () => keep(id, details.open));
     body.append(details);
   }
   const panel = h('aside', { class: 'panel', 'aria-label': t('Panel') });
@@ -44,7 +45,7 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
     handle.setAttribute('aria-label', name);
     handle.title = name;
     body.inert = !open;
-    remember('panel', open);
+    keep('panel', open);
   };
   panel.append(handle, body);
   // On a narrow window the sheet begins at its lower stop, so that the model is seen first.
@@ -71,18 +72,14 @@ export function narrow(): boolean {
   return matchMedia('(max-width: 719px)').matches;
 }
 
-function remembered(): Record<string, boolean> {
+function stops(): Record<string, boolean> {
   try {
-    return JSON.parse(localStorage.getItem(MEMORY) ?? '{}') as Record<string, boolean>;
+    return JSON.parse(remembered(MEMORY) ?? '{}') as Record<string, boolean>;
   } catch {
     return {};
   }
 }
 
-function remember(id: string, open: boolean): void {
-  try {
-    localStorage.setItem(MEMORY, JSON.stringify({ ...remembered(), [id]: open }));
-  } catch {
-    // Storage may be disabled; then every visit starts with the defaults.
-  }
+function keep(id: string, open: boolean): void {
+  remember(MEMORY, JSON.stringify({ ...stops(), [id]: open }));
 }

@@ -1,7 +1,8 @@
 /** Draws, types, and saves sources that are many at once. */
+import { messageOf } from '../../error';
 import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
-import type { Scene } from '../../state/scene';
+import type { Scene } from '../../state/history';
 import { fitLink } from '../../state/sets';
 import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
@@ -60,7 +61,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
       tell(addList(session, t('List'), text));
       field.value = '';
     } catch (error) {
-      tell(error instanceof Error ? error.message : String(error));
+      tell(messageOf(error));
     }
   };
   const field = h('input', {

@@ -1,7 +1,9 @@
 import type { Session } from '../../session/session';
 import { fitLink } from '../../state/sets';
 import { canRecord, png, save, video } from '../../view/picture';
+import { copy } from '../clipboard';
 import { h, select, toggle } from '../dom';
+import { fileNameOf } from '../words';
 import { t } from '../../texts';
 
 const SCALES = ['1', '2', '4'] as const;
@@ -42,25 +44,22 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
     'aria-label': t('Link to this scene, or its frame'),
     hidden: true,
   });
-  const copy = async (text: string) => {
-    try {
-      await navigator.clipboard.writeText(text);
-      field.hidden = true;
+  const give = async (text: string) => {
+    field.hidden = await copy(text);
+    if (field.hidden) {
       said.textContent = fitLink(scene.state.sets)
         ? t('Copied.')
         : t('Copied, without lists and curves of sources: they are too many for a link.');
-    } catch {
-      // Without permission to use the clipboard the link is shown to be copied by hand.
-      field.hidden = false;
-      field.value = text;
-      field.select();
-      said.textContent = t('The clipboard is not available. Copy it from the field.');
+      return;
     }
+    field.value = text;
+    field.select();
+    said.textContent = t('The clipboard is not available. Copy it from the field.');
   };
   return [
     h(
       'button',
-      { class: 'wide', title: t('Copy a link to this scene'), onclick: () => void copy(link()) },
+      { class: 'wide', title: t('Copy a link to this scene'), onclick: () => void give(link()) },
       t('Copy link'),
     ),
     h(
@@ -68,7 +67,7 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
       {
         class: 'wide',
         title: t('Copy HTML that shows this scene in a frame of another page'),
-        onclick: () => void copy(frameOf(link())),
+        onclick: () => void give(frameOf(link())),
       },
       t('Copy frame'),
     ),
@@ -86,7 +85,7 @@ function sceneControls(session: Session): HTMLElement[] {
   const { button, run } = worker(t('Save scene'), t('An archive of the scene and its mesh, to be opened here again'));
   const file = async () => {
     const { sceneFile } = await import('../../session/scene');
-    save(await sceneFile(session), `${nameOf(session)}.heatwalk.zip`);
+    save(await sceneFile(session), `${fileNameOf(session.shown.value)}.heatwalk.zip`);
   };
   button.addEventListener('click', () => run(session, file));
   const words = t('The file holds the scene and the mesh. Open it here as any mesh; all is then as it was.');
@@ -106,7 +105,9 @@ function imageControls(session: Session): HTMLElement[] {
   behind.show(background);
   const { button, run } = worker(t('Save image'), t('A PNG of the view'));
   button.addEventListener('click', () =>
-    run(session, async () => save(await png(session.view, Number(scale), !background), `${nameOf(session)}.png`)),
+    run(session, async () =>
+      save(await png(session.view, Number(scale), !background), `${fileNameOf(session.shown.value)}.png`),
+    ),
   );
   return [size.element, behind.element, button];
 }
@@ -129,7 +130,8 @@ function videoControls(session: Session): HTMLElement[] {
     if (walk.length === 0) throw new Error(t('There is no walker. Alt + click the surface to place one.'));
     return video(view, walk.perform());
   };
-  const record = async () => save(await (shows === 'turn' ? turn() : walkVideo()), `${nameOf(session)}.webm`);
+  const record = async () =>
+    save(await (shows === 'turn' ? turn() : walkVideo()), `${fileNameOf(session.shown.value)}.webm`);
   button.addEventListener('click', () => run(session, record));
   return [subject.element, button];
 }
@@ -146,8 +148,4 @@ function worker(name: string, title: string) {
       });
   };
   return { button, run };
-}
-
-function nameOf(session: Session): string {
-  return (session.shown.value?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
 }

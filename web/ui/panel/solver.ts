@@ -2,7 +2,6 @@ import type { Session } from '../../session/session';
 import { isMethodOf } from '../../state/inside';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
-  AUTOMATIC,
   BOUNDARY,
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
@@ -13,12 +12,11 @@ import {
   type Parameters,
   PATH_KIND,
   type PathKind,
-  TIME_STEP_FACTORS,
   WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, select, toggle } from '../dom';
-import { BOUNDARIES, fromLogarithm, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
-import { length, count, linksSentence, refiningSentence } from '../words';
+import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS, timeFactor } from '../settings';
+import { count, linksSentence, refiningSentence } from '../words';
 import { t } from '../../texts';
 
 const METHOD_HINTS: Record<Method, string> = {
@@ -54,15 +52,7 @@ export function solverSection(session: Session): HTMLElement {
   const hint = quiet('');
   const refine = toggle(t('Refine to exact'), (on) => scene.edit({ refine: on }));
   const path = select(t('Path'), labelled(PATH_KIND.names, PATHS), (value) => scene.edit({ pathKind: value }));
-  const [low, high] = TIME_STEP_FACTORS;
-  const factor = automaticSlider({
-    label: t('Time factor m'),
-    min: Math.log10(low),
-    max: Math.log10(high),
-    step: 0.05,
-    describe: (value) => length(fromLogarithm(value)),
-    change: (value, gesture) => change({ timeStep: value === AUTOMATIC ? value : fromLogarithm(value) }, gesture),
-  });
+  const factor = timeFactor((timeStep, gesture) => change({ timeStep }, gesture));
   const boundary = select(t('Boundary'), labelled(BOUNDARY.names, BOUNDARIES), (value) => change({ boundary: value }));
   const [nearest, farthest] = EXACT_RADIUS_EDGES;
   const near = automaticSlider({
@@ -131,10 +121,7 @@ export function solverSection(session: Session): HTMLElement {
     const factoring = session.shown.value?.answer.factoring;
     linked.textContent = factoring ? linksSentence(factoring) : null;
     links.hidden = linked.textContent === '';
-    factor.show(
-      parameters.timeStep === AUTOMATIC ? AUTOMATIC : Math.log10(parameters.timeStep),
-      Math.log10(session.shown.value?.answer.field?.timeFactor ?? 1),
-    );
+    factor.show(parameters.timeStep, session.shown.value?.answer.field?.timeFactor ?? 1);
     boundary.show(parameters.boundary);
     near.show(parameters.exactRadius, chosenNear);
     multi.show(parameters.sources);

@@ -1,0 +1,26 @@
+/** Which keys are heard where, as WCAG 2.1.4 asks: by voice or by a slip, a key of one character is soon typed. */
+import { remember, remembered } from './memory';
+
+const MEMORY = 'heatwalk.shortcuts';
+
+/** Keys that are heard wherever the focus is; others on the stage alone, so that what has the focus keeps its own. */
+const ANYWHERE: ReadonlySet<string> = new Set(['Escape', 'Delete', 'Backspace']);
+
+let areOn = remembered(MEMORY) !== 'off';
+
+/** Whether letters, digits and signs do something by themselves. */
+export function hasShortcuts(): boolean {
+  return areOn;
+}
+
+export function setShortcuts(on: boolean): void {
+  areOn = on;
+  remember(MEMORY, on ? 'on' : 'off');
+}
+
+export function isHeard({ key, ctrlKey, metaKey }: KeyboardEvent, onStage: boolean): boolean {
+  const isCharacter = key.length === 1;
+  const isCommand = isCharacter && (ctrlKey || metaKey);
+  if (isCommand || ANYWHERE.has(key)) return true;
+  return onStage && (areOn || !isCharacter);
+}
