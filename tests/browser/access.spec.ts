@@ -29,7 +29,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('arrows scroll the panel while it has the focus, and letters do nothing there, nor where they are off', async ({
+test('arrows scroll the panel while it has the focus; letters act there too, and nowhere once they are off', async ({
   heatwalk,
   page,
 }) => {
@@ -43,11 +43,7 @@ test('arrows scroll the panel while it has the focus, and letters do nothing the
   await page.locator('#section-scene summary').focus();
   for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
   await expect.poll(() => page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop)).toBeGreaterThan(0);
-  await page.keyboard.press('p');
-  await expect(paused).toHaveCount(0);
   expect(await camera()).toEqual(before);
-
-  await page.locator('.stage').focus();
   await page.keyboard.press('p');
   await expect(paused).toBeVisible();
   await page.keyboard.press('?');

@@ -121,7 +121,6 @@ test('distance is measured in each pose where that is wanted', async ({ heatwalk
   const before = await heatwalk.solves();
   await page.getByRole('button', { name: 'Play the animation' }).click();
   await expect.poll(async () => (await heatwalk.solves()) - before).toBeGreaterThan(4);
-  await page.locator('.stage').focus();
   await page.keyboard.press('p');
   await heatwalk.settled();
   expect(await heatwalk.refining(), 'where it stops it is measured well').toBe('exact');

@@ -91,7 +91,6 @@ test('the turntable rotates the model until it is stopped', async ({ heatwalk, p
   const before = await yaw();
   await page.getByRole('button', { name: 'Turntable' }).click();
   await expect.poll(yaw).not.toBe(before);
-  await page.locator('.stage').focus();
   await page.keyboard.press('t');
   await heatwalk.rest();
   const after = await yaw();

@@ -6,18 +6,19 @@ const pressed = (key: string, modifiers: Partial<KeyboardEvent> = {}) =>
 
 test.afterEach(() => setShortcuts(true));
 
-test('a key of one character is heard on the stage alone, and not where shortcuts are off', () => {
+test('a key of one character is heard wherever the focus is, unless shortcuts are off', () => {
   for (const key of ['a', 'P', '7', '+', '?', '[', ',']) {
     expect(isHeard(pressed(key), true), key).toBe(true);
-    expect(isHeard(pressed(key), false), key).toBe(false);
+    expect(isHeard(pressed(key), false), key).toBe(true);
     setShortcuts(false);
     expect(isHeard(pressed(key), true), key).toBe(false);
+    expect(isHeard(pressed(key), false), key).toBe(false);
     setShortcuts(true);
   }
 });
 
-test('arrows and Enter belong to what has the focus, and to the stage with shortcuts or without', () => {
-  for (const key of ['ArrowUp', 'ArrowLeft', 'Enter']) {
+test('arrows, Enter and the space belong to what has the focus, and to the stage with shortcuts or without', () => {
+  for (const key of ['ArrowUp', 'ArrowLeft', 'Enter', ' ']) {
     expect(isHeard(pressed(key), false), key).toBe(false);
     expect(isHeard(pressed(key, { ctrlKey: true }), false), key).toBe(false);
     setShortcuts(false);

@@ -3,7 +3,7 @@ import { remember, remembered } from './memory';
 
 const MEMORY = 'heatwalk.shortcuts';
 
-/** Keys that are heard wherever the focus is; others on the stage alone, so that what has the focus keeps its own. */
+/** Keys that are heard wherever the focus is, as characters are while shortcuts are on. */
 const ANYWHERE: ReadonlySet<string> = new Set(['Escape', 'Delete', 'Backspace']);
 
 let areOn = remembered(MEMORY) !== 'off';
@@ -22,5 +22,7 @@ export function isHeard({ key, ctrlKey, metaKey }: KeyboardEvent, onStage: boole
   const isCharacter = key.length === 1;
   const isCommand = isCharacter && (ctrlKey || metaKey);
   if (isCommand || ANYWHERE.has(key)) return true;
-  return onStage && (areOn || !isCharacter);
+  // What has the focus keeps its own: arrows, Enter, and the space that presses a button.
+  if (!isCharacter || key === ' ') return onStage;
+  return areOn;
 }

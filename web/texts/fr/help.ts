@@ -13,8 +13,8 @@ export const HELP: Texts = {
   Keyboard: 'Clavier',
   'Explain every setting of the panel': 'Expliquer chaque réglage du panneau',
   'Single-key shortcuts: letters, digits and signs': 'Raccourcis d’une seule touche : lettres, chiffres et signes',
-  'Keys act while the model has the focus; Esc, Delete and Ctrl+Z always do.':
-    'Les touches agissent quand le modèle a le focus ; Échap, Suppr et Ctrl+Z toujours.',
+  'Arrows, Enter and Space act while the model has the focus, all other keys everywhere but in fields.':
+    'Les flèches, Entrée et Espace agissent quand le modèle a le focus ; les autres touches partout, sauf dans les champs.',
   'More about {0}': 'En savoir plus sur « {0} »',
   more: 'plus',
   Orbit: 'Tourner autour',

@@ -86,7 +86,9 @@ function languages(): HTMLElement[] {
 function shortcuts(): HTMLElement[] {
   const { element, show } = toggle(t('Single-key shortcuts: letters, digits and signs'), setShortcuts);
   show(hasShortcuts());
-  const words = t('Keys act while the model has the focus; Esc, Delete and Ctrl+Z always do.');
+  const words = t(
+    'Arrows, Enter and Space act while the model has the focus, all other keys everywhere but in fields.',
+  );
   return [element, h('p', { class: 'quiet' }, words)];
 }
 
