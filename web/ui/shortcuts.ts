@@ -19,10 +19,9 @@ export function setShortcuts(on: boolean): void {
 }
 
 export function isHeard({ key, ctrlKey, metaKey }: KeyboardEvent, onStage: boolean): boolean {
-  const isCharacter = key.length === 1;
+  // The space presses what has the focus.
+  const isCharacter = key.length === 1 && key !== ' ';
   const isCommand = isCharacter && (ctrlKey || metaKey);
   if (isCommand || ANYWHERE.has(key)) return true;
-  // What has the focus keeps its own: arrows, Enter, and the space that presses a button.
-  if (!isCharacter || key === ' ') return onStage;
-  return areOn;
+  return isCharacter ? areOn : onStage;
 }

@@ -14,7 +14,7 @@ export const HELP: Texts = {
   'Explain every setting of the panel': 'Expliquer chaque réglage du panneau',
   'Single-key shortcuts: letters, digits and signs': 'Raccourcis d’une seule touche : lettres, chiffres et signes',
   'Arrows, Enter and Space act while the model has the focus, all other keys everywhere but in fields.':
-    'Les flèches, Entrée et Espace agissent quand le modèle a le focus ; les autres touches partout, sauf dans les champs.',
+    'Les flèches, Entrée et Espace agissent quand le modèle a le focus ; les autres touches partout, sauf dans les champs.',
   'More about {0}': 'En savoir plus sur « {0} »',
   more: 'plus',
   Orbit: 'Tourner autour',
