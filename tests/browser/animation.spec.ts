@@ -186,6 +186,7 @@ test('a link with an animation that the file has not shows it as it is', async (
 });
 
 test('the robot is painted and waves where it is chosen, and stands still in a link', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open('#v=1&m=robot&style=none&cam=0,0.1,3,0,0,0');
   expect((await animation(heatwalk)).clips.map(({ name }) => name)).toEqual(['Wave', 'Walk']);
   expect((await animation(heatwalk)).moment).toBeNull();

@@ -120,8 +120,8 @@ test('contacts are marked where there are any', async ({ heatwalk, page }) => {
   const without = await heatwalk.drawing(1, false);
   await contacts.check();
   await expect(page).toHaveURL(/show=edges,contacts/);
-  await heatwalk.settled();
-  expect(difference(await heatwalk.drawing(1, false), without)).toBeGreaterThan(0.0003);
+  // Edges and contacts are asked for once all else is at rest.
+  await expect.poll(async () => difference(await heatwalk.drawing(1, false), without)).toBeGreaterThan(0.0003);
   await heatwalk.openFile('balls.obj', balls(1), 's=0&method=auto');
   await heatwalk.settled();
   await expect(contacts).toBeDisabled();
