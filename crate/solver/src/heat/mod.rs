@@ -4,8 +4,8 @@
 //! The heat matrix is divided by t, so that no number here depends on the file's unit.
 //!
 //! [`Systems`] (how matrices of one pattern are solved) → [`HeatFlow`] and [`Poisson`] (any right side, any constraints) →
-//! [`Factorization`] of a surface (all that is factored) → [`Query`] (all that is not) → [`Distance`](crate::Distance). [`HeatSolver`] keeps a
-//! factorization and the options of its queries together.
+//! [`HeatMethod`] (all that is factored of any [`HeatDiscretization`]) → [`Factorization`] (that of a surface) → [`Query`] (what is asked)
+//! → [`Distance`](crate::Distance). [`HeatSolver`] keeps a factorization and the options of its queries together.
 //!
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
 
@@ -28,7 +28,6 @@ mod source_heat;
 mod systems;
 mod time;
 mod triangles;
-mod upwind;
 
 pub use answer::Refinement;
 pub use bounds::Bounds;

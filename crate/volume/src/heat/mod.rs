@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::heat::{
-    Bounds, Constraint, ExactRegion, Field, HeatDiscretization, HeatMethod, PointSource, RightSide, SourceHeat, grow,
+    Bounds, Constraint, ExactRegion, Field, HeatDiscretization, HeatMethod, PointSource, RightSide, grow,
 };
 use heatwalk::operator::{Discretization, Laplacian};
 use heatwalk::{FactorOptions, Parameters, Progress, Stage, VertexId};
@@ -78,7 +78,7 @@ pub(crate) fn distance(method: &VolumeHeat, sources: &[TetSource], parameters: &
     parameters.exact_radius.check()?;
     let tetrahedra = method.discretization();
     let points: Vec<PointSource> = sources.iter().map(|source| tetrahedra.source(source)).collect();
-    let SourceHeat { values: heat, is_active } = method.heat(&points, parameters.sources)?;
+    let heat = method.heat(&points, parameters.sources)?;
     let mut march = March::new(&tetrahedra.mesh, &tetrahedra.medium, sources);
     let work = (work(method.field()) * tetrahedra.mesh.vertex_count() as f64).max(LEAST_WORK) as usize;
     let advance = |radius, work| Ok(march.advance(radius, work));
@@ -91,7 +91,6 @@ pub(crate) fn distance(method: &VolumeHeat, sources: &[TetSource], parameters: &
         .map(|(vertex, _)| vertex)
         .collect();
     let region = ExactRegion::new(&distances, reached, radius);
-    let heat = SourceHeat { values: heat, is_active };
     let values = method.distances(&points, parameters.sources, &heat, &region)?;
     Ok(Found { values, heat: heat.values, exact_below: radius })
 }

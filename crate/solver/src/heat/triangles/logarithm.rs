@@ -13,7 +13,7 @@ use std::sync::Arc;
 use crate::extremum::{larger, smaller};
 use crate::heat::bounds::Bounds;
 use crate::heat::time::long_edge_factor;
-use crate::heat::upwind::{EdgeField, Length, Upwind, WHOLE};
+use crate::heat::triangles::upwind::{EdgeField, Length, Upwind, WHOLE};
 use crate::operator::elements::{BLOCK, Element, Elements};
 use crate::operator::{Laplacian, Operators};
 

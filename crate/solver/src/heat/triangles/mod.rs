@@ -4,6 +4,7 @@ mod logarithm;
 pub(super) mod region;
 mod time;
 mod unit;
+mod upwind;
 
 use std::sync::Arc;
 
