@@ -41,9 +41,9 @@ pub struct PortalCrossing {
 /// Share of its initial distance by which the distance at a source may miss it for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether a source is nearest to its own place, where the distance is `value`.
-pub(crate) fn is_nearest_to_itself(source: &Source, value: f64) -> bool {
-    value >= source.initial_distance() * (1.0 - ROUNDING)
+/// Whether a source of this initial distance is nearest to its own place, where the distance is `value`.
+pub(crate) fn is_nearest_to_itself(initial_distance: f64, value: f64) -> bool {
+    value >= initial_distance * (1.0 - ROUNDING)
 }
 
 /// What tells a place from others, bit by bit.
@@ -82,7 +82,8 @@ pub(crate) fn one_a_place(surface: &Surface, sources: impl IntoIterator<Item = S
 
 /// The places of the sources that no other one reaches before their initial distance.
 pub(crate) fn places_that_remain(surface: &Surface, sources: &[Source], values: &VertexData<f64>) -> Vec<Place> {
-    let remains = |source: &&Source| is_nearest_to_itself(source, source.place().interpolate(surface, values));
+    let remains =
+        |source: &&Source| is_nearest_to_itself(source.initial_distance(), source.place().interpolate(surface, values));
     sources.iter().filter(remains).map(|source| source.place()).collect()
 }
 

@@ -48,7 +48,8 @@
 //! such a distance has no exact region. *Signed distance* lets the normals of a curve flow, then solves Poisson for their
 //! directions. *Transport* of vectors needs the connection Laplacian, a complex matrix of the same pattern that
 //! [`sparse`] factors; it would stand beside `HeatFlow`. Systems, flow and Poisson see matrices only: any
-//! [`Discretization`](operator::Discretization) will do, as that of tetrahedra in the crate `heatwalk-volume` does.
+//! [`Discretization`](operator::Discretization) will do. The whole method, [`HeatMethod`](heat::HeatMethod), takes any
+//! [`HeatDiscretization`](heat::HeatDiscretization), as that of tetrahedra in the crate `heatwalk-volume` is.
 
 pub mod accuracy;
 mod bridged;

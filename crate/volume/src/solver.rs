@@ -7,7 +7,7 @@ use heatwalk::{Parameters, Progress};
 
 use crate::distance::{VolumeDistance, VolumeMethod};
 use crate::error::{Error, Result};
-use crate::heat::{VolumeHeat, go_on};
+use crate::heat::{self, VolumeHeat, go_on};
 use crate::march::March;
 use crate::measured::Measured;
 use crate::mesh::TetMesh;
@@ -96,13 +96,7 @@ impl VolumeSolver {
         }
         let factored = options.heat.factor_options();
         let Measured { mesh, medium, .. } = &self.measured;
-        match &mut self.heat {
-            Some(heat) => heat.set_options(mesh, medium, factored, progress),
-            None => {
-                self.heat = Some(VolumeHeat::new(mesh, medium, factored, progress)?);
-                Ok(())
-            }
-        }
+        heat::prepare(&mut self.heat, mesh, medium, factored, progress)
     }
 
     /// Distance of every vertex from the nearest source, or the least sum of initial distance and distance.
@@ -136,7 +130,7 @@ impl VolumeSolver {
         };
         match (options.method, &self.heat) {
             (VolumeMethod::Heat, Some(heat)) => {
-                let found = heat.distance(mesh, medium, &sources, &options.heat)?;
+                let found = heat::distance(heat, &sources, &options.heat)?;
                 distance.values = found.values;
                 distance.heat = Some(found.heat);
                 distance.exact_below = found.exact_below;

@@ -1,4 +1,4 @@
-//! Bounds that distance keeps on any surface: no vertex is farther than a neighbour and the edge between, and none is nearer than
+//! Bounds that distance keeps on any mesh: no vertex is farther than a neighbour and the edge between, and none is nearer than
 //! in a straight line through space. What heat makes of a mesh need not keep them.
 
 use std::cmp::Reverse;
@@ -6,14 +6,12 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
-use crate::cost::Costs;
-use crate::exact::{ExactGeometry, after};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface};
+use crate::heat::point_source::PointSource;
 
-/// What the bounds of distances on a surface take.
+/// What the bounds of distances on a mesh take.
 #[derive(Debug)]
-pub(super) struct Bounds {
+pub struct Bounds {
     edges: Vec<Edge>,
     /// `#V + 1`, where the edges of each vertex begin in `spokes`.
     start: Vec<u32>,
@@ -38,18 +36,11 @@ const MOST_SWEEPS: usize = 4;
 const FEW: usize = 16;
 
 impl Bounds {
-    /// On a surface whose faces have costs, or not.
-    pub(super) fn new(geometry: &ExactGeometry, costs: Option<&Costs>) -> Self {
-        let surface = geometry.surface();
-        let cost = |face: u32| costs.map_or(1.0, |costs| costs.of(FaceId(face)));
-        let edge = |halfedge: HalfedgeId| {
-            let (frame, k) = geometry.frame_of(halfedge.0);
-            let faces = geometry.across(halfedge.0).map(|(other, _)| other / 3);
-            let cost = faces.map(cost).fold(cost(halfedge.0 / 3), smaller);
-            Edge { ends: [frame[k].vertex, frame[after(k)].vertex], length: cost * frame[k].length }
-        };
-        let edges: Vec<Edge> = surface.edges().representatives().map(edge).collect();
-        let mut start = vec![0; surface.vertex_count() + 1];
+    /// By the edges of so many vertices, with what each costs, which is no less than the straight line between its ends at the
+    /// least cost.
+    pub fn new(vertices: usize, edges: impl Iterator<Item = ([u32; 2], f64)>, least_cost: f64) -> Self {
+        let edges: Vec<Edge> = edges.map(|(ends, length)| Edge { ends, length }).collect();
+        let mut start = vec![0; vertices + 1];
         edges.iter().flat_map(|edge| edge.ends).for_each(|end| start[end as usize + 1] += 1);
         for vertex in 1..start.len() {
             start[vertex] += start[vertex - 1];
@@ -63,7 +54,6 @@ impl Bounds {
                 *place += 1;
             }
         }
-        let least_cost = costs.map_or(1.0, |costs| costs.of_faces().iter().copied().fold(f64::INFINITY, smaller));
         Self { edges, start, spokes, least_cost }
     }
 
@@ -71,9 +61,9 @@ impl Bounds {
     ///
     /// No edge is shorter than the straight line between its ends, so that what edges lower stays above straight lines. The result does
     /// not depend on the order of vertices.
-    pub(super) fn keep(&self, surface: &Surface, sources: &[Source], values: &mut [f64]) {
-        let starts = Starts::new(surface, sources, self.least_cost);
-        for (value, &position) in values.iter_mut().zip(surface.positions()) {
+    pub(super) fn keep(&self, positions: &[DVec3], sources: &[PointSource], values: &mut [f64]) {
+        let starts = Starts::new(sources, self.least_cost);
+        for (value, &position) in values.iter_mut().zip(positions) {
             *value = larger(*value, starts.straight(position, *value));
         }
         let mut lowered = Vec::new();
@@ -135,7 +125,7 @@ fn lower(&Edge { ends: [a, b], length }: &Edge, values: &mut [f64], lowered: &mu
 }
 
 /// The sources as a tree: each parts those after it from those before it along an axis.
-pub(super) struct Starts {
+struct Starts {
     least_cost: f64,
     starts: Vec<Start>,
 }
@@ -149,9 +139,9 @@ struct Start {
 }
 
 impl Starts {
-    fn new(surface: &Surface, sources: &[Source], least_cost: f64) -> Self {
-        let start = |source: &Source| {
-            let (place, initial) = (source.place().position(surface), source.initial_distance());
+    fn new(sources: &[PointSource], least_cost: f64) -> Self {
+        let start = |source: &PointSource| {
+            let (place, initial) = (source.position, source.initial_distance());
             Start { place, initial, least: initial, axis: 0 }
         };
         let mut starts: Vec<Start> = sources.iter().map(start).collect();
@@ -161,7 +151,7 @@ impl Starts {
 
     /// The distance of the nearest one in a straight line, or some distance that is at most `enough` where there is any.
     #[inline]
-    pub(super) fn straight(&self, from: DVec3, enough: f64) -> f64 {
+    fn straight(&self, from: DVec3, enough: f64) -> f64 {
         // Where there is one source, or others are far, that at the root tells enough.
         let mut nearest = self.starts.get(self.starts.len() / 2).map_or(f64::INFINITY, |root| self.to(root, from));
         if nearest > enough {

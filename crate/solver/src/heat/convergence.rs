@@ -8,6 +8,7 @@ use crate::heat::factorization::Factorization;
 use crate::heat::flow::HEAT_MATRIX;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::query::Query;
+use crate::operator::Discretization;
 use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix};
 use heatwalk_surface::Source;
 
@@ -37,7 +38,7 @@ impl Factorization {
     /// # Errors
     /// As [`Factorization::distance`], and [`Error::NotPositiveDefinite`] on degenerate triangles.
     pub fn convergence(&self, query: &Query) -> Result<Convergence> {
-        let flow = self.needed_flows().next().expect("some heat system is always there");
+        let flow = self.method.needed_flows().next().expect("some heat system is always there");
         let mut supply = vec![0.0; self.operators().laplacian().size()];
         for source in query.checked(self.surface())? {
             let free = |&(vertex, _): &(_, f64)| !flow.condition().is_cold(vertex);
@@ -45,7 +46,7 @@ impl Factorization {
                 supply[vertex as usize] += weight;
             }
         }
-        let divergence = self.poisson()?.grounded_right(&self.divergence(query)?);
+        let divergence = self.method.poisson()?.grounded_right(&self.divergence(query)?);
         let heat = flow.step().matrix(flow.systems().operators().laplacian());
         let poisson = Poisson::matrix(flow.systems());
         let pattern = heat.pattern();

@@ -1,72 +1,32 @@
-//! From heat to the right side of the Poisson equation: the unit field against the gradient of heat, −∇u / |∇u|, zero where heat is
-//! constant (Crane and others 2013, algorithm 1), and the gradient of exact distance where that is known.
+//! What stands for the gradient of distance where that is not known.
 
-use std::ops::Range;
+use crate::heat::constraint::Constraint;
+use crate::options::{Boundary, FactorOptions, LinearSolver, TimeStep};
 
-use crate::extremum::larger;
-use crate::heat::exact_region::{ExactRegion, Touched};
-use crate::operator::elements::{BLOCK, Element, Elements};
-use heatwalk_surface::scale::scale;
-
-/// Integrated divergence, `#V`, of the field X that should be the gradient of distance: the gradient of exact distance in
-/// triangles whose three corners are in the exact region, elsewhere the unit field of `heat`. Signed so that `L φ` equals it for
-/// ∇φ = X. With it the triangles that the region touches.
-pub(super) fn divergence(elements: &Elements, heat: &[f64], region: &ExactRegion<'_>) -> (Vec<f64>, Vec<Touched>) {
-    let mut divergence = vec![0.0; heat.len()];
-    let mut touched = Vec::new();
-    // A triangle where all heat is less than at every vertex of the region has none of them: no need to look.
-    let least_inside = region.values().map(|(vertex, _)| heat[vertex as usize].abs()).fold(f64::INFINITY, f64::min);
-    let mut around = Vec::new();
-    let count = elements.faces.len();
-    for first in (0..count).step_by(BLOCK) {
-        let block = first..count.min(first + BLOCK);
-        let parts = against_gradient(elements, heat, block.clone());
-        for (triangle, part) in block.zip(parts) {
-            let heat = elements.faces[triangle].map(|vertex| heat[vertex as usize].abs());
-            if larger(larger(heat[0], heat[1]), heat[2]) < least_inside {
-                elements.add_divergence(triangle, part, &mut divergence);
-            } else {
-                around.push((triangle, part));
-            }
-        }
-    }
-    for (triangle, part) in around {
-        let corners = elements.faces[triangle];
-        let exact = corners.map(|vertex| region.value(vertex));
-        if exact.iter().any(Option::is_some) {
-            touched.push(Touched { corners, is_inside: exact.iter().all(Option::is_some) });
-        }
-        let part = match exact {
-            [Some(a), Some(b), Some(c)] => along_distance(&elements.shapes[triangle], [a, b, c]),
-            _ => part,
-        };
-        elements.add_divergence(triangle, part, &mut divergence);
-    }
-    (divergence, touched)
+/// A field made of heat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// −∇u / |∇u|. Its Poisson equation gives distance.
+    Unit,
+    /// That of the logarithm of heat. Distance follows it from vertex to vertex.
+    Logarithm,
 }
 
-/// Divergence at corners 1 and 2 of the unit field against the gradient of heat in a block of triangles; that at corner 0 is minus
-/// their sum.
-fn against_gradient(elements: &Elements, heat: &[f64], block: Range<usize>) -> [[f64; 2]; BLOCK] {
-    let mut products = [[0.0; 2]; BLOCK];
-    let mut squares = [1.0; BLOCK];
-    for (place, triangle) in block.enumerate() {
-        let shape = &elements.shapes[triangle];
-        let heat = elements.faces[triangle].map(|vertex| heat[vertex as usize]);
-        let scale = scale(larger(larger(heat[0].abs(), heat[1].abs()), heat[2].abs()));
-        let circulation = shape.circulation(heat.map(|value| scale * value));
-        let [x, y] = circulation;
-        products[place] = shape.edge_products(circulation);
-        // Where heat is constant the products are 0 whatever divides them.
-        squares[place] = x * x + y * y + f64::MIN_POSITIVE;
+impl Field {
+    /// Heat that is 0 at the boundary has no logarithm there, and conjugate gradients leave noise in that of little heat.
+    pub(super) fn of(options: FactorOptions, has_logarithm: bool) -> Self {
+        match (options.time_step, options.solver, options.boundary) {
+            (TimeStep::Automatic, LinearSolver::Cholesky, Boundary::Neumann) if has_logarithm => Self::Logarithm,
+            _ => Self::Unit,
+        }
     }
-    let factors = squares.map(|square| -0.5 / square.sqrt());
-    std::array::from_fn(|place| products[place].map(|product| factors[place] * product))
 }
 
-/// Divergence at corners 1 and 2 of the gradient of distance; that at corner 0 is minus their sum.
-fn along_distance(shape: &Element, [a, b, c]: [f64; 3]) -> [f64; 2] {
-    let [cotan_a, cotan_b, cotan_c] = shape.cotans();
-    let [ab, ac, bc] = [b - a, c - a, c - b];
-    [0.5 * (cotan_c * ab - cotan_a * bc), 0.5 * (cotan_b * ac + cotan_a * bc)]
+/// Right side of the Poisson equation.
+#[derive(Debug)]
+pub struct RightSide {
+    /// `#V`, integrated divergence of the field that should be the gradient of distance, signed so that `L φ` equals it.
+    pub divergence: Vec<f64>,
+    /// On the rim of each patch of the exact region the mean of the exact distances: [`ExactRegion::rims`](super::ExactRegion::rims).
+    pub rims: Vec<Constraint>,
 }

@@ -4,8 +4,8 @@
 //! The heat matrix is divided by t, so that no number here depends on the file's unit.
 //!
 //! [`Systems`] (how matrices of one pattern are solved) → [`HeatFlow`] and [`Poisson`] (any right side, any constraints) →
-//! [`Factorization`] of a surface (all that is factored) → [`Query`] (all that is not) → [`Distance`](crate::Distance). [`HeatSolver`] keeps a
-//! factorization and the options of its queries together.
+//! [`HeatMethod`] (all that is factored of any [`HeatDiscretization`]) → [`Factorization`] (that of a surface) → [`Query`] (what is asked)
+//! → [`Distance`](crate::Distance). [`HeatSolver`] keeps a factorization and the options of its queries together.
 //!
 //! Crane, Weischedel, Wardetzky, "Geodesics in Heat" (2013), algorithm 1; section 3.2.2 for the boundary.
 
@@ -13,28 +13,37 @@ mod answer;
 mod bounds;
 mod constraint;
 mod convergence;
-mod exact_region;
+mod discretization;
 mod factorization;
 mod field;
 mod flow;
-mod logarithm;
-mod pair;
+mod method;
+mod order;
+mod point_source;
 mod poisson;
 mod query;
+mod region;
 mod solver;
 mod source_heat;
 mod systems;
 mod time;
-mod upwind;
+mod triangles;
 
 pub use answer::Refinement;
+pub use bounds::Bounds;
 pub use constraint::Constraint;
 pub use convergence::{Convergence, Residuals};
+pub use discretization::HeatDiscretization;
 pub use factorization::Factorization;
+pub use field::{Field, RightSide};
 pub use flow::{Condition, HeatFlow};
-pub use pair::factor_pair;
+pub use method::HeatMethod;
+pub use order::WarmestFirst;
+pub use point_source::PointSource;
 pub use poisson::Poisson;
 pub use query::Query;
+pub use region::{ExactRegion, grow};
 pub use solver::HeatSolver;
 pub use source_heat::SourceHeat;
 pub use systems::Systems;
+pub use time::long_edge_factor;

@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::flow::HeatFlow;
+use crate::heat::point_source::PointSource;
 use crate::operator::Discretization;
 use crate::options::MultiSource;
 use heatwalk_sparse::Functional;
@@ -21,7 +22,7 @@ pub struct SourceHeat {
 }
 
 impl SourceHeat {
-    /// The mean of the heat by each flow. Sources are constraints whose values are their initial distances.
+    /// The mean of the heat by each flow.
     ///
     /// # Errors
     /// [`NotConverged`](crate::Error::NotConverged) of conjugate gradients;
@@ -29,9 +30,9 @@ impl SourceHeat {
     ///
     /// # Panics
     /// Without a flow.
-    pub fn new<'a, D: Discretization + 'a>(
+    pub(super) fn new<'a, D: Discretization + 'a>(
         flows: impl Iterator<Item = &'a HeatFlow<D>>,
-        sources: &[Constraint],
+        sources: &[PointSource],
         multi_source: MultiSource,
     ) -> Result<Self> {
         let mut answers = flows.map(|flow| match multi_source {
@@ -53,26 +54,27 @@ impl SourceHeat {
 }
 
 /// Heat that falls from source to source as its logarithm does over distance.
-fn exact(flow: &HeatFlow<impl Discretization>, sources: &[Constraint]) -> Result<SourceHeat> {
-    let least = sources.iter().map(|source| source.value).fold(f64::INFINITY, f64::min);
-    let level = |source: &Constraint| ((least - source.value) / flow.time().sqrt() + SOURCE_HEAT.ln()).exp();
+fn exact(flow: &HeatFlow<impl Discretization>, sources: &[PointSource]) -> Result<SourceHeat> {
+    let least = sources.iter().map(PointSource::initial_distance).fold(f64::INFINITY, f64::min);
+    let level =
+        |source: &PointSource| ((least - source.initial_distance()) / flow.time().sqrt() + SOURCE_HEAT.ln()).exp();
     let mut is_active = vec![true; sources.len()];
     loop {
         let active: Vec<usize> = (0..sources.len()).filter(|&index| is_active[index]).collect();
         if let [single] = active[..]
-            && let Some(values) = single_source(flow, &sources[single])?
+            && let Some(values) = single_source(flow, &sources[single].constraint)?
         {
             return Ok(SourceHeat { values, is_active });
         }
         let constraint = |&index: &usize| {
             let source = &sources[index];
-            Constraint { functional: source.functional.clone(), value: level(source) }
+            Constraint { functional: source.constraint.functional.clone(), value: level(source) }
         };
         let constraints: Vec<Constraint> = active.iter().map(constraint).collect();
         let (values, supplies) =
             flow.solve_constrained(&vec![0.0; flow.systems().operators().laplacian().size()], &constraints)?;
         // Sources of the least initial distance always give heat; rounding must not drop one of them.
-        let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].value > least;
+        let takes = |&(&index, supply): &(&usize, f64)| supply < 0.0 && sources[index].initial_distance() > least;
         let dropped: Vec<usize> = active.iter().zip(supplies).filter(takes).map(|(&index, _)| index).collect();
         if dropped.is_empty() {
             return Ok(SourceHeat { values, is_active });
@@ -91,10 +93,10 @@ fn single_source(flow: &HeatFlow<impl Discretization>, source: &Constraint) -> R
 }
 
 /// The same amount of heat put in at each source. On cold vertices it raises them by what their diagonal entry makes of it.
-fn summed(flow: &HeatFlow<impl Discretization>, sources: &[Constraint]) -> Result<SourceHeat> {
+fn summed(flow: &HeatFlow<impl Discretization>, sources: &[PointSource]) -> Result<SourceHeat> {
     let laplacian = flow.systems().operators().laplacian();
     let mut supply = vec![0.0; laplacian.size()];
-    for &(vertex, weight) in sources.iter().flat_map(|source| &source.functional) {
+    for &(vertex, weight) in sources.iter().flat_map(|source| &source.constraint.functional) {
         supply[vertex as usize] += weight * SOURCE_HEAT;
     }
     let mut prescribed = vec![0.0; supply.len()];

@@ -88,13 +88,17 @@ impl Laplacian {
     }
 
     /// All edges: their vertices, the lower first, and their weights, which are minus the entries off the diagonal.
-    pub(crate) fn edges(&self) -> impl Iterator<Item = ([u32; 2], f64)> {
-        let below = |vertex: usize| {
-            let (_, entries) = self.edges_of_column(vertex);
-            let weights = &self.stiffness.values()[entries.clone()];
-            self.rows()[entries].iter().zip(weights).map(move |(&row, &value)| ([vertex as u32, row], -value))
-        };
-        (0..self.size()).flat_map(below)
+    pub fn edges(&self) -> impl Iterator<Item = ([u32; 2], f64)> {
+        let of = |low: usize| self.edges_from(low).map(move |(high, weight)| ([low as u32, high], weight));
+        (0..self.size()).flat_map(of)
+    }
+
+    /// Those of a vertex that is the lower one: the higher ones, and the weights.
+    #[inline]
+    pub fn edges_from(&self, low: usize) -> impl Iterator<Item = (u32, f64)> {
+        let (_, entries) = self.edges_of_column(low);
+        let weights = &self.stiffness.values()[entries.clone()];
+        self.rows()[entries].iter().zip(weights).map(|(&high, &value)| (high, -value))
     }
 
     /// Which of the [`edges`](Self::edges) joins two vertices; none where they are one, or share no element.

@@ -9,8 +9,7 @@
 //! tetrahedron has next to no volume, and need not conduct across: stiffness there is bounded by the shortest edge.
 
 use glam::{DMat3, DVec3};
-use heatwalk::operator::Discretization;
-use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::operator::Laplacian;
 use heatwalk::sparse::SymmetricMatrix;
 
 use crate::march::Medium;
@@ -38,27 +37,15 @@ pub(super) struct Element {
 
 /// Operators of a mesh.
 #[derive(Debug)]
-pub(crate) struct Elements {
+pub(super) struct Elements {
     laplacian: Laplacian,
     components: Vec<u32>,
     is_monotone: bool,
 }
 
-impl Discretization for Elements {
-    const ROUNDS: bool = true;
-
-    fn laplacian(&self) -> &Laplacian {
-        &self.laplacian
-    }
-
-    fn components(&self) -> &[u32] {
-        &self.components
-    }
-}
-
 impl Elements {
     /// Of the tetrahedra of a mesh that are no walls. Vertices that only walls have are components of their own.
-    pub(crate) fn new(mesh: &TetMesh, medium: &Medium) -> Self {
+    pub(super) fn new(mesh: &TetMesh, medium: &Medium) -> Self {
         let vertices = mesh.vertex_count();
         let open = || (0..mesh.tetrahedron_count() as u32).filter(|&tetrahedron| medium.cost(tetrahedron).is_finite());
         let ends = |tetrahedron: u32| {
@@ -108,6 +95,15 @@ impl Elements {
             components: components(mesh, medium),
             is_monotone: negative <= NEGATIVE_SHARE * whole,
         }
+    }
+
+    pub(super) fn laplacian(&self) -> &Laplacian {
+        &self.laplacian
+    }
+
+    /// As [`Discretization::components`](heatwalk::operator::Discretization::components).
+    pub(super) fn components(&self) -> &[u32] {
+        &self.components
     }
 
     /// Whether tetrahedra are obtuse in few places only, so that heat falls along edges.

@@ -1,36 +1,25 @@
-//! Lengths in a mesh, and the time that heat flows for.
+//! Lengths in a mesh, and the time that suits them.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use heatwalk::{FactorOptions, LinearSolver, TimeStep};
+use heatwalk::heat::{Field, long_edge_factor};
 
-use crate::heat::field::Field;
 use crate::march::Medium;
 use crate::mesh::TetMesh;
-
-/// Of the edges, all but this share are no long ones.
-const LONG_EDGES: f64 = 0.01;
 
 /// Where some edges are long, √t is at least this share of them, so that heat is not lost within one; but m is at most that of the
 /// paper, 1.
 const LONG_EDGE_SHARE: f64 = 0.45;
 
-/// Heat falls by about one e-fold per √t of distance; √t is at least the extent over this, which the range of floats leaves room
-/// for.
-const EFOLDS: f64 = 1200.0;
-
-/// The same for conjugate gradients, which leave noise at 10⁻¹² of the largest heat.
-const ITERATED_EFOLDS: f64 = 27.0;
-
 /// Lengths in a mesh, at the costs around.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lengths {
     pub(super) mean_edge: f64,
-    /// All but a hundredth of the edges are no longer.
-    long_edge: f64,
+    /// The m with which √t is that share of long edges.
+    long_edge_factor: f64,
     /// An upper bound of the distance along edges.
-    extent: f64,
+    pub(super) extent: f64,
 }
 
 impl Lengths {
@@ -64,25 +53,18 @@ impl Lengths {
             }
         }
         let mean_edge = edges.iter().sum::<f64>() / edges.len().max(1) as f64;
-        let rank = ((1.0 - LONG_EDGES) * edges.len() as f64) as usize;
-        let long_edge = if edges.is_empty() { 0.0 } else { *edges.select_nth_unstable_by(rank, f64::total_cmp).1 };
+        let long_edge_factor = long_edge_factor(edges, mean_edge, LONG_EDGE_SHARE);
         // From the first vertex to any two others and back.
-        Self { mean_edge, long_edge, extent: 2.0 * extent }
+        Self { mean_edge, long_edge_factor, extent: 2.0 * extent }
     }
 
-    /// t = m h², but long enough for heat to reach everywhere.
-    pub(super) fn time(self, options: FactorOptions, field: Field) -> f64 {
-        let efolds = match (options.time_step, options.solver) {
-            (TimeStep::Automatic, LinearSolver::ConjugateGradients) => ITERATED_EFOLDS,
-            _ => EFOLDS,
+    /// m in t = m h² for a field. Its least, where edges are even, is by errors measured on cubes, balls and tubes.
+    pub(super) fn time_factor(self, field: Field) -> f64 {
+        let even = match field {
+            Field::Unit => 0.5,
+            Field::Logarithm => 0.6,
         };
-        let factor = match options.time_step {
-            TimeStep::Automatic => {
-                (LONG_EDGE_SHARE * self.long_edge / self.mean_edge).powi(2).clamp(field.time_factor(), 1.0)
-            }
-            TimeStep::Factor(factor) => factor,
-        };
-        (factor * self.mean_edge * self.mean_edge).max((self.extent / efolds).powi(2))
+        self.long_edge_factor.clamp(even, 1.0)
     }
 }
 

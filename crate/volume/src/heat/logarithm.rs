@@ -13,9 +13,9 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use heatwalk::operator::laplacian::Laplacian;
+use heatwalk::heat::WarmestFirst;
+use heatwalk::operator::Laplacian;
 
-use crate::heat::lengths::edge_cost;
 use crate::march::Medium;
 use crate::mesh::{FACES, TetId, TetMesh};
 
@@ -54,27 +54,23 @@ struct Edge {
 }
 
 impl Logarithm {
-    /// At the least cost around each edge; `unit` is a usual length.
-    pub(super) fn new(mesh: &TetMesh, medium: &Medium, laplacian: &Laplacian, unit: f64) -> Self {
+    /// `costs` are those of the [edges](Laplacian::edges), `unit` is a usual length.
+    pub(super) fn new(mesh: &TetMesh, medium: &Medium, laplacian: &Laplacian, costs: &[f64], unit: f64) -> Self {
         let vertices = laplacian.size();
         let mut start = vec![0_u32; vertices + 1];
-        for [a, b] in (0..vertices).flat_map(|vertex| edges(laplacian, vertex).map(move |(row, _)| [vertex, row])) {
-            start[a + 1] += 1;
-            start[b + 1] += 1;
+        for end in laplacian.edges().flat_map(|(ends, _)| ends) {
+            start[end as usize + 1] += 1;
         }
         for vertex in 0..vertices {
             start[vertex + 1] += start[vertex];
         }
         let mut next = start.clone();
         let mut both = vec![Edge::default(); start[vertices] as usize];
-        for vertex in 0..vertices {
-            for (row, weight) in edges(laplacian, vertex) {
-                let length = edge_cost(mesh, medium, [vertex as u32, row as u32]) / unit;
-                for [own, other] in [[vertex, row], [row, vertex]] {
-                    both[next[own] as usize] =
-                        Edge { other: other as u32, weight: (weight / unit) as f32, length: length as f32 };
-                    next[own] += 1;
-                }
+        for (([a, b], weight), &cost) in laplacian.edges().zip(costs) {
+            for [own, other] in [[a, b], [b, a]] {
+                let place = &mut next[own as usize];
+                both[*place as usize] = Edge { other, weight: (weight / unit) as f32, length: (cost / unit) as f32 };
+                *place += 1;
             }
         }
         let too_great = |angle: f64| if angle > 0.0 { REFLECTED * (4.0 * PI / angle).ln() } else { 0.0 };
@@ -82,37 +78,21 @@ impl Logarithm {
         Self { reflected, start, edges: both, unit }
     }
 
-    /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
-    /// infinity in `known` (`#V`) stay; infinite where no edges lead to one of them.
+    /// As [`HeatDiscretization::along_logarithm`](heatwalk::heat::HeatDiscretization::along_logarithm).
     pub(super) fn distances(&self, laplacian: &Laplacian, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
-        let nodes = self.nodes(laplacian, heat, time);
+        // Stiffness of obtuse tetrahedra may let heat fall below 0, where its size still is that of the heat around.
+        let logarithms: Vec<f64> = heat.iter().map(|heat| heat.abs().max(f64::MIN_POSITIVE).ln()).collect();
+        let nodes = self.nodes(laplacian, &logarithms, time);
+        let unknown = (0..).zip(&known).filter(|(_, distance)| distance.is_infinite());
+        let order = WarmestFirst::new(&logarithms, unknown.map(|(vertex, _)| vertex));
         let mut distances = known;
-        let unknown = (0..).zip(&distances).filter(|&(_, distance)| distance.is_infinite());
-        let mut order: Vec<u64> =
-            unknown.map(|(vertex, _)| warmest_first(nodes[vertex as usize].heat, vertex)).collect();
-        order.sort_unstable();
-        let mut left: Vec<u32> = Vec::new();
-        for key in order {
-            let vertex = key as u32;
+        for vertex in order {
             let least = LEAST_INFLOW * laplacian.mass[vertex as usize] / (time * self.unit);
-            match self.upwind(&nodes, &distances, vertex, least) {
-                Some(distance) => distances[vertex as usize] = distance,
-                None => left.push(vertex),
+            if let Some(distance) = self.upwind(&nodes, &distances, vertex, least) {
+                distances[vertex as usize] = distance;
             }
         }
-        // What heat does not tell is no farther than along the edges.
-        loop {
-            let before = left.len();
-            left.retain(|&vertex| {
-                let through = |edge: &Edge| distances[edge.other as usize] + self.unit * f64::from(edge.length);
-                let least = self.edges(vertex).iter().map(through).fold(f64::INFINITY, f64::min);
-                distances[vertex as usize] = least;
-                least.is_infinite()
-            });
-            if left.is_empty() || left.len() == before {
-                return distances;
-            }
-        }
+        distances
     }
 
     /// The distance of a vertex by the warmer ones around whose distances are known; none where less than `least` heat comes from them,
@@ -139,21 +119,20 @@ impl Logarithm {
     }
 
     /// What the field is made of at each vertex.
-    fn nodes(&self, laplacian: &Laplacian, heat: &[f64], time: f64) -> Vec<Node> {
-        // Of Δ² and Δ⁴, with Δ the difference along an edge, the sums over the edges of each vertex times their weights. Stiffness of obtuse
-        // tetrahedra may let heat fall below 0, where its size still is that of the heat around.
-        let value = |heat: &f64| heat.abs().max(f64::MIN_POSITIVE).ln();
-        let mut sums: Vec<(f64, [f64; 2])> = heat.iter().map(|heat| (value(heat), [0.0; 2])).collect();
-        for vertex in 0..sums.len() {
-            let (value, mut own) = sums[vertex];
-            for (row, weight) in edges(laplacian, vertex) {
-                let (other, sums) = &mut sums[row];
-                let square = (*other - value) * (*other - value);
+    fn nodes(&self, laplacian: &Laplacian, logarithms: &[f64], time: f64) -> Vec<Node> {
+        // Of Δ² and Δ⁴, with Δ the difference along an edge, the sums over the edges of each vertex times their weights.
+        let mut sums = vec![[0.0; 2]; logarithms.len()];
+        for (low, &value) in logarithms.iter().enumerate() {
+            let mut own = sums[low];
+            for (high, weight) in laplacian.edges_from(low) {
+                let other = logarithms[high as usize];
+                let square = (other - value) * (other - value);
                 let [squares, quartics] = [weight * square, weight * square * square];
                 own = [own[0] + squares, own[1] + quartics];
+                let sums = &mut sums[high as usize];
                 *sums = [sums[0] + squares, sums[1] + quartics];
             }
-            sums[vertex].1 = own;
+            sums[low] = own;
         }
         let least = 1.0 / (MOST_RATE * MOST_RATE * time);
         let rate = |[squares, quartics]: [f64; 2], mass: f64| {
@@ -165,12 +144,12 @@ impl Logarithm {
             let square = time * squares / mass + quartics / (12.0 * squares);
             (square.clamp(LEAST_LENGTH * LEAST_LENGTH, 1.0) * mass / squares).sqrt()
         };
-        let node = |((&(heat, sums), &mass), &reflected): ((&(f64, [f64; 2]), &f64), &f64)| Node {
+        let node = |(((&heat, &sums), &mass), &reflected): (((&f64, &[f64; 2]), &f64), &f64)| Node {
             heat,
             value: heat - reflected,
             rate: rate(sums, 2.0 * mass),
         };
-        sums.iter().zip(&laplacian.mass).zip(&self.reflected).map(node).collect()
+        logarithms.iter().zip(&sums).zip(&laplacian.mass).zip(&self.reflected).map(node).collect()
     }
 }
 
@@ -196,14 +175,6 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     2.0 * a.dot(b.cross(c)).abs().atan2(whole)
 }
 
-/// Orders vertices by falling logarithms of heat, to 24 bits, and in its lower half is the vertex.
-fn warmest_first(logarithm: f64, vertex: u32) -> u64 {
-    let bits = (logarithm as f32).to_bits();
-    // As integers, the bits of negative numbers order the other way round.
-    let falling = if bits >> 31 == 0 { !bits & (u32::MAX >> 1) } else { bits };
-    u64::from(falling) << 32 | u64::from(vertex)
-}
-
 /// What the field is made of at a vertex.
 #[derive(Clone, Copy)]
 struct Node {
@@ -213,14 +184,4 @@ struct Node {
     value: f64,
     /// How much distance a unit of the logarithm is, so that the field around is as long as it should be.
     rate: f64,
-}
-
-/// The other ends of the edges whose lower end is a vertex, and their weights w, l cot θ / 6.
-#[inline]
-fn edges(laplacian: &Laplacian, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
-    // The diagonal comes first.
-    let entries = laplacian.column(vertex);
-    let entries = entries.start + 1..entries.end;
-    let weights = &laplacian.stiffness.values()[entries.clone()];
-    laplacian.rows()[entries].iter().zip(weights).map(|(&row, &value)| (row as usize, -value))
 }

@@ -1,28 +1,19 @@
 //! The unit field against the gradient of heat, one vector a tetrahedron (Crane and others 2013, algorithm 1).
 
 use glam::DVec3;
-use heatwalk::heat::Constraint;
+use heatwalk::heat::{ExactRegion, RightSide};
 use heatwalk::surface::scale::scale;
 
 use crate::heat::elements::Element;
-use crate::heat::region::Region;
 use crate::march::Medium;
 use crate::mesh::{TetId, TetMesh};
 
 /// Tetrahedra whose lengths are divided by together: one by one, each would wait for the root and the division before.
 const BLOCK: usize = 16;
 
-/// Right side of the Poisson equation.
-pub(super) struct Right {
-    /// `#V`, integrated divergence of the field that should be the gradient of distance.
-    pub(super) divergence: Vec<f64>,
-    /// On the rim of each patch of the region the mean of the exact distances.
-    pub(super) rims: Vec<Constraint>,
-}
-
 /// Of the field that should be the gradient of distance: that of exact distance in tetrahedra whose corners are all in the region,
 /// elsewhere of length w against the gradient of heat, as the metric w² g has it, and zero where heat is constant.
-pub(super) fn right(mesh: &TetMesh, medium: &Medium, heat: &[f64], region: &Region) -> Right {
+pub(super) fn right_side(mesh: &TetMesh, medium: &Medium, heat: &[f64], region: &ExactRegion<'_>) -> RightSide {
     let mut divergence = vec![0.0; mesh.vertex_count()];
     let mut touched = Vec::new();
     for (block, tetrahedra) in mesh.tetrahedra().chunks(BLOCK).enumerate() {
@@ -62,6 +53,5 @@ pub(super) fn right(mesh: &TetMesh, medium: &Medium, heat: &[f64], region: &Regi
             }
         }
     }
-    let rims = Constraint::of_rims(mesh.vertex_count(), touched, |vertex| region.value(vertex));
-    Right { divergence, rims }
+    RightSide { divergence, rims: region.rims(touched) }
 }

@@ -12,7 +12,8 @@ use std::sync::Arc;
 
 use crate::extremum::{larger, smaller};
 use crate::heat::bounds::Bounds;
-use crate::heat::upwind::{EdgeField, Length, Upwind, WHOLE};
+use crate::heat::time::long_edge_factor;
+use crate::heat::triangles::upwind::{EdgeField, Length, Upwind, WHOLE};
 use crate::operator::elements::{BLOCK, Element, Elements};
 use crate::operator::{Laplacian, Operators};
 
@@ -26,9 +27,6 @@ const MOST_RATE: f64 = 10.0;
 /// Of what both triangles make of an edge the mean is taken by the cotangents opposite, as the stiffness matrix does, but none counts
 /// less than this.
 const LEAST_COTAN: f64 = 1e-3;
-
-/// Of the sides of triangles, all but this share are no long ones.
-const LONG_SIDES: f64 = 0.01;
 
 /// √t is at least this share of long sides.
 const LONG_SIDE_SHARE: f64 = 0.5;
@@ -144,12 +142,9 @@ fn edge_count(laplacian: &Laplacian) -> usize {
     laplacian.rows().len() - laplacian.size()
 }
 
-/// Where triangles are long, heat is lost within them, and its fall tells nothing of distance.
 fn least_time_factor(operators: &Operators) -> f64 {
-    let mut sides: Vec<f64> = operators.elements.shapes.iter().flat_map(Element::sides).collect();
-    let rank = ((1.0 - LONG_SIDES) * sides.len() as f64) as usize;
-    let long = *sides.select_nth_unstable_by(rank, f64::total_cmp).1;
-    smaller((LONG_SIDE_SHARE * long / operators.mean_edge()).powi(2), MOST_FOR_LONG_SIDES)
+    let sides = operators.elements.shapes.iter().flat_map(Element::sides).collect();
+    smaller(long_edge_factor(sides, operators.mean_edge(), LONG_SIDE_SHARE), MOST_FOR_LONG_SIDES)
 }
 
 /// The edges of the sides opposite the corners of a triangle.

@@ -11,7 +11,8 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 use bytemuck::allocation::zeroed_vec;
 
-use crate::extremum::{larger, smaller};
+use crate::extremum::smaller;
+use crate::heat::order::WarmestFirst;
 use crate::operator::Laplacian;
 
 /// How many edges of a mesh end at each vertex.
@@ -144,11 +145,7 @@ impl Upwind {
         let (mut distances, inverse) = (known, 1.0 / self.unit);
         distances.iter_mut().for_each(|distance| *distance = smaller(inverse * *distance, UNKNOWN));
         let unknown = (0..).zip(&distances).filter(|&(_, &distance)| distance == UNKNOWN);
-        let mut order: Vec<u64> = Vec::with_capacity(distances.len());
-        let key = warmest_first(heat);
-        order.extend(unknown.map(|(vertex, _)| key(vertex)));
-        sort_by_upper_half(&mut order);
-        for vertex in order.into_iter().map(|key| key as u32) {
+        for vertex in WarmestFirst::new(heat, unknown.map(|(vertex, _)| vertex)) {
             let own = inflows.of(vertex, self.edges_of(vertex));
             let [mut flow, mut sum, mut most] = total(own, &distances, |_| true);
             if sum > LEAST_UNKNOWN_SUM {
@@ -181,39 +178,6 @@ fn total(inflows: &[Inflow], distances: &[f64], counts: impl Fn(f64) -> bool) ->
         let rise = length * (f64::from(inflow.rise) * WHOLE_INVERSE);
         [whole + flow, sum + flow * (distance + rise), smaller(most, distance + length)]
     })
-}
-
-const DIGIT_BITS: usize = 11;
-
-/// Sorts by the upper half alone, least digits first, so that what is equal there stays as it was.
-fn sort_by_upper_half(keys: &mut Vec<u64>) {
-    let mut sorted = vec![0; keys.len()];
-    for shift in (u32::BITS..u64::BITS).step_by(DIGIT_BITS) {
-        let digit = |key: u64| (key >> shift) as usize & ((1 << DIGIT_BITS) - 1);
-        let mut places = [0_u32; 1 << DIGIT_BITS];
-        keys.iter().for_each(|&key| places[digit(key)] += 1);
-        let mut before = 0;
-        for place in &mut places {
-            before += std::mem::replace(place, before);
-        }
-        for &key in &*keys {
-            let place = &mut places[digit(key)];
-            sorted[*place as usize] = key;
-            *place += 1;
-        }
-        std::mem::swap(keys, &mut sorted);
-    }
-}
-
-/// What orders vertices by falling heat (`#V`), to so many levels as 32 bits tell, and has the vertex in its lower half.
-fn warmest_first(heat: &[f64]) -> impl Fn(u32) -> u64 {
-    let warmest = heat.iter().copied().fold(f64::NEG_INFINITY, larger);
-    let coldest = heat.iter().copied().fold(f64::INFINITY, smaller);
-    let levels = f64::from(u32::MAX) / larger(warmest - coldest, f64::MIN_POSITIVE);
-    move |vertex| {
-        let level = (levels * (warmest - heat[vertex as usize])) as u32;
-        u64::from(level) << 32 | u64::from(vertex)
-    }
 }
 
 #[cfg(test)]
@@ -282,16 +246,6 @@ mod tests {
             let rounded = f64::from(Length::at_most(length).get());
             assert!(rounded < length && rounded >= length - length.max(1.0 / 64.0) / 1000.0, "{rounded} for {length}");
         }
-    }
-
-    #[test]
-    fn keys_are_sorted_by_their_upper_half_and_keep_their_order_where_it_is_equal() {
-        let scattered = |index: u64| index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let mut keys: Vec<u64> = (0..1000).map(|index| scattered(index % 700) >> 32 << 32 | (1000 - index)).collect();
-        let mut expected = keys.clone();
-        expected.sort_by_key(|key| key >> 32);
-        sort_by_upper_half(&mut keys);
-        assert_eq!(keys, expected);
     }
 
     #[test]
