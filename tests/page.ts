@@ -52,8 +52,11 @@ export class HeatwalkPage {
   }
 
   async dropAndOpen(files: readonly DroppedFile[]): Promise<void> {
+    const solves = await this.solves();
     await this.drop(files);
     await expect.poll(() => this.page.evaluate(() => window.heatwalk.mesh?.name)).toBe(files[0][0]);
+    // The mesh before may have had the same name.
+    await expect.poll(() => this.solves()).toBeGreaterThan(solves);
     await this.rest();
   }
 

@@ -132,6 +132,7 @@ test('a window of another shape shows as much of the model', async ({ heatwalk, 
 test('where frames are slow, fewer pixels are drawn while something moves, and all of them at rest', async ({
   page,
 }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   // A device so slow that with all pixels what moves waits between two frames.
   await page.addInitScript(() => {
     const next = requestAnimationFrame.bind(globalThis);
