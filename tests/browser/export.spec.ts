@@ -89,6 +89,7 @@ test('isolines are drawn, measured and saved, and distances with the materials o
 });
 
 test('tracks of the crowd lead down to a source', async ({ heatwalk, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await heatwalk.open('#m=torus&method=exact&crowd=20');
   await heatwalk.settled();
   await page.keyboard.press('p');
