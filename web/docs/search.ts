@@ -42,9 +42,9 @@ function item(content: string | Node): HTMLLIElement {
   return element;
 }
 
-field?.addEventListener('input', () => {
+function showFound(): void {
+  if (!field || !list) return;
   const words = field.value.trim();
-  if (!list) return;
   list.hidden = words === '';
   if (words === '') return;
   find(words)
@@ -57,4 +57,8 @@ field?.addEventListener('input', () => {
       if (words === field.value.trim()) list.replaceChildren(...items);
     })
     .catch(reportError);
-});
+}
+
+field?.addEventListener('input', showFound);
+// What was typed before this was loaded, or stood there when the reader left.
+showFound();
