@@ -42,7 +42,8 @@ const browser = (args: readonly string[]) => ({
 export default defineConfig({
   testDir: 'tests',
   forbidOnly: true,
-  workers: 2,
+  // Pictures are drawn by the processor here, in all cores: two browsers at once take as long as one after the other.
+  workers: 1,
   timeout: 90_000,
   expect: { timeout: 20_000 },
   reporter: [['list']],
