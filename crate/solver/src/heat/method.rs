@@ -78,6 +78,8 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     }
 
     /// Factors the matrices that are needed and absent, and drops those longest unneeded where there are many.
+    // Inlined with those below, it would make the page's module a sixteenth larger.
+    #[inline(never)]
     fn factor(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
         let is_absent = |step: &Step| !self.flows.iter().any(|flow| flow.step().is_same(step));
         let mut steps: Vec<Step> = self.needed(options).into_iter().filter(is_absent).collect();
@@ -158,6 +160,7 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     }
 
     /// The Poisson system, factored now if it was not before.
+    #[inline(never)]
     pub(super) fn poisson(&self) -> Result<&Poisson<D>> {
         if let Some(poisson) = self.poisson.get() {
             return Ok(poisson);
@@ -229,6 +232,7 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     ///
     /// # Errors
     /// As [`Self::heat`]; [`TooLarge`](crate::Error::TooLarge) where the Poisson matrix is needed and does not fit.
+    #[inline(never)]
     pub fn distances(
         &self,
         sources: &[PointSource],
