@@ -6,7 +6,7 @@ import { cargo, npmProgram, root } from './steps.mjs';
 
 const named = 'The message above names the cause.';
 
-/** Where the page for tests is bundled: with modules that are not published. */
+/** Where the page for tests is bundled, beside the one that is published. */
 export const TESTED_PAGE = join(root, 'target', 'page');
 export const TESTED_FILE = join(root, 'target', 'page-single');
 
@@ -16,7 +16,7 @@ export function publishModules() {
   cargo('Building the wasm modules to publish (minutes the first time, seconds after)', ['xtask', 'wasm'], named);
 }
 
-/** The same, compiled in a third of the time. */
+/** The same to develop with: larger, and compiled in less time. */
 export function buildModules() {
   requireWasm();
   cargo('Building the wasm modules (minutes the first time, seconds after)', ['xtask', 'wasm', '--quick'], named);

@@ -1,7 +1,6 @@
 // What looks at the code without running it. Warnings are errors.
 
 import { join } from 'node:path';
-import { buildModules } from './bundle.mjs';
 import { requireTypos } from './needs.mjs';
 import { cargo, npmProgram, root, run } from './steps.mjs';
 
@@ -13,13 +12,12 @@ const UNDOCUMENTED = ['worker', 'reader', 'maker', 'interior', 'webgl'].flatMap(
   `heatwalk-${name}`,
 ]);
 
-/** Format, lints, types and cycles of Rust and TypeScript. */
-export function lint() {
+/** Format, lints, types and cycles of Rust and TypeScript; `modules` builds those of wasm, with which the types of bindings come. */
+export function lint(modules) {
   cargo('Checking the format of Rust', ['fmt', '--all', '--check'], 'Run: cargo fmt --all');
   cargo('Linting Rust', ['clippy', '--workspace', '--all-targets', '--', '-Dwarnings'], named);
   cargo('Looking for cycles of Rust modules', ['xtask', 'cycles'], cut);
-  // The types of the bindings come with the modules.
-  buildModules();
+  modules();
   npmProgram('Checking types', 'typescript/bin/tsc', ['--build'], named);
   npmProgram('Linting TypeScript', 'oxlint/bin/oxlint', ['--deny-warnings', 'web', 'tests', 'tools'], named);
   run("Looking for cycles of the page's files and folders", process.execPath, [join(root, 'tools', 'cycles.mjs')], cut);

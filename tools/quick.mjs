@@ -1,6 +1,7 @@
 // npm run quick: format, lints, types, unit tests of the page, and the tests of the crates that changed since the last commit;
 // where nothing did, of those that it changed.
 
+import { buildModules } from './bundle.mjs';
 import { lint } from './checks.mjs';
 import { prepare } from './needs.mjs';
 import { cargo, npmProgram, output, printTimes } from './steps.mjs';
@@ -8,7 +9,7 @@ import { cargo, npmProgram, output, printTimes } from './steps.mjs';
 const named = 'The message above names the test.';
 
 prepare();
-lint();
+lint(buildModules);
 npmProgram('Running the unit tests of the page', '@playwright/test/cli.js', ['test', '--project=unit'], named);
 const changed = changedPackages();
 if (changed.length > 0) {

@@ -1,6 +1,13 @@
-/** Which build of the renderer a browser fetches, and what it falls back to. */
+/** Which build of the renderer a browser fetches, what it falls back to, and the bytes until the first picture. */
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { brotliCompressSync, constants } from 'node:zlib';
 import type { Page } from '@playwright/test';
+import { PAGE } from '../built';
 import { expect, type HeatwalkPage, test } from '../page';
+
+/** Bytes of all files until the first picture, each after brotli; on either backend. */
+const BAR = 0.75e6;
 
 const RENDERER = /heatwalk_viewer_(webgpu|webgl2)_bg-[^/]*\.wasm$/;
 
@@ -19,13 +26,29 @@ const fetched = (paths: Set<string>) => [...paths].flatMap((path) => RENDERER.ex
 
 const backend = ({ page }: HeatwalkPage) => page.evaluate(() => window.heatwalk.backend);
 
-test('of renderers only the one is fetched that the browser can use', async ({ heatwalk, page }) => {
+test('the first picture takes few bytes, of renderers only the one that the browser can use', async ({
+  heatwalk,
+  page,
+}) => {
   const paths = requests(page);
   // Nothing in the address chooses.
   await page.goto('./');
-  await page.evaluate(() => window.heatwalk.ready);
+  // By the page's own clock: what comes after the first picture is on its way a moment later.
+  const addresses = await page.evaluate(async () => {
+    await window.heatwalk.ready;
+    return performance.getEntriesByType('resource').map(({ name }) => name);
+  });
   expect(await backend(heatwalk)).toBe(heatwalk.backend);
   expect(fetched(paths)).toEqual([heatwalk.backend.toLowerCase()]);
+  const assets = addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address));
+  const bytes = ['index.html', ...assets.map((name) => join('assets', name))].map((file) => {
+    const content = readFileSync(join(PAGE, file));
+    return brotliCompressSync(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
+  });
+  const sum = bytes.reduce((all, each) => all + each, 0);
+  // Everything was seen: page, style, solver, renderer, mesh.
+  expect(sum).toBeGreaterThan(BAR / 2);
+  expect(sum).toBeLessThan(BAR);
 });
 
 test('where WebGPU gives no device, the page draws with WebGL2', async ({ heatwalk, page }, info) => {

@@ -23,8 +23,8 @@ use heatwalk::{
     Soup, Surface, VertexData, VertexId, Windows,
 };
 
-/// Meshes of each family; fewer where there is one thread for all tests.
-const MESHES: u64 = if cfg!(target_arch = "wasm32") { 50 } else { 150 };
+/// Meshes of each family.
+const MESHES: u64 = 150;
 
 /// Failures that are shown.
 const SHOWN: usize = 5;

@@ -149,7 +149,7 @@ pub fn publish(module: &Module, toolchain: &Toolchain) -> Result<()> {
     bind(module, &module.compiled(module.folder, module.profile))
 }
 
-/// Builds all modules in a third of the time, larger and hardly slower: what they share is compiled once.
+/// Builds all modules in less time, and larger: what they share is compiled once, and nothing is linked as a whole.
 pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
     for modules in quick_groups() {
         for_group(cargo(toolchain, "build", QUICK_FOLDER, SOLVER.flags), modules, &[])?;
