@@ -66,9 +66,12 @@ test('an error of the graphics device is reported, and drawing goes on', async (
   });
   await heatwalk.open();
   const before = await page.evaluate(() => window.heatwalk.camera?.[0]);
-  // A buffer can be mapped for reading or for writing, not for both.
-  await page.evaluate(() => {
-    (window as unknown as { device: GPUDevice }).device.createBuffer({ size: 16, usage: 3 });
+  // A buffer can be mapped for reading or for writing, not for both. The browser keeps the call back until something is
+  // waited for or drawn, and nothing is drawn of its own accord here.
+  await page.evaluate(async () => {
+    const { device } = window as unknown as { device: GPUDevice };
+    device.createBuffer({ size: 16, usage: 3 });
+    await device.queue.onSubmittedWorkDone();
   });
   await expect(page.getByRole('alert')).toContainText('The graphics device refused a step');
   await page.locator('.stage').press('ArrowLeft');
