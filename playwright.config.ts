@@ -1,5 +1,6 @@
 import { defineConfig } from '@playwright/test';
 import { PAGE } from './tests/built';
+import { hasMesa } from './tools/needs.mjs';
 
 /** Another one lets two checkouts be tested side by side. */
 const PORT = Number(process.env['PORT'] ?? 4173);
@@ -12,7 +13,10 @@ const ALWAYS = [
   '--disable-component-update',
   '--disable-sync',
 ];
+/** The browser's own rasterizer, the same on every machine. */
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+/** Mesa's takes half the time. */
+const MESA = ['--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 /** All of them together: any fewer give a blank canvas without an error. */
 const WEBGPU = [
   ...WEBGL,
@@ -28,6 +32,8 @@ const SLOW = /@slow/;
 const isSlow = Boolean(process.env['HEATWALK_SLOW']);
 const chosen = isSlow ? { grep: SLOW } : { grepInvert: SLOW };
 
+/** What is compared with reference images, which one rasterizer has drawn. */
+const PICTURES = /pictures\.spec\.ts$/;
 /** What is looked at on both backends, less the tests in it of what the page does, which is the same on either. */
 const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
 
@@ -36,6 +42,8 @@ const browser = (args: readonly string[]) => ({
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
     args: [...ALWAYS, ...args],
     ignoreDefaultArgs: ['--disable-gpu'],
+    // Mesa draws by the processor wherever the tests run.
+    env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: '1' },
   },
 });
 
@@ -60,7 +68,14 @@ export default defineConfig({
   },
   projects: [
     { name: 'unit', testDir: 'tests/unit', ...chosen },
-    { name: 'webgl', testDir: 'tests/browser', use: browser(WEBGL), ...chosen },
+    {
+      name: 'webgl',
+      testDir: 'tests/browser',
+      testIgnore: PICTURES,
+      use: browser(hasMesa() ? MESA : WEBGL),
+      ...chosen,
+    },
+    { name: 'pictures', testDir: 'tests/browser', testMatch: PICTURES, use: browser(WEBGL), ...chosen },
     // Driven by other means than the rest.
     { name: 'others', testDir: 'tests/others', ...chosen },
     {

@@ -32,6 +32,11 @@ const DEBIAN = {
     why: 'the page is tested in WebKit',
     find: () => hasScreen() && existsSync('/usr/bin/WebKitWebDriver'),
   },
+  mesa: {
+    packages: ['libegl1', 'libgl1-mesa-dri'],
+    why: 'the page is drawn by the processor in its tests, in half the time',
+    find: hasMesa,
+  },
   vulkan: {
     packages: ['mesa-vulkan-drivers'],
     why: 'images are drawn in software for the tests of them',
@@ -116,6 +121,16 @@ export function findFirefox() {
 /** Looks for a WebKit for the tests in it, with a virtual screen; without one they are skipped. */
 export function findWebKit() {
   return findOrInstall('webkit') || without('The tests in WebKit', 'webkit');
+}
+
+/** Looks for Mesa's OpenGL, with which the page is drawn in its tests; without it they take longer. */
+export function findMesa() {
+  return findOrInstall('mesa') || without('The tests of the page as Mesa draws it', 'mesa');
+}
+
+/** Whether Mesa's OpenGL is there for browsers. */
+export function hasMesa() {
+  return existsSync('/usr/share/glvnd/egl_vendor.d/50_mesa.json');
 }
 
 /** Whether the native image tests have a software Vulkan driver. */

@@ -5,7 +5,7 @@
 
 import { bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
 import { lint, lintTheRest } from './checks.mjs';
-import { findFirefox, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
+import { findFirefox, findMesa, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
 import { cargo, npmProgram, output, printTimes, root } from './steps.mjs';
 
@@ -19,17 +19,20 @@ prepare();
 const chromium = requireChromium();
 const firefox = findFirefox();
 findWebKit();
+findMesa();
 const readers = findReaders();
 const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 // Tests that need large meshes are ignored where the folder of these is not known.
 const all = process.env.HEATWALK_MESHES ? ['--', '--include-ignored'] : [];
+// What builds and runs the wasm modules is compiled with other features of what it builds on, and has been already.
+const most = ['--workspace', '--exclude', 'xtask', '--exclude', 'wasm-test-runner'];
 const environment = { CHROMIUM: chromium, FIREFOX: firefox, HEATWALK_PYTHON: readers };
 
 if (isSlow) {
   publishModules();
   testPage({ HEATWALK_SLOW: '1' });
 } else if (word) {
-  const only = ['test', '--workspace', '--lib', '--bins', '--tests', word, ...all];
+  const only = ['test', ...most, '--lib', '--bins', '--tests', word, ...all];
   cargo(`Running the Rust tests with "${word}" in their name`, only, named, gpu);
   cargo('Running those on wasm32', ['xtask', 'test-wasm', word], named);
   const list = [`${root}node_modules/${PLAYWRIGHT}`, 'test', '--list', '--pass-with-no-tests', '--grep', word];
@@ -42,8 +45,9 @@ if (isSlow) {
 } else {
   lint(publishModules);
   lintTheRest();
-  cargo('Running the Rust tests', ['test', '--workspace', '--lib', '--bins', '--tests', ...all], named, gpu);
-  cargo('Running the examples of the documentation', ['test', '--workspace', '--doc'], named);
+  cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
+  cargo('Running the examples of the documentation', ['test', ...most, '--doc'], named);
+  cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
   testPage();
 }

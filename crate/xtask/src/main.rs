@@ -1,7 +1,6 @@
 //! Build steps that need Rust: `cargo xtask wasm [--quick]`, `cargo xtask contract`, `cargo xtask test-wasm [NAME]`,
 //! `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
 
-mod contract;
 mod cycles;
 mod modules;
 mod toolchain;
@@ -21,22 +20,18 @@ fn main() -> Result<()> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
         ["wasm"] => {
-            contract::write(workspace())?;
+            heatwalk_contract::write(workspace())?;
             modules::publish_all(&Toolchain::find()?)
         }
         ["wasm", "--quick"] => {
-            contract::write(workspace())?;
+            heatwalk_contract::write(workspace())?;
             modules::build_all_quickly(&Toolchain::find()?)
         }
-        ["contract"] => contract::write(workspace()),
+        ["contract"] => heatwalk_contract::write(workspace()),
         ["test-wasm", names @ ..] => modules::test(&Toolchain::find()?, names),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
         ["cycles"] => cycles::check(Path::new("crate")),
         ["cycles", folder] => cycles::check(Path::new(folder)),
-        // Cargo calls this with the test's .wasm file as the first argument: see `modules::test`.
-        ["test-runner", ..] => {
-            wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os().skip(1))
-        }
         _ => bail!(USAGE),
     }
 }

@@ -1,10 +1,15 @@
 //! The wasm modules of the page and what is run on them.
 
 use std::fs;
+use std::num::NonZero;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::thread;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
+use serde_json::Value;
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::toolchain::{TARGET, Toolchain};
@@ -66,10 +71,8 @@ pub const BASIS: Module = Module {
     package: "heatwalk-basis",
     features: &[],
     file: "heatwalk_basis",
-    flags: &[],
-    folder: "wasm-basis",
-    profile: "worker",
     is_restartable: true,
+    ..SOLVER
 };
 
 /// Tetrahedra, which the worker loads where an inside is wanted.
@@ -94,12 +97,19 @@ pub const MAKER: Module = Module { name: "maker", package: "heatwalk-maker", fil
 /// Isolines and files of distances, which the worker loads where one is wanted.
 pub const CURVES: Module = Module { name: "curves", package: "heatwalk-curves", file: "heatwalk_curves", ..INTERIOR };
 
-/// All modules, those first that the page begins with.
-const ALL: [&Module; 8] = [&SOLVER, &READER, &MAKER, &INTERIOR, &CURVES, &BASIS, &VIEWER_WEBGL2, &VIEWER_WEBGPU];
+/// Modules that are compiled at once, so that what they share is compiled once; the one that the page begins with first.
+const TOGETHER: [&Module; 5] = [&SOLVER, &READER, &MAKER, &CURVES, &BASIS];
+/// It would be half as large again with what the others ask of the crates that all build on.
+const APART: [&Module; 1] = [&INTERIOR];
+/// The two are one package with different features.
+const VIEWERS: [&[&Module]; 2] = [&[&VIEWER_WEBGL2], &[&VIEWER_WEBGPU]];
 
 /// The packages whose tests run on wasm32 too.
 const TESTED: [&str; 6] =
     ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-volume", "heatwalk-scene"];
+
+/// The folders of the crates whose tests take longest.
+const FIRST: [&str; 2] = ["crate/solver", "crate/volume"];
 
 /// The profile and the target folder of all that is not published: modules to develop and test with, tests, and lints.
 const QUICK: &str = "quick";
@@ -128,31 +138,28 @@ fn cargo(toolchain: &Toolchain, command: &str, folder: &str, flags: &[&str]) -> 
     cargo
 }
 
-/// Builds all modules as they are published: two beside each other, since a module is linked as a whole, which takes long and
+/// Builds all modules as they are published, the viewers beside the rest: a module is linked as a whole, which takes long and
 /// one core.
 pub fn publish_all(toolchain: &Toolchain) -> Result<()> {
-    let (viewers, others): (Vec<&Module>, Vec<&Module>) =
-        ALL.into_iter().partition(|module| module.package == VIEWER_WEBGPU.package);
-    let in_turn = |modules: &[&Module]| modules.iter().try_for_each(|module| publish(module, toolchain));
-    std::thread::scope(|scope| {
-        let viewers = scope.spawn(|| in_turn(&viewers));
-        let others = in_turn(&others);
-        viewers.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)).and(others)
+    let in_turn = |groups: &[&[&Module]]| groups.iter().try_for_each(|group| publish(group, toolchain));
+    thread::scope(|scope| {
+        let viewers = scope.spawn(|| in_turn(&VIEWERS));
+        let others = in_turn(&[&TOGETHER, &APART]);
+        viewers.join().unwrap_or_else(|panic| resume_unwind(panic)).and(others)
     })
 }
 
-/// Compiles a module as it is published, and writes its bindings to `web/wasm/NAME`.
-pub fn publish(module: &Module, toolchain: &Toolchain) -> Result<()> {
-    eprintln!("Compiling the {} for wasm32.", module.name);
-    let mut build = cargo(toolchain, "build", module.folder, module.flags);
-    run(build.args(["--no-default-features", "--profile", module.profile]).args(module.chosen()))?;
-    bind(module, &module.compiled(module.folder, module.profile))
+/// Compiles modules as they are published, and writes their bindings to `web/wasm/NAME`.
+fn publish(modules: &[&Module], toolchain: &Toolchain) -> Result<()> {
+    let Some(Module { folder, flags, profile, .. }) = modules.first() else { return Ok(()) };
+    for_group(cargo(toolchain, "build", folder, flags), modules, profile, &[])?;
+    modules.iter().try_for_each(|module| bind(module, &module.compiled(folder, profile)))
 }
 
 /// Builds all modules in less time, and larger: what they share is compiled once, and nothing is linked as a whole.
 pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
     for modules in quick_groups() {
-        for_group(cargo(toolchain, "build", QUICK_FOLDER, SOLVER.flags), modules, &[])?;
+        for_group(cargo(toolchain, "build", QUICK_FOLDER, SOLVER.flags), &modules, QUICK, &[])?;
         for module in modules {
             bind(module, &module.compiled(QUICK_FOLDER, QUICK))?;
         }
@@ -160,18 +167,17 @@ pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
     Ok(())
 }
 
-/// Modules that are compiled at once: the two viewers are one package with different features.
-fn quick_groups() -> impl Iterator<Item = &'static [&'static Module]> {
-    const VIEWERS: usize = 2;
-    let (together, viewers) = const { &ALL }.split_at(ALL.len() - VIEWERS);
-    std::iter::once(together).chain(viewers.chunks(1))
+/// Modules that are compiled at once where their size does not matter.
+fn quick_groups() -> impl Iterator<Item = Vec<&'static Module>> {
+    let together = TOGETHER.into_iter().chain(APART).collect();
+    std::iter::once(together).chain(VIEWERS.iter().map(|viewer| viewer.to_vec()))
 }
 
-fn for_group(mut command: Command, modules: &[&Module], last: &[&str]) -> Result<()> {
+fn for_group(mut command: Command, modules: &[&Module], profile: &str, last: &[&str]) -> Result<()> {
     let names: Vec<&str> = modules.iter().map(|module| module.name).collect();
     eprintln!("For wasm32: {}.", names.join(", "));
     let chosen = modules.iter().flat_map(|module| module.chosen());
-    run(command.args(["--no-default-features", "--profile", QUICK]).args(chosen).args(last))
+    run(command.args(["--no-default-features", "--profile", profile]).args(chosen).args(last))
 }
 
 /// Writes the bindings of a compiled module, unless they are there.
@@ -197,23 +203,76 @@ fn bind(module: &Module, compiled: &Path) -> Result<()> {
     Ok(fs::write(stamped, stamp)?)
 }
 
-/// Runs the tests that depend on numbers, those of one name where it is given, on wasm32 under Node.
+/// Runs the tests that depend on numbers, those of one name where it is given, on wasm32 under Node: each program in one
+/// core, so that as many run beside each other as there are cores.
 pub fn test(toolchain: &Toolchain, names: &[&str]) -> Result<()> {
     eprintln!("Running the solver's tests on wasm32.");
-    let runner = std::env::current_exe()?;
-    let runner = runner.to_str().context("The path of the workspace is not Unicode")?;
-    run(cargo(toolchain, "test", QUICK_FOLDER, SOLVER.flags)
-        .args(["--profile", QUICK, "--tests"])
-        .args(TESTED.iter().flat_map(|package| ["--package", package]))
-        .args(names)
-        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", format!("{runner} test-runner")))
+    let programs = test_programs(toolchain)?;
+    let runner = test_runner()?;
+    let (waiting, failed) = (Mutex::new(programs.iter()), Mutex::new(Vec::new()));
+    let run_in_turn = || -> Result<()> {
+        while let Some(program) = { waiting.lock().map_or(None, |mut waiting| waiting.next()) } {
+            let output = Command::new(&runner).arg(&program.file).args(names).current_dir(&program.folder).output()?;
+            let said = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
+            eprintln!("{}\n{}", program.file.display(), said.concat());
+            if !output.status.success() {
+                failed.lock().map_err(|_| anyhow!("Another program of tests could not be run"))?.push(&program.file);
+            }
+        }
+        Ok(())
+    };
+    thread::scope(|scope| {
+        let cores = thread::available_parallelism().map_or(1, NonZero::get);
+        let runs: Vec<_> = (0..cores).map(|_| scope.spawn(run_in_turn)).collect();
+        runs.into_iter().try_for_each(|run| run.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })?;
+    let failed = failed.into_inner().unwrap_or_default();
+    ensure!(failed.is_empty(), "Tests failed in {failed:?}");
+    Ok(())
+}
+
+/// Tests of a crate, compiled for wasm32.
+struct TestProgram {
+    file: PathBuf,
+    /// That of the crate.
+    folder: PathBuf,
+}
+
+/// Compiles the tests, those first that take longest.
+fn test_programs(toolchain: &Toolchain) -> Result<Vec<TestProgram>> {
+    let mut build = cargo(toolchain, "test", QUICK_FOLDER, SOLVER.flags);
+    build.args(["--profile", QUICK, "--tests", "--no-run", "--message-format", "json-render-diagnostics"]);
+    build.args(TESTED.iter().flat_map(|package| ["--package", package])).stderr(Stdio::inherit());
+    let output = build.output().with_context(|| format!("{build:?} could not be started"))?;
+    ensure!(output.status.success(), "The step above failed: {}", output.status);
+    let messages =
+        String::from_utf8(output.stdout)?.lines().map(serde_json::from_str).collect::<Result<Vec<Value>, _>>()?;
+    let program = |message: &Value| {
+        let folder = Path::new(message["manifest_path"].as_str()?).parent()?.to_owned();
+        Some(TestProgram { file: message["executable"].as_str()?.into(), folder })
+    };
+    let mut programs: Vec<TestProgram> = messages.iter().filter_map(program).collect();
+    let place = |program: &TestProgram| FIRST.iter().position(|folder| program.folder.ends_with(folder));
+    programs.sort_by_key(|program| place(program).unwrap_or(FIRST.len()));
+    Ok(programs)
+}
+
+/// Compiles what runs tests under Node.
+fn test_runner() -> Result<PathBuf> {
+    run(Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())).current_dir(workspace()).args([
+        "build",
+        "--package",
+        "wasm-test-runner",
+    ]))?;
+    Ok(std::env::current_exe()?.with_file_name(format!("wasm-test-runner{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     let (flags, last) = toolchain.deny_warnings();
     let flags = [SOLVER.flags, flags].concat();
-    quick_groups().try_for_each(|modules| for_group(cargo(toolchain, "clippy", QUICK_FOLDER, &flags), modules, last))
+    quick_groups()
+        .try_for_each(|modules| for_group(cargo(toolchain, "clippy", QUICK_FOLDER, &flags), &modules, QUICK, last))
 }
 
 /// Flags that take the folders of the registries off the file names in panic messages: two hundred of them, which name no

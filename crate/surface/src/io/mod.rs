@@ -24,6 +24,8 @@
 
 #[cfg(feature = "zip")]
 mod archive;
+#[cfg(any(feature = "gltf", feature = "vtk"))]
+mod base64;
 mod budget;
 mod color;
 mod empty;

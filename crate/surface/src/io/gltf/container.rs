@@ -2,12 +2,15 @@
 
 use std::cell::OnceCell;
 
+use base64::Engine as _;
 use draco_core::Mesh;
 use gltf::json::{Index, Root, buffer};
+use percent_encoding::percent_decode_str;
 
 use super::format::{GLB_MAGIC, GLTF, element};
 use super::meshopt::Compression;
 use crate::error::{Error, Result};
+use crate::io::base64::BASE64;
 use crate::io::budget::Budget;
 use crate::io::reader::Resources;
 
@@ -150,7 +153,7 @@ impl<'a> Buffers<'a> {
             let (kind, encoded) = data
                 .split_once(',')
                 .ok_or_else(|| GLTF.at(place(), "its data URI has no comma before the data; export the file again"))?;
-            let bytes = decode_percent(encoded);
+            let bytes: Vec<u8> = percent_decode_str(encoded).collect();
             let is_base64 = kind.rsplit(';').next().is_some_and(|last| last.trim().eq_ignore_ascii_case("base64"));
             if !is_base64 {
                 return Ok(bytes);
@@ -158,7 +161,7 @@ impl<'a> Buffers<'a> {
             return decode_base64(&bytes)
                 .ok_or_else(|| GLTF.at(place(), "its base64 data is damaged; export the file again"));
         }
-        let uri = String::from_utf8_lossy(&decode_percent(uri)).into_owned();
+        let uri = percent_decode_str(uri).decode_utf8_lossy().into_owned();
         (self.resources)(&uri).ok_or(Error::MissingResource { uri })
     }
 }
@@ -175,46 +178,12 @@ fn get_or_try_init<T>(cell: &OnceCell<T>, init: impl FnOnce() -> Result<T>) -> R
     }
 }
 
-/// Lines may be broken.
+/// Either alphabet of RFC 4648; lines may be broken.
 fn decode_base64(text: &[u8]) -> Option<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let mut bits = 0_u32;
-    let mut held = 0;
-    let text = text.trim_ascii_end();
-    let padding = text.iter().rev().take_while(|&&letter| letter == b'=').count();
-    for &letter in text[..text.len() - padding].iter().filter(|letter| !letter.is_ascii_whitespace()) {
-        let value = match letter {
-            b'A'..=b'Z' => letter - b'A',
-            b'a'..=b'z' => letter - b'a' + 26,
-            b'0'..=b'9' => letter - b'0' + 52,
-            b'+' | b'-' => 62,
-            b'/' | b'_' => 63,
-            _ => return None,
-        };
-        bits = bits << 6 | u32::from(value);
-        held += 6;
-        if held >= 8 {
-            held -= 8;
-            bytes.push((bits >> held) as u8);
-        }
-    }
-    Some(bytes)
-}
-
-fn decode_percent(uri: &str) -> Vec<u8> {
-    let bytes = uri.as_bytes();
-    let mut decoded = Vec::with_capacity(bytes.len());
-    let mut index = 0;
-    while index < bytes.len() {
-        let digits = bytes.get(index + 1..index + 3).filter(|_| bytes[index] == b'%');
-        let digits = digits.and_then(|digits| std::str::from_utf8(digits).ok());
-        if let Some(value) = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
-            decoded.push(value);
-            index += 3;
-        } else {
-            decoded.push(bytes[index]);
-            index += 1;
-        }
-    }
-    decoded
+    let letters = text.iter().filter(|letter| !letter.is_ascii_whitespace()).map(|letter| match letter {
+        b'-' => b'+',
+        b'_' => b'/',
+        &letter => letter,
+    });
+    BASE64.decode(letters.collect::<Vec<u8>>()).ok()
 }

@@ -1,5 +1,8 @@
 //! Base64 (RFC 4648), one text after another: a header and what it is of may be encoded apart.
 
+use base64::Engine as _;
+
+use crate::io::base64::BASE64;
 use crate::io::budget::Budget;
 
 /// Text that is decoded as far as it is taken.
@@ -31,31 +34,15 @@ impl<'a> Base64<'a> {
 
     /// Decodes four letters, of which padding may be the last two.
     fn group(&mut self, bytes: &mut Vec<u8>) -> Option<()> {
-        let (mut bits, mut letters, mut padding) = (0_u32, 0, 0);
-        while letters + padding < 4 {
+        let (mut group, mut length) = ([0; 4], 0);
+        while length < group.len() {
             let (&letter, rest) = self.text.split_first()?;
             self.text = rest;
-            let value = match letter {
-                b'A'..=b'Z' => letter - b'A',
-                b'a'..=b'z' => letter - b'a' + 26,
-                b'0'..=b'9' => letter - b'0' + 52,
-                b'+' => 62,
-                b'/' => 63,
-                b'=' if letters >= 2 => {
-                    padding += 1;
-                    continue;
-                }
-                letter if letter.is_ascii_whitespace() => continue,
-                _ => return None,
-            };
-            if padding > 0 {
-                return None;
+            if !letter.is_ascii_whitespace() {
+                group[length] = letter;
+                length += 1;
             }
-            bits = bits << 6 | u32::from(value);
-            letters += 1;
         }
-        let decoded = (bits << (6 * padding)).to_be_bytes();
-        bytes.extend(&decoded[1..4 - padding]);
-        Some(())
+        BASE64.decode_vec(group, bytes).ok()
     }
 }

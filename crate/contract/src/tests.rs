@@ -24,7 +24,7 @@ fn said<C: Choice + Default>(constant: &str) -> String {
 
 #[test]
 fn the_page_has_the_names_and_ranges_of_the_solver() {
-    let text = module(crate::workspace::workspace()).unwrap();
+    let text = module(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap()).unwrap();
     let choices = [
         said::<Boundary>("BOUNDARY"),
         said::<EdgeKind>("EDGE_KIND"),

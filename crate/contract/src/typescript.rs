@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
 
-use super::read::{Choice, Definitions, Field, FieldKind, Options};
+use crate::read::{Choice, Definitions, Field, FieldKind, Options};
 
 /// A module that exports all of it.
 ///
@@ -51,7 +51,7 @@ fn choice_of(choice: &Choice) -> String {
     let mut lines = doc.clone();
     lines.extend(variants.iter().map(|variant| format!("- `{}`: {}", variant.name, variant.doc.join(" "))));
     let names: Vec<String> = variants.iter().map(|variant| quoted(&variant.name)).collect();
-    let former = |variant: &super::read::Variant| {
+    let former = |variant: &crate::read::Variant| {
         let name = quoted(&variant.name);
         variant.former_names.iter().map(|former| format!("{}: {name}", quoted(former))).collect::<Vec<_>>()
     };
