@@ -8,33 +8,29 @@ struct Fragment {
     @location(1) normal: vec3f,
 }
 
+// An instance.
+struct Arrow {
+    @location(3) middle: vec3f,
+    @location(4) vector: vec3f,
+}
+
 // Solid space: the dart points along +y, is one unit long, its middle at the origin.
-fn dart(solid: vec3f, solid_normal: vec3f, middle: vec3f, vector: vec3f, scale: f32) -> Fragment {
-    let size = length(vector);
-    let axes = basis(vector / size);
-    let position = middle + scale * size * (axes * solid);
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, axes * solid_normal);
+fn dart(solid: Vertex, arrow: Arrow, scale: f32) -> Fragment {
+    let size = length(arrow.vector);
+    let axes = basis(arrow.vector / size);
+    let position = arrow.middle + scale * size * (axes * solid.position);
+    return Fragment(to_clip(position), position, axes * solid.normal);
 }
 
 // Where the surface is cut away, its darts shrink to nothing.
 @vertex
-fn vs_arrow(
-    @location(0) solid: vec3f,
-    @location(1) solid_normal: vec3f,
-    @location(3) middle: vec3f,
-    @location(4) vector: vec3f,
-) -> Fragment {
-    return dart(solid, solid_normal, middle, vector, select(1.0, 0.0, beyond(middle).w > 0.0));
+fn vs_arrow(solid: Vertex, arrow: Arrow) -> Fragment {
+    return dart(solid, arrow, select(1.0, 0.0, beyond(arrow.middle).w > 0.0));
 }
 
 @vertex
-fn vs_inner_arrow(
-    @location(0) solid: vec3f,
-    @location(1) solid_normal: vec3f,
-    @location(3) middle: vec3f,
-    @location(4) vector: vec3f,
-) -> Fragment {
-    return dart(solid, solid_normal, middle, vector, 1.0);
+fn vs_inner_arrow(solid: Vertex, arrow: Arrow) -> Fragment {
+    return dart(solid, arrow, 1.0);
 }
 
 const DART = Material(AMBER, 0.0, 0.45, 0.15 * AMBER, 1.0);

@@ -49,7 +49,7 @@ fn vs_curve(
     let lift = max(LIFT_WIDTHS * half_width, LIFT_RADII * frame.radius);
     // Moving along the line of sight changes the depth and leaves the pixel.
     let lifted = position + lift * normalize(frame.eye - position);
-    return Fragment(frame.clip_from_world * vec4f(lifted, 1.0), position, side, across);
+    return Fragment(to_clip(lifted), position, side, across);
 }
 
 @fragment

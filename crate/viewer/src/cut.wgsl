@@ -35,38 +35,23 @@ fn uncut(at: CutFragment) -> Fragment {
 }
 
 @vertex
-fn vs_plain_cut(@location(0) position: vec3f, @location(1) normal: vec3f) -> CutFragment {
-    return cut(without_field(position, normal, vec4f(0.0)));
+fn vs_plain_cut(vertex: Vertex) -> CutFragment {
+    return cut(without_field(vertex, vec4f(0.0)));
 }
 
 @vertex
-fn vs_plain_tinted_cut(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(6) tint: vec4f,
-) -> CutFragment {
-    return cut(without_field(position, normal, tint));
+fn vs_plain_tinted_cut(vertex: Vertex, @location(6) tint: vec4f) -> CutFragment {
+    return cut(without_field(vertex, tint));
 }
 
 @vertex
-fn vs_field_cut(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) tangent: vec4f,
-) -> CutFragment {
-    return cut(with_field(position, normal, distance, tangent, vec4f(0.0)));
+fn vs_field_cut(vertex: Vertex, field: FieldVertex) -> CutFragment {
+    return cut(with_field(vertex, field, vec4f(0.0)));
 }
 
 @vertex
-fn vs_field_tinted_cut(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) tangent: vec4f,
-    @location(6) tint: vec4f,
-) -> CutFragment {
-    return cut(with_field(position, normal, distance, tangent, tint));
+fn vs_field_tinted_cut(vertex: Vertex, field: FieldVertex, @location(6) tint: vec4f) -> CutFragment {
+    return cut(with_field(vertex, field, tint));
 }
 
 // Whether a fragment is away, or in a pixel that the plane may run through: those are the rim.
@@ -76,16 +61,15 @@ fn is_away(fragment: CutFragment) -> bool {
 
 @fragment
 fn fs_field_cut(fragment: CutFragment) -> @location(0) vec4f {
-    let painted = paint_field(uncut(fragment));
-    if is_away(fragment) {
-        discard;
-    }
-    return lit(painted, fragment.position);
+    return kept(paint_field(uncut(fragment)), fragment);
 }
 
 @fragment
 fn fs_plain_cut(fragment: CutFragment) -> @location(0) vec4f {
-    let painted = paint_plain(uncut(fragment));
+    return kept(paint_plain(uncut(fragment)), fragment);
+}
+
+fn kept(painted: Painted, fragment: CutFragment) -> vec4f {
     if is_away(fragment) {
         discard;
     }
@@ -128,17 +112,15 @@ fn rim(fragment: CutFragment, is_outside: bool) -> Rim {
 
 @fragment
 fn fs_field_rim(fragment: CutFragment) -> RimPixel {
-    let painted = paint_field(uncut(fragment));
-    let rim = rim(fragment, painted.geometric.w > 0.5);
-    if rim.share == 0.0 {
-        discard;
-    }
-    return RimPixel(rim.share * lit(painted, fragment.position), rim.depth);
+    return rim_pixel(paint_field(uncut(fragment)), fragment);
 }
 
 @fragment
 fn fs_plain_rim(fragment: CutFragment) -> RimPixel {
-    let painted = paint_plain(uncut(fragment));
+    return rim_pixel(paint_plain(uncut(fragment)), fragment);
+}
+
+fn rim_pixel(painted: Painted, fragment: CutFragment) -> RimPixel {
     let rim = rim(fragment, painted.geometric.w > 0.5);
     if rim.share == 0.0 {
         discard;
@@ -153,7 +135,7 @@ struct CutCaster {
 
 @vertex
 fn vs_shadow_cut(@location(0) position: vec3f) -> CutCaster {
-    return CutCaster(frame.clip_from_world * vec4f(position, 1.0), position);
+    return CutCaster(to_clip(position), position);
 }
 
 @fragment

@@ -28,7 +28,7 @@ struct Fragment {
 fn vs_ground(@builtin(vertex_index) corner: u32) -> Fragment {
     let place = vec2f(f32(corner & 1u), f32(corner >> 1u)) * 2.0 - 1.0;
     let position = ground.center + ground.reach * vec3f(place.x, 0.0, place.y);
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, place);
+    return Fragment(to_clip(position), position, place);
 }
 
 @fragment

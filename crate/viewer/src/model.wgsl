@@ -53,68 +53,44 @@ struct ModelFragment {
     @location(7) tint: vec4f,
 }
 
-@vertex
-fn vs_model(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) tangent: vec4f,
+// What the file says of a vertex.
+struct ModelVertex {
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
-) -> ModelFragment {
-    return model_with_field(position, normal, distance, tangent, texcoords, color, vec4f(0.0));
 }
 
 @vertex
-fn vs_model_tinted(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) tangent: vec4f,
-    @location(4) texcoords: vec4f,
-    @location(5) color: vec4f,
-    @location(6) tint: vec4f,
-) -> ModelFragment {
-    return model_with_field(position, normal, distance, tangent, texcoords, color, tint);
-}
-
-fn model_with_field(
-    position: vec3f,
-    normal: vec3f,
-    distance: f32,
-    tangent: vec4f,
-    texcoords: vec4f,
-    color: vec4f,
-    tint: vec4f,
-) -> ModelFragment {
-    let clip = frame.clip_from_world * vec4f(position, 1.0);
-    let reached = select(0.0, 1.0, distance < 1.5);
-    return ModelFragment(clip, position, normal, distance * reached, reached, tangent.xyz, texcoords, color, tint);
+fn vs_model(vertex: Vertex, field: FieldVertex, model: ModelVertex) -> ModelFragment {
+    return of_model(with_field(vertex, field, vec4f(0.0)), model);
 }
 
 @vertex
-fn vs_model_plain(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(4) texcoords: vec4f,
-    @location(5) color: vec4f,
-) -> ModelFragment {
-    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, vec4f(0.0));
+fn vs_model_tinted(vertex: Vertex, field: FieldVertex, model: ModelVertex, @location(6) tint: vec4f) -> ModelFragment {
+    return of_model(with_field(vertex, field, tint), model);
 }
 
 @vertex
-fn vs_model_plain_tinted(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(4) texcoords: vec4f,
-    @location(5) color: vec4f,
-    @location(6) tint: vec4f,
-) -> ModelFragment {
-    return ModelFragment(plain_clip(position), position, normal, 0.0, 1.0, vec3f(0.0), texcoords, color, tint);
+fn vs_model_plain(vertex: Vertex, model: ModelVertex) -> ModelFragment {
+    return of_model(without_field(vertex, vec4f(0.0)), model);
 }
 
-fn plain_clip(position: vec3f) -> vec4f {
-    return frame.clip_from_world * vec4f(position, 1.0);
+@vertex
+fn vs_model_plain_tinted(vertex: Vertex, model: ModelVertex, @location(6) tint: vec4f) -> ModelFragment {
+    return of_model(without_field(vertex, tint), model);
+}
+
+fn of_model(at: Fragment, model: ModelVertex) -> ModelFragment {
+    return ModelFragment(
+        at.clip,
+        at.position,
+        at.normal,
+        at.distance,
+        at.reached,
+        at.tangent,
+        model.texcoords,
+        model.color,
+        at.tint,
+    );
 }
 
 fn place_in(texture: TextureUse, texcoords: vec4f) -> vec2f {
@@ -210,15 +186,10 @@ fn painted(fragment: ModelFragment) -> vec4f {
         found.material.openness,
     );
     var normal = mark.normal;
-    if fragment.reached < 0.999 {
-        material = unreached(fragment.clip);
-        material.albedo = tinted(material.albedo, fragment.tint);
+    if is_covered(fragment.reached, fragment.tint) {
+        material = covering(fragment.clip, fragment.tint);
         normal = geometric.xyz;
-    }
-    if is_wall(fragment.tint) {
-        material = wall(fragment.tint);
-        normal = geometric.xyz;
-    } else if fragment.reached >= 0.999 && given.unlit > 0.5 {
+    } else if given.unlit > 0.5 {
         return outlined(vec4f(encode(material.albedo).rgb, found.alpha), brush);
     }
     let color = encode(shade(material, fragment.position, normal, geometric.xyz)).rgb;

@@ -21,8 +21,7 @@ struct Fragment {
 // Solid space: the pin stands on +y and is one unit high. Tag x: 0 needle, 1 ball.
 @vertex
 fn vs_pin(
-    @location(0) solid: vec3f,
-    @location(1) solid_normal: vec3f,
+    solid: Vertex,
     @location(2) tags: vec2f,
     @location(3) foot: vec3f,
     @location(4) up: vec3f,
@@ -30,9 +29,9 @@ fn vs_pin(
 ) -> Fragment {
     let axes = basis(up);
     let size = min(SIZE * frame.radius, MAX_PIXELS * css_pixel(foot)) * mix(1.0, 1.22, selected);
-    let position = foot + size * (axes * solid);
-    let normal = axes * solid_normal;
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, tags.x, selected);
+    let position = foot + size * (axes * solid.position);
+    let normal = axes * solid.normal;
+    return Fragment(to_clip(position), position, normal, tags.x, selected);
 }
 
 @fragment

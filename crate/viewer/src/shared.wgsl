@@ -77,6 +77,17 @@ struct Frame {
 @group(1) @binding(3) var occlusion_grid: texture_3d<f32>;
 @group(1) @binding(4) var occlusion_sampler: sampler;
 
+// A vertex of the surface, or of a solid that stands on it.
+struct Vertex {
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+// Where a place of the world is on the screen; clip space.
+fn to_clip(position: vec3f) -> vec4f {
+    return frame.clip_from_world * vec4f(position, 1.0);
+}
+
 // What light meets.
 struct Material {
     albedo: vec3f,

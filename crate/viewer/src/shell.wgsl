@@ -26,8 +26,8 @@ struct ShellFragment {
 }
 
 @vertex
-fn vs_shell(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) distance: f32) -> ShellFragment {
-    return ShellFragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, distance);
+fn vs_shell(vertex: Vertex, @location(2) distance: f32) -> ShellFragment {
+    return ShellFragment(to_clip(vertex.position), vertex.position, vertex.normal, distance);
 }
 
 @fragment

@@ -67,55 +67,48 @@ struct Fragment {
     @location(5) tint: vec4f,
 }
 
-@vertex
-fn vs_plain(@location(0) position: vec3f, @location(1) normal: vec3f) -> Fragment {
-    return without_field(position, normal, vec4f(0.0));
-}
-
-@vertex
-fn vs_plain_tinted(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(6) tint: vec4f,
-) -> Fragment {
-    return without_field(position, normal, tint);
-}
-
-fn without_field(position: vec3f, normal: vec3f, tint: vec4f) -> Fragment {
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, 0.0, 1.0, vec3f(0.0), tint);
-}
-
-// Distances are shares of the largest one; what is beyond 1, rounding apart, marks an unreachable vertex.
-@vertex
-fn vs_field(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
+// What the field says of a vertex. Distances are shares of the largest one; what is beyond 1, rounding apart, marks an
+// unreachable vertex.
+struct FieldVertex {
     @location(2) distance: f32,
     @location(3) tangent: vec4f,
-) -> Fragment {
-    return with_field(position, normal, distance, tangent, vec4f(0.0));
 }
 
 @vertex
-fn vs_field_tinted(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) tangent: vec4f,
-    @location(6) tint: vec4f,
-) -> Fragment {
-    return with_field(position, normal, distance, tangent, tint);
+fn vs_plain(vertex: Vertex) -> Fragment {
+    return without_field(vertex, vec4f(0.0));
 }
 
-fn with_field(position: vec3f, normal: vec3f, distance: f32, tangent: vec4f, tint: vec4f) -> Fragment {
-    let clip = frame.clip_from_world * vec4f(position, 1.0);
-    let reached = select(0.0, 1.0, distance < 1.5);
-    return Fragment(clip, position, normal, distance * reached, reached, tangent.xyz, tint);
+@vertex
+fn vs_plain_tinted(vertex: Vertex, @location(6) tint: vec4f) -> Fragment {
+    return without_field(vertex, tint);
+}
+
+fn without_field(vertex: Vertex, tint: vec4f) -> Fragment {
+    return Fragment(to_clip(vertex.position), vertex.position, vertex.normal, 0.0, 1.0, vec3f(0.0), tint);
+}
+
+@vertex
+fn vs_field(vertex: Vertex, field: FieldVertex) -> Fragment {
+    return with_field(vertex, field, vec4f(0.0));
+}
+
+@vertex
+fn vs_field_tinted(vertex: Vertex, field: FieldVertex, @location(6) tint: vec4f) -> Fragment {
+    return with_field(vertex, field, tint);
+}
+
+fn with_field(vertex: Vertex, field: FieldVertex, tint: vec4f) -> Fragment {
+    var fragment = without_field(vertex, tint);
+    fragment.reached = select(0.0, 1.0, field.distance < 1.5);
+    fragment.distance = field.distance * fragment.reached;
+    fragment.tangent = field.tangent.xyz;
+    return fragment;
 }
 
 @vertex
 fn vs_shadow(@location(0) position: vec3f) -> @builtin(position) vec4f {
-    return frame.clip_from_world * vec4f(position, 1.0);
+    return to_clip(position);
 }
 
 // A smooth step from 0 to 1 around zero, over a flank to either side.
@@ -258,8 +251,19 @@ fn is_wall(tint: vec4f) -> bool {
     return tint.a > SOLID;
 }
 
-fn wall(tint: vec4f) -> Material {
-    return Material(tint.rgb, 0.0, 0.8, vec3f(0.0), 1.0);
+// Whether something lies over the pattern: a wall, or the hatching of what no source reaches.
+fn is_covered(reached: f32, tint: vec4f) -> bool {
+    return is_wall(tint) || reached < 0.999;
+}
+
+// What lies over the pattern there.
+fn covering(clip: vec4f, tint: vec4f) -> Material {
+    if is_wall(tint) {
+        return Material(tint.rgb, 0.0, 0.8, vec3f(0.0), 1.0);
+    }
+    var material = unreached(clip);
+    material.albedo = tinted(material.albedo, tint);
+    return material;
 }
 
 // Shares of a pixel that the light line of the brush's outline covers, and that with its dark edges.
@@ -300,13 +304,8 @@ fn paint_field(fragment: Fragment) -> Painted {
         1.0,
     );
     var normal = mark.normal;
-    if fragment.reached < 0.999 {
-        material = unreached(fragment.clip);
-        material.albedo = tinted(material.albedo, fragment.tint);
-        normal = geometric.xyz;
-    }
-    if is_wall(fragment.tint) {
-        material = wall(fragment.tint);
+    if is_covered(fragment.reached, fragment.tint) {
+        material = covering(fragment.clip, fragment.tint);
         normal = geometric.xyz;
     }
     return Painted(material, normal, geometric, brush);

@@ -85,8 +85,7 @@ fn arm(part: f32, solid: Posed, angle: f32) -> Posed {
 
 @vertex
 fn vs_walker(
-    @location(0) solid: vec3f,
-    @location(1) solid_normal: vec3f,
+    solid: Vertex,
     @location(2) tags: vec2f,
     @location(3) place: vec4f,
     @location(4) up: vec4f,
@@ -97,7 +96,7 @@ fn vs_walker(
     let is_right = tags.x > RIGHT;
     let part = select(tags.x, tags.x - RIGHT, is_right);
     let lift = vec3f(0.0, up.w, 0.0);
-    var posed = Posed(solid, solid_normal);
+    var posed = Posed(solid.position, solid.normal);
     if part >= THIGH && part <= FOOT {
         let side = vec3f(select(1.0, -1.0, is_right), 1.0, 1.0);
         posed = leg(part, posed, HIP * side + lift, select(left, right, vec4<bool>(is_right)));
@@ -113,7 +112,7 @@ fn vs_walker(
     let offset = posed.position.x * left_side + posed.position.y * up.xyz + posed.position.z * ahead.xyz;
     let position = place.xyz + place.w * offset;
     var colors = COLORS;
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), position, normal, colors[u32(tags.y)]);
+    return Fragment(to_clip(position), position, normal, colors[u32(tags.y)]);
 }
 
 @fragment

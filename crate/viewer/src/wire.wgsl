@@ -42,7 +42,7 @@ fn vs_wire(
     let across = select(-1.0, 1.0, (corner & 1u) == 1u) * (half_pixels + FEATHER);
     let pixel = css_pixel(here) / frame.pixel_ratio;
     let position = here + across * pixel * side + LIFT * frame.radius * to_eye;
-    return Fragment(frame.clip_from_world * vec4f(position, 1.0), color, across, half_pixels);
+    return Fragment(to_clip(position), color, across, half_pixels);
 }
 
 @fragment
