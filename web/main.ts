@@ -3,6 +3,7 @@ import './style/overlay.css';
 import './style/panel.css';
 // Last: for narrow windows, reduced motion and forced colours it overrides the others.
 import './style/windows.css';
+import { detailsOf, messageOf } from './error';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
@@ -93,8 +94,9 @@ const frames = new Frames(session, crowd, () => {
   corners.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
+const fail = session.fail.bind(session);
 const help = () => {
-  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel), session.fail.bind(session));
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel, fail), fail);
 };
 
 const brush = new BrushInput(session, ground);
@@ -182,16 +184,16 @@ session.turntable.watch((turns, turned) => {
 followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 view.failure.watch((failure) => {
-  if (failure) messages.fail(failure.message, failure.stack ?? '');
+  if (failure) messages.fail(messageOf(failure), detailsOf(failure));
 });
 session.failure.watch((failure) => {
   if (!failure) return;
-  messages.fail(failure.message, failure.stack ?? '', opener.remedy(failure));
+  messages.fail(messageOf(failure), detailsOf(failure), opener.remedy(failure));
 });
 
 /** What nobody has caught: a handler has failed, and the page goes on. */
 const unforeseen = (error: unknown) => {
-  if (error instanceof Error) messages.fail(t`Something went wrong: ${error.message}`, error.stack ?? '');
+  if (error instanceof Error) messages.fail(t`Something went wrong: ${messageOf(error)}`, detailsOf(error));
 };
 addEventListener('error', ({ error }) => unforeseen(error));
 addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));

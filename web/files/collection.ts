@@ -1,7 +1,8 @@
 /** What was given together: files, or an archive of them. */
+import { Failure } from '../error';
 import type { GivenFile, MeshInput } from '../protocol';
 import { formats, fileName, isArchive, meshesAmong } from './paths';
-import { t } from '../texts';
+import { counted, enumerated, t, type Words } from '../texts';
 
 export interface Collection {
   /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
@@ -37,14 +38,15 @@ const CONVERT = t(
 );
 
 /** Nothing of what was given is a mesh. */
-export class NoMesh extends Error {
+export class NoMesh extends Failure {
   constructor(paths: readonly string[]) {
-    const names = paths.slice(0, NAMED).map(fileName).join(', ');
-    const more = paths.length > NAMED ? t` and ${paths.length - NAMED} more files` : '';
+    const names: Words[] = paths.slice(0, NAMED).map(fileName);
+    if (paths.length > NAMED) names.push(counted(paths.length - NAMED, '{0} more file', '{0} more files'));
+    const all = enumerated(names.length > 0 ? names : [t('the input')]);
     super(
       paths.some((path) => CONVERTED.test(path))
         ? CONVERT
-        : t`No mesh found in ${names ? `${names}${more}` : t('what was given')}. Supported formats: ${formats()}.`,
+        : t`No mesh found in ${all}. Supported formats: ${formats()}.`,
     );
   }
 }

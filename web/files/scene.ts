@@ -1,4 +1,5 @@
 /** A scene in a file: an archive of its link, its mesh, and the files that the mesh refers to. */
+import { Failure } from '../error';
 import { strToU8, Zip, ZipDeflate } from 'fflate';
 import type { GivenFile, MeshInput } from '../protocol';
 import { percentDecoded } from './address';
@@ -53,11 +54,11 @@ export async function sceneIn(content: Blob): Promise<SceneFile | null> {
   if (!archive.paths.includes(SCENE)) return null;
   const told = parsed(new TextDecoder().decode(archive.read(SCENE)));
   if (!told || typeof told.link !== 'string' || !(told.mesh === null || typeof told.mesh === 'string'))
-    throw new Error(t`its ${SCENE} is damaged; save the scene again`);
+    throw new Failure(t`its ${SCENE} is damaged; save the scene again`);
   if (told.heatwalk !== VERSION)
-    throw new Error(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
+    throw new Failure(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
   if (told.mesh !== null && !archive.paths.includes(told.mesh))
-    throw new Error(t`its mesh ${told.mesh} is not in the archive; save the scene again`);
+    throw new Failure(t`its mesh ${told.mesh} is not in the archive; save the scene again`);
   return { link: told.link, mesh: told.mesh };
 }
 

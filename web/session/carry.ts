@@ -66,13 +66,17 @@ function shapeOn(shape: SetShape, { opened, places }: Mesh, take: Take): SetShap
     case 'boundary':
     case 'component': {
       if (isInside) {
-        return shape.kind === 'boundary' ? { kind: 'stroke', closed: true } : { kind: 'list', name: t('Component') };
+        return shape.kind === 'boundary'
+          ? { kind: 'stroke', closed: true }
+          : { kind: 'list', name: String(t('Component')) };
       }
       const vertex = vertexAt(shape.vertex);
       return vertex === null ? null : { ...shape, vertex };
     }
     case 'part':
-      return isInside ? { kind: 'list', name: opened.parts[shape.part].name || t`Part ${shape.part + 1}` } : shape;
+      return isInside
+        ? { kind: 'list', name: opened.parts[shape.part].name || String(t`Part ${shape.part + 1}`) }
+        : shape;
   }
 }
 

@@ -1,4 +1,5 @@
 /** The places of sets of sources on a mesh. Fetched when a scene has some. */
+import { Failure } from '../error';
 import type { OpenedMesh, Source } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { Cancelled, WorkerLost } from '../solver/remote';
@@ -50,7 +51,7 @@ export async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Sour
 
 export function atVertices(vertices: readonly number[]): Source[] {
   if (vertices.length > MOST_POINTS) {
-    throw new Error(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
+    throw new Failure(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
   }
   return vertices.map((vertex) => ({ vertex }));
 }

@@ -1,4 +1,5 @@
 /** Changes the ground of the scene as pointer, keyboard and panel ask for it. */
+import { Failure } from '../error';
 import type { OpenedMesh, MeshPoint } from '../protocol';
 import {
   areaOf,
@@ -134,7 +135,7 @@ export class GroundEditor {
   /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
   paintRows(name: string, text: string): void {
     if (this.#session.shown.value?.opened.interior)
-      throw new Error(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
+      throw new Failure(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
     this.#repaint(codesOfRows(name, text, this.#triangles));
   }
 

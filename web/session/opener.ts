@@ -4,7 +4,7 @@ import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
 import { fileName, isArchive, isTable } from '../files/paths';
 import type { SceneFile } from '../files/scene';
-import { toError } from '../error';
+import { detailsOf, messageOf, toError } from '../error';
 import type { GivenFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -20,20 +20,20 @@ import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
-import { language, t } from '../texts';
+import { count, t, type Words } from '../texts';
 
 export interface Action {
-  name: string;
+  name: Words;
   run: () => void;
 }
 
 export interface Voice {
   /** A mesh is shown. */
   opened(shown: Shown, unit: LengthUnit): void;
-  notice(text: string): void;
+  notice(text: Words): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
-  fail(text: string, details: string, remedy?: Action): void;
+  fail(text: Words, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
   /** Stays until it is opened: nothing is fetched unasked. */
@@ -44,7 +44,7 @@ export interface Voice {
 
 /** What the user gave at once. `title` names it while it is being looked through. */
 export interface Given {
-  title: string;
+  title: Words;
   files: Promise<readonly GivenFile[]>;
 }
 
@@ -130,14 +130,13 @@ export class Opener {
   }
 
   /** Opens a scene that was saved as a file; false where an archive holds none. */
-  async #scene(title: string, content: Blob): Promise<boolean> {
+  async #scene(title: Words, content: Blob): Promise<boolean> {
     let scene: SceneFile | null;
     try {
       const { sceneIn } = await import('../files/scene');
       scene = await sceneIn(content);
     } catch (error) {
-      const { message, stack } = toError(error);
-      this.#voice.fail(t`${title} was not opened: ${message}`, stack ?? message);
+      this.#voice.fail(t`${title} was not opened: ${messageOf(error)}`, detailsOf(error));
       return true;
     }
     if (!scene) return false;
@@ -166,7 +165,7 @@ export class Opener {
   /** Adds what is pasted to the mesh on screen, if it is a list of sources. */
   async pastedList(text: string): Promise<void> {
     const { isList } = await import('../state/list');
-    if (isList(text)) await this.#list(t('List'), text);
+    if (isList(text)) await this.#list(String(t('List')), text);
   }
 
   /** Adds rows of text as sources of the mesh on screen. */
@@ -182,8 +181,7 @@ export class Opener {
     try {
       await work();
     } catch (error) {
-      const { message, stack } = toError(error);
-      this.#voice.fail(message, stack ?? message);
+      this.#voice.fail(messageOf(error), detailsOf(error));
     }
   }
 
@@ -231,7 +229,7 @@ export class Opener {
 
   /** Opens one of the meshes that come together; where there is none, the reason is told. */
   async #gather(
-    title: string,
+    title: Words,
     collected: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
     open: (collection: Collection) => Promise<void>,
   ): Promise<void> {
@@ -243,8 +241,8 @@ export class Opener {
       });
     } catch (error) {
       if (error instanceof Cancelled) return;
-      const { message, stack } = toError(error);
-      this.#voice.fail(error instanceof NoMesh ? message : t`${title} was not opened: ${message}`, stack ?? message);
+      const reason = messageOf(error);
+      this.#voice.fail(error instanceof NoMesh ? reason : t`${title} was not opened: ${reason}`, detailsOf(error));
     }
   }
 
@@ -273,11 +271,11 @@ export class Opener {
    * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. What is placed stays about where
    * it is.
    */
-  async fill(count: number | null): Promise<void> {
+  async fill(wanted: number | null): Promise<void> {
     const { state } = this.#session.scene;
-    const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
-    const method = state.fill === null && count !== null ? 'auto' : state.method;
-    await this.#carried({ ...state, ...NO_PLACES, fill: count, inside, method, ground: LEVEL }, ANYWHERE);
+    const inside = wanted === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
+    const method = state.fill === null && wanted !== null ? 'auto' : state.method;
+    await this.#carried({ ...state, ...NO_PLACES, fill: wanted, inside, method, ground: LEVEL }, ANYWHERE);
   }
 
   /** What can be done when a question to the mesh on screen has failed. */
@@ -317,14 +315,12 @@ export class Opener {
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        const failure = toError(error);
-        const { message, stack } = failure;
-        const lighter = lighterOf(request.state, failure);
+        const lighter = lighterOf(request.state, toError(error));
         const remedy = lighter && {
           name: lighter.name,
           run: () => void this.#open({ ...request, state: lighter.state }, done),
         };
-        this.#voice.fail(t`${request.title} was not opened: ${message}`, stack ?? message, remedy);
+        this.#voice.fail(t`${request.title} was not opened: ${messageOf(error)}`, detailsOf(error), remedy);
       }
     }
   }
@@ -337,7 +333,7 @@ export class Opener {
 }
 
 /** The same with less memory, where a failure was for want of it: without factors, or with as few windows as there are. */
-function lighterOf(state: SceneState, failure: Error): { name: string; state: SceneState } | undefined {
+function lighterOf(state: SceneState, failure: Error): { name: Words; state: SceneState } | undefined {
   const { method, parameters } = state;
   if (failure.name === MESH_TOO_LARGE) return simplifiedOf(state);
   if (failure.name === TOO_MANY_WINDOWS) return { name: USE_ONE_WINDOW, state: { ...state, windows: DEFAULT_WINDOWS } };
@@ -346,14 +342,14 @@ function lighterOf(state: SceneState, failure: Error): { name: string; state: Sc
 }
 
 /** A simplified model that fits. Places count its own vertices, so they are chosen anew. */
-function simplifiedOf(state: SceneState): { name: string; state: SceneState } | undefined {
+function simplifiedOf(state: SceneState): { name: Words; state: SceneState } | undefined {
   const { memory } = state.parameters;
   const limit = state.method === 'heat' || memory === AUTOMATIC ? ADDRESS_SPACE : memory;
   const fitting = Math.min(MOST_SIMPLIFIED, (limit * 2 ** 20) / TRIANGLE_BYTES);
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const name = t`Simplify to ${triangles.toLocaleString(language)} triangles`;
+  const name = t`Simplify to ${count(triangles)} triangles`;
   return { name, state: { ...state, ...NO_PLACES, triangles, windows: DEFAULT_WINDOWS } };
 }
 

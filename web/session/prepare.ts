@@ -11,6 +11,7 @@ import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
 import type { Mesh } from './found';
+import type { Words } from '../texts';
 
 export interface Shown {
   opened: OpenedMesh;
@@ -23,7 +24,7 @@ export type Placed = Pick<SceneState, 'sources' | 'sets' | 'walker' | 'tapes'>;
 export type Carry = (mesh: Mesh) => Promise<Placed>;
 
 export interface OpenRequest {
-  title: string;
+  title: Words;
   load: () => Promise<MeshInput>;
   state: SceneState;
   /** Puts a source and a walker where the state has none. */

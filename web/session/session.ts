@@ -1,5 +1,5 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import { toError } from '../error';
+import { Failure, toError } from '../error';
 import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, isSameMoment, type Question } from '../solver/engine';
@@ -18,7 +18,7 @@ import { pageHidden } from './hidden';
 import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, suited, wantedOf } from './prepare';
 import { Presenter } from './presenter';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 /** A path that takes longer is traced only when the pointer rests. */
 const LIVE_PATH_MS = 8;
@@ -36,7 +36,7 @@ const TURNTABLE_SPEED = Math.PI / 8;
 
 /** A mesh without an answer. */
 export interface Preview {
-  title: string;
+  title: Words;
   opened: OpenedMesh;
 }
 
@@ -161,7 +161,7 @@ export class Session {
   }
 
   /** Does what an opening has to wait for, which `work` ends with; it is cancelled as an opening is, by another one too. */
-  gather(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
+  gather(title: Words, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
     this.cancelOpening();
     return whileLoading(this.loading, title, work);
   }
@@ -392,8 +392,8 @@ export class Session {
       return;
     }
     if (await this.#solve()) {
-      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.message;
-      this.failure.value = new Error(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
+      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.words;
+      this.failure.value = new Failure(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
     }
   }
 
@@ -536,6 +536,6 @@ function asText({
 }
 
 /** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
-function outOfMemory(exactBelow: number): string {
+function outOfMemory(exactBelow: number): Words {
   return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
 }

@@ -1,6 +1,7 @@
 /** Costs that a file gives: rows of a CSV file, or numbers of vertices. */
+import { Failure } from '../error';
 import { codeOf, COSTS, WALL } from './ground';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 /**
  * The codes of triangles by the rows of a CSV file: `triangle,cost`, a triangle alone or with the cost `inf` for a wall. Triangles are counted
@@ -17,10 +18,10 @@ export function codesOfRows(name: string, text: string, triangles: number): Uint
     const [triangle, cost = Infinity] = cells.map(numberOf);
     if (Number.isNaN(triangle) && index === 0) return;
     if (cells.length > 2 || Number.isNaN(triangle) || Number.isNaN(cost)) {
-      throw new Error(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
+      throw new Failure(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
     }
     if (!(Number.isInteger(triangle) && triangle >= 0 && triangle < triangles)) {
-      throw new Error(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
+      throw new Failure(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
     }
     codes[triangle] = checkedCode(cost, at);
   });
@@ -45,11 +46,11 @@ function numberOf(cell: string): number {
   return cell === '' ? Number.NaN : Number(cell);
 }
 
-function checkedCode(cost: number, at: string): number {
+function checkedCode(cost: number, at: Words): number {
   if (cost === Infinity) return WALL;
   // Written so that not a number is refused.
   if (!(cost >= COSTS[0] && cost <= COSTS[1])) {
-    throw new Error(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
+    throw new Failure(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
   }
   return codeOf(cost);
 }

@@ -1,5 +1,5 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
-import { toError } from '../error';
+import { Failure, toError } from '../error';
 import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, SurfacePath } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place } from '../state/places';
@@ -343,11 +343,11 @@ export class View extends Screen {
       this.prepare(viewer);
       return viewer.capture(scale, clear);
     });
-    if (!picture) throw new Error(t('There is no scene to save as an image yet.'));
+    if (!picture) throw new Failure(t('There is no scene to save as an image yet.'));
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
       if (performance.now() - since > CAPTURE_MS)
-        throw new Error(t('The graphics device could not read the image back. Try a smaller one.'));
+        throw new Failure(t('The graphics device could not read the image back. Try a smaller one.'));
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
     return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);

@@ -3,8 +3,6 @@ import type { Texts } from '../translate';
 
 export const HELP: Texts = {
   Language: 'Langue',
-  'The page has this language once it is reloaded.': 'La page sera dans cette langue une fois rechargée.',
-  'Reload the page': 'Recharger la page',
   'Close the help': 'Fermer l’aide',
   'All documents, with a search': 'Tous les documents, avec une recherche (en anglais)',
   Action: 'Action',

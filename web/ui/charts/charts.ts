@@ -12,13 +12,13 @@ import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
-import { percent } from '../words';
+import { percent, withUnit } from '../words';
 import { type CutSurface, straightCut } from './cut';
 import { convergenceStudy } from './convergence';
 import { figure } from './figure';
 import type { Chart, Series } from './plot';
 import { table1 } from './table1';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const BINS = 40;
 /** Fields follow one another faster than charts are read. */
@@ -106,7 +106,7 @@ function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Residu
 }
 
 /** Over the steps of conjugate gradients, with that of the one Cholesky solve beside them. */
-function residualChart(title: string, iterated: Float64Array, factored: number): Chart {
+function residualChart(title: Words, iterated: Float64Array, factored: number): Chart {
   const x = Array.from(iterated, (_, step) => step);
   const series: Series[] = [
     { name: t('Conjugate gradients'), kind: 'line', x, y: iterated },
@@ -123,8 +123,8 @@ interface Profile {
 
 /** A line along which distance is drawn; `length` names the way along it. */
 interface Line extends Profile {
-  title: string;
-  length: string;
+  title: Words;
+  length: Words;
 }
 
 /** What the worker was asked for; null where there is none. */
@@ -141,11 +141,11 @@ function chartsOf(
   { opened, places, answer }: Shown,
   { errors, walk, lines, distances }: Fetched,
   unit: LengthUnit,
-): { charts: Chart[]; notes: string[] } {
+): { charts: Chart[]; notes: Words[] } {
   const { field, question } = answer;
   if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
   const { scale, symbol } = unit;
-  const inUnit = (name: string) => (symbol ? `${name} (${symbol})` : name);
+  const inUnit = (name: Words) => withUnit(name, symbol);
   const xLabel = inUnit(t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
@@ -163,7 +163,7 @@ function chartsOf(
       series: [{ name: area, kind: 'line', x: told, y: shares }],
     },
   ];
-  const notes: string[] = [];
+  const notes: Words[] = [];
   if (unreached > 0) notes.push(t`No source reaches ${percent(unreached)} of the area, which is left out.`);
   if (walk) {
     const [x, y] = [0, 1].map((column) =>

@@ -2,7 +2,7 @@
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { differing, MIDDLE, SPLITS } from '../../state/compared';
-import { h, icon } from '../dom';
+import { h, icon, label, say } from '../dom';
 import { draggable, hasModifier, keyGesture } from '../gesture';
 import { printLabel } from '../print';
 import { percent } from '../words';
@@ -77,10 +77,10 @@ export class Divider {
     this.element.hidden = !compared || this.#comparison.answer.value === null;
     if (!compared) return;
     const keys = differing(own, compared);
-    this.#left.textContent = told(own, keys);
-    this.#right.textContent = told(compared, keys);
+    say(this.#left, told(own, keys));
+    say(this.#right, told(compared, keys));
     this.#grip.setAttribute('aria-valuenow', compared.split.toFixed(2));
-    this.#grip.setAttribute('aria-valuetext', `${percent(compared.split)} ${this.#left.textContent}`);
+    label(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${told(own, keys)}`);
     this.follow();
   }
 

@@ -1,6 +1,6 @@
 /** Answers the page around the frame, and tells it what happens. Nobody else is heard, and nobody else is answered. */
 import type { Events, Message, Method, Methods, Openable, Options, Request } from '../../embed';
-import { messageOf } from '../../error';
+import { Failure, messageOf } from '../../error';
 import type { MeshPoint } from '../../protocol';
 import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
@@ -10,6 +10,7 @@ import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
+import { sentences, type Words } from '../../texts';
 
 /** As the pointer tells clicks from drags: see `PointerInput`. */
 const CLICK_PX = 4;
@@ -59,7 +60,7 @@ class Embedding {
       const { answer, transferred = [] } = await this.#answer(parseRequest(data));
       this.#post({ heatwalk: VERSION, id, answer }, host, transferred);
     } catch (error) {
-      this.#post({ heatwalk: VERSION, id, error: messageOf(error) }, host);
+      this.#post({ heatwalk: VERSION, id, error: String(messageOf(error)) }, host);
     }
   }
 
@@ -82,10 +83,10 @@ class Embedding {
       if (field && isAnew) this.#tell('solved', fieldFigures(field));
     });
     session.failure.watch((failure) => {
-      if (failure) this.#tell('error', { message: failure.message });
+      if (failure) this.#tell('error', { message: String(messageOf(failure)) });
     });
     session.view.trouble.watch((message) => {
-      if (message) this.#tell('error', { message });
+      if (message) this.#tell('error', { message: String(message) });
     });
     this.#followClicks(session.view.stage);
   }
@@ -161,7 +162,7 @@ class Embedding {
     // What is in the address of the frame would come back over it.
     await api.ready;
     const before = session.shown.value?.opened;
-    let reason = '';
+    let reason: Words | null = null;
     await openWith(
       new Opener(
         session,
@@ -171,7 +172,7 @@ class Embedding {
       what,
     );
     const { value: shown } = session.shown;
-    if (reason) throw new Error(reason);
+    if (reason !== null) throw new Failure(reason);
     if (!shown || shown.opened === before) throw new Error('The opening was cancelled.');
     return meshFigures(shown, session.scene.state);
   }
@@ -197,7 +198,7 @@ class Embedding {
 }
 
 /** Tells what was opened as ever, and leaves it to the host to show what was not. */
-function quiet(voice: Voice, refused: (reason: string) => void): Voice {
+function quiet(voice: Voice, refused: (reason: Words) => void): Voice {
   return {
     opened: (shown, unit) => voice.opened(shown, unit),
     notice: (text) => voice.notice(text),
@@ -238,7 +239,7 @@ async function openLink(opener: Opener, link: string): Promise<void> {
 /** Throws what a link would be forgiven. */
 function decoded(fragment: string, start: typeof startOf = startOf): SceneState {
   const { state, notices, unknown } = decodeLink(fragment, start);
-  if (notices.length > 0) throw new Error(notices.join(' '));
+  if (notices.length > 0) throw new Failure(sentences(...notices));
   if (unknown.length > 0) throw new Error(`There is no option ${unknown.join(', ')}.`);
   if (!state) throw new Error('The link names no mesh.');
   return state;

@@ -2,7 +2,7 @@
 import { h } from '../dom';
 import { addressOf } from './documents';
 import { explanationOf, SECTIONS } from './settings';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /** The name that a setting has in the panel. */
 function nameOf(field: Element): string {
@@ -28,7 +28,8 @@ export function explain(panel: HTMLElement): void {
       const line = h(
         'p',
         { class: 'explanation' },
-        `${explanation.line} `,
+        explanation.line,
+        ' ',
         link(explanation.see, t`More about ${name}`),
       );
       line.hidden = field.hidden;
@@ -39,7 +40,7 @@ export function explain(panel: HTMLElement): void {
   }
 }
 
-function link(see: string, name: string): HTMLElement {
+function link(see: string, name: Words): HTMLElement {
   return h(
     'a',
     { class: 'about', href: addressOf(see), target: '_blank', rel: 'noopener', 'aria-label': name },

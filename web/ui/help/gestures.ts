@@ -1,11 +1,11 @@
 /** What the hand can do: with a mouse, with fingers or a pen, and with the keyboard. Null: nothing does it. */
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 export interface Gesture {
-  what: string;
-  mouse: string | null;
-  touch: string | null;
+  what: Words;
+  mouse: Words | null;
+  touch: Words | null;
   /** Keys that are pressed together have a plus sign between them. */
-  keys: string | null;
+  keys: Words | null;
 }
 
 export const GESTURES: readonly Gesture[] = [

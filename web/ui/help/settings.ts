@@ -1,19 +1,19 @@
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /**
  * A line on every setting of the panel, by section and by the name that it has there; `see` is a heading of the documents.
  * Every control of the panel has one: a test looks.
  */
 export interface Explanation {
-  line: string;
+  line: Words;
   see: string;
 }
 
-const about = (line: string, see: string): Explanation => ({ line, see });
+const about = (line: Words, see: string): Explanation => ({ line, see });
 
 /** That of a setting by the name that it is shown by. */
 export function explanationOf(section: string, shown: string): Explanation | undefined {
-  return Object.entries(SETTINGS[section] ?? {}).find(([name]) => t(name) === shown)?.[1];
+  return Object.entries(SETTINGS[section] ?? {}).find(([name]) => String(t(name)) === shown)?.[1];
 }
 
 export const SECTIONS: Record<string, string> = {

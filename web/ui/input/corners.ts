@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
-import { h } from '../dom';
+import { h, label, say } from '../dom';
 import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
@@ -66,9 +66,9 @@ export class LineCorners {
     corners.forEach((vertex, place) => {
       const words = t`Corner ${place + 1} of ${corners.length}, vertex ${vertex}`;
       const button = this.#layer.children[place];
-      button.setAttribute('aria-label', words);
+      label(button, 'aria-label', words);
       const isMoved = vertex !== before[place] && button === document.activeElement;
-      if (isMoved) this.#told.textContent = words;
+      if (isMoved) say(this.#told, words);
     });
     this.follow();
   }

@@ -3,7 +3,7 @@ import { formats } from '../../files/paths';
 import type { Given } from '../../session/opener';
 import { h } from '../dom';
 import { draggedAddress, givenFiles, givenItems } from './given';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /** The quiet frame over the whole canvas while something to open is dragged over the window. */
 export function dropTarget(open: (given: Given) => void, fetch: (address: string) => void): HTMLElement {
@@ -62,7 +62,7 @@ export function folderDialogue(open: (given: Given) => void): Dialogue {
 }
 
 function dialogue(
-  attributes: Record<string, string | boolean>,
+  attributes: Record<string, Words | boolean>,
   open: (given: Given) => void,
 ): Dialogue & { choose: () => void } {
   const input = h('input', {

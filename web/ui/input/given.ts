@@ -1,4 +1,5 @@
 /** What a drop, the clipboard or a file dialogue holds, as files with their paths. */
+import { Failure } from '../../error';
 import { addressIn } from '../../files/address';
 import { isArchive, isMesh } from '../../files/paths';
 import type { GivenFile } from '../../protocol';
@@ -82,5 +83,5 @@ async function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemE
 }
 
 function tooMany(title: string): Error {
-  return new Error(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
+  return new Failure(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
 }

@@ -11,7 +11,7 @@ import { printLabel } from '../print';
 import type { MeasureInput } from './input';
 import { middleOf, polylineOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 import type { PlaneContext } from '../../view/view';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
@@ -210,9 +210,9 @@ function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: Len
   if (legs.length < 2 || !last) return labels;
   const sum = lengthWords(lengthOf(measured), stateOf(measured), unit);
   const within = areaLabel(measured, unit);
-  return [...labels, label(within ? `Σ ${sum} · ${within}` : `Σ ${sum}`, last.position, 'sum')];
+  return [...labels, label(within ? t`Σ ${sum} · ${within}` : t`Σ ${sum}`, last.position, 'sum')];
 }
 
-function label(text: string, position: Vector, kind: 'leg' | 'sum'): Anchored {
+function label(text: Words, position: Vector, kind: 'leg' | 'sum'): Anchored {
   return { element: h('div', { class: `tape-label ${kind}` }, h('span', {}, text)), position };
 }

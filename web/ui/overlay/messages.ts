@@ -8,7 +8,7 @@ import type { LengthUnit } from '../../state/scene';
 import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
 
@@ -38,8 +38,8 @@ export class Messages implements Voice {
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }
 
-  notice(text: string): void {
-    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === text);
+  notice(text: Words): void {
+    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === String(text));
     former?.remove();
     this.#say(this.#polite, 'notice', text, []);
   }
@@ -52,13 +52,13 @@ export class Messages implements Voice {
     this.#chosen.append(h('div', { class: 'actions' }, select));
   }
 
-  fail(text: string, details: string, remedy?: Action): void {
+  fail(text: Words, details: string, remedy?: Action): void {
     this.#failed?.remove();
     this.#failed = this.#error(text, details, remedy);
   }
 
   /** Why nothing can be drawn; stays until drawing works again, which null says. */
-  blind(reason: string | null, tryAgain: () => void): void {
+  blind(reason: Words | null, tryAgain: () => void): void {
     this.#blind?.remove();
     this.#blind = reason
       ? this.#error(
@@ -99,13 +99,13 @@ export class Messages implements Voice {
     return newest !== undefined;
   }
 
-  #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
+  #error(text: Words, details: string, remedy: Action | undefined): HTMLElement {
     const copying: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
     const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copying] : [copying]);
     return message;
   }
 
-  #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
+  #say(place: HTMLElement, kind: string, text: Words, actions: readonly Action[]): HTMLElement {
     const message = h('div', { class: `message ${kind}` }, h('p', {}, text));
     if (actions.length > 0) {
       const buttons = actions.map(({ name, run }) => h('button', { class: 'link', onclick: run }, name));

@@ -1,11 +1,11 @@
 /** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
-import { h } from '../dom';
+import { h, label, say } from '../dom';
 import { remember, remembered } from '../memory';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 export interface Section {
   id: string;
-  title: string;
+  title: Words;
   /** Of one that is loaded: asked for when it is expanded first. */
   element: HTMLElement | (() => Promise<HTMLElement>);
   /** Until the user expands or collapses it. */
@@ -42,8 +42,8 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
     panel.dataset.open = String(open);
     handle.setAttribute('aria-expanded', String(open));
     const name = open ? t('Collapse the panel') : t('Expand the panel');
-    handle.setAttribute('aria-label', name);
-    handle.title = name;
+    label(handle, 'aria-label', name);
+    label(handle, 'title', name);
     body.inert = !open;
     keep('panel', open);
   };
@@ -61,8 +61,7 @@ function later(load: () => Promise<HTMLElement>): HTMLElement {
     observer.disconnect();
     load().then(
       (element) => place.replaceWith(element),
-      () =>
-        (place.textContent = t('This part of the page could not be loaded. Check the connection and reload the page.')),
+      () => say(place, t('This part of the page could not be loaded. Check the connection and reload the page.')),
     );
   }).observe(place);
   return place;
