@@ -56,8 +56,8 @@ async function ofCrates(): Promise<string[]> {
   const paths = (await readdir(root, { recursive: true })).filter((path) =>
     /^(surface|solver|volume|curves|viewer|basis)\/src\/(\w+\/)*error\.rs$/.test(path),
   );
-  const sources = await Promise.all(paths.map((path) => readFile(join(root, path), 'utf8')));
-  const attributes = sources.flatMap((source) => [...source.matchAll(/#\[error\(\s*"((?:[^"\\]|\\.)*)"/gs)]);
+  const files = await Promise.all(paths.map((path) => readFile(join(root, path), 'utf8')));
+  const attributes = files.flatMap((source) => Array.from(source.matchAll(/#\[error\(\s*"((?:[^"\\]|\\.)*)"/gs)));
   return attributes.map(([, text = '']) => {
     let value = 0;
     return text.replaceAll(/\\\s*\n\s*/g, '').replaceAll(/\{[^}]*\}/g, () => `{${value++}}`);

@@ -16,7 +16,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === 'function') element.addEventListener(name.replace(/^on/, ''), value);
     else if (typeof value === 'boolean') element.toggleAttribute(name, value);
-    else label(element, name, value);
+    else attribute(element, name, value);
   }
   for (const child of children) if (child !== null) element.append(child instanceof Node ? child : textNode(child));
   return element;
@@ -33,10 +33,10 @@ function keep<N extends Node>(node: N, words: unknown): N {
 }
 
 /** Gives an attribute a value. */
-export function label(element: Element, name: string, value: Words | number): void {
+export function attribute(element: Element, name: string, value: Words | number): void {
   element.setAttribute(name, String(value));
-  const attribute = element.getAttributeNode(name);
-  if (attribute) keep(attribute, value);
+  const node = element.getAttributeNode(name);
+  if (node) keep(node, value);
 }
 
 /** Has an element say something; the same once more is no change, which a screen reader would read aloud. */
@@ -88,7 +88,7 @@ export interface Control {
   show: (value: number) => void;
 }
 
-export function slider({ label: name, min, max, step, describe, change }: SliderOptions): Control {
+export function slider({ label, min, max, step, describe, change }: SliderOptions): Control {
   // The slider says its value itself.
   const output = h('span', { class: 'value', 'aria-hidden': 'true' });
   let gesture = {};
@@ -97,7 +97,7 @@ export function slider({ label: name, min, max, step, describe, change }: Slider
     min,
     max,
     step,
-    'aria-label': name,
+    'aria-label': label,
     oninput: () => {
       show(input.valueAsNumber);
       change(input.valueAsNumber, gesture);
@@ -109,9 +109,9 @@ export function slider({ label: name, min, max, step, describe, change }: Slider
   const show = (value: number) => {
     if (input.valueAsNumber !== value) input.valueAsNumber = value;
     say(output, describe(value));
-    label(input, 'aria-valuetext', describe(value));
+    attribute(input, 'aria-valuetext', describe(value));
   };
-  return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, name), output, input), show };
+  return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, label), output, input), show };
 }
 
 export function select<T extends string | number>(

@@ -80,9 +80,9 @@ export function milliseconds(value: number): Words {
   return t`${value < 10 ? tenths(value) : whole(value)} ms`;
 }
 
-/** A time that is seldom a moment. */
-export function seconds(milliseconds: number): Words {
-  return t`${(milliseconds < 950 ? hundredths : tenths)(milliseconds / 1000)} s`;
+/** A time that is seldom a moment, of as many milliseconds. */
+export function seconds(value: number): Words {
+  return t`${(value < 950 ? hundredths : tenths)(value / 1000)} s`;
 }
 
 export function bytes(value: number): Words {

@@ -1,6 +1,6 @@
 /** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
 import { numbers, t, type Words } from '../../texts';
-import { label, say } from '../dom';
+import { attribute, say } from '../dom';
 
 const plain = numbers({ maximumFractionDigits: 12, useGrouping: false });
 
@@ -201,7 +201,7 @@ function svg<K extends keyof SVGElementTagNameMap>(
 ): SVGElementTagNameMap[K] {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
-    label(element, name, value);
+    attribute(element, name, value);
   }
   return element;
 }

@@ -4,7 +4,7 @@ import { csvOf, markdownOf, milliseconds, REPORT, type Row, type Times } from '.
 import { save } from '../../view/picture';
 import { h, say } from '../dom';
 import { markdownButton, measuring } from './measuring';
-import { t, type Words } from '../../texts';
+import { count, t, type Words } from '../../texts';
 
 export function table1(): HTMLElement {
   const rows: Row[] = [];
@@ -28,7 +28,7 @@ export function table1(): HTMLElement {
       },
       (row) => {
         rows.push(row);
-        body.append(cells('td', [row.title, String(row.triangles), timesOf(row.iterated), timesOf(row.factored)]));
+        body.append(cells('td', [row.title, count(row.triangles), timesOf(row.iterated), timesOf(row.factored)]));
       },
     );
     return t('Done. Other work on this device makes times longer.');

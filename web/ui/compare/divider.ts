@@ -2,7 +2,7 @@
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { differing, MIDDLE, SPLITS } from '../../state/compared';
-import { h, icon, label, say } from '../dom';
+import { attribute, h, icon, say } from '../dom';
 import { draggable, hasModifier, keyGesture } from '../gesture';
 import { printLabel } from '../print';
 import { percent } from '../words';
@@ -80,7 +80,7 @@ export class Divider {
     say(this.#left, told(own, keys));
     say(this.#right, told(compared, keys));
     this.#grip.setAttribute('aria-valuenow', compared.split.toFixed(2));
-    label(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${told(own, keys)}`);
+    attribute(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${told(own, keys)}`);
     this.follow();
   }
 

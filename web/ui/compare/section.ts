@@ -175,8 +175,8 @@ function timeOf(ms: number): Words {
 
 function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): Words {
   if (!path) return '–';
-  const length = measure(path.length, unit);
-  return kind === 'exact' ? listed(length, t('exact')) : length;
+  const words = measure(path.length, unit);
+  return kind === 'exact' ? listed(words, t('exact')) : words;
 }
 
 function differenceRow(name: Words, share: number | undefined): HTMLElement {

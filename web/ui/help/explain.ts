@@ -2,7 +2,7 @@
 import { h } from '../dom';
 import { addressOf } from './documents';
 import { explanationOf, SECTIONS } from './settings';
-import { t, type Words } from '../../texts';
+import { Phrase, t, type Words } from '../../texts';
 
 /** The name that a setting has in the panel. */
 function nameOf(field: Element): string {
@@ -19,7 +19,9 @@ export function explain(panel: HTMLElement): void {
     const id = section.id.replace('section-', '');
     const summary = section.querySelector('summary');
     if (summary && id in SECTIONS && !isExplained(summary)) {
-      summary.after(h('p', { class: 'explanation' }, link(SECTIONS[id], t`More about ${summary.textContent}`)));
+      summary.after(
+        h('p', { class: 'explanation' }, link(SECTIONS[id], t`More about ${new Phrase(() => summary.textContent)}`)),
+      );
     }
     for (const field of section.querySelectorAll<HTMLElement>('.field')) {
       const name = nameOf(field);
@@ -30,7 +32,7 @@ export function explain(panel: HTMLElement): void {
         { class: 'explanation' },
         explanation.line,
         ' ',
-        link(explanation.see, t`More about ${name}`),
+        link(explanation.see, t`More about ${new Phrase(() => nameOf(field))}`),
       );
       line.hidden = field.hidden;
       field.after(line);

@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
-import { h, label, say } from '../dom';
+import { attribute, h, say } from '../dom';
 import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
@@ -66,7 +66,7 @@ export class LineCorners {
     corners.forEach((vertex, place) => {
       const words = t`Corner ${place + 1} of ${corners.length}, vertex ${vertex}`;
       const button = this.#layer.children[place];
-      label(button, 'aria-label', words);
+      attribute(button, 'aria-label', words);
       const isMoved = vertex !== before[place] && button === document.activeElement;
       if (isMoved) say(this.#told, words);
     });

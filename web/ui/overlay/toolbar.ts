@@ -1,7 +1,7 @@
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
-import { h, icon, label } from '../dom';
+import { attribute, h, icon } from '../dom';
 import { t, type Words } from '../../texts';
 
 const TOOLS: readonly { tool: Tool; name: Words; tip: Words; path: string }[] = [
@@ -62,8 +62,8 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
   });
   paused.watch((value) => {
     const name = value ? t('Resume') : t('Pause');
-    label(pause, 'title', t`${name} (P)`);
-    label(pause, 'aria-label', name);
+    attribute(pause, 'title', t`${name} (P)`);
+    attribute(pause, 'aria-label', name);
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
   const frame = plain(t('Frame'), t('Frame the model (F)'), FRAME, () => view.frame());

@@ -1,7 +1,7 @@
 import type { Clip } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type Animation, SPEEDS } from '../../state/scene';
-import { h, label, say, select, slider, toggle } from '../dom';
+import { attribute, h, say, select, slider, toggle } from '../dom';
 import { listed, some, t, type Words } from '../../texts';
 import { hundredths, tenths } from '../words';
 
@@ -72,7 +72,7 @@ export function animationSection(session: Session): HTMLElement {
   const show = ({ clip, plays, speed: times, loops, live }: Animation) => {
     clips.selectedIndex = (clip ?? -1) + 1;
     say(play, plays ? t('Stop') : t('Play'));
-    label(play, 'aria-label', plays ? t('Stop the animation') : t('Play the animation'));
+    attribute(play, 'aria-label', plays ? t('Stop the animation') : t('Play the animation'));
     play.disabled = clip === null;
     const input = time.element.querySelector('input');
     if (input) {

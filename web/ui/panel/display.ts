@@ -1,7 +1,7 @@
 import type { Session } from '../../session/session';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
-import { h, label, labelled, say, select, slider, toggle } from '../dom';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { finePercent } from '../words';
 import { count, t, type Words } from '../../texts';
 
@@ -40,7 +40,7 @@ export function displaySection(session: Session): HTMLElement {
     [[AUTOMATIC, t('automatic')], ...labelled(UP.names, UP_WORDS)],
     (value) => scene.edit({ up: value }),
   );
-  label(up.element, 'title', t('The axis of the file that points up (U: the next one)'));
+  attribute(up.element, 'title', t('The axis of the file that points up (U: the next one)'));
   const cameras = camerasControl(session);
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });

@@ -4,7 +4,7 @@ import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
 import { isSameUnit, unitOf } from '../../state/scene';
-import { h, label, labelled, say, select, slider, toggle } from '../dom';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
@@ -44,7 +44,7 @@ const HEIGHT_POWERS = 5;
 export function groundSection(session: Session, editor: GroundEditor): HTMLElement {
   const { scene } = session;
   const brush = toggle(t('Brush'), (on) => editor.set({ on }));
-  label(brush.element, 'title', t('The pointer paints the ground (B)'));
+  attribute(brush.element, 'title', t('The pointer paints the ground (B)'));
   const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) =>
     editor.set({ on: true, tool: value }),
   );
@@ -80,7 +80,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     describe: (step) => t`${length(100 * radiusAt(step))} % of the diameter`,
     change: (step) => editor.set({ radius: radiusAt(step) }),
   });
-  label(size.element, 'title', t('[ and ] change it'));
+  attribute(size.element, 'title', t('[ and ] change it'));
   const soft = slider({
     label: t('Soft edge'),
     min: 0,
@@ -101,7 +101,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   );
   const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
   const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
-  label(slope.element, 'title', t('Tobler’s hiking function'));
+  attribute(slope.element, 'title', t('Tobler’s hiking function'));
   const slopeHint = h(
     'p',
     { class: 'quiet' },
@@ -127,7 +127,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));
       const title = titleOf(other, custom);
-      label(button, 'title', title);
+      attribute(button, 'title', title);
       swatch.style.background = swatchOf(other, custom);
     }
     materials.hidden = chosen === 'line' || chosen === 'toggle';

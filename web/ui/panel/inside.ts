@@ -4,7 +4,7 @@ import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
-import { h, label, labelled, say, select, slider, toggle } from '../dom';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { finePercent, percent, seconds, tenths, tetrahedraWords, volume } from '../words';
 import { count, retold, sentences, some, t, type Words } from '../../texts';
 
@@ -47,7 +47,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   const cut = select<Inside['cut']>(t('Cut away'), labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
   cut.element.title = 'I';
   const place = number('place', t('Position'), 0.01, (value) => (value === 0 ? t('middle') : percent(value)));
-  label(place.element, 'title', t('Comma and full stop move it'));
+  attribute(place.element, 'title', t('Comma and full stop move it'));
   const turn = number('turn', t('Turn'), 1, (value) => `${value}°`);
   const tilt = number('tilt', t('Tilt'), 1, (value) => `${value}°`);
   const opening = number('opening', t('Opening'), 1, (value) => `${value}°`);

@@ -1,5 +1,5 @@
 /** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
-import { h, label, say } from '../dom';
+import { attribute, h, say } from '../dom';
 import { remember, remembered } from '../memory';
 import { t, type Words } from '../../texts';
 
@@ -42,8 +42,8 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
     panel.dataset.open = String(open);
     handle.setAttribute('aria-expanded', String(open));
     const name = open ? t('Collapse the panel') : t('Expand the panel');
-    label(handle, 'aria-label', name);
-    label(handle, 'title', name);
+    attribute(handle, 'aria-label', name);
+    attribute(handle, 'title', name);
     body.inert = !open;
     keep('panel', open);
   };

@@ -1,7 +1,7 @@
 import type { OpenedMesh } from '../../protocol';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
-import { h, label, say } from '../dom';
+import { attribute, h, say } from '../dom';
 import { trianglesWords } from '../words';
 import { count, t } from '../../texts';
 
@@ -41,7 +41,7 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
         if (!eye) return;
         const isHidden = hidden.includes(index);
         say(eye, isHidden ? t('Show') : t('Hide'));
-        label(eye, 'aria-label', isHidden ? t`Show ${title}` : t`Hide ${title}`);
+        attribute(eye, 'aria-label', isHidden ? t`Show ${title}` : t`Hide ${title}`);
       };
       return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, title), size), eye), show };
     });

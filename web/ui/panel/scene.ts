@@ -4,7 +4,7 @@ import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { isSameUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
 import { AUTOMATIC } from '../../wasm/contract';
-import { h, label, say, select } from '../dom';
+import { attribute, h, say, select } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
 import { t, type Words } from '../../texts';
@@ -52,7 +52,7 @@ export function sceneSection(
     ...UNITS.map((name): [UnitChoice, Words] => [name, name]),
   ];
   const unit = select(t('Unit'), units, (value) => session.scene.edit({ unit: value, scale: 1 }));
-  label(
+  attribute(
     unit.element,
     'title',
     t('The unit of the lengths in the file; none is converted. A tape of known length sets another scale'),
