@@ -8,7 +8,7 @@ import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
 import { GroundEditor } from './session/ground';
-import { type Given, Opener } from './session/opener';
+import { type InputFiles, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
 import { keepForOffline } from './offline/register';
@@ -68,9 +68,9 @@ const wishes = new URLSearchParams(location.search);
 const view = new View(stage, wishes.get('gpu') === 'webgl');
 view.drawsAllPixels = wishes.get('resolution') === 'full';
 const session = new Session(scene, view);
-const openGiven = (given: Given) => void opener.files(given);
-const dialogue = fileDialogue(openGiven);
-const folders = folderDialogue(openGiven);
+const openFiles = (input: InputFiles) => void opener.files(input);
+const dialogue = fileDialogue(openFiles);
+const folders = folderDialogue(openFiles);
 const messages = new Messages(dialogue.choose);
 const ground = new GroundEditor(session);
 const opener = new Opener(session, messages, ground);
@@ -123,7 +123,7 @@ const keys = new Keys({
 });
 
 followPaste(opener);
-followLaunches(openGiven);
+followLaunches(openFiles);
 
 const bar = toolbar(session, tool);
 page.append(
@@ -138,7 +138,7 @@ page.append(
   readout.element,
   keys.reticle,
   announcer(session),
-  dropTarget(openGiven, (dragged) => void opener.address(dragged)),
+  dropTarget(openFiles, (dragged) => void opener.address(dragged)),
   dialogue.element,
   folders.element,
 );
@@ -213,7 +213,7 @@ expose(
     await measuring.settled();
     await comparing.settled();
   },
-  () => measuring.told,
+  () => measuring.figures,
 );
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.

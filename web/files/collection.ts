@@ -1,6 +1,6 @@
-/** What was given together: files, or an archive of them. */
+/** The meshes of one input: files, or an archive of them. */
 import { Failure } from '../error';
-import type { GivenFile, MeshInput } from '../protocol';
+import type { InputFile, MeshInput } from '../protocol';
 import { formats, fileName, isArchive, meshesAmong } from './paths';
 import { counted, enumerated, t, type Words } from '../texts';
 
@@ -11,7 +11,7 @@ export interface Collection {
 }
 
 /** The meshes among files. An archive is looked into where there is no mesh beside it. */
-export async function collect(files: readonly GivenFile[]): Promise<Collection> {
+export async function collect(files: readonly InputFile[]): Promise<Collection> {
   const paths = files.map(({ path }) => path);
   const meshes = meshesAmong(paths);
   if (meshes.length > 0) return { meshes, input: (mesh) => ({ kind: 'files', mesh, files }) };
@@ -37,7 +37,7 @@ const CONVERT = t(
   'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.',
 );
 
-/** Nothing of what was given is a mesh. */
+/** An input without a mesh. */
 export class NoMesh extends Failure {
   constructor(paths: readonly string[]) {
     const names: Words[] = paths.slice(0, NAMED).map(fileName);

@@ -1,10 +1,10 @@
-/** Fetches meshes from other servers. Nothing is told about the page or its user: no cookies, no referrer. */
+/** Fetches meshes from other servers. Servers learn nothing about the page or its user: no cookies, no referrer. */
 import { Failure, messageOf } from '../error';
 import { pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
 import { isMesh } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
-import type { GivenFile } from '../protocol';
+import type { InputFile } from '../protocol';
 import { t, type Words } from '../texts';
 
 /** Of a mesh and what it refers to. */
@@ -13,7 +13,7 @@ export const MOST_FETCHED = '512 MiB';
 /** Files that a mesh may refer to. */
 const MOST_FILES = 1000;
 
-const TOLD_MS = 50;
+const REPORT_MS = 50;
 
 const ARCHIVE = 'PK\u0003\u0004';
 const PAGE = /^\s*<(!doctype html|html|head|body)\b/i;
@@ -56,7 +56,7 @@ class Fetcher {
   readonly #signal: AbortSignal;
   #bytes = 0;
   #files = 0;
-  #toldAt = 0;
+  #reportedAt = 0;
 
   constructor(progress: FetchListener, signal: AbortSignal) {
     this.#progress = progress;
@@ -86,11 +86,11 @@ class Fetcher {
   }
 
   /** The files that a mesh refers to, those that are there. Throws where one that is needed is not. */
-  async companions(references: readonly Reference[], base: URL): Promise<GivenFile[]> {
+  async companions(references: readonly Reference[], base: URL): Promise<InputFile[]> {
     this.#files += references.length;
     if (this.#files > MOST_FILES)
       throw new Failure(t`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
-    const found: GivenFile[] = [];
+    const found: InputFile[] = [];
     for (const { uri, path, isNeeded } of references) {
       try {
         found.push({ path, content: await this.#companion(uri, base) });
@@ -139,8 +139,8 @@ class Fetcher {
 
   #tell(fraction: number | null): void {
     const now = performance.now();
-    if (now - this.#toldAt < TOLD_MS) return;
-    this.#toldAt = now;
+    if (now - this.#reportedAt < REPORT_MS) return;
+    this.#reportedAt = now;
     this.#progress(this.#bytes, fraction);
   }
 }

@@ -48,7 +48,7 @@ export function partOf(mesh: Outlined, face: number): number | null {
   return mesh.active.length > 1 ? (partsOfFaces(mesh)?.at(face) ?? null) : null;
 }
 
-/** The vertices of a part; empty where it cannot be told. */
+/** The vertices of a part; empty where it is not known. */
 export function verticesOfPart(mesh: Outlined, part: number): number[] {
   const partOfFace = partsOfFaces(mesh);
   if (!partOfFace) return [];

@@ -171,7 +171,7 @@ export class Session {
     this.#client.cancel();
   }
 
-  /** During a drag a small exact region, or what vertices carry, may do, and the path may wait until the pointer rests. */
+  /** During a drag a small exact region, or the values of vertices may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
     this.#setDrag(dragging, false);
   }
@@ -297,7 +297,7 @@ export class Session {
       throw error;
     }
     // What was placed is in the scene from now on.
-    const { carry: _carry, ...kept } = request;
+    const { transfer: _transfer, ...kept } = request;
     this.#use(engine, kept);
     this.refiner.reset();
     this.failure.value = null;

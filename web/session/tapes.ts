@@ -34,7 +34,7 @@ export interface MeasuredTape {
 }
 
 /** What a tape tells, in the unit of the file; what is not known, or is none, is null. */
-export interface ToldTape {
+export interface TapeFigures {
   closed: boolean;
   legs: readonly { state: LegState; length: number | null; straight: number }[];
   length: number | null;
@@ -65,7 +65,7 @@ export function stateOf({ legs }: Pick<MeasuredTape, 'legs'>): LegState {
   return order.find((state) => legs.some((leg) => leg.state === state)) ?? 'exact';
 }
 
-export function told(measured: MeasuredTape): ToldTape {
+export function figuresOf(measured: MeasuredTape): TapeFigures {
   const length = lengthOf(measured);
   return {
     closed: measured.tape.closed,

@@ -48,7 +48,7 @@ function numberOf(cell: string): number {
 
 function checkedCode(cost: number, at: Words): number {
   if (cost === Infinity) return WALL;
-  // Written so that not a number is refused.
+  // Negated, so that NaN is rejected too.
   if (!(cost >= COSTS[0] && cost <= COSTS[1])) {
     throw new Failure(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
   }

@@ -106,7 +106,7 @@ export function fits({ faces, lines }: Ground, { triangles, inputVertices }: Siz
   return (faces.length === 0 || faces.length === triangles) && lines.every((line) => line.vertices.every(isThere));
 }
 
-/** What a worker has to be told. */
+/** What a worker has to know. */
 export function changeOf(before: Ground, after: Ground): GroundChange {
   const triangles: number[] = [];
   const count = Math.max(before.faces.length, after.faces.length);

@@ -62,7 +62,7 @@ export const INSIDE_NUMBERS = Object.keys(INSIDE_RANGES) as readonly (keyof type
 /** The narrowest spacing of shells but for none. */
 export const LEAST_SPACING = 0.02;
 
-/** Tetrahedra that a surface can be filled with, and with how many it is unless told otherwise. */
+/** Tetrahedra that a surface can be filled with, and the default. */
 export const FILLS = [1_000, 1_000_000] as const;
 export const DEFAULT_FILL = 60_000;
 

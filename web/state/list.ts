@@ -67,7 +67,7 @@ export function rowsOf(name: string, text: string): Row[] {
 function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: Words): Row {
   const valueAt = (column: number) => numberIn(cells[column] ?? '');
   const offset = own < 0 || (cells[own] ?? '') === '' ? 0 : valueAt(own);
-  // Written so that not a number is refused.
+  // Negated, so that NaN is rejected too.
   if (!(offset >= 0 && offset < Infinity)) {
     throw new Failure(t`${at}: an initial distance is a number from 0 on, not “${(cells[own] ?? '').slice(0, 40)}”.`);
   }

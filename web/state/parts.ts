@@ -16,7 +16,7 @@ interface Range {
   count: number;
 }
 
-/** #F, the part of each triangle; null where triangles of the file were removed, for then it cannot be told. */
+/** #F, the part of each triangle; null where triangles of the file were removed, which leaves it unknown. */
 export function partsOfFaces({ parts, active, surface }: Parted): Uint32Array | null {
   const ranges = rangesOf({ parts, active });
   const all = ranges.reduce((sum, { count }) => sum + count, 0);

@@ -76,12 +76,12 @@ export function milliseconds(time: number): string {
   return time >= 100 ? time.toFixed(0) : time.toFixed(1);
 }
 
-/** A table in Markdown; `device` is told below it. */
+/** A table in Markdown; `device` is named below it. */
 export function markdownOf(rows: readonly Row[], device: string): string {
-  const told = rows.map((row) =>
+  const cells = rows.map((row) =>
     cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
   );
-  return `${markdownTable(HEAD, told, [0])}\nMeasured by Heatwalk in ${device}.\n`;
+  return `${markdownTable(HEAD, cells, [0])}\nMeasured by Heatwalk in ${device}.\n`;
 }
 
 export function csvOf(rows: readonly Row[]): string {

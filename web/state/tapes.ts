@@ -1,4 +1,4 @@
-/** Measuring tapes: chains of places between which lengths are told, and the scale that lengths are told in. */
+/** Measuring tapes: chains of places between which lengths are measured, and the scale of lengths. */
 import type { MeshPoint } from '../protocol';
 import { POINTS } from './points';
 import type { Codec } from './text';
@@ -9,7 +9,7 @@ export interface Tape {
   closed: boolean;
 }
 
-/** Least and greatest length of the file's unit in the unit that lengths are told in. */
+/** Least and greatest length of the file's unit in the unit of the page. */
 export const SCALES = [1e-12, 1e12] as const;
 
 /** A closed tape has a corner more than a tape there and back. */

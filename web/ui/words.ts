@@ -385,7 +385,7 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): Wor
   );
 }
 
-/** Those that no source reaches; none where triangles of the file were removed, for then they cannot be told. */
+/** Those that no source reaches; none where triangles of the file were removed, which leaves them unknown. */
 function unreachedParts(opened: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
   const { parts, active, surface } = opened;
   const partOfFace = active.length < 2 ? null : partsOfFaces(opened);

@@ -93,7 +93,7 @@ export abstract class Screen {
       try {
         return await this.#create(WEBGPU);
       } catch {
-        // WebGL2 may work all the same. If not, its error is told.
+        // WebGL2 may work all the same. If not, its error is shown.
       }
     }
     return this.#create(WEBGL2);
@@ -215,7 +215,7 @@ export abstract class Screen {
     this.resolution.value = this.drawsAllPixels ? 1 : share;
   }
 
-  /** True if a frame was drawn. Throws what the graphics device refused; the next frame may be drawn all the same. */
+  /** True if a frame was drawn. Throws what the graphics device rejected; the next frame may be drawn all the same. */
   render(seconds: number): boolean {
     const drawn = this.use((viewer) => {
       this.prepare(viewer);

@@ -58,7 +58,7 @@ export class View extends Screen {
   /** What went wrong while drawing goes on. */
   readonly failure = new Signal<Error | null>(null);
 
-  /** Shows everything again. What the renderer refuses is left out from now on. False: the instance trapped on it. */
+  /** Shows everything again. What the renderer rejects is left out from now on. False: the instance trapped on it. */
   protected override replay(viewer: Viewer): boolean {
     for (const layer of ORDER) {
       try {

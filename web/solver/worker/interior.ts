@@ -83,7 +83,7 @@ export function boundaryOf(
   return { file, vertices };
 }
 
-/** What the page is told of them. */
+/** What the page gets of them. */
 export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, { center, scale, up }: DrawTransform): Interior {
   return {
     positions: tetrahedra.places(Float64Array.from(center), scale, up),

@@ -104,10 +104,10 @@ async function stuffed(
   count: number,
   progress: ProgressListener,
 ): Promise<Opening> {
-  const told = (fraction: number) =>
+  const report = (fraction: number) =>
     progress({ stage: 'Filling', fraction: FILL_FROM + fraction * (FILLED_FROM - FILL_FROM), vertices: 0 });
-  told(0);
-  const tetrahedra = await filled(file, chosen, count, told);
+  report(0);
+  const tetrahedra = await filled(file, chosen, count, report);
   const up = file.up();
   file.free();
   return { ...tetrahedraIn(tetrahedra, name, simplified, up), unit };

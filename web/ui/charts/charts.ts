@@ -150,17 +150,17 @@ function chartsOf(
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
-  const told = edges.map((edge) => edge * scale);
+  const bounds = edges.map((edge) => edge * scale);
   const shares = below.map((share) => 100 * share);
   const bars = shares.slice(1).map((share, index) => share - shares[index]);
   const area = t('Area (%)');
   const charts: Chart[] = [
-    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: told, y: bars }] },
+    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: bounds, y: bars }] },
     {
       title: t('Area within a distance'),
       xLabel,
       yLabel: area,
-      series: [{ name: area, kind: 'line', x: told, y: shares }],
+      series: [{ name: area, kind: 'line', x: bounds, y: shares }],
     },
   ];
   const notes: Words[] = [];

@@ -105,9 +105,9 @@ function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
     if (inexact.length === 0) return [];
     const line = (name: Words, errorOf: (level: Level) => number): Series => {
       const slope = slopeOf(inexact, errorOf);
-      const told = slope === null ? name : t`${name}, slope ${tenths(Math.round(10 * slope) / 10 || 0)}`;
+      const title = slope === null ? name : t`${name}, slope ${tenths(Math.round(10 * slope) / 10 || 0)}`;
       const [x, y] = [inexact.map(({ edge }) => edge), inexact.map((level) => 100 * errorOf(level))];
-      return { name: told, kind: 'points', x, y };
+      return { name: title, kind: 'points', x, y };
     };
     const series = [line(t('Maximum'), (level) => level[method].max), line(t('Mean'), (level) => level[method].mean)];
     return [{ title: TITLES[method], xLabel, yLabel: t('Error (%)'), logarithmic: 'both' as const, series }];

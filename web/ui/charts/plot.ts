@@ -52,7 +52,7 @@ const TICKS = 5;
 /** Of axes that are fitted to their values: on either side, a share of what these take; in powers of ten where there is one value. */
 const FITTED_MARGIN = 0.08;
 const LONE_MARGIN = 0.3;
-/** What is told of each power of ten, on axes of at most so many; on longer ones the powers alone. */
+/** Which multiples of each power of ten have a tick, on axes of at most so many; on longer ones the powers alone. */
 const STEPS = [
   { decades: 1, steps: [1, 1.5, 2, 3, 4, 5, 7] },
   { decades: 2.5, steps: [1, 2, 5] },
@@ -185,7 +185,7 @@ export function svgFile(chart: Chart): Blob {
   return new Blob([new XMLSerializer().serializeToString(plot(chart, PRINTED))], { type: 'image/svg+xml' });
 }
 
-/** One line an x of the first series; a bar is told by where it begins. */
+/** One line an x of the first series; a bar is written with where it begins. */
 export function csvOf({ xLabel, series }: Chart): string {
   const rows = Array.from({ length: series[0]?.y.length ?? 0 }, (_, i) => [
     series[0].x[i],

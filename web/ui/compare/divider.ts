@@ -6,7 +6,7 @@ import { attribute, h, icon, say } from '../dom';
 import { draggable, hasModifier, keyGesture } from '../gesture';
 import { printLabel } from '../print';
 import { percent } from '../words';
-import { told } from './words';
+import { settingsWords } from './words';
 import { t } from '../../texts';
 import type { PlaneContext } from '../../view/view';
 
@@ -77,10 +77,10 @@ export class Divider {
     this.element.hidden = !compared || this.#comparison.answer.value === null;
     if (!compared) return;
     const keys = differing(own, compared);
-    say(this.#left, told(own, keys));
-    say(this.#right, told(compared, keys));
+    say(this.#left, settingsWords(own, keys));
+    say(this.#right, settingsWords(compared, keys));
     this.#grip.setAttribute('aria-valuenow', compared.split.toFixed(2));
-    attribute(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${told(own, keys)}`);
+    attribute(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${settingsWords(own, keys)}`);
     this.follow();
   }
 

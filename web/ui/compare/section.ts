@@ -11,7 +11,7 @@ import { h, labelled, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, OPERATORS, SOLVERS, timeFactor } from '../settings';
 import { finePercent, length, measure, milliseconds } from '../words';
 import { difference } from './difference';
-import { told } from './words';
+import { settingsWords } from './words';
 import { count, listed, t, type Words } from '../../texts';
 
 const CHOICES: Record<Studied, Words> = {
@@ -120,7 +120,12 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
       [t('Path'), ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
     ];
     const apart = left.field && right?.field ? difference(left.field, right.field) : null;
-    const head = h('tr', {}, h('td'), ...[own, compared].map((one) => h('th', { scope: 'col' }, told(one, keys))));
+    const head = h(
+      'tr',
+      {},
+      h('td'),
+      ...[own, compared].map((one) => h('th', { scope: 'col' }, settingsWords(one, keys))),
+    );
     return [
       h('thead', {}, head),
       h(

@@ -23,8 +23,8 @@ const WORDS: Record<SettingKey, (settings: Settings) => Words> = {
 const OF_HEAT: readonly SettingKey[] = ['t', 'b', 'multi', 'near', 'memory', 'op', 'solver'];
 const OF_WINDOWS: readonly SettingKey[] = ['windows'];
 
-/** What settings are told apart by: of two methods, by these. */
-export function told(settings: Settings, keys: readonly SettingKey[]): Words {
+/** The settings in which two sides differ; of two methods, these alone. */
+export function settingsWords(settings: Settings, keys: readonly SettingKey[]): Words {
   const others = settings.method === 'heat' ? OF_WINDOWS : OF_HEAT;
   const meant = keys.includes('method') ? ['method' as const] : keys.filter((key) => !others.includes(key));
   return meant.length > 0 ? listed(...meant.map((key) => WORDS[key](settings))) : METHODS[settings.method];

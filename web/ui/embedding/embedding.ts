@@ -2,7 +2,7 @@
 import type { Events, Message, Method, Methods, Openable, Options, Request } from '../../embed';
 import { Failure, messageOf } from '../../error';
 import type { MeshPoint } from '../../protocol';
-import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener';
+import { Opener, startOf, startOfFile, type Notifier } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
@@ -19,8 +19,8 @@ const CLICK_MS = 250;
 export interface EmbeddingOptions {
   session: Session;
   api: Heatwalk;
-  /** Where what is opened is told. */
-  messages: Voice;
+  /** Where what is opened is reported. */
+  messages: Notifier;
   ground: GroundEditor;
   /** To the present scene. */
   link: () => string;
@@ -166,7 +166,7 @@ class Embedding {
     await openWith(
       new Opener(
         session,
-        quiet(messages, (refused) => (reason = refused)),
+        quiet(messages, (failure) => (reason = failure)),
         ground,
       ),
       what,
@@ -198,15 +198,15 @@ class Embedding {
 }
 
 /** Tells what was opened as ever, and leaves it to the host to show what was not. */
-function quiet(voice: Voice, refused: (reason: Words) => void): Voice {
+function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
   return {
-    opened: (shown, unit) => voice.opened(shown, unit),
-    notice: (text) => voice.notice(text),
-    choice: (shown, meshes, open) => voice.choice(shown, meshes, open),
-    fail: refused,
-    askForFile: (name) => voice.askForFile(name),
-    offer: (address, open) => voice.offer(address, open),
-    forget: () => voice.forget(),
+    opened: (shown, unit) => notifier.opened(shown, unit),
+    notice: (text) => notifier.notice(text),
+    choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
+    fail: failed,
+    askForFile: (name) => notifier.askForFile(name),
+    offer: (address, open) => notifier.offer(address, open),
+    forget: () => notifier.forget(),
   };
 }
 
@@ -225,7 +225,7 @@ async function openWith(opener: Opener, what: Openable): Promise<void> {
   }
   const [{ name: title }] = what.files;
   const files = what.files.map(({ name, content }) => ({ path: name, content: new Blob([content]) }));
-  const state = options ? decoded(`m=file&name=${encodeURIComponent(title)}${options}`, startOfGiven) : null;
+  const state = options ? decoded(`m=file&name=${encodeURIComponent(title)}${options}`, startOfFile) : null;
   return opener.files({ title, files: Promise.resolve(files) }, state);
 }
 

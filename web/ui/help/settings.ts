@@ -35,7 +35,7 @@ export const SECTIONS: Record<string, string> = {
 
 export const SETTINGS: Record<string, Record<string, Explanation>> = {
   scene: {
-    Unit: about(t('What lengths are told in. None is converted.'), 'method#units'),
+    Unit: about(t('The unit of lengths. None is converted.'), 'method#units'),
   },
   animation: {
     Animation: about(t('Which of the animations of the file is shown.'), 'page#animations'),
@@ -45,7 +45,7 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Distance: about(t('Measured in the pose of the file, or anew in each pose that is shown.'), 'page#animations'),
   },
   measure: {
-    'Unit of the known length': about(t('What lengths are told in from then on.'), 'page#tapes'),
+    'Unit of the known length': about(t('The unit of lengths from then on.'), 'page#tapes'),
   },
   sources: {
     Draw: about(

@@ -13,13 +13,13 @@ const STEP_PX = 4;
 const MOST_STEPS = 60;
 
 export class LineCorners {
-  readonly #told = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  readonly #announced = h('p', { class: 'unseen', 'aria-live': 'polite' });
   readonly #layer = h('div', {});
   readonly element = h(
     'section',
     { class: 'corner-layer', 'aria-label': t('Corners of the line'), hidden: true },
     this.#layer,
-    this.#told,
+    this.#announced,
   );
   readonly #session: Session;
   readonly #draw: DrawInput;
@@ -68,7 +68,7 @@ export class LineCorners {
       const button = this.#layer.children[place];
       attribute(button, 'aria-label', words);
       const isMoved = vertex !== before[place] && button === document.activeElement;
-      if (isMoved) say(this.#told, words);
+      if (isMoved) say(this.#announced, words);
     });
     this.follow();
   }

@@ -121,7 +121,7 @@ function row(
   );
 }
 
-/** A field for the true length of a tape: all lengths are told in that scale from then on. */
+/** A field for the true length of a tape, which sets the scale of all lengths. */
 function knownLength(
   session: Session,
   index: number,

@@ -69,7 +69,7 @@ export function placeName(point: MeshPoint): Words {
   return 'face' in point ? t`triangle ${point.face}: ${weights}` : t`tetrahedron ${point.tetrahedron}: ${weights}`;
 }
 
-/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit that they are told in. */
+/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit of the page. */
 export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthUnit): string {
   const number = (value: number, power = 1) =>
     Number.isFinite(value) ? String(Number((value * scale ** power).toPrecision(DIGITS))) : '';
@@ -80,8 +80,8 @@ export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthU
     const legs = measured.legs.map(({ leg, state, straight }, k) => {
       const surface = leg?.length ?? NaN;
       const names = ends[k].map(placeName);
-      const told = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
-      return [index + 1, k + 1, ...names, ...told, STATE_WORDS[state], symbol];
+      const figures = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
+      return [index + 1, k + 1, ...names, ...figures, STATE_WORDS[state], symbol];
     });
     const [surface, straight] = [lengthOf(measured), straightOf(measured)];
     const enclosed = measured.enclosure?.kind === 'sides' ? number(measured.enclosure.area, 2) : '';

@@ -2,7 +2,7 @@
 import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
-import type { Action, Voice } from '../../session/opener';
+import type { Action, Notifier } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../state/scene';
 import { copy } from '../clipboard';
@@ -12,12 +12,12 @@ import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
 
-export class Messages implements Voice {
+export class Messages implements Notifier {
   readonly element = h('div', { class: 'messages' });
   readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
   readonly #urgent = h('div', { role: 'alert' });
   readonly #chooseFile: () => void;
-  #told: HTMLElement | null = null;
+  #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
@@ -29,11 +29,11 @@ export class Messages implements Voice {
     this.element.append(this.#urgent, this.#polite);
   }
 
-  /** Tells what was done; replaces what was told of the mesh before, and the last error. */
+  /** Says what was done; replaces the message about the mesh before, and the last error. */
   opened({ opened, answer }: Shown, unit: LengthUnit): void {
-    for (const former of [this.#told, this.#absent, this.#failed, this.#chosen]) former?.remove();
-    this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring, unit), []);
-    this.#fade(this.#told);
+    for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
+    this.#summary = this.#say(this.#polite, 'summary', openingSentence(opened, answer.factoring, unit), []);
+    this.#fade(this.#summary);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }

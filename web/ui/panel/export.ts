@@ -99,7 +99,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   /** What is typed in a row is one step of undo. */
   const typing = {};
   const wish = () => {
-    // What cannot be read is told by what was asked for.
+    // The typed text, not the scene, says what cannot be read.
     parseIsolines(at.value);
     return isolineWish(session);
   };

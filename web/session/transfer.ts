@@ -8,14 +8,14 @@ import type { SceneState } from '../state/scene';
 import { type SetShape, type SourceSet, withOffset } from '../state/sources';
 import { found, type Mesh } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
-import type { Carry, Shown } from './prepare';
+import type { Transfer, Shown } from './prepare';
 import { t } from '../texts';
 
-/** Where a place is on the other mesh; null where that has none there. */
+/** Where a place is on the other mesh; null where it has none there. */
 type Take = (point: MeshPoint) => MeshPoint | null;
 
 /** `reach`: how far a place may be from where it was, as a share of the diameter. What is farther stays behind. */
-export function carry({ opened }: Shown, state: SceneState, reach: number): Carry {
+export function transfer({ opened }: Shown, state: SceneState, reach: number): Transfer {
   // In the pose of the file, in which meshes are opened.
   const before = new Places(opened);
   return async (mesh) => {
