@@ -6,15 +6,15 @@ import { counted, enumerated, t, type Words } from '../texts';
 
 export interface Collection {
   /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
-  meshes: readonly string[];
+  meshes: readonly [string, ...string[]];
   input: (mesh: string) => MeshInput;
 }
 
 /** The meshes among files. An archive is looked into where there is no mesh beside it. */
 export async function collect(files: readonly InputFile[]): Promise<Collection> {
   const paths = files.map(({ path }) => path);
-  const meshes = meshesAmong(paths);
-  if (meshes.length > 0) return { meshes, input: (mesh) => ({ kind: 'files', mesh, files }) };
+  const [first, ...others] = meshesAmong(paths);
+  if (first !== undefined) return { meshes: [first, ...others], input: (mesh) => ({ kind: 'files', mesh, files }) };
   const archive = files.find(({ path }) => isArchive(path));
   if (!archive) throw new NoMesh(paths);
   return collectArchive(archive.content);
@@ -24,9 +24,9 @@ export async function collect(files: readonly InputFile[]): Promise<Collection> 
 export async function collectArchive(archive: Blob): Promise<Collection> {
   const { Archive } = await import('./zip');
   const { paths } = await Archive.of(archive);
-  const meshes = meshesAmong(paths);
-  if (meshes.length === 0) throw new NoMesh(paths);
-  return { meshes, input: (mesh) => ({ kind: 'archive', mesh, archive }) };
+  const [first, ...others] = meshesAmong(paths);
+  if (first === undefined) throw new NoMesh(paths);
+  return { meshes: [first, ...others], input: (mesh) => ({ kind: 'archive', mesh, archive }) };
 }
 
 const NAMED = 5;

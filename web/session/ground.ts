@@ -19,6 +19,7 @@ import { Signal } from '../state/signal';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
 import { t } from '../texts';
+import { entry } from '../state/entry';
 
 /** Pixels around a wall along edges within which it is meant. */
 const GRIP_PX = 9;
@@ -144,7 +145,7 @@ export class GroundEditor {
     const opened = this.#session.shown.value?.opened;
     if (!opened?.weights) return;
     const { surface, inputVertices, weights } = opened;
-    const corners = surface.triangles.map((drawn) => inputVertices[drawn]);
+    const corners = surface.triangles.map((drawn) => entry(inputVertices, drawn));
     try {
       this.#repaint(codesOfVertices(weights.name, weights.values, corners));
     } catch (error) {
@@ -189,8 +190,8 @@ export class GroundEditor {
     const { scene } = this.#session;
     const { ground } = scene.state;
     const index = this.#lineAt(x, y);
-    if (index >= 0) {
-      const line = ground.lines[index];
+    const line = ground.lines[index];
+    if (line) {
       scene.edit({ ground: { ...ground, lines: ground.lines.with(index, { ...line, open: !line.open }) } });
       return;
     }

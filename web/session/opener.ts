@@ -356,7 +356,7 @@ function simplifiedOf(state: SceneState): { name: Words; state: SceneState } | u
 
 /** Whether there are fewer sources than were wanted. */
 function hasLost(wanted: SceneState, now: SceneState): boolean {
-  const isFewer = ({ points }: SourceSet, index: number) => points.length > now.sets[index].points.length;
+  const isFewer = ({ points }: SourceSet, index: number) => points.length > (now.sets[index]?.points.length ?? 0);
   return (
     wanted.sources.length > now.sources.length || wanted.sets.length > now.sets.length || wanted.sets.some(isFewer)
   );

@@ -70,7 +70,7 @@ async function growLine(
   corners: readonly number[],
   to: number,
 ): Promise<void> {
-  const more = await engine.line(corners[corners.length - 1], to);
+  const more = await engine.line(corners.at(-1) ?? to, to);
   if (engine !== session.engine || !session.scene.state.sets.includes(line)) return;
   const points = [...line.points, ...atVertices([...more.subarray(1)])];
   replaceSet(session.scene, line, {
@@ -169,8 +169,8 @@ export function addList(session: Session, name: string, text: string): Words {
   const placed = rowsOf(name, text).map((row) => placedOf(row, mesh));
   const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
   const far = t`${amount(farthest)} ${unitOf(scene.state, opened).symbol || t('units')}`;
-  const [first] = placed;
-  if (placed.length === 1) {
+  const [first, ...others] = placed;
+  if (first && others.length === 0) {
     addSource(scene, first.source);
     return 'coordinates' in first.row.place ? t`Added, ${far} away from there.` : t('Added.');
   }

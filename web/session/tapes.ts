@@ -10,6 +10,7 @@ import { Signal, until } from '../state/signal';
 import { legsOf, type Tape } from '../state/tapes';
 import type { Shown } from './prepare';
 import type { Session } from './session';
+import { entry } from '../state/entry';
 
 /**
  * What is known of a leg. `measuring`: nothing yet; `estimated`: a locally shortest path, while the exact one is searched;
@@ -154,7 +155,7 @@ export class Tapes {
     for (const { tape, legs, enclosure } of this.measured.value.toReversed()) {
       const open = legs.findIndex((leg) => !isKnown(leg));
       if (open >= 0) {
-        await this.#measure(basis, legsOf(tape)[open]);
+        await this.#measure(basis, entry(legsOf(tape), open));
         return true;
       }
       const paths = legs.flatMap(({ leg }) => (leg && 'triangles' in leg ? leg : []));

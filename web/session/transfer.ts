@@ -37,7 +37,7 @@ export function transfer({ opened }: Shown, state: SceneState, reach: number): T
       walker: state.walker && take(state.walker),
       tapes: state.tapes
         .map((tape) => ({ ...tape, points: all(tape.points, take) }))
-        .filter(({ points }, index) => points.length === state.tapes[index].points.length),
+        .filter(({ points }, index) => points.length === state.tapes[index]?.points.length),
     };
   };
 }
@@ -75,7 +75,7 @@ function shapeOn(shape: SetShape, { opened, places }: Mesh, take: Take): SetShap
     }
     case 'part':
       return isInside
-        ? { kind: 'list', name: opened.parts[shape.part].name || String(t`Part ${shape.part + 1}`) }
+        ? { kind: 'list', name: opened.parts[shape.part]?.name || String(t`Part ${shape.part + 1}`) }
         : shape;
   }
 }

@@ -6,6 +6,7 @@ import { AUTOMATIC } from '../wasm/contract';
 import { inBackground, PLAIN_QUESTION } from './background';
 import type { Wanted } from './client';
 import type { Engine } from './engine';
+import { entry } from '../state/entry';
 
 const BUDGET: MemoryBudget = { windows: 0, memory: AUTOMATIC };
 
@@ -72,6 +73,6 @@ function modelOf(model: ModelOfReport['model']): { load: () => Promise<MeshInput
 /** So many vertices, evenly spread over the numbers of those that are drawn. */
 function sample({ inputVertices }: OpenedMesh, count: number): Source[] {
   return Array.from({ length: count }, (_, index) => ({
-    vertex: inputVertices[Math.floor((index * inputVertices.length) / count)],
+    vertex: entry(inputVertices, Math.floor((index * inputVertices.length) / count)),
   }));
 }

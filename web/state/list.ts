@@ -78,7 +78,7 @@ function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns,
     }
     return { place: { vertex: index }, offset, at };
   }
-  const [x, y, z] = axes.map(valueAt);
+  const [x = NaN, y = NaN, z = NaN] = axes.map(valueAt);
   if (![x, y, z].every(Number.isFinite)) throw new Failure(t`${at}: x, y and z must be numbers.`);
   return { place: { coordinates: [x, y, z] }, offset, at };
 }

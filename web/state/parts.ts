@@ -1,5 +1,6 @@
 /** Which parts of a file the triangles of its surface belong to. Triangles keep the order of the file, in which a part has ranges. */
 import type { OpenedMesh } from '../protocol';
+import { entry } from './entry';
 
 /** The parts of a file, and which of them are the surface. */
 type Parts = Pick<OpenedMesh, 'parts' | 'active'>;
@@ -42,8 +43,11 @@ export function triangleOfFile(opened: Parts, face: number): number {
 
 function rangesOf({ parts, active }: Parts): Range[] {
   const ranges = active.flatMap((part) => {
-    const ends = Array.from(parts[part].ranges);
-    return ends.flatMap((first, index) => (index % 2 === 0 ? [{ part, first, count: ends[index + 1] - first }] : []));
+    const { ranges: ends } = entry(parts, part);
+    return Array.from({ length: ends.length / 2 }, (_, index) => {
+      const first = entry(ends, 2 * index);
+      return { part, first, count: entry(ends, 2 * index + 1) - first };
+    });
   });
   return ranges.toSorted((a, b) => a.first - b.first);
 }

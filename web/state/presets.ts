@@ -70,7 +70,7 @@ function preset(id: string, outline: Outline): Preset {
   };
 }
 
-export const PRESETS: readonly Preset[] = [
+export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('bunny', {
     title: t('Bunny'),
     credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),

@@ -1,5 +1,6 @@
 /** A very small DOM helper: attributes by name, `on…` for listeners, properties of the element as they are. */
 import { Phrase, t, type Words } from '../texts';
+import { entry } from '../state/entry';
 
 type Child = Node | Words | null;
 type Attributes = Record<string, Words | number | boolean | ((event: Event) => void)>;
@@ -125,7 +126,7 @@ export function select<T extends string | number>(
   allow: (isAllowed: (value: T) => boolean) => void;
 } {
   const options = choices.map(([value, text]) => h('option', { value }, text));
-  const input = h('select', { onchange: () => change(choices[input.selectedIndex][0]) }, ...options);
+  const input = h('select', { onchange: () => change(entry(choices, input.selectedIndex)[0]) }, ...options);
   return {
     element: h('label', { class: 'field' }, h('span', {}, label), input),
     show: (value) => {
@@ -133,7 +134,7 @@ export function select<T extends string | number>(
     },
     allow: (isAllowed) => {
       choices.forEach(([value], i) => {
-        options[i].disabled = !isAllowed(value);
+        entry(options, i).disabled = !isAllowed(value);
       });
     },
   };

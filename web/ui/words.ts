@@ -5,6 +5,7 @@ import type { LengthUnit, SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { count, counted, enumerated, listed, numbers, retold, sentences, some, t, type Words } from '../texts';
+import { entry } from '../state/entry';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
@@ -392,7 +393,7 @@ function unreachedParts(opened: OpenedMesh, { distance, byCorner }: DistanceFiel
   if (!partOfFace) return [];
   const reached = new Set<number>();
   surface.triangles.forEach((vertex, corner) => {
-    if (distance[byCorner ? corner : vertex] < Infinity) reached.add(partOfFace[Math.floor(corner / 3)]);
+    if (entry(distance, byCorner ? corner : vertex) < Infinity) reached.add(entry(partOfFace, Math.floor(corner / 3)));
   });
-  return active.filter((part) => !reached.has(part)).map((part) => parts[part].name);
+  return active.filter((part) => !reached.has(part)).map((part) => entry(parts, part).name);
 }

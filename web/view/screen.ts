@@ -54,7 +54,7 @@ export abstract class Screen {
     this.stage = stage;
     this.#forceWebgl = forceWebgl;
     this.#canvas = this.#freshCanvas();
-    const observer = new ResizeObserver(([entry]) => this.#resize(entry));
+    const observer = new ResizeObserver((entries) => entries.forEach((entry) => this.#resize(entry)));
     try {
       observer.observe(stage, { box: 'device-pixel-content-box' });
     } catch {

@@ -473,6 +473,7 @@ export const PAGE: Texts = {
   'area {0}': 'aire {0}',
   '≈ {0}': '≈ {0}',
   '{0} (P)': '{0} (P)',
+  'there is no entry {0} of {1}': 'il n’y a pas d’entrée {0} sur {1}',
 };
 
 /** Archives are opened in workers too. */

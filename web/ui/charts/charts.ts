@@ -19,6 +19,7 @@ import { figure } from './figure';
 import type { Chart, Series } from './plot';
 import { table1 } from './table1';
 import { t, type Words } from '../../texts';
+import { entry } from '../../state/entry';
 
 const BINS = 40;
 /** Fields follow one another faster than charts are read. */
@@ -152,7 +153,7 @@ function chartsOf(
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
   const bounds = edges.map((edge) => edge * scale);
   const shares = below.map((share) => 100 * share);
-  const bars = shares.slice(1).map((share, index) => share - shares[index]);
+  const bars = shares.slice(1).map((share, index) => share - entry(shares, index));
   const area = t('Area (%)');
   const charts: Chart[] = [
     { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: bounds, y: bars }] },
@@ -166,10 +167,12 @@ function chartsOf(
   const notes: Words[] = [];
   if (unreached > 0) notes.push(t`No source reaches ${percent(unreached)} of the area, which is left out.`);
   if (walk) {
-    const [x, y] = [0, 1].map((column) =>
-      Array.from({ length: walk.length / 2 }, (_, i) => scale * walk[2 * i + column]),
-    );
-    const series = [{ name: xLabel, kind: 'line' as const, x, y }];
+    const column = (of: number) =>
+      Array.from(
+        walk.filter((_, i) => i % 2 === of),
+        (value) => scale * value,
+      );
+    const series = [{ name: xLabel, kind: 'line' as const, x: column(0), y: column(1) }];
     charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
   for (const { title, length, x, points } of lines) {
@@ -216,7 +219,7 @@ function linesOf(
 async function distancesOf(session: Session, lines: readonly Line[]): Promise<Map<MeshPoint, number>> {
   const points = lines.flatMap((line) => line.points);
   const distances = points.length > 0 ? await exactDistances(session, points) : null;
-  return new Map(distances ? points.map((point, index) => [point, distances[index]]) : []);
+  return new Map(distances ? points.map((point, index) => [point, entry(distances, index)]) : []);
 }
 
 /** Places over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
@@ -245,7 +248,7 @@ function cutOf({ tape }: MeasuredTape, mesh: CutSurface, places: Places, stretch
     if (!cut) return null;
     x.push(...cut.arcs.map((arc) => before + stretch * arc));
     points.push(...cut.points);
-    before = x[x.length - 1];
+    before = x.at(-1) ?? before;
   }
   return x.length > 0 ? { x, points } : null;
 }

@@ -1,6 +1,7 @@
 /** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
 import { numbers, t, type Words } from '../../texts';
 import { attribute, say } from '../dom';
+import { entry } from '../../state/entry';
 
 const plain = numbers({ maximumFractionDigits: 12, useGrouping: false });
 
@@ -163,15 +164,16 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
     text(yLabel, { transform: `translate(11 ${middle}) rotate(-90)`, 'text-anchor': 'middle', fill: palette.text }),
   );
   series.forEach(({ name, kind, x, y }, index) => {
-    const color = palette.series[index % palette.series.length];
-    const at = (i: number) => `${px(x[i]).toFixed(2)} ${py(y[i]).toFixed(2)}`;
-    const bar = (i: number) =>
-      `M${px(x[i]).toFixed(2)} ${bottom}V${py(y[i]).toFixed(2)}H${px(x[i + 1]).toFixed(2)}V${bottom}Z`;
+    const color = entry(palette.series, index % palette.series.length);
+    const left = (i: number) => px(entry(x, i)).toFixed(2);
+    const top = (i: number) => py(entry(y, i)).toFixed(2);
+    const at = (i: number) => `${left(i)} ${top(i)}`;
+    const bar = (i: number) => `M${left(i)} ${bottom}V${top(i)}H${left(i + 1)}V${bottom}Z`;
     const order = Array.from({ length: y.length }, (_, i) => i);
     if (kind === 'bars') root.append(svg('path', { d: order.map(bar).join(''), fill: color }));
     else root.append(svg('path', { d: `M${order.map(at).join('L')}`, fill: 'none', stroke: color, 'stroke-width': 2 }));
     if (kind === 'points') {
-      for (const i of order) root.append(svg('circle', { cx: px(x[i]), cy: py(y[i]), r: POINT, fill: color }));
+      for (const i of order) root.append(svg('circle', { cx: left(i), cy: top(i), r: POINT, fill: color }));
     }
     if (series.length > 1) {
       root.append(text(name, { x: right, y: 14 + 12 * index, 'text-anchor': 'end', fill: color, 'font-weight': 600 }));
@@ -187,10 +189,8 @@ export function svgFile(chart: Chart): Blob {
 
 /** One line an x of the first series; a bar is written with where it begins. */
 export function csvOf({ xLabel, series }: Chart): string {
-  const rows = Array.from({ length: series[0]?.y.length ?? 0 }, (_, i) => [
-    series[0].x[i],
-    ...series.map(({ y }) => y[i]),
-  ]);
+  const [first] = series;
+  const rows = Array.from(first?.y ?? [], (_, i) => [first?.x[i], ...series.map(({ y }) => y[i])]);
   const head = [xLabel, ...series.map(({ name }) => name)].map((name) => `"${String(name).replaceAll('"', '""')}"`);
   return [head, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n';
 }

@@ -11,6 +11,7 @@ import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
 import { sentences, type Words } from '../../texts';
+import { entry } from '../../state/entry';
 
 /** As the pointer tells clicks from drags: see `PointerInput`. */
 const CLICK_PX = 4;
@@ -223,7 +224,7 @@ async function openWith(opener: Opener, what: Openable): Promise<void> {
     if (mesh.kind !== 'address') throw new Error(`${what.url} is no http or https address.`);
     return opener.address(mesh.address, options ? { mesh, ...state } : null);
   }
-  const [{ name: title }] = what.files;
+  const { name: title } = entry(what.files, 0);
   const files = what.files.map(({ name, content }) => ({ path: name, content: new Blob([content]) }));
   const state = options ? decoded(`m=file&name=${encodeURIComponent(title)}${options}`, startOfFile) : null;
   return opener.files({ title, files: Promise.resolve(files) }, state);

@@ -18,9 +18,10 @@ export function explain(panel: HTMLElement): void {
   for (const section of panel.querySelectorAll<HTMLElement>('details[id^="section-"]')) {
     const id = section.id.replace('section-', '');
     const summary = section.querySelector('summary');
-    if (summary && id in SECTIONS && !isExplained(summary)) {
+    const see = SECTIONS[id];
+    if (summary && see !== undefined && !isExplained(summary)) {
       summary.after(
-        h('p', { class: 'explanation' }, link(SECTIONS[id], t`More about ${new Phrase(() => summary.textContent)}`)),
+        h('p', { class: 'explanation' }, link(see, t`More about ${new Phrase(() => summary.textContent)}`)),
       );
     }
     for (const field of section.querySelectorAll<HTMLElement>('.field')) {

@@ -7,6 +7,7 @@ import { attribute, h, say } from '../dom';
 import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
+import { entry } from '../../state/entry';
 
 /** A corner goes to the first vertex in the direction of the arrow: it is looked for in steps of so many CSS pixels, at most so many. */
 const STEP_PX = 4;
@@ -38,8 +39,9 @@ export class LineCorners {
   /** Goes to where they are seen now. */
   follow(): void {
     if (this.element.hidden) return;
-    [...this.#layer.children].forEach((button, place) => {
-      const pixel = this.#pixelOf(this.#corners[place]);
+    this.#corners.forEach((vertex, place) => {
+      const button = this.#layer.children[place];
+      const pixel = this.#pixelOf(vertex);
       if (!(button instanceof HTMLElement)) return;
       button.hidden = pixel === null;
       if (pixel) button.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
@@ -65,7 +67,7 @@ export class LineCorners {
     this.element.hidden = corners.length === 0;
     corners.forEach((vertex, place) => {
       const words = t`Corner ${place + 1} of ${corners.length}, vertex ${vertex}`;
-      const button = this.#layer.children[place];
+      const button = entry(this.#layer.children, place);
       attribute(button, 'aria-label', words);
       const isMoved = vertex !== before[place] && button === document.activeElement;
       if (isMoved) say(this.#announced, words);
@@ -85,7 +87,7 @@ export class LineCorners {
     if (!arrow || !set || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    const vertex = this.#corners[place];
+    const vertex = entry(this.#corners, place);
     const there = this.#towards(vertex, arrow);
     if (!there) return;
     this.#draw.hold({ set, place, vertex }, this.#keys());

@@ -12,7 +12,7 @@ const MOST_FILES = 10_000;
 /** Files as a dialogue gives them; those of a folder tell their paths. */
 export function filesOf(files: Iterable<File>): InputFiles {
   const given = Array.from(files, (file) => ({ path: file.webkitRelativePath || file.name, content: file }));
-  const [title] = (given[0]?.path ?? '').split('/');
+  const [title = ''] = (given[0]?.path ?? '').split('/');
   return { title, files: given.length > MOST_FILES ? Promise.reject(tooMany(title)) : Promise.resolve(given) };
 }
 

@@ -39,7 +39,7 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
       cards = measured.map((_, index) => card(session, index));
       list.replaceChildren(...cards.map(({ element }) => element));
     }
-    cards.forEach(({ show: fill }, index) => fill(measured[index], unitNow()));
+    measured.forEach((each, index) => cards[index]?.show(each, unitNow()));
     list.hidden = buttons.hidden = measured.length === 0;
     say(said, '');
   };
@@ -106,18 +106,13 @@ function row(
   state: keyof typeof STATE_WORDS,
   unit: LengthUnit,
 ): HTMLElement {
-  const cells = [
-    lengthNumber(surface, state, unit),
-    lengthNumber(straight, 'exact', unit),
-    ratioWords(straight, surface),
-  ];
-  const [first, ...others] = cells;
   return h(
     'tr',
     {},
     h('th', { scope: 'row' }, name),
-    h('td', {}, first, h('span', { class: 'quiet' }, STATE_WORDS[state])),
-    ...others.map((text) => h('td', {}, text)),
+    h('td', {}, lengthNumber(surface, state, unit), h('span', { class: 'quiet' }, STATE_WORDS[state])),
+    h('td', {}, lengthNumber(straight, 'exact', unit)),
+    h('td', {}, ratioWords(straight, surface)),
   );
 }
 

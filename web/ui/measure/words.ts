@@ -5,6 +5,7 @@ import type { LengthUnit } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
 import { area, length, thousandths } from '../words';
 import { t, type Words } from '../../texts';
+import { entry } from '../../state/entry';
 
 export const STATE_WORDS: Record<LegState, Words> = {
   measuring: t('measuring…'),
@@ -79,7 +80,7 @@ export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthU
     const ends = legsOf(measured.tape);
     const legs = measured.legs.map(({ leg, state, straight }, k) => {
       const surface = leg?.length ?? NaN;
-      const names = ends[k].map(placeName);
+      const names = entry(ends, k).map(placeName);
       const figures = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
       return [index + 1, k + 1, ...names, ...figures, STATE_WORDS[state], symbol];
     });

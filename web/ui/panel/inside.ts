@@ -57,7 +57,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
       class: 'small',
       title: t('Turns what is cut away towards the camera'),
       onclick: () => {
-        const [yaw, pitch] = view.camera ?? [0, 0];
+        const [yaw = 0, pitch = 0] = view.camera ?? [];
         choose(anglesOf([Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)]));
       },
     },

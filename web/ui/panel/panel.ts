@@ -56,8 +56,8 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
 /** Stands for an element until its section is expanded. */
 function later(load: () => Promise<HTMLElement>): HTMLElement {
   const place = h('div', { class: 'quiet' });
-  new IntersectionObserver(([entry], observer) => {
-    if (!entry.isIntersecting) return;
+  new IntersectionObserver(([seen], observer) => {
+    if (!seen?.isIntersecting) return;
     observer.disconnect();
     load().then(
       (element) => place.replaceWith(element),

@@ -140,8 +140,8 @@ interface Entry {
 const NOTHING: Entry = { title: '', offset: 0, middle: { vertex: -1 } };
 
 function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
-  if (index < sources.length) {
-    const source = sources[index];
+  const source = sources[index];
+  if (source) {
     return { title: pointName(source), offset: source.offset ?? 0, middle: source };
   }
   const set = sets.at(index - sources.length);

@@ -73,7 +73,7 @@ function gallery(choose: (style: Style) => void): Part {
   return {
     element,
     show: ({ name }) =>
-      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(STYLES[i].name === name))),
+      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(STYLES[i]?.name === name))),
   };
 }
 
