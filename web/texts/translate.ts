@@ -69,12 +69,12 @@ export function some(...[value, ...texts]: Parameters<typeof counted>): Phrase |
   return value > 0 ? counted(value, ...texts) : null;
 }
 
-const figures = formatOf((language) => new Intl.ListFormat(language, { type: 'unit' }));
 const names = formatOf((language) => new Intl.ListFormat(language));
 
 /** Figures and properties one after the other: "a, b, c". */
 export function listed(...words: readonly (Words | null)[]): Phrase {
-  return new Phrase(() => figures().format(words.filter((each) => each !== null).map(String)));
+  const all = words.filter((each) => each !== null);
+  return new Phrase(() => all.map(String).reduce((before, next) => String(t`${before}, ${next}`)));
 }
 
 /** Things that a sentence names: "a, b, and c". */

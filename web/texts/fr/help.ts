@@ -48,7 +48,7 @@ export const HELP: Texts = {
   'drag its pin': 'glisser son épingle',
   arrows: 'flèches',
   'Move a corner of the selected line': 'Déplacer un coin de la ligne choisie',
-  'Tab to it, arrows': 'Tab jusqu’à lui, flèches',
+  'Tab arrows': 'Tab flèches',
   'Remove the selected source': 'Enlever la source choisie',
   '× in the list': '× dans la liste',
   Delete: 'Suppr',

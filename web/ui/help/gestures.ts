@@ -39,7 +39,7 @@ export const GESTURES: readonly Gesture[] = [
     what: t('Move a corner of the selected line'),
     mouse: t('drag'),
     touch: t('drag'),
-    keys: t('Tab to it, arrows'),
+    keys: t('Tab arrows'),
   },
   { what: t('Remove the selected source'), mouse: t('× in the list'), touch: t('× in the list'), keys: t('Delete') },
   { what: t('Place the walker'), mouse: t('alt + click'), touch: t('long press'), keys: 'W' },

@@ -49,7 +49,7 @@ export function sceneSection(
   const simplified = h('p', { class: 'quiet', hidden: true });
   const units: [UnitChoice, Words][] = [
     [AUTOMATIC, t('automatic')],
-    ...UNITS.map((name): [UnitChoice, Words] => [name, name]),
+    ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('none') : name]),
   ];
   const unit = select(t('Unit'), units, (value) => session.scene.edit({ unit: value, scale: 1 }));
   attribute(
