@@ -75,7 +75,7 @@ test('a phrase is in the language that the page has when it is read, with its nu
     counted(1234, '{0} triangle', '{0} triangles'),
     enumerated(['a', 'b', 'c']),
     retold('vertex 7 does not exist; there are 5, counted from 0'),
-    retold('the file refers to a.bin, which was not given, or the native program on a larger machine'),
+    retold('no triangles: out of memory while filling'),
     retold('PLY, line 5: a face ends too soon'),
     retold('Failed to fetch'),
   ];
@@ -88,7 +88,7 @@ test('a phrase is in the language that the page has when it is read, with its nu
       '1\u202f234 triangles',
       'a, b et c',
       'le sommet 7 n’existe pas\u202f; il y en a 5, comptés à partir de 0',
-      'le fichier renvoie à a.bin, qui n’a pas été donné, ou le programme natif sur une machine plus grande',
+      'aucun triangle\u202f: mémoire épuisée (remplissage)',
       'PLY, ligne 5\u202f: a face ends too soon',
       'Failed to fetch',
     ]);
