@@ -318,8 +318,8 @@ export interface SolverApi {
   warmUp(): Promise<void>;
   /**
    * Reads and welds a mesh, the only one of this worker, where it fits into memory. `parts`: the indices to walk on, empty
-   * for all. `up`: the axis that points up where it is drawn. `triangles`: more than so many are simplified to them, as one part
-   * without materials. `fill`: what the surface encloses is filled with about so many tetrahedra.
+   * for all. `up`: the axis that points up where it is drawn. `triangles`: a mesh of more is simplified to this number, as one part
+   * without materials. `fill`: what the surface encloses is filled with about this number of tetrahedra.
    */
   open(
     input: MeshInput,
@@ -366,7 +366,7 @@ export interface SolverApi {
    * quick field was asked for before this one was begun.
    */
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null>;
-  /** By so many windows of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
+  /** By `windows` of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
   propagate(sources: Source[], windows: number, quick: boolean, request: PathRequest | null): Promise<Solved | null>;
   /**
    * One step of making the last field exact, from the sources outward: exact inside, as it was beyond. Takes 100 to

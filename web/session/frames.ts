@@ -99,7 +99,7 @@ export class Frames {
   }
 }
 
-/** Seconds to go on by after so many milliseconds. */
+/** Seconds to go on by after `passed` milliseconds. */
 function step(passed: number): number {
   return Math.min(LONGEST_STEP, Math.max(0, passed / 1000));
 }

@@ -269,7 +269,7 @@ export class Opener {
   }
 
   /**
-   * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. What is placed stays about where
+   * Fills what the surface encloses with about `wanted` tetrahedra; null shows the surface again. What is placed stays about where
    * it is.
    */
   async fill(wanted: number | null): Promise<void> {

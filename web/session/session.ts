@@ -25,7 +25,7 @@ const LIVE_PATH_MS = 8;
 /** A field that takes longer, a frame at 60 a second, is solved with less accuracy while the pointer drags. */
 const LIVE_FIELD_MS = 16;
 
-/** Triangles of a mesh whose first answer takes so many frames that the mesh is drawn before. */
+/** Triangles of a mesh whose first answer takes many frames, so that it is drawn before. */
 const LEAST_PREVIEWED = 100_000;
 
 /** Until the worker of the next opening is started. */

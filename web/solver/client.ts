@@ -20,7 +20,7 @@ export interface Wanted {
   up: Up | typeof AUTOMATIC;
   /** What a mesh of more triangles is simplified to; null: nothing is. */
   triangles: number | null;
-  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  /** What the surface encloses is filled with about this number of tetrahedra; null: with none. */
   fill: number | null;
 }
 

@@ -26,7 +26,7 @@ export interface Level {
   propagation: FieldError;
 }
 
-/** How many surfaces there are to measure: that of so many triangles and those that it is split into. */
+/** How many surfaces there are to measure: that of `triangles` and those that it is split into. */
 export function levelsOf(triangles: number): number {
   const levels = Math.floor(Math.log(MOST_TRIANGLES / triangles) / Math.log(4)) + 1;
   return Math.min(MOST_LEVELS, Math.max(0, levels));

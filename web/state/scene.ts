@@ -101,9 +101,9 @@ export interface SceneState extends Settings {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
-  /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
+  /** A mesh of more triangles is simplified to this number; null: it is as in its file. */
   triangles: number | null;
-  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  /** What the surface encloses is filled with about this number of tetrahedra; null: with none. */
   fill: number | null;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;

@@ -57,7 +57,7 @@ export const count = numbers({ maximumFractionDigits: 0 });
 
 const plurals = formatOf((language) => new Intl.PluralRules(language));
 
-/** A text about so many, which are `{0}` in it; `more` are the values after it. */
+/** A text about a number, which is `{0}` in it; `more` are the values after it. */
 export function counted(value: number, one: string, other: string, ...more: readonly (Words | number)[]): Phrase {
   const values = [count(value), ...more];
   const [single, several] = [t(one, ...values), t(other, ...values)];

@@ -1,6 +1,6 @@
 /** A very small DOM helper: attributes by name, `on…` for listeners, properties of the element as they are. */
-import { Phrase, t, type Words } from '../texts';
 import { entry } from '../state/entry';
+import { Phrase, t, type Words } from '../texts';
 
 type Child = Node | Words | null;
 type Attributes = Record<string, Words | number | boolean | ((event: Event) => void)>;

@@ -1,11 +1,11 @@
 /** Numbers and sentences as the page shows them. */
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
+import { entry } from '../state/entry';
 import type { LengthUnit, SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { count, counted, enumerated, listed, numbers, retold, sentences, some, t, type Words } from '../texts';
-import { entry } from '../state/entry';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;

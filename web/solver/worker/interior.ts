@@ -51,7 +51,7 @@ export async function shapeOfTetrahedra(name: string): Promise<Tetrahedra> {
   return timed(() => module.Tetrahedra.shape(name));
 }
 
-/** About so many that fill what the chosen parts of a file enclose. */
+/** About `count` that fill what the chosen parts of a file enclose. */
 export async function filled(
   file: wasm.MeshFile,
   parts: Uint32Array,

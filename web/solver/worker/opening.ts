@@ -23,7 +23,7 @@ interface MeshSource {
   read: () => Promise<wasm.MeshFile | Tetrahedra>;
 }
 
-/** What is wanted of a mesh: the indices of its parts, or all; at most so many triangles; filled with about so many tetrahedra. */
+/** What is wanted of a mesh: the indices of its parts, or all; at most `most` triangles; filled with about `fill` tetrahedra. */
 interface Wish {
   parts: readonly number[];
   most: number | null;
@@ -97,7 +97,7 @@ function tetrahedraIn(mesh: Tetrahedra, name: string, simplified: Simplified | n
   return { file, chosen: Uint32Array.of(0), simplified, unit: unitOf(file), inner: { mesh, vertices } };
 }
 
-/** About so many tetrahedra in what the chosen parts of a file enclose. */
+/** About `count` tetrahedra in what the chosen parts of a file enclose. */
 async function stuffed(
   { file, chosen, simplified, unit }: Opening,
   name: string,

@@ -1,7 +1,7 @@
 /** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
+import { entry } from '../../state/entry';
 import { numbers, t, type Words } from '../../texts';
 import { attribute, say } from '../dom';
-import { entry } from '../../state/entry';
 
 const plain = numbers({ maximumFractionDigits: 12, useGrouping: false });
 
@@ -53,7 +53,7 @@ const TICKS = 5;
 /** Of axes that are fitted to their values: on either side, a share of what these take; in powers of ten where there is one value. */
 const FITTED_MARGIN = 0.08;
 const LONE_MARGIN = 0.3;
-/** Which multiples of each power of ten have a tick, on axes of at most so many; on longer ones the powers alone. */
+/** Which multiples of each power of ten have a tick, on axes of at most `decades`; on longer ones the powers alone. */
 const STEPS = [
   { decades: 1, steps: [1, 1.5, 2, 3, 4, 5, 7] },
   { decades: 2.5, steps: [1, 2, 5] },

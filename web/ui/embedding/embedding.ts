@@ -5,13 +5,13 @@ import type { MeshPoint } from '../../protocol';
 import { Opener, startOf, startOfFile, type Notifier } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
+import { entry } from '../../state/entry';
 import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
 import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
 import { sentences, type Words } from '../../texts';
-import { entry } from '../../state/entry';
 
 /** As the pointer tells clicks from drags: see `PointerInput`. */
 const CLICK_PX = 4;

@@ -1,15 +1,15 @@
 /** The corners of the line along edges that is selected, for the keyboard: each has the focus in turn, and arrows move it. */
 import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
+import { entry } from '../../state/entry';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
 import { attribute, h, say } from '../dom';
 import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
-import { entry } from '../../state/entry';
 
-/** A corner goes to the first vertex in the direction of the arrow: it is looked for in steps of so many CSS pixels, at most so many. */
+/** A corner goes to the first vertex in the direction of the arrow: it is looked for in at most `MOST_STEPS` steps of `STEP_PX` CSS pixels. */
 const STEP_PX = 4;
 const MOST_STEPS = 60;
 

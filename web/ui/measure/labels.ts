@@ -1,6 +1,7 @@
 /** Tapes on the stage: their curves, places that can be dragged, and lengths that follow the camera and stay in pictures. */
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/tapes';
+import { entry } from '../../state/entry';
 import type { Places } from '../../state/places';
 import { type Vector, distance } from '../../state/vector';
 import { type LengthUnit, unitOf } from '../../state/scene';
@@ -13,7 +14,6 @@ import { middleOf, polylineOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
 import { t, type Words } from '../../texts';
 import type { PlaneContext } from '../../view/view';
-import { entry } from '../../state/entry';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
 const RIM = { colour: '#101418', width: 5 };

@@ -1,11 +1,11 @@
 /** Tapes in words, and as a table for spreadsheets. */
 import type { MeshPoint } from '../../protocol';
 import { type LegState, lengthOf, type MeasuredTape, stateOf, straightOf } from '../../session/tapes';
+import { entry } from '../../state/entry';
 import type { LengthUnit } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
 import { area, length, thousandths } from '../words';
 import { t, type Words } from '../../texts';
-import { entry } from '../../state/entry';
 
 export const STATE_WORDS: Record<LegState, Words> = {
   measuring: t('measuring…'),
